@@ -1,4 +1,4 @@
-//! The camera: several of them, one that looks along `sky`, one whose window has another shape than the picture.
+//! Warnings about several cameras, cameras that look along `sky`, and pixels that are not square.
 
 use crate::camera::{Camera, Projection};
 use crate::diagnostic::{Diagnostic, codes};
@@ -8,24 +8,25 @@ use crate::scene::Scene;
 use crate::source::Span;
 use crate::world::World;
 
-/// How much longer one side of a pixel may be: POV-Ray's default window of 1.33 by 1 is 0.25 % off in a picture of 4 by 3.
+/// Allowed deviation of a pixel's aspect ratio from 1. POV-Ray's default window of 1.33 by 1 deviates by 0.25 % in a
+/// picture of 4 by 3.
 const UNEVEN: f64 = 0.02;
 
-/// What can be said before a picture is drawn.
+/// Warnings that need no picture.
 pub(super) fn of_scene(scene: &Scene) -> Option<Diagnostic> {
     several(&scene.cameras)
 }
 
 fn several(cameras: &[Span]) -> Option<Diagnostic> {
     let (last, others) = cameras.split_last()?;
-    // A macro or a loop may say the same camera again.
+    // A macro or a loop may create one camera several times.
     let other = others.iter().find(|other| *other != last)?;
-    let message = format!("the scene has {} cameras: the last one counts", cameras.len());
-    let d = Diagnostic::new(codes::SEVERAL_CAMERAS, *other, message).label("nobody looks through this one");
-    Some(d.also(*last, "this one counts").help("put the others into comments, or choose one with `#if`"))
+    let message = format!("the scene has {} cameras: the last one is used", cameras.len());
+    let d = Diagnostic::new(codes::SEVERAL_CAMERAS, *other, message).label("this one is not used");
+    Some(d.also(*last, "this one is used").help("put the others into comments, or choose one with `#if`"))
 }
 
-/// A view straight from above, which is mostly meant so.
+/// A camera that looks along `sky`, such as a view from above, which is mostly intended.
 pub(super) fn along_sky(scene: &Scene) -> Option<Diagnostic> {
     let Camera::Povray(camera) = &scene.camera else { return None };
     let ahead = (camera.look_at? - camera.location).try_normalize()?;
@@ -35,19 +36,20 @@ pub(super) fn along_sky(scene: &Scene) -> Option<Diagnostic> {
     }
     let at = scene.cameras.last().copied().unwrap_or(Span::NONE);
     let other = if sky.z.abs() > 0.9 { "sky y" } else { "sky z" };
-    let message = "the camera looks straight along its `sky`, so that nothing tells what is up in the picture";
-    let help = format!("write `{other}` in front of `look_at`, if that is to be up; now `right` alone decides");
+    let message = "the camera looks along its `sky`, which leaves the upward direction of the picture undefined";
+    let help =
+        format!("write `{other}` before `look_at` if that is the upward direction; now `right` alone determines it");
     Some(Diagnostic::new(codes::ALONG_SKY, at, message).help(help))
 }
 
-/// Pixels that are not square.
+/// A picture whose pixels are not square.
 pub(super) fn stretched(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let view = world.eye.view(options.width, options.height);
-    // (Others stretch all by their nature.)
+    // Projections without a window are distorted by their nature.
     let window = view.window()?;
     let middle = window.ray(options.width as f64 / 2.0, options.height as f64 / 2.0).dir;
     let leans = |side: DVec3| side.dot(middle).abs() > 1e-3 * side.length();
-    // Whoever sets the window askew knows what it shows.
+    // A window that is not perpendicular to the view is intended.
     if leans(window.across) || leans(window.down) {
         return None;
     }
@@ -56,18 +58,18 @@ pub(super) fn stretched(world: &World, options: &render::Options) -> Option<Diag
         return None;
     }
     let (width, height) = (options.width, options.height);
-    // A pixel that shows more across than down squeezes things across.
+    // A pixel that covers more horizontally than vertically compresses objects horizontally.
     let (longer, percent) = if ratio < 1.0 { ("wider", 1.0 / ratio - 1.0) } else { ("higher", ratio - 1.0) };
     let percent = (percent * 100.0).round();
-    let message = format!("in this picture of {width}x{height}, all is {percent} % {longer} than it should be");
+    let message = format!("in this picture of {width}x{height}, everything is {percent} % {longer} than it should be");
     let fitting = (height as f64 * ratio * width as f64 / height as f64).round() as usize;
-    let size = format!("draw it with `--size {fitting}x{height}`");
+    let size = format!("render it with `--size {fitting}x{height}`");
     let help = match &world.eye.projection {
         Projection::Lecture { .. } => format!("leave out `fov_x` or `fov_y` in the camera, or {size}"),
         _ => format!("write `right x*image_width/image_height` in the camera, or {size}"),
     };
     let d = Diagnostic::new(codes::STRETCHED, world.camera_source, message);
-    Some(d.label("its window has other sides than the picture").help(help))
+    Some(d.label("its window has another aspect ratio than the picture").help(help))
 }
 
 #[cfg(test)]
@@ -82,14 +84,14 @@ mod tests {
     }
 
     #[test]
-    fn only_straight_along_sky() {
+    fn views_along_sky_are_found() {
         assert!(looking(DVec3::Y * 10.0, DVec3::ZERO, DVec3::Y));
         assert!(!looking(DVec3::Y * 10.0, DVec3::ZERO, DVec3::Z));
         assert!(!looking(DVec3::new(0.0, 10.0, -0.001), DVec3::ZERO, DVec3::Y));
     }
 
     #[test]
-    fn one_camera_said_twice_is_one() {
+    fn one_camera_created_twice_counts_once() {
         let at = |lo| Span::new(lo, lo + 6);
         assert!(several(&[at(1), at(1)]).is_none());
         assert!(several(&[at(1), at(9)]).is_some());

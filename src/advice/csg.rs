@@ -1,4 +1,4 @@
-//! CSG of which nothing is left, and CSG of a single part.
+//! Warnings about empty CSG objects, and about CSG objects with a single part.
 
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{Aabb, DVec3};
@@ -8,15 +8,17 @@ use crate::world::Probe;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::Arc;
 
-/// Larger objects are taken as they are: to look for what is left of them takes too long.
-const SHAPES: u32 = 300;
-/// As many objects that one place of the text made are looked at: if one of them is there, the text is right.
-const COPIES: usize = 8;
-/// As many places are looked at, and as many are told.
-const PLACES: usize = 400;
-const TOLD: usize = 5;
-/// Rays across a side of an object's box: first a few, and where none meets anything, many.
+/// Largest number of shapes in an object that is examined.
+const MAX_SHAPES: u32 = 300;
+/// Number of objects from one position of the text that are examined: if one of them is not empty, the text is right.
+const MAX_COPIES: usize = 8;
+/// Largest number of positions of the text that are examined.
+const MAX_POSITIONS: usize = 400;
+/// Largest number of warnings.
+const MAX_WARNINGS: usize = 5;
+/// Rays across a side of an object's box in the first test.
 const FEW: usize = 6;
+/// Rays across a side of an object's box in the second test, if all rays of the first one miss.
 const MANY: usize = 90;
 
 pub(super) fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
@@ -34,14 +36,14 @@ pub(super) fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
         } else if !joins && copies.iter().all(|copy| is_nothing(copy)) {
             out.push(nothing_left(first, op, parts));
         }
-        if out.len() >= TOLD {
+        if out.len() >= MAX_WARNINGS {
             break;
         }
     }
     out
 }
 
-/// Unions of one object, which do no harm.
+/// Unions of one object, which are harmless.
 pub(super) fn doubtful(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     let mut groups = Groups::default();
     scene.objects.iter().for_each(|object| groups.gather(object));
@@ -59,7 +61,7 @@ fn op(object: &Object) -> Option<CsgOp> {
     }
 }
 
-/// (A shape with a number that is not finite has become an empty union.)
+/// True if the author wrote a CSG object: a shape with a number that is not finite also becomes an empty union.
 fn is_written(object: &Object) -> bool {
     matches!(object.word, "union" | "composite" | "merge" | "intersection" | "difference")
 }
@@ -71,10 +73,10 @@ fn parts(object: &Object) -> &[Object] {
     }
 }
 
-/// CSG objects by the place that made them.
+/// CSG objects by their position in the text.
 #[derive(Default)]
 struct Groups<'s> {
-    /// A body that many objects share is looked at once.
+    /// Bodies that were examined; many objects share one body.
     seen: FxHashSet<*const ObjectBody>,
     numbers: FxHashMap<Span, usize>,
     all: Vec<Vec<&'s Object>>,
@@ -89,43 +91,43 @@ impl<'s> Groups<'s> {
         parts.iter().for_each(|part| self.gather(part));
         let next = self.all.len();
         let number = *self.numbers.entry(object.source).or_insert(next);
-        if number == next && next < PLACES {
+        if number == next && next < MAX_POSITIONS {
             self.all.push(vec![]);
         }
-        if let Some(copies) = self.all.get_mut(number).filter(|copies| copies.len() < COPIES) {
+        if let Some(copies) = self.all.get_mut(number).filter(|copies| copies.len() < MAX_COPIES) {
             copies.push(object);
         }
     }
 
-    /// By their places in the text.
+    /// The groups in the order of the text.
     fn in_order(mut self) -> impl Iterator<Item = Vec<&'s Object>> {
         self.all.sort_by_key(|copies| copies.first().map_or(0, |first| first.source.lo));
         self.all.into_iter()
     }
 }
 
-/// Told only of blocks that are written out: what a directive puts together may now and then have a single part.
+/// Warns of a block with fewer than two parts. A block with directives may have a single part now and then.
 fn few_parts(object: &Object, parts: &[Object], sources: &Sources) -> Option<Diagnostic> {
     if !is_plain_block(object.source, sources) {
         return None;
     }
     let word = object.word;
     let (message, help) = match parts {
-        [] => (format!("this `{word}` holds no object"), "are the objects behind its `}`?".to_string()),
+        [] => (format!("this `{word}` contains no object"), "are the objects after its `}`?".to_string()),
         [_] => {
-            let message = format!("this `{word}` holds a single object, and changes nothing");
-            (message, format!("is the second object behind its `}}`? otherwise leave out `{word} {{ … }}`"))
+            let message = format!("this `{word}` contains a single object and has no effect");
+            (message, format!("is the second object after its `}}`? otherwise remove `{word} {{ … }}`"))
         }
         _ => return None,
     };
     let d = Diagnostic::new(codes::FEW_PARTS, object.source, message).help(help);
     Some(match parts {
-        [part] => d.also(part.source, "all that is in it"),
+        [part] => d.also(part.source, "the only object"),
         _ => d,
     })
 }
 
-/// Is there no directive in the block that begins at this place?
+/// True if the block at a span contains no directive.
 fn is_plain_block(source: Span, sources: &Sources) -> bool {
     let Some((file, range)) = sources.locate(source) else { return false };
     let Some(rest) = sources.text(file).get(range.start..) else { return false };
@@ -144,12 +146,12 @@ fn is_plain_block(source: Span, sources: &Sources) -> bool {
     false
 }
 
-/// Does no ray meet any of its surfaces?
+/// True if test rays hit no surface of the object.
 fn is_nothing(object: &Object) -> bool {
-    if object.weight().shapes() > SHAPES {
+    if object.weight().shapes() > MAX_SHAPES {
         return false;
     }
-    // (A transform that can't be undone is told when the world is built.)
+    // Lowering reports singular transforms.
     let Ok(probe) = Probe::new(object) else { return false };
     let bounds = probe.bounds();
     if bounds.is_empty() {
@@ -158,13 +160,13 @@ fn is_nothing(object: &Object) -> bool {
     bounds.is_finite() && is_missed(&probe, &bounds, FEW) && is_missed(&probe, &bounds, MANY)
 }
 
-/// Do all rays along the axes, so many across each side of the box, miss it?
+/// True if all rays along the axes, a grid of `across` by `across` through each side of the box, miss the object.
 fn is_missed(probe: &Probe, bounds: &Aabb, across: usize) -> bool {
     let (size, far) = (bounds.size(), bounds.size().max_element() + 1.0);
     (0..3).all(|axis| {
         let along = DVec3::AXES[axis];
         (0..across * across).all(|i| {
-            // Not through the middle, where things that are drawn with round numbers have their edges.
+            // Avoid the centre, where objects with round numbers have their edges.
             let part = |i: usize| (i as f64 + 0.4637) / across as f64;
             let mut at = DVec3::splat(0.0);
             at[(axis + 1) % 3] = part(i % across);
@@ -185,22 +187,22 @@ fn nothing_left(object: &Object, op: CsgOp, parts: &[Object]) -> Diagnostic {
         object.kind = ObjectKind::Csg(op, others.into());
         object
     };
-    // Without a guilty part, something is left.
+    // A part is guilty if the object without it is not empty.
     let guilty: Vec<&Object> =
         (first..parts.len().min(20)).filter(|&i| !is_nothing(&without(i))).filter_map(|i| parts.get(i)).collect();
     let d = Diagnostic::new(codes::NOTHING_LEFT, object.source, format!("nothing is left of this `{word}`"));
     if op == CsgOp::Difference {
-        let help = "make what is taken away smaller, or move it";
+        let help = "make the subtracted object smaller, or move it";
         return match guilty[..] {
-            [] => blamed(d, parts.get(first..).unwrap_or_default(), "this and others take it away").help(help),
-            [part] => d.also(part.source, "this takes all of it away").help(help),
-            _ => blamed(d, guilty, "this and others take it away").help(help),
+            [] => blamed(d, parts.get(first..).unwrap_or_default(), "this and others remove it").help(help),
+            [part] => d.also(part.source, "this removes all of it").help(help),
+            _ => blamed(d, guilty, "this and others remove it").help(help),
         };
     }
     match (guilty.iter().find(|part| part.word == "plane"), &guilty[..]) {
         (Some(plane), _) => d
             .also(plane.source, "this cuts all of it off")
-            .help("a plane holds the side that its normal points away from; `inverse` in it turns it around"),
+            .help("the inside of a plane is the side that its normal points away from; `inverse` reverses it"),
         (None, [part]) => {
             d.also(part.source, "this has no point in common with the others").help("move it to where the others are")
         }
@@ -209,7 +211,7 @@ fn nothing_left(object: &Object, op: CsgOp, parts: &[Object]) -> Diagnostic {
     }
 }
 
-/// With the places of the first few parts.
+/// Adds labels for the first three parts.
 fn blamed<'a>(d: Diagnostic, parts: impl IntoIterator<Item = &'a Object>, label: &str) -> Diagnostic {
     parts.into_iter().take(3).fold(d, |d, part| d.also(part.source, label))
 }

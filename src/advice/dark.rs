@@ -1,4 +1,4 @@
-//! A picture that is black all over, though something is seen.
+//! The warning about a picture that is black although it shows objects.
 
 use super::{first_named, named, unseen};
 use crate::diagnostic::{Diagnostic, codes};
@@ -7,7 +7,7 @@ use crate::render;
 use crate::source::Span;
 use crate::world::{LayerColor, World};
 
-/// Of one that is.
+/// Explains a black picture.
 pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
     if world.geometry.is_empty() {
         return None;
@@ -17,11 +17,11 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Dia
     Some(d.help(help))
 }
 
-/// Why no light comes from what is seen, and what to type.
+/// The reason why the visible objects are dark, its position, and the remedy.
 fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
     let emitter = || "`light_source { <10, 20, -10>, rgb 1 }`".to_string();
     if world.lights.is_empty() {
-        return (Span::NONE, "the scene has no light, and nothing in it shines by itself".into(), emitter());
+        return (Span::NONE, "the scene has no light, and no object is luminous".into(), emitter());
     }
     if world.lights.iter().all(|light| light.emitter.color.max_element() <= 0.0) {
         return (Span::NONE, "all of its lights are black".into(), emitter());
@@ -32,11 +32,11 @@ fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
     if let Some(found) = all_black(world, options) {
         return found;
     }
-    let help = "move a `light_source` to where it shines on what the camera sees".to_string();
-    (Span::NONE, "no light reaches what is seen".into(), help)
+    let help = "move a `light_source` so that it illuminates the visible objects".to_string();
+    (Span::NONE, "no light reaches the visible objects".into(), help)
 }
 
-/// All lights stand inside of objects that let nothing through.
+/// Reports lights that are all inside of opaque objects.
 fn in_the_dark(world: &World) -> Option<(Span, String, String)> {
     let mut first = None;
     for light in &world.lights {
@@ -45,7 +45,7 @@ fn in_the_dark(world: &World) -> Option<(Span, String, String)> {
     }
     let (word, source) = first?;
     let help = "move the light out of it, or write `no_shadow` in the object".to_string();
-    Some((source, format!("the light stands inside of this `{word}`"), help))
+    Some((source, format!("the light is inside of this `{word}`"), help))
 }
 
 fn holder(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
@@ -59,7 +59,7 @@ fn holder(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
     found
 }
 
-/// What is seen has no colour.
+/// Reports visible objects that are all black.
 fn all_black(world: &World, options: &render::Options) -> Option<(Span, String, String)> {
     let mut first = None;
     for found in unseen::sample(world, options) {
@@ -73,5 +73,5 @@ fn all_black(world: &World, options: &render::Options) -> Option<(Span, String, 
     }
     let (word, source) = first?;
     let help = "`pigment { rgb <1, 0.5, 0> }`; an object without a pigment is black".to_string();
-    Some((source, format!("all that is seen is black, as this `{word}`"), help))
+    Some((source, format!("all visible objects are black, such as this `{word}`"), help))
 }

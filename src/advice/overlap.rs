@@ -1,6 +1,7 @@
-//! Surfaces that lie in one another: which one a ray meets first is chance, and the picture shows specks of both.
+//! The warning about coincident surfaces: rounding decides which one a ray hits first, and the picture shows specks of
+//! both.
 //!
-//! Only what is seen counts: a box that stands on a floor touches it, and nobody sees where.
+//! Only visible surfaces count: the contact of a box and its floor is hidden.
 
 use super::shows;
 use crate::diagnostic::{Diagnostic, codes};
@@ -9,22 +10,23 @@ use crate::render;
 use crate::world::{Intersection, PlacedSolid, SolidKind, World};
 use rustc_hash::FxHashMap;
 
-/// So many rays are asked at most, and no more than one for so many pixels: it must not be noticed.
-const SAMPLES: usize = 1500;
-const PIXELS: usize = 30;
-/// Two surfaces must be seen together at so many places: along an edge they always meet.
-const PLACES: u32 = 3;
-/// As many pairs are told.
-const TOLD: usize = 3;
-/// Surfaces that are nearer than this along a ray, relative to its length, are one.
-const NEAR: f64 = 1e-9;
+/// Largest number of test rays; the test must not take noticeable time.
+const MAX_RAYS: usize = 1500;
+/// Number of pixels for each test ray.
+const PIXELS_PER_RAY: usize = 30;
+/// Number of points at which two surfaces must coincide: at common edges they always do.
+const MIN_POINTS: u32 = 3;
+/// Largest number of warnings.
+const MAX_WARNINGS: usize = 3;
+/// Distance along a ray below which surfaces coincide, relative to the length of the ray.
+const TOLERANCE: f64 = 1e-9;
 
-/// What two surfaces do where they meet.
+/// Kind of a coincidence of two surfaces.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Fight {
-    /// Each has its own look.
-    Looks,
-    /// One is the end of what the other begins: a skin without thickness.
+enum Coincidence {
+    /// The surfaces have different materials.
+    Materials,
+    /// A subtracted object ends in the surface: a skin without thickness remains.
     Skin,
 }
 
@@ -32,91 +34,91 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Vec<Diagno
     let mut pairs: FxHashMap<(u32, u32), u32> = FxHashMap::default();
     let mut out: Vec<Diagnostic> = vec![];
     for ray in rays(world, options) {
-        for (a, b, fight) in meetings(world, &ray) {
+        for (a, b, kind) in coincidences(world, &ray) {
             let places = pairs.entry((a, b)).or_insert(0);
             *places += 1;
-            if *places == PLACES
-                && let Some(d) = told(world, a, b, fight)
+            if *places == MIN_POINTS
+                && let Some(d) = warning(world, a, b, kind)
                 && !out.iter().any(|other| other.labels == d.labels)
             {
                 out.push(d);
             }
         }
-        if out.len() >= TOLD {
+        if out.len() >= MAX_WARNINGS {
             break;
         }
     }
     out
 }
 
-/// A few rays all over the picture, none through the middle of a pixel: things that are drawn with round numbers have their edges there.
+/// Rays all over the picture, but not through the centres of pixels, where objects with round numbers have their edges.
 fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> + use<> {
     let (width, height) = (options.width as f64, options.height as f64);
     let view = world.eye.view(options.width, options.height);
-    let count = SAMPLES.min(options.width * options.height / PIXELS);
-    // The multiples of these two irrational numbers fill a square evenly (Roberts 2018, "R2").
+    let count = MAX_RAYS.min(options.width * options.height / PIXELS_PER_RAY);
+    // Low-discrepancy sequence R2 (Roberts 2018).
     (0..count).filter_map(move |i| {
         let part = |step: f64| (0.5 + step * (i + 1) as f64).fract();
         view.ray(part(0.754_877_666_246_693) * width, part(0.569_840_290_998_053) * height)
     })
 }
 
-/// The surfaces that share the place that this ray sees, by their numbers, the smaller first.
-fn meetings(world: &World, ray: &Ray) -> Vec<(u32, u32, Fight)> {
+/// The pairs of surfaces that coincide at the first hit of a ray, the smaller index first.
+fn coincidences(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
     let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
     let Some(seen) = world.geometry.closest(ray, range, |id| shows(world, id)) else { return vec![] };
-    let near = NEAR * (1.0 + seen.t());
+    let near = TOLERANCE * (1.0 + seen.t());
     let around = Range { min: seen.t() - near, max: seen.t() + near };
     let normal = seen.surface(ray).normal;
     let mut out = vec![];
     world.geometry.shapes_at(ray, around, &mut |item, other| {
         if other.part() != seen.part()
             && shows(world, item.object())
-            && let Some(fight) = fight(world, ray, &item, &seen, &other, normal)
+            && let Some(kind) = kind_of(world, ray, &item, &seen, &other, normal)
         {
             let (a, b) = (seen.part().min(other.part()), seen.part().max(other.part()));
-            out.push((a, b, fight));
+            out.push((a, b, kind));
         }
     });
     out
 }
 
-fn fight(
+fn kind_of(
     world: &World,
     ray: &Ray,
     item: &PlacedSolid,
     seen: &Intersection,
     other: &Intersection,
     normal: DVec3,
-) -> Option<Fight> {
-    // (An object that cuts its parts shows some of their surfaces and not others.)
+) -> Option<Coincidence> {
+    // An intersection shows only some surfaces of its parts.
     let cut = matches!(item.node().kind(), SolidKind::Intersection(_) | SolidKind::Merge(_));
     let along = other.surface(ray).normal.dot(normal);
     if along.abs() < 1.0 - 1e-6 {
         return None;
     }
     if cut && item.object() == seen.object && along < 0.0 {
-        return Some(Fight::Skin);
+        return Some(Coincidence::Skin);
     }
-    let kept = !cut || item.inside(ray.at(seen.t()) - normal * (NEAR.sqrt() * (1.0 + seen.t())));
+    let kept = !cut || item.inside(ray.at(seen.t()) - normal * (TOLERANCE.sqrt() * (1.0 + seen.t())));
     let look = |found: &Intersection| world.parts.get(found.part() as usize).map(|part| &part.outside);
     let (a, b) = (look(seen)?, look(other)?);
     let same = a.material == b.material && a.place.as_deref() == b.place.as_deref();
-    (kept && !same).then_some(Fight::Looks)
+    (kept && !same).then_some(Coincidence::Materials)
 }
 
-fn told(world: &World, a: u32, b: u32, fight: Fight) -> Option<Diagnostic> {
+fn warning(world: &World, a: u32, b: u32, kind: Coincidence) -> Option<Diagnostic> {
     let (a, b) = (world.parts.get(a as usize)?, world.parts.get(b as usize)?);
-    // Two passes of a loop, or two copies of one thing: a place by itself tells enough.
+    // Two passes of a loop or two copies have one position.
     let one = a.source == b.source;
-    let (message, help) = match fight {
-        Fight::Looks => (
-            "two surfaces lie in one another: chance decides which is seen",
+    let (message, help) = match kind {
+        Coincidence::Materials => (
+            "two surfaces coincide: rounding decides which one is visible",
             "move one of them a little, as by `0.001*y`",
         ),
-        Fight::Skin => (
-            "what is taken away ends in the surface of the other: a skin without thickness is left",
-            "let it stick out a little, so that it goes all the way through",
+        Coincidence::Skin => (
+            "the subtracted object ends in the surface of the other one: a skin without thickness remains",
+            "enlarge it a little, so that it extends beyond the other one",
         ),
     };
     let d = Diagnostic::new(codes::SAME_SURFACE, a.source, message).help(help);

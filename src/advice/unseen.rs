@@ -1,4 +1,4 @@
-//! A picture that shows nothing but the background, or nothing but the inside of what is around the camera.
+//! Warnings about pictures that show only the background, or only the inside of the object around the camera.
 
 use super::{first_named, is_somewhere, named, shows, typed};
 use crate::camera::Projection;
@@ -9,20 +9,20 @@ use crate::source::Span;
 use crate::world::{Intersection, PlacedSolid, World};
 use rustc_hash::FxHashSet;
 
-/// So many rays tell what is seen.
+/// Number of rays that sample the visible objects.
 const SAMPLES: usize = 200;
-/// Of a pixel.
+/// Offset of a pixel's centre from its corner.
 const CENTRE: f64 = 0.5;
 
 pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let (eye, at_eye) = (world.eye.frame.origin, around(world, world.eye.frame.origin));
-    // Rays of some cameras begin elsewhere.
+    // Rays of some cameras have their own origins.
     let is_around = |ray: &Ray, object: &u32| match ray.origin == eye {
         true => at_eye.contains(object),
         false => around(world, ray.origin).contains(object),
     };
     let mut inside = None;
-    // Anti-aliasing sees what lies between the pixels' centres too.
+    // Anti-aliasing also samples between the centres of the pixels.
     let between = options.antialias.map(|_| rays(world, options, 0.0));
     for ray in rays(world, options, CENTRE).chain(between.into_iter().flatten()) {
         match closest(world, &ray) {
@@ -31,25 +31,26 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Dia
         }
     }
     match inside {
-        // Alone, it is what the picture is of.
+        // A single object is the subject of the picture.
         Some(_) if world.geometry.items().all(|item| at_eye.contains(&item.object())) => None,
         Some(found) => Some(from_inside(world, &found)),
-        // (A scene without objects and lights is not made to be looked at.)
+        // A scene without objects and lights is no picture.
         None if world.geometry.is_empty() && world.lights.is_empty() => None,
         None => Some(nothing_seen(world, options)),
     }
 }
 
-/// What a few rays meet, all over the picture.
+/// The first hits of a sample of rays all over the picture.
 pub(super) fn sample<'a>(world: &'a World, options: &render::Options) -> impl Iterator<Item = Intersection<'a>> {
     rays(world, options, CENTRE).take(SAMPLES).filter_map(|ray| closest(world, &ray))
 }
 
-/// The rays through all pixels, `offset` from the top left of each; those that come first are far from each other.
+/// The rays through all pixels, at `offset` from their top left corners, in an order in which consecutive rays are far
+/// from each other.
 fn rays(world: &World, options: &render::Options, offset: f64) -> impl Iterator<Item = Ray> + use<> {
     let (width, total) = (options.width.max(1), options.width * options.height);
     let view = world.eye.view(options.width, options.height);
-    // A step that has no divisor in common with the number of pixels comes to each of them once.
+    // A step that is coprime to the number of pixels visits each pixel once.
     let coprime = |step: &usize| gcd(*step, total) == 1;
     let step = (total * 618 / 1000 + 1..).find(coprime).unwrap_or(1);
     let places = (0..total).scan(total / 2, move |at, _| {
@@ -68,7 +69,7 @@ fn closest<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
     world.geometry.closest(ray, range, |id| shows(world, id))
 }
 
-/// The objects that hold the eye and let no light through.
+/// Indices of the opaque objects that contain the eye.
 fn around(world: &World, eye: DVec3) -> FxHashSet<u32> {
     let mut out = FxHashSet::default();
     world.geometry.containing(eye, &mut |item| {
@@ -82,10 +83,10 @@ fn around(world: &World, eye: DVec3) -> FxHashSet<u32> {
 fn from_inside(world: &World, found: &Intersection) -> Diagnostic {
     let (word, source) = named(world, found);
     let (message, help) = if word == "plane" {
-        let message = "the camera is behind this `plane`, and sees nothing but its back";
+        let message = "the camera is behind this `plane` and shows only its back";
         (message.to_string(), "move `location` to the side that the plane's normal points to".to_string())
     } else {
-        let message = format!("the camera is inside of this `{word}`, and sees nothing but its inside");
+        let message = format!("the camera is inside of this `{word}` and shows only its inside");
         (message, "move `location` out of it, or make the object smaller".to_string())
     };
     Diagnostic::new(codes::CAMERA_INSIDE, source, message).also(world.camera_source, "the camera").help(help)
@@ -101,38 +102,38 @@ fn nothing_seen(world: &World, options: &render::Options) -> Diagnostic {
     if let Some(item) = nearest
         && let Some((word, source)) = first_named(world, *item)
     {
-        let seen = Seen::of(world, options, &item.bounds());
-        let label = format!("the nearest object, this `{word}`, is {}", seen.told());
+        let seen = Visibility::of(world, options, &item.bounds());
+        let label = format!("the nearest object, this `{word}`, is {}", seen.description());
         let d = Diagnostic::new(codes::NOTHING_SEEN, source, message).label(label);
         return d.also(world.camera_source, "seen from here").help(seen.help(world, &item.bounds()));
     }
     match items.iter().find_map(|item| first_named(world, *item)) {
         Some((word, source)) => Diagnostic::new(codes::NOTHING_SEEN, source, message)
-            .label(format!("no ray from the camera meets this `{word}`"))
+            .label(format!("no ray from the camera hits this `{word}`"))
             .also(world.camera_source, "seen from here")
             .help("turn the camera with `look_at`"),
         None => {
-            Diagnostic::new(codes::NOTHING_SEEN, Span::NONE, "the picture shows nothing: the scene holds no object")
-                .help("a name that is declared is not seen yet: `object { Name }` puts it into the scene")
+            Diagnostic::new(codes::NOTHING_SEEN, Span::NONE, "the picture shows nothing: the scene contains no object")
+                .help("a declared object is not part of the scene yet: `object { Name }` adds it")
         }
     }
 }
 
-/// Where an object lies that is not seen.
-enum Seen {
+/// Position of an invisible object relative to the picture.
+enum Visibility {
     Behind,
     Beside(&'static str),
-    /// So many pixels large.
+    /// Inside of the picture, with this size in pixels.
     Small(f64),
-    /// In the picture, and yet no ray meets it.
+    /// Inside of the picture, but missed by all rays.
     Missed,
 }
 
-impl Seen {
+impl Visibility {
     fn of(world: &World, options: &render::Options, bounds: &Aabb) -> Self {
         let (width, height) = (options.width as f64, options.height as f64);
         let view = world.eye.view(options.width, options.height);
-        let Some(window) = view.window() else { return Seen::Missed };
+        let Some(window) = view.window() else { return Visibility::Missed };
         let (right, down) = (window.across * width, window.down * height);
         let ahead = window.corner + (right + down) * 0.5;
         // p = origin + depth · (ahead + x·right + y·down)
@@ -144,38 +145,38 @@ impl Seen {
         let ahead: Vec<DVec3> = corners.filter(|p| p.z > 0.0).map(|p| p / p.z).collect();
         let seen = Aabb::from_points(ahead.iter().copied());
         match ahead.len() {
-            0 => Seen::Behind,
-            // It reaches behind the camera, so that its corners tell nothing.
-            1..8 => Seen::Missed,
-            _ if seen.min.x > 0.5 => Seen::Beside("beside the picture, to the right"),
-            _ if seen.max.x < -0.5 => Seen::Beside("beside the picture, to the left"),
-            _ if seen.min.y > 0.5 => Seen::Beside("below the picture"),
-            _ if seen.max.y < -0.5 => Seen::Beside("above the picture"),
+            0 => Visibility::Behind,
+            // The object extends behind the camera, where the projection of its corners has no meaning.
+            1..8 => Visibility::Missed,
+            _ if seen.min.x > 0.5 => Visibility::Beside("beside the picture, to the right"),
+            _ if seen.max.x < -0.5 => Visibility::Beside("beside the picture, to the left"),
+            _ if seen.min.y > 0.5 => Visibility::Beside("below the picture"),
+            _ if seen.max.y < -0.5 => Visibility::Beside("above the picture"),
             _ => {
                 let size = seen.size();
                 let pixels = (size.x * width).max(size.y * height);
-                if pixels < 2.0 { Seen::Small(pixels) } else { Seen::Missed }
+                if pixels < 2.0 { Visibility::Small(pixels) } else { Visibility::Missed }
             }
         }
     }
 
-    fn told(&self) -> String {
+    fn description(&self) -> String {
         match self {
-            Seen::Behind => "behind the camera".into(),
-            Seen::Beside(place) => (*place).into(),
-            Seen::Small(pixels) if *pixels >= 0.01 => format!("too small to be seen: {pixels:.2} pixels"),
-            Seen::Small(_) => "too small to be seen: less than a hundredth of a pixel".into(),
-            Seen::Missed => "not met by any ray: it lies beside the picture or is thinner than a pixel".into(),
+            Visibility::Behind => "behind the camera".into(),
+            Visibility::Beside(place) => (*place).into(),
+            Visibility::Small(pixels) if *pixels >= 0.01 => format!("too small to be visible: {pixels:.2} pixels"),
+            Visibility::Small(_) => "too small to be visible: less than a hundredth of a pixel".into(),
+            Visibility::Missed => "missed by all rays: it is beside the picture or thinner than a pixel".into(),
         }
     }
 
     fn help(&self, world: &World, bounds: &Aabb) -> String {
         match (self, &world.eye.projection) {
-            (Seen::Small(_), _) => "bring the camera nearer, or make the object larger with `scale`".into(),
+            (Visibility::Small(_), _) => "move the camera closer, or make the object larger with `scale`".into(),
             (_, Projection::Lecture { .. }) => {
-                format!("`center {}` in the camera turns it there", typed(bounds.center()))
+                format!("`center {}` in the camera turns the camera to it", typed(bounds.center()))
             }
-            _ => format!("`look_at {}` in the camera turns it there", typed(bounds.center())),
+            _ => format!("`look_at {}` in the camera turns the camera to it", typed(bounds.center())),
         }
     }
 }

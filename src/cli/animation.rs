@@ -45,8 +45,8 @@ impl Animation {
         (self.first..=self.last.max(self.end)).contains(&frame)
     }
 
-    /// The values of `clock`, `frame_number` and their kin in a frame. The clock has 32 bits, and the other numbers have six digits. The clock of
-    /// an animation of one frame is the initial one (quirk: `animation_clock`).
+    /// The values of `clock`, `frame_number` and their kin in a frame. The clock has 32 bits, and the other numbers
+    /// have six digits. The clock of an animation of one frame is the initial one (quirk: `animation_clock`).
     pub fn timing(&self, frame: u32) -> Timing {
         let (first, last) = (self.clock.first as f32, self.clock.last as f32);
         let range = f64::from(last - first);

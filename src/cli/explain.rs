@@ -25,8 +25,8 @@ pub fn run(console: &Console, args: &ExplainArgs) -> Result {
     Ok(Exit::Fine)
 }
 
-/// The codes that a text names: `E0203`, or the error and the warning of a number without a letter. Leading zeros are optional, and so is
-/// the surrounding text of a message: `error[E0203]`.
+/// The codes that a text names: `E0203`, or the error and the warning of a number without a letter. Leading zeros are
+/// optional, and so is the surrounding text of a message: `error[E0203]`.
 fn codes_of(wanted: &str) -> Vec<&'static Explanation> {
     let wanted = wanted.trim();
     let wanted = wanted.split_once('[').map_or(wanted, |(_, code)| code.trim_end_matches([':', ']']));

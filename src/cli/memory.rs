@@ -17,8 +17,8 @@ pub fn check_size(size: Size) -> Result<()> {
     Diagnostic::new(codes::PICTURE_TOO_LARGE, Span::NONE, text).help("make it smaller with `--size`").into()
 }
 
-/// Refuses a picture, or a part of it, that needs more memory than `limit` (`--max-memory`) or than is free (E0006). Each pixel
-/// occupies `kept` bytes until the file is finished.
+/// Refuses a picture, or a part of it, that needs more memory than `limit` (`--max-memory`) or than is free (E0006).
+/// Each pixel occupies `kept` bytes until the file is finished.
 pub fn check_drawing(size: Size, part: Option<Region>, kept: usize, limit: Option<u64>) -> Result<()> {
     check_size(size)?;
     let Size { width, height } = size;
@@ -42,8 +42,8 @@ pub fn check_drawing(size: Size, part: Option<Region>, kept: usize, limit: Optio
     }
 }
 
-/// The memory limit without `--max-memory`: most of what is free, so that a runaway scene ends with a message before the system
-/// kills the process.
+/// The memory limit without `--max-memory`: most of what is free, so that a runaway scene ends with a message before
+/// the system kills the process.
 pub fn default_limit() -> Option<u64> {
     let most = available().map(|free| free / 10 * 9);
     // A growing list is copied: in a limited address space the old and the new copy both count.

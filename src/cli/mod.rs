@@ -60,7 +60,8 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
     ExitCode::from(exit as u8)
 }
 
-/// Parses the command line, after a translation of POV-Ray's options into durer's own. The context holds what durer's options cannot express.
+/// Parses the command line, after a translation of POV-Ray's options into durer's own. The context holds what durer's
+/// options cannot express.
 fn parse(words: Vec<OsString>) -> Result<(Console, Command, Context)> {
     unknown::check(&words)?;
     let sources = Sources::default();

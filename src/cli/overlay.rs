@@ -20,7 +20,8 @@ pub struct Invocation {
     pub args: RenderArgs,
     /// Animation of an INI file or of POV-Ray's options.
     pub animation: Option<Animation>,
-    /// True if the command line names the output of a scene that an INI file describes: a single frame then gets exactly this name.
+    /// True if the command line names the output of a scene that an INI file describes: a single frame then gets
+    /// exactly this name.
     pub exact_name: bool,
 }
 
@@ -32,7 +33,8 @@ pub struct IniFile {
     pub warnings: Vec<Diagnostic>,
 }
 
-/// Reads the INI file `input`; `None` if `input` is not an INI file. With `all`, the warnings include options without effect.
+/// Reads the INI file `input`; `None` if `input` is not an INI file. With `all`, the warnings include options without
+/// effect.
 ///
 /// # Errors
 /// The errors and warnings of a broken INI file.

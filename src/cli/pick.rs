@@ -109,8 +109,8 @@ fn color_of(world: &World, drawing: &render::Options, x: usize, y: usize) -> [f6
     [r, g, b]
 }
 
-/// The number of the outermost object that is visible in a pixel. A World does not contain the outermost objects, so a bisection over
-/// subsets of them renders the pixel until one object is left.
+/// The number of the outermost object that is visible in a pixel. A World does not contain the outermost objects, so a
+/// bisection over subsets of them renders the pixel until one object is left.
 fn origin_of(built: &Built, drawing: &render::Options, (x, y): (usize, usize), picked: &Picked) -> Option<usize> {
     let scene = built.scene.as_ref()?;
     let mut range = 0..scene.objects.len();
@@ -196,8 +196,8 @@ fn on_screen(color: [f64; 3]) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Formats numbers with six digits of the largest (or of `scale`, if that is larger) and the same number of decimal places for the others,
-/// whose further digits are noise.
+/// Formats numbers with six digits of the largest (or of `scale`, if that is larger) and the same number of decimal
+/// places for the others, whose further digits are noise.
 fn list(numbers: &[f64], scale: f64) -> String {
     let largest = numbers.iter().fold(scale.abs(), |most, x| most.max(x.abs()));
     if !largest.is_finite() || largest == 0.0 {

@@ -17,7 +17,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The file that an input names: `scene` stands for `scene.pov`, as in POV-Ray, or for a file with another ending of a scene.
+/// The file that an input names: `scene` may mean `scene.pov`, as in POV-Ray, or a file with another ending of a scene.
 pub fn named(input: &Path) -> PathBuf {
     let endings = ["pov", "scene", "ini"].into_iter();
     let mut others = endings.map(|ending| PathBuf::from(format!("{}.{ending}", input.display())));

@@ -87,8 +87,8 @@ pub fn total(words: &[Word], messages: Count) -> String {
     format!("{}{gap}{messages}\n", parts.collect::<Vec<_>>().join(", "))
 }
 
-/// Processes several scenes, and prints a line for each. `work` returns the exit code of a scene, and a text for the line of a scene without
-/// errors.
+/// Processes several scenes, and prints a line for each. `work` returns the exit code of a scene, and a text for the
+/// line of a scene without errors.
 pub fn each(
     console: &Console,
     inputs: &[PathBuf],

@@ -1,20 +1,20 @@
-//! The include files that are built in, for machines without an installed POV-Ray.
+//! Built-in standard include files, for machines without an installed POV-Ray.
 //!
-//! Written anew from the manual's section 3.4.9, "Include Files": the same names, parameters and results.
+//! Written from the manual's section 3.4.9, "Include Files", with the same names, parameters and results.
 
 mod index;
 
 pub use index::{declared_in, declares, index_names, is_standard};
 
-/// Before the names of these files in messages.
+/// Prefix of the built-in files' names in messages.
 pub const FOLDER: &str = "<durer>";
 
-/// The text of an include file. Letter case does not count, as on the machines that many scenes come from.
+/// The text of a built-in file. The name may have any letter case, as on the systems that many scenes come from.
 pub fn find(name: &str) -> Option<&'static str> {
     FILES.iter().find(|(file, _)| file.eq_ignore_ascii_case(name)).map(|(_, text)| *text)
 }
 
-/// Their names.
+/// Names of the built-in files.
 pub fn names() -> impl Iterator<Item = &'static str> {
     FILES.iter().map(|(name, _)| *name)
 }

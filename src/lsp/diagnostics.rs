@@ -1,4 +1,4 @@
-//! Messages as editors show them.
+//! Diagnostics in the form of the protocol.
 
 use super::document::{BASE, uri_of};
 use super::manual;
@@ -11,11 +11,11 @@ use lsp_types::{
 };
 use serde_json::json;
 
-/// As the protocol has it.
-pub type Told = lsp_types::Diagnostic;
+/// A diagnostic of the protocol.
+pub type EditorDiagnostic = lsp_types::Diagnostic;
 
-/// A message of a run; its first place is in `file`.
-pub fn tell(diagnostic: &Diagnostic, sources: &Sources, file: FileId) -> Told {
+/// Converts a diagnostic of a run; its first label is in `file`.
+pub fn of_run(diagnostic: &Diagnostic, sources: &Sources, file: FileId) -> EditorDiagnostic {
     let text = |id: FileId| Text::new(sources.text(id).to_string());
     let range = match sources.locate(diagnostic.span()) {
         Some((id, bytes)) if id == file => text(id).range(bytes),
@@ -28,33 +28,33 @@ pub fn tell(diagnostic: &Diagnostic, sources: &Sources, file: FileId) -> Told {
         Some(DiagnosticRelatedInformation { location, message })
     };
     let places = diagnostic.labels.iter().skip(1).chain(&diagnostic.trace);
-    told(diagnostic, range, places.filter_map(related).collect())
+    convert(diagnostic, range, places.filter_map(related).collect())
 }
 
-/// A branch that did not run.
-pub fn idle(sources: &Sources, file: FileId, bytes: std::ops::Range<usize>) -> Told {
-    Told {
+/// The hint for a branch that did not run.
+pub fn of_idle_branch(sources: &Sources, file: FileId, bytes: std::ops::Range<usize>) -> EditorDiagnostic {
+    EditorDiagnostic {
         range: Text::new(sources.text(file).to_string()).range(bytes),
         severity: Some(DiagnosticSeverity::HINT),
         source: Some("durer".into()),
         message: "this did not run".into(),
         tags: Some(vec![DiagnosticTag::UNNECESSARY]),
-        ..Told::default()
+        ..EditorDiagnostic::default()
     }
 }
 
-/// A fault of the text itself.
-pub fn tell_fault(fault: &Diagnostic, text: &Text, uri: &Uri) -> Told {
+/// Converts a fault of the syntax.
+pub fn of_syntax(fault: &Diagnostic, text: &Text, uri: &Uri) -> EditorDiagnostic {
     let local = |place: u32| (place as usize).saturating_sub(BASE);
     let range = |label: &Label| text.range(local(label.span.lo)..local(label.span.hi));
     let related = fault.labels.iter().skip(1).map(|label| DiagnosticRelatedInformation {
         location: Location { uri: uri.clone(), range: range(label) },
         message: label.text.clone(),
     });
-    told(fault, fault.labels.first().map(range).unwrap_or_default(), related.collect())
+    convert(fault, fault.labels.first().map(range).unwrap_or_default(), related.collect())
 }
 
-fn told(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformation>) -> Told {
+fn convert(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformation>) -> EditorDiagnostic {
     let label = d.labels.first().map(|label| label.text.as_str()).filter(|text| !text.is_empty());
     let help = d.help.as_ref().map(|help| format!("help: {help}"));
     let message =
@@ -64,11 +64,11 @@ fn told(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformation>
         Remedy::Declare => None,
     });
     let unused = d.code == codes::UNUSED_NAME;
-    Told {
+    EditorDiagnostic {
         range,
         severity: Some(match d.severity {
             Severity::Error => DiagnosticSeverity::ERROR,
-            // Shown faint, in the middle of being written as it may be.
+            // A hint is shown in a faint colour: the text may just be being typed.
             Severity::Warning if unused || d.code == codes::NOT_PORTABLE => DiagnosticSeverity::HINT,
             Severity::Warning => DiagnosticSeverity::WARNING,
         }),
@@ -82,18 +82,24 @@ fn told(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformation>
     }
 }
 
-/// Moves what a run has found through a change of its text: bytes that were taken away, and how many came. What it was about may be
-/// gone.
-pub fn moved(told: Vec<Told>, before: &Text, after: &Text, bytes: &std::ops::Range<usize>, new: usize) -> Vec<Told> {
+/// Moves the diagnostics of a run after a change of the text that replaced `bytes` by `new` bytes. Diagnostics that
+/// touch the change are removed.
+pub fn moved(
+    diagnostics: Vec<EditorDiagnostic>,
+    before: &Text,
+    after: &Text,
+    bytes: &std::ops::Range<usize>,
+    new: usize,
+) -> Vec<EditorDiagnostic> {
     let shift = |offset: usize| offset - bytes.len() + new;
-    let place = |mut told: Told| {
-        let (lo, hi) = (before.offset(told.range.start), before.offset(told.range.end));
-        told.range = match () {
-            () if hi < bytes.start => told.range,
+    let shifted = |mut d: EditorDiagnostic| {
+        let (lo, hi) = (before.offset(d.range.start), before.offset(d.range.end));
+        d.range = match () {
+            () if hi < bytes.start => d.range,
             () if lo > bytes.end || lo == bytes.end && bytes.is_empty() => after.range(shift(lo)..shift(hi)),
             () => return None,
         };
-        Some(told)
+        Some(d)
     };
-    told.into_iter().filter_map(place).collect()
+    diagnostics.into_iter().filter_map(shifted).collect()
 }

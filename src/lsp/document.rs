@@ -1,4 +1,4 @@
-//! An open text, and what is known of it.
+//! An open document.
 
 use super::scan::Scan;
 use super::text::Text;
@@ -12,31 +12,31 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-/// The global offset of a text's first byte: 0 would be no place.
+/// Global offset of a text's first byte; 0 would mean no position.
 pub const BASE: usize = 1;
 
-/// An open text.
+/// An open document.
 pub struct Document {
-    /// As the editor calls it.
+    /// Address of the document in the editor.
     pub uri: Uri,
-    /// Where it lies, if it does.
+    /// Path, if the document is a file.
     pub path: Option<PathBuf>,
-    /// Of the editor's.
+    /// Version of the text in the editor.
     pub version: i32,
-    /// What stands in it now.
+    /// Present text.
     pub text: Text,
-    /// Its tokens and names.
+    /// Tokens and names of the text.
     pub scan: Arc<Scan>,
-    /// What is wrong with the text itself.
+    /// Faults of the syntax.
     pub faults: Vec<Diagnostic>,
-    /// When it is to be run.
+    /// Time of the next run.
     pub due: Option<Instant>,
-    /// Stops the run that goes on.
+    /// Stops the present run.
     pub stop: Option<Arc<AtomicBool>>,
 }
 
 impl Document {
-    /// A text that was opened.
+    /// Opens a document.
     pub fn new(uri: Uri, version: i32, text: String) -> Self {
         let path = path_of(&uri);
         let mut new = Self {
@@ -49,42 +49,42 @@ impl Document {
             due: None,
             stop: None,
         };
-        new.look();
+        new.scan();
         new
     }
 
-    /// Makes changes; tells of each what it took away and how many bytes it put there.
+    /// Applies changes; returns for each the removed byte range and the number of new bytes.
     pub fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) -> Vec<(Range<usize>, usize)> {
         let made = changes.into_iter().map(|change| self.text.change(change)).collect();
         self.version = version;
-        self.look();
+        self.scan();
         made
     }
 
-    /// Reads it. (All that the tree could tell besides, the run tells.)
-    fn look(&mut self) {
+    /// Scans the text. Faults that only the syntax tree shows are found by a run.
+    fn scan(&mut self) {
         let text = self.text.as_str();
         let (tokens, faults) = tokens_of(text, BASE);
         self.scan = Arc::new(Scan::of(text, BASE, &tokens));
         self.faults = faults;
     }
 
-    /// Is it a scene by itself? Include files are read by others.
+    /// True if the document is a scene, and no include file.
     pub fn is_scene(&self) -> bool {
         let ending = self.path.as_deref().and_then(Path::extension).and_then(|ending| ending.to_str());
         !matches!(ending, Some("inc" | "INC" | "ini" | "mcr"))
     }
 
-    /// The folder it lies in.
+    /// The folder of the document.
     pub fn folder(&self) -> PathBuf {
         self.path.as_deref().and_then(Path::parent).map_or_else(|| PathBuf::from("."), Path::to_path_buf)
     }
 }
 
-/// The file that a `file:` address names.
+/// The path of a `file:` address.
 pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     let rest = uri.as_str().strip_prefix("file://")?;
-    // A host's name may stand there; ours is empty.
+    // The address may contain a host's name before the path.
     let path = &rest[rest.find('/')?..];
     let mut bytes = vec![];
     let mut at = 0;
@@ -107,7 +107,7 @@ pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     Some(PathBuf::from(if drive { &text[1..] } else { &text }))
 }
 
-/// The address of a file.
+/// The `file:` address of a path.
 pub fn uri_of(path: &Path) -> Option<Uri> {
     let path = std::path::absolute(path).ok()?;
     let text = path.to_str()?.replace('\\', if cfg!(windows) { "/" } else { "\\" });
@@ -126,7 +126,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn addresses_and_paths() {
+    fn addresses_and_paths_are_converted() {
         let uri = uri_of(Path::new("/tmp/a b/ü#.pov")).unwrap();
         assert_eq!(uri.as_str(), "file:///tmp/a%20b/%C3%BC%23.pov");
         assert_eq!(path_of(&uri).unwrap(), Path::new("/tmp/a b/ü#.pov"));

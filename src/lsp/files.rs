@@ -1,4 +1,5 @@
-//! Files that open texts include: read from the disk once, and again when they have changed; open texts stand for their files.
+//! Cache of the files that open texts include: read once, and again after a change. An open text replaces the file of
+//! the same path.
 
 use super::document::{BASE, Document};
 use super::scan::Scan;
@@ -10,24 +11,25 @@ use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A file that is included.
+/// An included file.
 pub struct File {
-    /// What stands in it.
+    /// Contents.
     pub text: Arc<Text>,
-    /// Its tokens and names.
+    /// Tokens and names.
     pub scan: Arc<Scan>,
+    /// State of the file when it was read.
     read: Option<Stamp>,
 }
 
-/// Those that were read, by their paths.
+/// Included files by path.
 #[derive(Default)]
 pub struct Files(BTreeMap<PathBuf, File>);
 
-/// More files than this are not looked at.
-const MOST: usize = 500;
+/// Largest number of files that are reached from a text.
+const MAX_FILES: usize = 500;
 
 impl Files {
-    /// The file that lies there, or is built in.
+    /// The file at a path, or the built-in file.
     fn get(&mut self, path: &Path) -> Option<&File> {
         let now = Disk.stamp(path);
         if self.0.get(path).is_none_or(|file| file.read != now) {
@@ -45,35 +47,35 @@ impl Files {
 
 /// A text that can be reached from an open one.
 #[derive(Clone)]
-pub struct Reached {
-    /// Where it lies; none of a text that lies nowhere.
+pub struct ReachableText {
+    /// Path; `None` for a text that is not saved.
     pub path: Option<PathBuf>,
-    /// What stands in it, where it is not open.
+    /// Present text.
     pub text: Arc<Text>,
-    /// Its tokens and names.
+    /// Tokens and names.
     pub scan: Arc<Scan>,
 }
 
-/// Where the file is that a text in `folder` calls so.
+/// The path of the file that a text in `folder` includes under this name.
 pub fn find(name: &str, folder: &Path, search: &SearchPath) -> Option<PathBuf> {
     let including = folder.join("file");
     let found = search.resolve(&Disk, name, Some(&including)).map(|found| found.path);
     found.or_else(|| library::find(name).map(|_| Path::new(library::FOLDER).join(name)))
 }
 
-/// The text itself, and all that it includes, each once.
+/// The text `from` and all files that it includes, none twice.
 pub fn reachable(
     files: &mut Files,
     open: &BTreeMap<String, Document>,
     from: &Document,
     include: &[PathBuf],
-) -> Vec<Reached> {
+) -> Vec<ReachableText> {
     let search = SearchPath::new(&from.folder(), include);
-    let own = Reached { path: from.path.clone(), text: Arc::new(from.text.clone()), scan: from.scan.clone() };
+    let own = ReachableText { path: from.path.clone(), text: Arc::new(from.text.clone()), scan: from.scan.clone() };
     let (mut out, mut seen) = (vec![own], HashSet::new());
     seen.extend(from.path.clone());
     let mut at = 0;
-    while at < out.len() && out.len() < MOST {
+    while at < out.len() && out.len() < MAX_FILES {
         let (scan, folder) =
             (out[at].scan.clone(), out[at].path.as_deref().and_then(Path::parent).map(Path::to_path_buf));
         for (name, _) in &scan.includes {
@@ -86,14 +88,14 @@ pub fn reachable(
                 Some(open) => Some((Arc::new(open.text.clone()), open.scan.clone())),
                 None => files.get(&path).map(|file| (file.text.clone(), file.scan.clone())),
             };
-            out.extend(reached.map(|(text, scan)| Reached { path: Some(path), text, scan }));
+            out.extend(reached.map(|(text, scan)| ReachableText { path: Some(path), text, scan }));
         }
         at += 1;
     }
     out
 }
 
-/// Do both name one file?
+/// True if both paths name the same file.
 pub fn same(a: &Path, b: &Path) -> bool {
     a == b || a.file_name() == b.file_name() && matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }

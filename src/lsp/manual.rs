@@ -1,5 +1,5 @@
-//! The manual, where it lies on this machine: in the folder that `DURER_MANUAL` names (its `src`), in `share/doc/durer` beside the
-//! program's folder, or in the sources that the program was built from, if it still lies among them.
+//! Addresses of the manual on this machine: in the folder `DURER_MANUAL` (the manual's `src`), in `share/doc/durer`
+//! beside the program's folder, or in the source tree that contains the program.
 
 use super::document::uri_of;
 use crate::diagnostic::codes;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::OnceLock;
 
-/// What every folder of the manual has.
+/// A file that identifies the manual's folder.
 const SUMMARY: &str = "SUMMARY.md";
 
 fn folder() -> Option<&'static Path> {
@@ -25,18 +25,18 @@ fn folder() -> Option<&'static Path> {
     FOLDER.get_or_init(find).as_deref()
 }
 
-/// The address of a page of it, if it is there.
+/// The address of a page, if the manual is installed.
 fn address(path: &str) -> Option<Uri> {
     let path = folder()?.join(path);
     path.is_file().then(|| uri_of(&path)).flatten()
 }
 
-/// The picture of a word.
+/// The address of the picture of a word.
 pub fn picture(word: &str) -> Option<Uri> {
     address(&format!("pictures/reference/{word}.png"))
 }
 
-/// What a message's code means.
+/// The address of the explanation of a code.
 pub fn of_code(code: &str) -> Option<Uri> {
     let page = address("reference/codes.md")?;
     let heading = format!("{code}: {}", codes::find(code)?.title).to_lowercase();

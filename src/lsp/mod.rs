@@ -1,33 +1,22 @@
 //! `durer lsp`: the language server (Microsoft, "Language Server Protocol", version 3.17, 2022).
 //!
-//! Editors tell each change of a text; what is wrong with the text itself is told at once, what a run finds a little later: it runs in a
-//! thread of its own, within limits, without writing a file, and the next change stops it. All that editors ask is answered from the
-//! lossless tokens (`scan`) of the open texts and of the files that they include (`files`), and from the tables that the readers
-//! obey (`words`): there is no second parser, and no second list of words. One file for each family of requests.
+//! Faults of a text's syntax are published after each change. Other faults follow from a run of the scene, which takes
+//! place on its own thread, within limits, without writing files, and is stopped by the next change. Requests are
+//! answered from the lossless tokens (`scan`) of the open texts and of the files that these include (`files`), and from
+//! the tables of the readers (`words`), so that there is no second parser and no second list of words. `requests/` has
+//! a file for each family of requests.
 
-// What changes inside of an address is no part of it.
+// The interior mutability of an address is no part of its value.
 #![allow(clippy::mutable_key_type)]
 
-mod actions;
-mod colors;
-mod commands;
-mod complete;
 mod diagnostics;
 mod document;
 mod files;
-mod hover;
-mod inlay;
-mod layout;
-mod lens;
 mod manual;
-mod names;
 mod requests;
 mod run;
 mod scan;
-mod semantic;
 mod server;
-mod signature;
-mod symbols;
 mod text;
 mod words;
 
@@ -37,44 +26,44 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::mpsc;
 
-/// Serves the editor at the other end of standard input and output. Tells whether it said goodbye. `include` are folders in which
-/// included files are looked for.
+/// Serves an editor over standard input and output. Returns true if the editor shut the server down before it
+/// disconnected. `include` are folders of the include path.
 ///
 /// # Errors
-/// If the other end can't be read from or written to.
+/// If reading or writing fails.
 pub fn serve(include: &[PathBuf]) -> io::Result<bool> {
     let (connection, threads) = Connection::stdio();
-    let polite = serve_over(&connection, include);
+    let is_shut_down = serve_over(&connection, include);
     drop(connection);
     threads.join()?;
-    Ok(polite)
+    Ok(is_shut_down)
 }
 
 fn serve_over(connection: &Connection, include: &[PathBuf]) -> bool {
     let Ok((id, asked)) = connection.initialize_start() else { return false };
-    let told = serde_json::json!({
+    let result = serde_json::json!({
         "capabilities": requests::capabilities(&asked),
         "serverInfo": {"name": "durer", "version": env!("CARGO_PKG_VERSION")},
     });
-    if connection.initialize_finish(id, told).is_err() {
+    if connection.initialize_finish(id, result).is_err() {
         return false;
     }
     let (sender, events) = mpsc::channel();
     let out = connection.sender.clone();
-    let say = move |message| {
+    let send = move |message| {
         out.send(message).ok();
     };
-    let mut server = Server::new(say, sender.clone(), include.to_vec());
+    let mut server = Server::new(send, sender.clone(), include.to_vec());
     std::thread::scope(|scope| {
         scope.spawn(move || {
             for message in &connection.receiver {
-                let leaves = matches!(&message, Message::Notification(note) if note.method == "exit");
-                if sender.send(Event::Client(message)).is_err() || leaves {
+                let is_exit = matches!(&message, Message::Notification(note) if note.method == "exit");
+                if sender.send(Event::Message(message)).is_err() || is_exit {
                     break;
                 }
             }
-            // It left, or was ended.
-            sender.send(Event::Gone).ok();
+            // The editor has exited.
+            sender.send(Event::Disconnected).ok();
         });
         server.run(&events);
     });

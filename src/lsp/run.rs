@@ -1,6 +1,6 @@
-//! A run of a scene that is open: what it finds, for each file of the scene.
+//! Runs an open scene, and collects the diagnostics of each of its files.
 
-use super::diagnostics::{Told, idle, tell};
+use super::diagnostics::{EditorDiagnostic, of_idle_branch, of_run};
 use super::files::same;
 use crate::Keep;
 use crate::diagnostic::Severity;
@@ -13,50 +13,52 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Elements and loop passes, seconds, and bytes that a run may take.
+/// Limit of a run: number of elements and loop passes.
 const MAX_STEPS: u64 = 50_000_000;
+/// Limit of a run in seconds.
 const MAX_TIME: f64 = 20.0;
+/// Limit of a run in bytes.
 const MAX_MEMORY: u64 = 4 << 30;
 
-/// What is run.
+/// A scene to run.
 pub struct Job {
-    /// Of the scene.
+    /// Address of the scene.
     pub uri: String,
-    /// Of its text.
+    /// Version of the text.
     pub version: i32,
-    /// Where it lies.
+    /// Path of the scene; `None` for a text that is not saved.
     pub path: Option<PathBuf>,
-    /// What stands in it.
+    /// Text of the scene.
     pub text: String,
-    /// Other open texts, which stand for their files.
+    /// Other open texts, which hide the files of the same path.
     pub open: Vec<(PathBuf, String)>,
-    /// Where included files are looked for.
+    /// Folders of the include path.
     pub include: Vec<PathBuf>,
-    /// Ends it.
+    /// Stops the run when it is set.
     pub stop: Arc<AtomicBool>,
 }
 
-/// What came of it.
-pub struct Ran {
-    /// Of the scene.
+/// Result of a run.
+pub struct RunResult {
+    /// Address of the scene.
     pub uri: String,
-    /// Of the text that was run.
+    /// Version of the text that was run.
     pub version: i32,
-    /// By the paths of files; that of the scene has none.
-    pub told: BTreeMap<Option<PathBuf>, Vec<Told>>,
+    /// Diagnostics by the paths of files; `None` is the scene itself.
+    pub diagnostics: BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>>,
 }
 
-/// Runs it in a thread of its own.
-pub fn start(job: Job, done: impl FnOnce(Ran) + Send + 'static) {
+/// Runs a scene on a thread of its own; calls `done` at the end.
+pub fn start(job: Job, done: impl FnOnce(RunResult) + Send + 'static) {
     let work = move || {
-        let told = catch_unwind(AssertUnwindSafe(|| crate::on_big_stack(|| run(&job)))).unwrap_or_default();
-        done(Ran { uri: job.uri, version: job.version, told });
+        let diagnostics = catch_unwind(AssertUnwindSafe(|| crate::on_big_stack(|| run(&job)))).unwrap_or_default();
+        done(RunResult { uri: job.uri, version: job.version, diagnostics });
     };
-    // Without a thread there is nothing to tell.
+    // Without a thread there is no result.
     let _ = std::thread::Builder::new().name("run".into()).spawn(work);
 }
 
-fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<Told>> {
+fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
     let overlay = Overlay::new(Arc::new(Disk));
     job.open.iter().for_each(|(path, text)| overlay.insert(path, text.as_str()));
     let (sources, parsed) = (Sources::new(Arc::new(overlay)), ParsedFiles::default());
@@ -66,7 +68,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<Told>> {
     let search = SearchPath::new(folder, &job.include);
     let input = job.path.as_deref().and_then(Path::file_name).unwrap_or_default().to_string_lossy().into_owned();
     let options = Options {
-        // Nobody wants a file written while he types.
+        // A run in the editor writes no files.
         sandbox: Sandbox { write: vec![], ..Sandbox::around(&search) },
         search,
         input_name: input,
@@ -79,7 +81,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<Told>> {
         ..Options::default()
     };
     let built = crate::build_with(&parsed, &sources, file, &options, Keep::World, &mut |_| {});
-    let mut told: BTreeMap<Option<PathBuf>, Vec<Told>> = BTreeMap::new();
+    let mut out: BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> = BTreeMap::new();
     let mut found = built.diagnostics;
     if found.iter().all(|diagnostic| diagnostic.severity == Severity::Warning) {
         // The scene's own file is the first that was parsed.
@@ -94,15 +96,15 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<Told>> {
     for diagnostic in &found {
         let place = sources.locate(diagnostic.span()).map_or(file, |(id, _)| id);
         let path = sources.path(place).filter(|_| place != file).map(Path::to_path_buf);
-        told.entry(path).or_default().push(tell(diagnostic, &sources, place));
+        out.entry(path).or_default().push(of_run(diagnostic, &sources, place));
     }
-    // What did not run is shown faint, where somebody sees it.
+    // The editor shows branches of open texts that did not run in a faint colour.
     for span in &built.idle {
         let Some((id, bytes)) = sources.locate(*span) else { continue };
         let path = sources.path(id).filter(|_| id != file).map(Path::to_path_buf);
         if path.as_deref().is_none_or(|path| job.open.iter().any(|(open, _)| same(open, path))) {
-            told.entry(path).or_default().push(idle(&sources, id, bytes));
+            out.entry(path).or_default().push(of_idle_branch(&sources, id, bytes));
         }
     }
-    told
+    out
 }

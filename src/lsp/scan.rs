@@ -1,133 +1,133 @@
-//! What an editor asks of a text: its tokens with what they are, names where they are declared and used, what blocks and
-//! directives stand around a place. It walks the lossless tokens once.
+//! Outline of a text for an editor: tokens with their kinds, declarations and uses of names, and the blocks and
+//! directives that enclose a position. One pass over the lossless tokens.
 
 use crate::syntax::word::{Category, entry};
 use crate::syntax::{Piece, Tokens, opens};
 use std::ops::Range;
 
-/// What a token is.
+/// Kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum TokenKind {
     /// A word of the language.
     Word(Category),
-    /// An author's name.
+    /// A name that an author chose.
     Name,
-    /// `#…`
+    /// A directive, `#…`.
     Directive,
-    /// `"…"`
+    /// A string, `"…"`.
     Text,
-    /// Numbers, also lists of them.
+    /// A number, or a list of numbers.
     Number,
-    /// Brackets, operators, commas.
+    /// A bracket, an operator or a comma.
     Sign,
-    /// `//` or `/* */`
+    /// A comment, `//` or `/* */`.
     Comment,
 }
 
 /// A token or a comment.
 #[derive(Clone, Debug)]
 pub struct Token {
-    /// Local bytes.
+    /// Byte range in the text.
     pub at: Range<usize>,
-    /// What it is.
-    pub kind: Kind,
+    /// Kind.
+    pub kind: TokenKind,
 }
 
-/// How a name is declared.
+/// Kind of a declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum What {
-    /// `#declare`
+pub enum DeclarationKind {
+    /// By `#declare`.
     Declare,
-    /// `#local`
+    /// By `#local`.
     Local,
-    /// `#macro`
+    /// By `#macro`.
     Macro,
-    /// Of a macro.
+    /// Parameter of a macro.
     Parameter,
-    /// Of `#for`.
+    /// Counter of `#for`.
     Counter,
 }
 
-/// A name where it is declared.
+/// A declaration of a name.
 #[derive(Clone, Debug)]
 pub struct Declaration {
-    /// The name.
+    /// Name.
     pub name: String,
-    /// Its bytes.
+    /// Byte range of the name.
     pub at: Range<usize>,
-    /// How.
-    pub what: What,
-    /// The innermost macro around it.
+    /// Kind of the declaration.
+    pub what: DeclarationKind,
+    /// Index of the innermost enclosing macro.
     pub scope: Option<usize>,
-    /// The whole declaration, as far as it is one: of a macro, up to its `#end`.
+    /// Byte range from the directive to the name, or to the `#end` of a macro.
     pub whole: Range<usize>,
 }
 
-/// A name where it is used.
+/// A use of a name.
 #[derive(Clone, Debug)]
 pub struct Use {
-    /// The name.
+    /// Name.
     pub name: String,
-    /// Its bytes.
+    /// Byte range of the name.
     pub at: Range<usize>,
-    /// The innermost macro around it.
+    /// Index of the innermost enclosing macro.
     pub scope: Option<usize>,
 }
 
 /// A macro.
 #[derive(Clone, Debug, Default)]
 pub struct Macro {
-    /// From `#macro` to `#end`.
+    /// Byte range from `#macro` to `#end`.
     pub whole: Range<usize>,
-    /// The macro around it.
+    /// Index of the enclosing macro.
     pub outer: Option<usize>,
-    /// Its parameters' names.
+    /// Names of the parameters.
     pub parameters: Vec<String>,
 }
 
-/// Brackets or a directive with a body.
+/// A pair of brackets, or a directive with a body.
 #[derive(Clone, Debug)]
 pub struct Pair {
-    /// The word before a brace; the directive's word.
+    /// The word before the bracket, or the directive's word.
     pub name: String,
-    /// From the bracket or the directive to the end of its partner, or of the text.
+    /// Byte range from the opening bracket or directive to the end of the closing one, or of the text.
     pub whole: Range<usize>,
-    /// What opens it.
+    /// Opening character: a bracket, or `#`.
     pub open: u8,
-    /// The bytes of the name.
+    /// Byte range of the name.
     pub named: Range<usize>,
-    /// The pair around it.
+    /// Index of the enclosing pair.
     pub outer: Option<usize>,
-    /// Is there a partner?
+    /// True if the closing bracket or directive exists.
     pub closed: bool,
 }
 
-/// All that is known of a text.
+/// Outline of a text.
 #[derive(Debug, Default)]
 pub struct Scan {
-    /// In their order.
+    /// Tokens in the order of the text.
     pub tokens: Vec<Token>,
-    /// In their order.
+    /// Declarations in the order of the text.
     pub declarations: Vec<Declaration>,
-    /// In their order.
+    /// Uses in the order of the text.
     pub uses: Vec<Use>,
-    /// By number.
+    /// Macros by index.
     pub macros: Vec<Macro>,
-    /// In the order in which they open.
+    /// Pairs in the order of their openings.
     pub pairs: Vec<Pair>,
-    /// Names of included files with their bytes, quotes and all.
+    /// Names of included files, and the byte ranges of the strings with their quotes.
     pub includes: Vec<(String, Range<usize>)>,
 }
 
 impl Scan {
-    /// Looks through a text whose first byte has the global offset `base`.
+    /// Scans a text whose first byte has the global offset `base`.
     pub fn of(text: &str, base: usize, tokens: &Tokens) -> Self {
         let mut scan = Self::default();
         for piece in tokens.pieces() {
             let span = piece.span();
             let at = (span.lo as usize).saturating_sub(base)..(span.hi as usize).saturating_sub(base);
             let kind = match piece {
-                Piece::Comment(_) => Kind::Comment,
+                Piece::Comment(_) => TokenKind::Comment,
                 Piece::Token(_) => kind_of(&text[at.clone()]),
             };
             scan.tokens.push(Token { at, kind });
@@ -136,22 +136,22 @@ impl Scan {
         scan
     }
 
-    /// The token at a byte, or the one that ends there.
+    /// The token at a byte, or the token that ends before it.
     pub fn token_at(&self, offset: usize) -> Option<&Token> {
         let i = self.tokens.partition_point(|token| token.at.end < offset);
         let first = self.tokens.get(i).filter(|token| token.at.start <= offset)?;
-        // Between two, a word counts more than a sign.
+        // Between two tokens, prefer a word to a sign.
         let second = self.tokens.get(i + 1).filter(|token| token.at.start <= offset);
-        Some(second.filter(|_| first.kind == Kind::Sign).unwrap_or(first))
+        Some(second.filter(|_| first.kind == TokenKind::Sign).unwrap_or(first))
     }
 
-    /// The innermost pair around a byte that this holds for.
+    /// The innermost pair around a byte for which `holds` is true.
     pub fn around(&self, offset: usize, holds: impl Fn(&Pair) -> bool) -> Option<&Pair> {
         let inside = |pair: &&Pair| pair.whole.start < offset && (offset < pair.whole.end || !pair.closed);
         self.pairs.iter().rev().filter(inside).find(|pair| holds(pair))
     }
 
-    /// The innermost macro around a byte.
+    /// Index of the innermost macro around a byte.
     pub fn macro_at(&self, offset: usize) -> Option<usize> {
         let inside = |m: &&Macro| m.whole.start < offset && offset < m.whole.end;
         self.macros
@@ -161,11 +161,14 @@ impl Scan {
             .and_then(|found| self.macros.iter().position(|m| m.whole == found.whole))
     }
 
-    /// The macro to which a name belongs that is used in `scope`; none if it belongs to all.
+    /// Index of the macro that declares a name used in `scope`; `None` for a global name.
     pub fn owner(&self, name: &str, mut scope: Option<usize>) -> Option<usize> {
         while let Some(number) = scope {
             let is_own = |d: &Declaration| {
-                d.scope == scope && d.name == name && d.what != What::Declare && d.what != What::Macro
+                d.scope == scope
+                    && d.name == name
+                    && d.what != DeclarationKind::Declare
+                    && d.what != DeclarationKind::Macro
             };
             if self.declarations.iter().any(is_own) {
                 return scope;
@@ -176,21 +179,21 @@ impl Scan {
     }
 }
 
-fn kind_of(text: &str) -> Kind {
+fn kind_of(text: &str) -> TokenKind {
     match text.as_bytes() {
-        [b'#', ..] => Kind::Directive,
-        [b'"', ..] => Kind::Text,
-        [b'a'..=b'z' | b'A'..=b'Z' | b'_', ..] => entry(text).map_or(Kind::Name, |word| match word.category {
-            Category::Contextual => Kind::Name,
-            category => Kind::Word(category),
+        [b'#', ..] => TokenKind::Directive,
+        [b'"', ..] => TokenKind::Text,
+        [b'a'..=b'z' | b'A'..=b'Z' | b'_', ..] => entry(text).map_or(TokenKind::Name, |word| match word.category {
+            Category::Contextual => TokenKind::Name,
+            category => TokenKind::Word(category),
         }),
-        [b'0'..=b'9', ..] => Kind::Number,
-        [_, _, ..] if text.contains(|c: char| c.is_ascii_digit()) => Kind::Number,
-        _ => Kind::Sign,
+        [b'0'..=b'9', ..] => TokenKind::Number,
+        [_, _, ..] if text.contains(|c: char| c.is_ascii_digit()) => TokenKind::Number,
+        _ => TokenKind::Sign,
     }
 }
 
-/// The word of a directive, without `#` and blanks.
+/// The word of a directive, without `#` and spaces.
 pub fn directive(text: &str) -> &str {
     text.trim_start_matches('#').trim_start()
 }
@@ -198,9 +201,9 @@ pub fn directive(text: &str) -> &str {
 struct Scanner<'a> {
     text: &'a str,
     scan: &'a mut Scan,
-    /// Numbers of the macros that are open.
+    /// Indices of the open macros.
     macros: Vec<usize>,
-    /// Numbers of the pairs that are open.
+    /// Indices of the open pairs.
     open: Vec<usize>,
 }
 
@@ -209,13 +212,13 @@ impl Scanner<'_> {
         self.scan.tokens.get(i).map_or("", |token| &self.text[token.at.clone()])
     }
 
-    /// The number of the next token behind `i` that is no comment.
+    /// The index of the next token after `i` that is no comment.
     fn next(&self, i: usize) -> usize {
-        let is_comment = |i: &usize| self.scan.tokens.get(*i).is_some_and(|token| token.kind == Kind::Comment);
+        let is_comment = |i: &usize| self.scan.tokens.get(*i).is_some_and(|token| token.kind == TokenKind::Comment);
         (i + 1..).find(|i| !is_comment(i)).unwrap_or(i + 1)
     }
 
-    fn kind(&self, i: usize) -> Option<Kind> {
+    fn kind(&self, i: usize) -> Option<TokenKind> {
         self.scan.tokens.get(i).map(|token| token.kind)
     }
 
@@ -227,13 +230,13 @@ impl Scanner<'_> {
         let mut i = 0;
         while i < self.scan.tokens.len() {
             i = match self.kind(i) {
-                Some(Kind::Directive) => self.directive(i),
-                Some(Kind::Name) => {
+                Some(TokenKind::Directive) => self.directive(i),
+                Some(TokenKind::Name) => {
                     let one = Use { name: self.read(i).into(), at: self.at(i), scope: self.macros.last().copied() };
                     self.scan.uses.push(one);
                     i + 1
                 }
-                Some(Kind::Sign) => {
+                Some(TokenKind::Sign) => {
                     self.sign(i);
                     i + 1
                 }
@@ -252,7 +255,8 @@ impl Scanner<'_> {
         self.scan.pairs.push(Pair { name, whole: start..start + 1, open, named, outer, closed: false });
     }
 
-    /// Closes the innermost pair of this kind that no other kind of body hides.
+    /// Closes the innermost pair with the opening character `open`, unless a directive's body encloses the position
+    /// more tightly.
     fn close(&mut self, open: u8, end: usize) {
         let is = |pair: &usize| self.scan.pairs[*pair].open == open;
         let hidden = |pair: &usize| open != b'#' && self.scan.pairs[*pair].open == b'#';
@@ -271,8 +275,8 @@ impl Scanner<'_> {
         let at = self.at(i);
         match self.read(i).as_bytes() {
             [open @ (b'{' | b'(' | b'[')] => {
-                let before = (0..i).rev().find(|i| self.kind(*i) != Some(Kind::Comment));
-                let named = before.filter(|i| matches!(self.kind(*i), Some(Kind::Name | Kind::Word(_))));
+                let before = (0..i).rev().find(|i| self.kind(*i) != Some(TokenKind::Comment));
+                let named = before.filter(|i| matches!(self.kind(*i), Some(TokenKind::Name | TokenKind::Word(_))));
                 let (open, named) = (*open, named.map_or(at.start..at.start, |i| self.at(i)));
                 self.open(open, named, at.start);
             }
@@ -283,7 +287,7 @@ impl Scanner<'_> {
         }
     }
 
-    /// Tells where to go on.
+    /// Handles a directive; returns the index of the next token.
     fn directive(&mut self, i: usize) -> usize {
         let at = self.at(i);
         let word = directive(self.read(i)).to_string();
@@ -292,19 +296,21 @@ impl Scanner<'_> {
             self.open(b'#', start..at.end, at.start);
         }
         match word.as_str() {
-            "declare" | "local" => self.declaration(i, if word == "local" { What::Local } else { What::Declare }),
+            "declare" | "local" => {
+                self.declaration(i, if word == "local" { DeclarationKind::Local } else { DeclarationKind::Declare })
+            }
             "macro" => self.definition(i),
             "for" => {
                 let name = self.next(self.next(i));
-                if self.kind(name) == Some(Kind::Name) {
-                    self.declare(name, What::Counter, at.start);
+                if self.kind(name) == Some(TokenKind::Name) {
+                    self.declare(name, DeclarationKind::Counter, at.start);
                     return name + 1;
                 }
                 i + 1
             }
             "include" => {
                 let file = self.next(i);
-                if self.kind(file) == Some(Kind::Text) {
+                if self.kind(file) == Some(TokenKind::Text) {
                     let name = self.read(file).trim_matches('"').to_string();
                     self.scan.includes.push((name, self.at(file)));
                 }
@@ -327,13 +333,13 @@ impl Scanner<'_> {
         }
     }
 
-    fn declaration(&mut self, i: usize, what: What) -> usize {
+    fn declaration(&mut self, i: usize, what: DeclarationKind) -> usize {
         let mut name = self.next(i);
         if self.read(name) == "deprecated" {
-            name = (name..name + 6).find(|i| self.kind(*i) == Some(Kind::Name)).unwrap_or(name);
+            name = (name..name + 6).find(|i| self.kind(*i) == Some(TokenKind::Name)).unwrap_or(name);
         }
         let assigns = self.read(self.next(name)) == "=";
-        if self.kind(name) != Some(Kind::Name) || !assigns {
+        if self.kind(name) != Some(TokenKind::Name) || !assigns {
             return i + 1;
         }
         let start = self.at(i).start;
@@ -344,9 +350,9 @@ impl Scanner<'_> {
     fn definition(&mut self, i: usize) -> usize {
         let start = self.at(i).start;
         let name = self.next(i);
-        let is_named = self.kind(name) == Some(Kind::Name);
+        let is_named = self.kind(name) == Some(TokenKind::Name);
         if is_named {
-            self.declare(name, What::Macro, start);
+            self.declare(name, DeclarationKind::Macro, start);
         }
         let number = self.scan.macros.len();
         let outer = self.macros.last().copied();
@@ -359,12 +365,12 @@ impl Scanner<'_> {
         let open = at;
         at = self.next(at);
         while at < self.scan.tokens.len() && self.read(at) != ")" {
-            // `optional C`: the second name is the parameter's.
-            if self.kind(at) == Some(Kind::Name) && self.kind(self.next(at)) != Some(Kind::Name) {
+            // `optional C`: the second name is the parameter.
+            if self.kind(at) == Some(TokenKind::Name) && self.kind(self.next(at)) != Some(TokenKind::Name) {
                 let parameter = self.read(at).to_string();
                 self.scan.macros[number].parameters.push(parameter);
-                self.declare(at, What::Parameter, start);
-            } else if !matches!(self.kind(at), Some(Kind::Name | Kind::Sign | Kind::Word(_))) {
+                self.declare(at, DeclarationKind::Parameter, start);
+            } else if !matches!(self.kind(at), Some(TokenKind::Name | TokenKind::Sign | TokenKind::Word(_))) {
                 break;
             }
             at = self.next(at);
@@ -373,7 +379,7 @@ impl Scanner<'_> {
         at
     }
 
-    fn declare(&mut self, name: usize, what: What, start: usize) {
+    fn declare(&mut self, name: usize, what: DeclarationKind, start: usize) {
         let at = self.at(name);
         let declared = Declaration {
             name: self.read(name).into(),

@@ -1,11 +1,11 @@
-//! What the server knows, and what it does when something happens.
+//! State of the server, and its reactions to events.
 
-use super::commands::Watches;
-use super::diagnostics::{Told, moved, tell_fault};
+use super::diagnostics::{EditorDiagnostic, moved, of_syntax};
 use super::document::{Document, uri_of};
-use super::files::{self, Files, Reached};
+use super::files::{self, Files, ReachableText};
 use super::requests;
-use super::run::{self, Job, Ran};
+use super::requests::commands::Watches;
+use super::run::{self, Job, RunResult};
 use super::text::Text;
 use lsp_server::{ErrorCode, Message, Notification, Request, Response};
 use lsp_types::{
@@ -21,68 +21,68 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
-/// How long nobody types before a scene is run.
+/// Time after the last change before a scene is run.
 const PAUSE: Duration = Duration::from_millis(250);
 
-/// What happens.
+/// An event.
 pub enum Event {
-    /// The editor says something.
-    Client(Message),
-    /// It has left.
-    Gone,
-    /// A run has ended.
-    Ran(Ran),
-    /// The editor is to be told something.
-    Say(Message),
+    /// A message from the editor.
+    Message(Message),
+    /// The editor has disconnected.
+    Disconnected,
+    /// A run of a scene has ended.
+    RunEnded(RunResult),
+    /// A message for the editor from another thread.
+    Send(Message),
 }
 
-/// All state.
+/// State of the server.
 pub struct Server<S> {
-    pub(super) out: S,
-    pub(super) events: Sender<Event>,
-    /// Pages that show scenes.
-    pub(super) watches: Watches,
-    /// By address.
+    pub(in crate::lsp) client: S,
+    pub(in crate::lsp) events: Sender<Event>,
+    /// Pages of `durer watch` that are open.
+    pub(in crate::lsp) watches: Watches,
+    /// Open documents by address.
     pub open: BTreeMap<String, Document>,
-    /// What open texts include.
+    /// Cache of included files.
     pub files: Files,
-    /// Where included files are looked for.
+    /// Folders of the include path.
     pub include: Vec<PathBuf>,
-    /// What the last run of each scene found, for each address.
-    ran: BTreeMap<String, BTreeMap<String, Vec<Told>>>,
-    /// Did the editor say goodbye?
+    /// Diagnostics of the last run of each scene, for each address.
+    results: BTreeMap<String, BTreeMap<String, Vec<EditorDiagnostic>>>,
+    /// True after the editor's shutdown request.
     pub is_shut_down: bool,
 }
 
-/// Where messages to the editor go.
-pub trait Out {
-    /// Sends one; nobody may be there any more.
+/// Receiver of messages to the editor.
+pub trait Client {
+    /// Sends a message; ignores a closed connection.
     fn send(&self, message: Message);
 }
 
-impl<F: Fn(Message)> Out for F {
+impl<F: Fn(Message)> Client for F {
     fn send(&self, message: Message) {
         self(message);
     }
 }
 
-impl<S: Out> Server<S> {
-    /// One without texts.
-    pub fn new(out: S, events: Sender<Event>, include: Vec<PathBuf>) -> Self {
-        let (open, ran) = (BTreeMap::new(), BTreeMap::new());
+impl<S: Client> Server<S> {
+    /// A server without open documents.
+    pub fn new(client: S, events: Sender<Event>, include: Vec<PathBuf>) -> Self {
+        let (open, results) = (BTreeMap::new(), BTreeMap::new());
         Self {
-            out,
+            client,
             events,
             watches: Watches::default(),
             open,
             files: Files::default(),
             include,
-            ran,
+            results,
             is_shut_down: false,
         }
     }
 
-    /// Does what is to be done until the editor leaves.
+    /// Handles events until the editor disconnects.
     pub fn run(&mut self, events: &Receiver<Event>) {
         loop {
             let event = match self.open.values().filter_map(|document| document.due).min() {
@@ -90,13 +90,13 @@ impl<S: Out> Server<S> {
                 None => events.recv().map_err(|_| RecvTimeoutError::Disconnected),
             };
             match event {
-                Ok(Event::Client(Message::Request(request))) => self.request(request),
-                Ok(Event::Client(Message::Notification(note))) if note.method == "exit" => break,
-                Ok(Event::Client(Message::Notification(note))) => self.notice(note),
-                Ok(Event::Client(Message::Response(_))) => {}
-                Ok(Event::Ran(ran)) => self.take(ran),
-                Ok(Event::Say(message)) => self.out.send(message),
-                Ok(Event::Gone) | Err(RecvTimeoutError::Disconnected) => break,
+                Ok(Event::Message(Message::Request(request))) => self.request(request),
+                Ok(Event::Message(Message::Notification(note))) if note.method == "exit" => break,
+                Ok(Event::Message(Message::Notification(note))) => self.notification(note),
+                Ok(Event::Message(Message::Response(_))) => {}
+                Ok(Event::RunEnded(ran)) => self.publish_run(ran),
+                Ok(Event::Send(message)) => self.client.send(message),
+                Ok(Event::Disconnected) | Err(RecvTimeoutError::Disconnected) => break,
                 Err(RecvTimeoutError::Timeout) => self.start_runs(),
             }
         }
@@ -117,14 +117,18 @@ impl<S: Out> Server<S> {
                 Response::new_err(id, ErrorCode::InvalidRequest as i32, "the server is shut down".into())
             }
             _ => catch_unwind(AssertUnwindSafe(|| requests::answer(self, request))).unwrap_or_else(|_| {
-                // The texts are whole all the same: nobody shall lose his editor's help over one question.
-                Response::new_err(id, ErrorCode::InternalError as i32, "durer made a mistake; please report it".into())
+                // A panic does not harm the texts: the server continues after a failed request.
+                Response::new_err(
+                    id,
+                    ErrorCode::InternalError as i32,
+                    "durer has failed, which is a bug; please report it".into(),
+                )
             }),
         };
-        self.out.send(Message::Response(response));
+        self.client.send(Message::Response(response));
     }
 
-    fn notice(&mut self, note: Notification) {
+    fn notification(&mut self, note: Notification) {
         fn read<P: DeserializeOwned>(note: Notification) -> Option<P> {
             serde_json::from_value(note.params).ok()
         }
@@ -141,7 +145,7 @@ impl<S: Out> Server<S> {
                 }
             }
             "textDocument/didSave" | "workspace/didChangeWatchedFiles" => {
-                // What is included may have changed on the disk.
+                // Included files may have changed on the disk.
                 let all: Vec<_> = self.open.keys().cloned().collect();
                 all.iter().for_each(|key| self.schedule(key));
             }
@@ -159,7 +163,7 @@ impl<S: Out> Server<S> {
         let mut before: Text = document.text.clone();
         for change in params.content_changes {
             let made = document.change(params.text_document.version, vec![change]);
-            for found in self.ran.values_mut().filter_map(|found| found.get_mut(&key)) {
+            for found in self.results.values_mut().filter_map(|found| found.get_mut(&key)) {
                 for (bytes, new) in &made {
                     *found = moved(std::mem::take(found), &before, &document.text, bytes, *new);
                 }
@@ -174,7 +178,7 @@ impl<S: Out> Server<S> {
         self.schedule(key);
     }
 
-    /// The scenes that read this text are to be run when nobody has typed for a while.
+    /// Schedules a run of the scenes that read this text.
     fn schedule(&mut self, key: &str) {
         let due = Some(Instant::now() + PAUSE);
         for scene in self.scenes_of(key) {
@@ -187,7 +191,7 @@ impl<S: Out> Server<S> {
         }
     }
 
-    /// The open scenes that read a text, itself among them if it is one.
+    /// The open scenes that read a text, including the text itself if it is a scene.
     fn scenes_of(&mut self, key: &str) -> Vec<String> {
         let Some(document) = self.open.get(key) else { return vec![] };
         let (path, is_scene) = (document.path.clone(), document.is_scene());
@@ -228,63 +232,63 @@ impl<S: Out> Server<S> {
             };
             let events = self.events.clone();
             run::start(job, move |ran| {
-                events.send(Event::Ran(ran)).ok();
+                events.send(Event::RunEnded(ran)).ok();
             });
         }
     }
 
-    /// Takes what a run has found, unless it is about a text that is no more.
-    fn take(&mut self, ran: Ran) {
+    /// Publishes the result of a run, unless the text has changed since.
+    fn publish_run(&mut self, ran: RunResult) {
         let Some(document) = self.open.get_mut(&ran.uri) else { return };
         if document.version != ran.version || document.due.is_some() {
             return;
         }
         document.stop = None;
         let mut found = BTreeMap::new();
-        for (path, told) in ran.told {
+        for (path, diagnostics) in ran.diagnostics {
             let address = match path {
                 None => Some(ran.uri.clone()),
                 Some(path) => self.address(&path),
             };
-            found.extend(address.map(|address| (address, told)));
+            found.extend(address.map(|address| (address, diagnostics)));
         }
-        let old = self.ran.insert(ran.uri.clone(), found).unwrap_or_default();
-        let new = self.ran.get(&ran.uri).into_iter().flat_map(BTreeMap::keys);
+        let old = self.results.insert(ran.uri.clone(), found).unwrap_or_default();
+        let new = self.results.get(&ran.uri).into_iter().flat_map(BTreeMap::keys);
         let mut all: Vec<String> = old.into_keys().chain(new.cloned()).chain([ran.uri]).collect();
         all.sort();
         all.dedup();
         all.iter().for_each(|address| self.publish(address));
     }
 
-    /// The editor's address of a file, if it is open; else one of ours.
+    /// The editor's address of an open file, or the address of its path.
     fn address(&self, path: &std::path::Path) -> Option<String> {
         let is_it = |document: &&Document| document.path.as_deref().is_some_and(|open| files::same(open, path));
         let open = self.open.values().find(is_it).map(|document| document.uri.clone());
         open.or_else(|| uri_of(path)).map(|uri| uri.as_str().to_string())
     }
 
-    /// Shows all that is wrong with a text: what it says by itself, and what runs have found.
+    /// Publishes all diagnostics of a text: faults of its syntax, and results of runs.
     fn publish(&self, address: &str) {
         let Ok(uri) = Uri::from_str(address) else { return };
         let document = self.open.get(address);
         let faults = document
             .iter()
-            .flat_map(|document| document.faults.iter().map(|fault| tell_fault(fault, &document.text, &document.uri)));
-        let mut all: Vec<Told> = faults.collect();
-        for told in self.ran.values().filter_map(|found| found.get(address)).flatten() {
-            // A run finds the faults of the text too, and two scenes may find the same in what they share.
-            if !all.iter().any(|other| other.range == told.range && other.code == told.code) {
-                all.push(told.clone());
+            .flat_map(|document| document.faults.iter().map(|fault| of_syntax(fault, &document.text, &document.uri)));
+        let mut all: Vec<EditorDiagnostic> = faults.collect();
+        for new in self.results.values().filter_map(|found| found.get(address)).flatten() {
+            // A run finds the faults of the syntax, too, and two scenes may find the same fault in a shared file.
+            if !all.iter().any(|other| other.range == new.range && other.code == new.code) {
+                all.push(new.clone());
             }
         }
         let params =
             PublishDiagnosticsParams { uri, diagnostics: all, version: document.map(|document| document.version) };
-        self.out.send(Message::Notification(Notification::new("textDocument/publishDiagnostics".into(), params)));
+        self.client.send(Message::Notification(Notification::new("textDocument/publishDiagnostics".into(), params)));
     }
 
-    /// Messages that are shown of a text now.
-    pub fn told(&self, address: &str) -> Vec<Told> {
-        self.ran.values().filter_map(|found| found.get(address)).flatten().cloned().collect()
+    /// The diagnostics of a text from all runs.
+    pub fn run_diagnostics(&self, address: &str) -> Vec<EditorDiagnostic> {
+        self.results.values().filter_map(|found| found.get(address)).flatten().cloned().collect()
     }
 
     fn close(&mut self, key: &str) {
@@ -292,26 +296,27 @@ impl<S: Out> Server<S> {
         if let Some(stop) = self.open.remove(key).and_then(|document| document.stop) {
             stop.store(true, Ordering::Relaxed);
         }
-        let gone = self.ran.remove(key).unwrap_or_default();
+        let gone = self.results.remove(key).unwrap_or_default();
         gone.keys().map(String::as_str).chain([key]).for_each(|address| self.publish(address));
         scenes.iter().filter(|scene| *scene != key).for_each(|scene| self.schedule(scene));
     }
 
-    /// The open text of this address.
+    /// The open document of an address.
     pub fn document(&self, uri: &Uri) -> Option<&Document> {
         self.open.get(uri.as_str())
     }
 
-    /// It and all that it includes.
-    pub fn reachable(&mut self, uri: &Uri) -> Vec<Reached> {
+    /// An open text and all files that it includes.
+    pub fn reachable(&mut self, uri: &Uri) -> Vec<ReachableText> {
         match self.open.get(uri.as_str()) {
             Some(document) => files::reachable(&mut self.files, &self.open, document, &self.include),
             None => vec![],
         }
     }
 
-    /// All texts that belong together with one: what it includes, and the open scenes that include it with what these include.
-    pub fn related(&mut self, uri: &Uri) -> Vec<Reached> {
+    /// All texts that share names with one: the files that it includes, and the open scenes that include it with their
+    /// files.
+    pub fn related(&mut self, uri: &Uri) -> Vec<ReachableText> {
         let mut out = self.reachable(uri);
         for scene in self.scenes_of(uri.as_str()) {
             let Some(document) = self.open.get(&scene) else { continue };
@@ -324,8 +329,8 @@ impl<S: Out> Server<S> {
         out
     }
 
-    /// The address of a text that was reached from this one.
-    pub fn uri(&self, reached: &Reached, from: &Uri) -> Option<Uri> {
+    /// The address of a text that was reached from `from`.
+    pub fn uri(&self, reached: &ReachableText, from: &Uri) -> Option<Uri> {
         match &reached.path {
             None => Some(from.clone()),
             Some(path) => self.address(path).and_then(|address| Uri::from_str(&address).ok()),

@@ -1,36 +1,37 @@
-//! A text that is being edited: positions as the protocol counts them, in UTF-16 units, and changes.
+//! A text that is being edited, with positions in the protocol's units of UTF-16.
 //!
-//! Not the crate `line-index`: it ends lines at `\n` alone, where scenes may also have `\r`, and it does not follow changes.
+//! Not the crate `line-index`: it ends lines at `\n` alone, where scenes may also have `\r`, and it does not follow
+//! changes.
 
 use lsp_types::{Position, Range, TextDocumentContentChangeEvent};
 
-/// A text and where its lines begin.
+/// A text and the starts of its lines.
 #[derive(Clone, Debug, Default)]
 pub struct Text {
     all: String,
-    /// Byte offsets; the first is 0.
+    /// Byte offsets of the lines; the first is 0.
     lines: Vec<usize>,
 }
 
 impl Text {
-    /// With its lines.
+    /// Finds the lines of a text.
     pub fn new(all: String) -> Self {
         let lines = line_starts(&all);
         Self { all, lines }
     }
 
-    /// All of it.
+    /// The whole text.
     pub fn as_str(&self) -> &str {
         &self.all
     }
 
-    /// How many lines it has: one more than ends of lines.
+    /// Number of lines: one more than the number of line endings.
     pub fn line_count(&self) -> usize {
         self.lines.len()
     }
 
-    /// The byte at a place. Behind the end of a line, the line's end; behind the end of the text, its end; inside of a letter, its
-    /// start.
+    /// The byte offset of a position. A position after the end of a line or of the text is moved to that end, and a
+    /// position within a character to its start.
     pub fn offset(&self, at: Position) -> usize {
         let Some(&start) = self.lines.get(at.line as usize) else { return self.all.len() };
         let line = self.line(at.line as usize);
@@ -45,7 +46,7 @@ impl Text {
         start + line.len()
     }
 
-    /// The place of a byte.
+    /// The position of a byte offset.
     pub fn position(&self, offset: usize) -> Position {
         let offset = offset.min(self.all.len());
         let line = self.lines.partition_point(|start| *start <= offset).saturating_sub(1);
@@ -53,26 +54,26 @@ impl Text {
         Position::new(line as u32, before.encode_utf16().count() as u32)
     }
 
-    /// The place of some bytes.
+    /// The positions of a byte range.
     pub fn range(&self, bytes: std::ops::Range<usize>) -> Range {
         Range::new(self.position(bytes.start), self.position(bytes.end))
     }
 
-    /// A line without its end.
+    /// A line without its line ending.
     pub fn line(&self, line: usize) -> &str {
         let Some(&start) = self.lines.get(line) else { return "" };
         let end = self.lines.get(line + 1).copied().unwrap_or(self.all.len());
         self.all[start..end].trim_end_matches(['\n', '\r'])
     }
 
-    /// All lines, each with its end; the last one only if there is something in it.
+    /// All lines with their line endings; an empty last line is omitted.
     pub fn lines_with_ends(&self) -> Vec<&str> {
         let ends = self.lines.iter().copied().skip(1).chain([self.all.len()]);
         let lines = self.lines.iter().zip(ends).map(|(start, end)| &self.all[*start..end]);
         lines.filter(|line| !line.is_empty()).collect()
     }
 
-    /// Makes a change; tells which bytes it took away and how many it put there.
+    /// Applies a change; returns the removed byte range and the number of new bytes.
     pub fn change(&mut self, change: TextDocumentContentChangeEvent) -> (std::ops::Range<usize>, usize) {
         let Some(range) = change.range else {
             let old = self.all.len();
@@ -83,13 +84,13 @@ impl Text {
         let (a, b) = (self.offset(range.start), self.offset(range.end));
         let bytes = a.min(b)..a.max(b);
         self.all.replace_range(bytes.clone(), &change.text);
-        self.move_lines(&bytes, &change.text);
+        self.update_lines(&bytes, &change.text);
         (bytes, change.text.len())
     }
 
-    /// Finds the lines anew around what was changed.
-    fn move_lines(&mut self, bytes: &std::ops::Range<usize>, new: &str) {
-        // A `\r` before the change may have got a `\n` behind it, or lost it: the lines around are counted again.
+    /// Updates the starts of the lines after a change.
+    fn update_lines(&mut self, bytes: &std::ops::Range<usize>, new: &str) {
+        // The change may add or remove a `\n` after a `\r`: scan the neighbouring lines again.
         let first = self.lines.partition_point(|start| *start < bytes.start).saturating_sub(1);
         let last = self.lines.partition_point(|start| *start <= bytes.end + 1);
         let moved = |start: usize| start - bytes.len() + new.len();
@@ -106,7 +107,7 @@ impl Text {
     }
 }
 
-/// `\n`, `\r\n` and `\r` end lines.
+/// Byte offsets of all lines, which end with `\n`, `\r\n` or `\r`.
 fn line_starts(text: &str) -> Vec<usize> {
     let bytes = text.as_bytes();
     let ends = |i: &usize| bytes[*i] == b'\n' || bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n');
@@ -118,12 +119,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_count_in_utf_16() {
+    fn positions_count_in_utf_16() {
         let text = Text::new("aä€😀b\r\nc\rd\n".into());
         assert_eq!(text.line_count(), 4);
         assert_eq!(text.position(10), Position::new(0, 5));
         assert_eq!(text.offset(Position::new(0, 5)), 10);
-        // Inside of the two halves of one letter.
+        // Between the two units of one character.
         assert_eq!(text.offset(Position::new(0, 4)), 6);
         assert_eq!(text.offset(Position::new(0, 99)), 11);
         assert_eq!(text.offset(Position::new(9, 0)), text.as_str().len());
@@ -131,14 +132,14 @@ mod tests {
         assert_eq!(text.lines_with_ends(), ["aä€😀b\r\n", "c\r", "d\n"]);
     }
 
-    /// A simple generator of numbers.
+    /// Linear congruential generator.
     fn next(seed: &mut u64) -> usize {
         *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (*seed >> 33) as usize
     }
 
     #[test]
-    fn lines_stay_true_through_any_edits() {
+    fn lines_are_correct_after_random_edits() {
         let (mut seed, pieces) = (7, ["", "a", "\n", "\r", "\r\n", "ä😀", "x\ny\r\nz"]);
         let mut text = Text::new("one\r\ntwo\n\rthree".into());
         for _ in 0..3000 {

@@ -1,4 +1,4 @@
-//! What the tables of the readers tell of a word, and which words a block takes.
+//! Explanations of words and lists of the words of a block, from the tables of the readers.
 
 use super::scan::{Scan, directive};
 use crate::function::numeric::{self, Kernel};
@@ -12,47 +12,47 @@ use crate::value::words::TRANSFORMS;
 use crate::value::{Spec, ValueKind, WordSpec};
 
 /// A word that a block takes.
-pub struct Taken {
-    /// As it is typed.
+pub struct WordInfo {
+    /// Spelling.
     pub name: &'static str,
-    /// What follows it.
+    /// Value that follows the word.
     pub kind: ValueKind,
-    /// What it says, in one line.
+    /// Description, one line.
     pub summary: &'static str,
-    /// Where there is one.
+    /// Default value; empty for a word without default.
     pub default: &'static str,
 }
 
-impl From<&WordSpec> for Taken {
+impl From<&WordSpec> for WordInfo {
     fn from(word: &WordSpec) -> Self {
         Self { name: word.name, kind: word.kind, summary: word.summary, default: word.default }
     }
 }
 
-impl From<&Spec> for Taken {
+impl From<&Spec> for WordInfo {
     fn from(spec: &Spec) -> Self {
         Self { name: spec.name, kind: ValueKind::Nothing, summary: spec.summary, default: "" }
     }
 }
 
-/// A shape's table.
+/// The table of a shape.
 pub fn shape(name: &str) -> Option<&'static Spec> {
     shape::SPECS.iter().find(|spec| spec.name == name).copied()
 }
 
-fn add<'a, T: 'a>(out: &mut Vec<Taken>, more: impl IntoIterator<Item = &'a T>)
+fn add<'a, T: 'a>(out: &mut Vec<WordInfo>, more: impl IntoIterator<Item = &'a T>)
 where
-    Taken: From<&'a T>,
+    WordInfo: From<&'a T>,
 {
-    for taken in more.into_iter().map(Taken::from) {
+    for taken in more.into_iter().map(WordInfo::from) {
         if !out.iter().any(|other| other.name == taken.name) {
             out.push(taken);
         }
     }
 }
 
-/// What a block of this name takes; the empty name is the scene outside of all blocks.
-pub fn of_block(block: &str) -> Vec<Taken> {
+/// The words that a block takes; the empty name is the scene outside of all blocks.
+pub fn of_block(block: &str) -> Vec<WordInfo> {
     let mut out = vec![];
     let holds_objects =
         block.is_empty() || GROUPS.contains(&block) || matches!(block, "clipped_by" | "bounded_by" | "light_group");
@@ -91,7 +91,7 @@ pub fn of_block(block: &str) -> Vec<Taken> {
     out
 }
 
-/// In words, what is expected.
+/// Name of a kind of value.
 pub fn kind(kind: ValueKind) -> &'static str {
     match kind {
         ValueKind::Nothing => "nothing",
@@ -106,37 +106,37 @@ pub fn kind(kind: ValueKind) -> &'static str {
     }
 }
 
-/// All that the tables tell of a word, in Markdown; what belongs to `block` comes first.
+/// Explanations of a word in Markdown; its meaning in `block` comes first.
 pub fn explain(word: &str, block: &str) -> Vec<String> {
     let mut out = vec![];
-    let mut tell = |text: String, first: bool| {
+    let mut add = |text: String, first: bool| {
         if !out.contains(&text) {
             out.insert(if first { 0 } else { out.len() }, text);
         }
     };
     if let Some(here) = of_block(block).iter().find(|taken| taken.name == word) {
         let place = if block.is_empty() { String::new() } else { format!("in `{block}`: ") };
-        tell(format!("{place}{}", describe(here)), true);
+        add(format!("{place}{}", describe(here)), true);
     }
     if let Some(spec) = FAMILIES.iter().flat_map(|family| family.specs.iter()).find(|spec| spec.name == word) {
-        tell(form(spec), false);
+        add(form(spec), false);
     }
     for table in BLOCKS.iter().map(|block| block.words) {
         if table.block == word {
-            tell(format!("`{word} {{ … }}`: {}", table.summary), false);
+            add(format!("`{word} {{ … }}`: {}", table.summary), false);
         }
         for row in table.words.iter().filter(|row| row.name == word && table.block != block) {
-            tell(format!("in `{}`: {}", table.block, describe(&row.into())), false);
+            add(format!("in `{}`: {}", table.block, describe(&row.into())), false);
         }
     }
     for row in interpreter::COLOR_WORDS.iter().chain(TRANSFORMS).filter(|row| row.name == word) {
-        tell(describe(&row.into()), false);
+        add(describe(&row.into()), false);
     }
     if let Some((usage, summary)) = function(word) {
-        tell(format!("`{usage}`: {summary}"), false);
+        add(format!("`{usage}`: {summary}"), false);
     }
     for (_, what) in CONSTANTS.iter().filter(|(name, _)| *name == word) {
-        tell((*what).to_string(), false);
+        add((*what).to_string(), false);
     }
     if out.is_empty() {
         out.extend(ELSEWHERE.iter().filter(|(name, _)| *name == word).map(|(_, place)| plain(place)));
@@ -144,7 +144,7 @@ pub fn explain(word: &str, block: &str) -> Vec<String> {
     out
 }
 
-/// Without links, which lead into the manual's own pages.
+/// Removes links, which lead to pages of the manual.
 fn plain(markdown: &str) -> String {
     let mut text = String::new();
     let mut rest = markdown;
@@ -164,13 +164,13 @@ fn plain(markdown: &str) -> String {
     text + rest
 }
 
-fn describe(taken: &Taken) -> String {
+fn describe(taken: &WordInfo) -> String {
     let takes = if taken.kind == ValueKind::Nothing { String::new() } else { format!(" (takes {})", kind(taken.kind)) };
     let default = if taken.default.is_empty() { String::new() } else { format!(" Default: {}.", taken.default) };
     format!("{}{takes}.{default}", taken.summary)
 }
 
-/// How a thing of a family is written: `box { corner_1, corner_2 … }`.
+/// Syntax of a shape, a pattern and the like: `box { corner_1, corner_2 … }`.
 pub fn form(spec: &Spec) -> String {
     let params: Vec<_> = spec.params.iter().map(|param| param.name).collect();
     let is_shape = shape(spec.name).is_some();
@@ -183,12 +183,12 @@ pub fn form(spec: &Spec) -> String {
     format!("`{usage}`: {}", spec.summary)
 }
 
-/// How a function is called, and what it gives.
+/// Syntax and description of a function.
 pub fn function(name: &str) -> Option<(String, &'static str)> {
     functions().find(|(other, ..)| *other == name).map(|(name, usage, summary)| (format!("{name}{usage}"), summary))
 }
 
-/// All functions: name, arguments in parentheses, one line.
+/// All functions: name, arguments in parentheses, description.
 pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     let numbers = numeric::TABLE.iter().map(|row| {
         let usage = match row.kernel {
@@ -201,7 +201,7 @@ pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static
     numbers.chain(interpreter::functions())
 }
 
-/// What a directive does: its form, and one line.
+/// Syntax and description of a directive.
 pub fn of_directive(text: &str) -> Option<(&'static str, &'static str)> {
     let word = directive(text);
     let row = interpreter::directives::TABLE.iter().find(|row| row.names.contains(&word))?;

@@ -2,8 +2,7 @@
 //! Pattern").
 //!
 //! ```pov
-//! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb
-//! 1] } scale 0.4 } }
+//! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb 1] } scale 0.4 } }
 //! ```
 
 use super::{Field, GRAYS, Readable, SIX_COLORS, TextureContext};

@@ -1,7 +1,8 @@
 //! `quilted`: cubes with soft seams (manual, "Quilted").
 //!
 //! ```pov
-//! box { -1, 1 pigment { quilted control0 0.8 control1 0.5 color_map { [0 color rgb <1, 0.9, 0.8>] [0.6 color rgb <0.4, 0, 0.2>] } scale 0.5 } }
+//! box { -1, 1 pigment { quilted control0 0.8 control1 0.5
+//!   color_map { [0 color rgb <1, 0.9, 0.8>] [0.6 color rgb <0.4, 0, 0.2>] } scale 0.5 } }
 //! ```
 
 use super::{Field, FieldParams, Readable, TextureContext};

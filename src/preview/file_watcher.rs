@@ -68,8 +68,9 @@ impl FileWatcher {
         Self { shared }
     }
 
-    /// Watches the files `read`, with the contents that were read: a file that has changed since then is reported at once. `scene` is watched, too,
-    /// even if it could not be read. `missing` is true if the scene may have searched for files that do not exist.
+    /// Watches the files `read`, with the contents that were read: a file that has changed since then is reported at
+    /// once. `scene` is watched, too, even if it could not be read. `missing` is true if the scene may have searched
+    /// for files that do not exist.
     pub fn follow(&self, read: &ReadFiles, scene: &Path, missing: bool) {
         let mut shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
         let file = |path: &Path, read: Option<ContentHash>| {

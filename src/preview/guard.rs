@@ -1,8 +1,8 @@
 //! Access control of the page's server: only clients that know the page's address are admitted.
 //!
 //! The server listens on the loopback address, but scripts of other pages in the author's browser can reach it, by its
-//! number or by a name that resolves to it (DNS rebinding). A request must therefore start with the token, be
-//! addressed to this host, and come from no other origin (Fetch Standard, `Origin`; W3C, "Fetch Metadata Request Headers").
+//! number or by a name that resolves to it (DNS rebinding). A request must therefore start with the token, be addressed
+//! to this host, and come from no other origin (Fetch Standard, `Origin`; W3C, "Fetch Metadata Request Headers").
 
 use std::io;
 

@@ -14,8 +14,8 @@ const LEVEL_FACTOR: usize = 16;
 /// Rendering time in seconds below which no further coarse level is useful.
 const SHORT: f64 = 0.3;
 
-/// Renders to the screen until `stop` returns true; pixels outside of the region in `options` are not displayed. Returns the number of rays and the
-/// duration of the first level, 0 if there was only the full resolution.
+/// Renders to the screen until `stop` returns true; pixels outside of the region in `options` are not displayed.
+/// Returns the number of rays and the duration of the first level, 0 if there was only the full resolution.
 ///
 /// # Errors
 /// If `stop` returned true.

@@ -1,9 +1,9 @@
 //! `durer watch`: a page on the loopback address that shows a scene's picture while the scene is edited.
 //!
-//! The front end renders, and this module displays. A [`Screen`] holds the picture and the text beside it. Each page receives the
-//! changes since its last update (`stream`), so that an inactive page costs nothing and a reloaded page is complete. `levels`
-//! renders from coarse to fine. Requests of a page go to the [`Backend`]. `guard` admits only the page's own script, and the server
-//! never serves a file.
+//! The front end renders, and this module displays. A [`Screen`] holds the picture and the text beside it. Each page
+//! receives the changes since its last update (`stream`), so that an inactive page costs nothing and a reloaded page is
+//! complete. `levels` renders from coarse to fine. Requests of a page go to the [`Backend`]. `guard` admits only the
+//! page's own script, and the server never serves a file.
 
 mod file_watcher;
 mod guard;

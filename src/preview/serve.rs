@@ -19,7 +19,7 @@ const STYLE: &[u8] = include_bytes!("page/page.css");
 const ICON: &[u8] = include_bytes!("page/icon.svg");
 const SCRIPT: &[u8] = include_bytes!("page/page.js");
 
-/// Serves the page on threads of its own, and returns its address. Port 0 stands for a free port.
+/// Serves the page on threads of its own, and returns its address. Port 0 means a free port.
 ///
 /// # Errors
 /// If the port is taken, or the system refuses.

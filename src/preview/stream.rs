@@ -1,4 +1,5 @@
-//! Sends a page the changes of the screen (WHATWG HTML, "Server-sent events"), as the events `told` and `picture`.
+//! Sends a page the changes of the screen (WHATWG HTML, "Server-sent events"), as events `state` and
+//! `picture`.
 
 use super::http;
 use super::screen::{Cursor, Image, Screen, Update, on_screen};
@@ -34,7 +35,7 @@ pub fn send(stream: &mut TcpStream, screen: &Screen) -> io::Result<()> {
 fn events(update: &Update) -> String {
     let mut text = String::new();
     if let Some(state) = &update.state {
-        text += &event("told", &json!({"run": update.run, "before": update.has_previous, "told": **state}));
+        text += &event("state", &json!({"run": update.run, "before": update.has_previous, "state": **state}));
     }
     // Left, top, width, height, and the bytes red, green, blue and alpha of each pixel.
     let tile = |x: usize, y: usize, image: &Image| {

@@ -1,4 +1,4 @@
-//! All tables of words that the readers obey, in one place: for the manual and for editors.
+//! All tables of words of the readers, for the manual and for editors.
 
 mod sorts;
 
@@ -10,25 +10,25 @@ use crate::texture::words::{FINISH, IMAGE_MAP, IRID, NORMAL, PIGMENT, REFLECTION
 use crate::value::{Spec, Vocabulary};
 use crate::{atmosphere, camera, interpreter, light, scene, shape};
 
-/// A block and where the manual's reference tells of it.
+/// A block and its page in the manual's reference.
 #[derive(Debug)]
 pub struct Block {
-    /// What it takes.
+    /// Words of the block.
     pub words: &'static Vocabulary,
-    /// In Markdown.
+    /// Name in Markdown.
     pub name: &'static str,
-    /// A page of `docs/src/reference/`.
+    /// Page in `docs/src/reference/`.
     pub page: &'static str,
 }
 
-/// Things of one kind, each with a table of its own.
+/// Shapes, patterns or warps, each with its own table.
 #[derive(Debug)]
 pub struct Family {
-    /// Their tables.
+    /// Tables of the members.
     pub specs: &'static [&'static Spec],
-    /// What each of them is.
+    /// Name of a member's kind.
     pub kind: &'static str,
-    /// A page of `docs/src/reference/`.
+    /// Page in `docs/src/reference/`.
     pub page: &'static str,
 }
 
@@ -36,7 +36,7 @@ const fn block(words: &'static Vocabulary, name: &'static str, page: &'static st
     Block { words, name, page }
 }
 
-/// Blocks that are no member of a family.
+/// Blocks outside of the families.
 pub const BLOCKS: &[Block] = &[
     block(&interpreter::STATEMENTS, "the scene", "scene.md"),
     block(&scene::words::MODIFIERS, "objects", "objects.md"),
@@ -58,7 +58,7 @@ pub const BLOCKS: &[Block] = &[
     block(&scene::words::SETTINGS, "`global_settings`", "settings.md"),
 ];
 
-/// Families.
+/// All families.
 pub const FAMILIES: &[Family] = &[
     Family { specs: shape::SPECS, kind: "shape", page: "shapes.md" },
     Family { specs: CellPattern::SPECS, kind: "pattern", page: "pigments.md" },
@@ -66,7 +66,7 @@ pub const FAMILIES: &[Family] = &[
     Family { specs: Warp::SPECS, kind: "warp", page: "pigments.md" },
 ];
 
-/// Words that stand in no table of a block, and the chapter about them.
+/// Words that are in no table of a block, and the chapters about them.
 pub const ELSEWHERE: &[(&str, &str)] = &[
     ("albedo", "[`finish`](finishes.md), before the number of `diffuse`, `phong` or `specular`"),
     ("all", "`filter all` and `transmit all` in [`image_map`](pigments.md#image_map)"),

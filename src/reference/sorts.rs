@@ -1,4 +1,4 @@
-//! Every word of the language by what it is: for the grammars of editors, which `tests/suite/editors.rs` makes of this.
+//! All words of the language by kind, for the grammars of editors, which `tests/suite/editors.rs` generates.
 
 use super::{BLOCKS, FAMILIES};
 use crate::interpreter::{LATER, directives};
@@ -9,28 +9,28 @@ use crate::syntax::{continues, opens};
 use crate::value::ValueKind;
 use crate::value::words::TRANSFORMS;
 
-/// Words that are looked at in one way. No word stands in two of the first five lists; each is in the order of the alphabet.
+/// Words by kind, each list in alphabetical order. No word is in two of the first five lists.
 #[derive(Debug)]
 pub struct Sorts {
     /// Objects: `sphere`, `union`.
     pub objects: Vec<&'static str>,
-    /// What else has braces: `pigment`, `camera`.
+    /// Other words with braces: `pigment`, `camera`.
     pub blocks: Vec<&'static str>,
-    /// Take arguments in parentheses: `sin`.
+    /// Functions with arguments in parentheses: `sin`.
     pub functions: Vec<&'static str>,
     /// Values: `x`, `pi`, `on`.
     pub constants: Vec<&'static str>,
     /// All other words: `rotate`, `rgb`, `marble`.
     pub words: Vec<&'static str>,
-    /// What stands behind `#`.
+    /// Directives, without `#`.
     pub directives: Vec<&'static str>,
-    /// Those of them that an `#end` closes.
+    /// Directives that an `#end` closes.
     pub openers: Vec<&'static str>,
-    /// Those of them between an opener and its `#end`: `else`, `case`.
+    /// Directives between an opener and its `#end`: `else`, `case`.
     pub continuers: Vec<&'static str>,
 }
 
-/// All words.
+/// Sorts all words of the language by kind.
 pub fn sorts() -> Sorts {
     let rows = || {
         let tables = BLOCKS.iter().map(|block| block.words.words);
@@ -39,7 +39,7 @@ pub fn sorts() -> Sorts {
     };
     let objects = sorted(shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
     let named = BLOCKS.iter().flat_map(|block| block.words.unsupported.iter().copied().chain([block.words.block]));
-    // The grammar itself knows functions.
+    // `function` is part of the grammar itself.
     let named = named.chain(LATER.iter().copied()).chain(["function"]);
     let with_braces = rows().filter(|row| row.kind == ValueKind::Block).map(|row| row.name);
     let is_keyword = |name: &&str| KEYWORDS.contains(name);

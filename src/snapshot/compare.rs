@@ -1,16 +1,16 @@
-//! Are two pictures the same?
+//! Comparison of two pictures.
 
 use crate::image_io::Frame;
 
-/// How far two pictures may be apart.
+/// Allowed difference of two pictures.
 ///
-/// The same program draws the same bytes; but another processor or compiler may round the last bit of a sine otherwise,
-/// which then shows in a few pixels on edges. That much is allowed, and no more.
+/// One program renders the same bytes everywhere. Another version may round a last digit in another way, which changes
+/// a few pixels on edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// Steps of 255 by which a channel of any pixel may differ.
+    /// Difference of a channel that is allowed in any pixel, in steps of 1/255.
     pub steps: u8,
-    /// Of a thousand pixels, so many may differ by more.
+    /// Number of pixels in a thousand that may differ by more.
     pub per_mille: f64,
 }
 
@@ -20,35 +20,35 @@ impl Default for Tolerance {
     }
 }
 
-/// What comparing came to.
+/// Result of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Every pixel is the same.
+    /// All pixels are equal.
     Identical,
-    /// Within the tolerance.
+    /// The pictures differ within the tolerance.
     Close,
-    /// Beyond it, or of another size.
+    /// The pictures differ by more than the tolerance, or in size.
     Differs,
 }
 
-/// How two pictures differ, as 8-bit files would store them.
+/// Difference of two pictures with 8 bits per channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
-    /// Width and height of what was expected, where they are not those of what was drawn.
+    /// Width and height of the expected picture, if they differ from those of the rendered one.
     pub other_size: Option<(usize, usize)>,
-    /// How many pixels there are.
+    /// Number of pixels.
     pub pixels: usize,
-    /// How many of them differ at all.
+    /// Number of pixels that differ.
     pub different: usize,
-    /// How many differ by more than the tolerance's steps.
+    /// Number of pixels that differ by more than [`Tolerance::steps`].
     pub beyond: usize,
-    /// The largest difference of a channel, in steps of 255.
+    /// Largest difference of a channel, in steps of 1/255.
     pub largest: u8,
-    /// All in all.
+    /// Result.
     pub verdict: Verdict,
 }
 
-/// Compares what was expected with what was drawn. Colours of fully transparent pixels don't count.
+/// Compares the expected picture with the rendered one. Colours of fully transparent pixels are ignored.
 pub fn compare(expected: &Frame, drawn: &Frame, tolerance: Tolerance) -> Comparison {
     let pixels = drawn.pixels.len();
     if (expected.width, expected.height) != (drawn.width, drawn.height) {
@@ -76,7 +76,7 @@ pub fn compare(expected: &Frame, drawn: &Frame, tolerance: Tolerance) -> Compari
     Comparison { other_size: None, pixels, different, beyond, largest, verdict }
 }
 
-/// For each pixel the largest difference of a channel.
+/// The largest difference of a channel for each pixel.
 fn distances(a: &Frame, b: &Frame) -> Vec<u8> {
     let distance = |(p, q): (&[u8; 4], &[u8; 4])| match (p[3], q[3]) {
         (0, 0) => 0,
@@ -85,8 +85,8 @@ fn distances(a: &Frame, b: &Frame) -> Vec<u8> {
     a.rgba8().iter().zip(&b.rgba8()).map(distance).collect()
 }
 
-/// Where two pictures of one size differ: the expected one in dim gray, and over it red for a difference of one step, through
-/// orange and yellow to white for the largest.
+/// A map of the differences of two pictures of one size: the expected picture in dim gray, with colours from red for
+/// one step through orange and yellow to white for the largest difference.
 pub fn difference(expected: &Frame, drawn: &Frame) -> Frame {
     let paint = |(pixel, d): (&[f32; 4], u8)| {
         let gray = 0.12 * (0.3 * pixel[0] + 0.59 * pixel[1] + 0.11 * pixel[2]).clamp(0.0, 1.0);
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_counted() {
+    fn differing_pixels_are_counted() {
         let mut drawn = gray(0.5);
         drawn.pixels[7] = [0.5, 0.5, 0.0, 1.0];
         let c = compare(&gray(0.5), &drawn, Tolerance::default());

@@ -1,23 +1,23 @@
-//! Finds scenes with snapshots.
+//! Search for scenes with snapshots.
 
 use crate::source::{FileKind, Files, scenes_below};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A scene and its snapshot, which may not be there yet.
+/// A scene and its snapshot, which need not exist.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Case {
-    /// The text.
+    /// Path of the scene.
     pub scene: PathBuf,
-    /// The picture.
+    /// Path of the snapshot.
     pub picture: PathBuf,
 }
 
-/// What a snapshot's name ends in. No other picture has such a name, so that drawing a scene can't overwrite what it is compared
-/// with.
+/// Ending of a snapshot's name. No other picture has such a name, so that rendering a scene cannot overwrite its
+/// snapshot.
 pub const ENDING: &str = "snapshot.png";
 
-/// Has the file the name of a snapshot?
+/// True if the path has the name of a snapshot.
 pub fn is_snapshot(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     name.strip_suffix(ENDING).is_some_and(|stem| stem.ends_with('.'))
@@ -29,11 +29,11 @@ impl Case {
     }
 }
 
-/// The scenes among `paths`, and those in the folders among them that have a snapshot, in the order of their names. Hidden
-/// folders and Cargo's `target` are left out.
+/// The scenes among `paths`, and the scenes with a snapshot in the folders among `paths`, sorted by path. Hidden
+/// folders and Cargo's `target` are omitted.
 ///
 /// # Errors
-/// If a path is not there or a folder can't be read.
+/// If a path does not exist or a folder cannot be read.
 pub fn find(files: &dyn Files, paths: &[PathBuf]) -> io::Result<Vec<Case>> {
     let mut cases = Vec::new();
     for path in paths {
@@ -49,13 +49,13 @@ pub fn find(files: &dyn Files, paths: &[PathBuf]) -> io::Result<Vec<Case>> {
     Ok(cases)
 }
 
-/// The scene that a path means: itself, or the one beside a snapshot.
+/// The scene of a path: the path itself, or the scene beside a snapshot.
 fn scene_of(files: &dyn Files, path: &Path) -> PathBuf {
     let beside = ["scene", "pov"].map(|ending| path.with_extension("").with_extension(ending));
     beside.into_iter().find(|scene| is_snapshot(path) && files.is_file(scene)).unwrap_or(path.to_path_buf())
 }
 
-/// The options of a snapshot, where a comment at the start of the scene gives them: `//! test: --size 128x96 --aa off`.
+/// The options in a comment at the start of a scene: `//! test: --size 128x96 --aa off`.
 pub fn header(text: &str) -> Option<&str> {
     let lines = text.lines().map(str::trim);
     let mut comments = lines.take_while(|line| line.is_empty() || line.starts_with("//"));
@@ -92,14 +92,14 @@ mod tests {
     }
 
     #[test]
-    fn snapshots_are_told_by_their_names() {
+    fn snapshots_are_recognized_by_their_names() {
         assert!(is_snapshot(Path::new("a/b.snapshot.png")) && is_snapshot(Path::new("B.SNAPSHOT.PNG")));
         assert!(!is_snapshot(Path::new("snapshot.png")) && !is_snapshot(Path::new("a.png")));
         assert!(!is_snapshot(Path::new("snapshot.png/a.png")));
     }
 
     #[test]
-    fn options_stand_in_the_first_comments() {
+    fn options_are_read_from_the_first_comments() {
         assert_eq!(header("// A ball.\n\n//! test: --size 4x3 \nsphere {}"), Some("--size 4x3"));
         assert_eq!(header("sphere {}\n//! test: --size 4x3"), None);
         assert_eq!(header(""), None);

@@ -1,4 +1,4 @@
-//! Snapshots: a scene and the picture that it gave, side by side in a folder (`ball.scene`, `ball.snapshot.png`).
+//! Snapshots: a scene and its expected picture, side by side in a folder (`ball.scene`, `ball.snapshot.png`).
 
 mod compare;
 mod find;

@@ -1,4 +1,4 @@
-//! A page that shows what was expected, what was drawn, and where they differ.
+//! A page that shows expected and rendered pictures and their differences.
 
 use super::difference;
 use crate::diagnostic::Result;
@@ -9,24 +9,24 @@ use crate::image_io::{Encoding, Format, Frame, encode};
 pub struct Entry<'a> {
     /// The scene's path.
     pub name: String,
-    /// Nobody has to look at it.
+    /// True if the pictures agree.
     pub fine: bool,
     /// The snapshot's path.
     pub snapshot: String,
-    /// What is said about it.
+    /// Result of the test.
     pub text: String,
-    /// The command that takes what was drawn as the snapshot.
+    /// The command that accepts the rendered picture as the snapshot.
     pub accept: Option<String>,
     /// The snapshot.
     pub expected: Option<&'a Frame>,
-    /// What was drawn now.
+    /// The rendered picture.
     pub drawn: Option<&'a Frame>,
 }
 
 /// The files of a report: names and contents.
 pub type Report = Vec<(String, Vec<u8>)>;
 
-/// The page `index.html`, and the pictures beside it. What needs a look comes first.
+/// The page `index.html` and its pictures. Scenes with differences come first.
 ///
 /// # Errors
 /// E0008 for pictures that PNG can't hold.
@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_page_shows_three_pictures_of_what_differs_and_one_of_what_does_not() {
+    fn differing_scenes_have_three_pictures_and_others_one() {
         let frame = Frame::new(2, 2);
         let entry = |name: &str, fine| Entry {
             name: name.into(),

@@ -42,8 +42,8 @@ impl Files for Disk {
         Ok(Box::new(file))
     }
 
-    /// Writes a temporary file in the same folder, which then replaces the old file. Devices and pipes are written directly; a symbolic
-    /// link remains one.
+    /// Writes a temporary file in the same folder, which then replaces the old file. Devices and pipes are written
+    /// directly; a symbolic link remains one.
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         let path = resolve(path)?;
         if is_special(&path) {
@@ -73,8 +73,8 @@ impl Files for Disk {
     }
 }
 
-/// A file whose bytes arrive over a long time. Nothing appears at its path before [`Draft::commit`], and a draft that is not committed
-/// vanishes, however the program ends.
+/// A file whose bytes arrive over a long time. Nothing appears at its path before [`Draft::commit`], and a draft that
+/// is not committed vanishes, however the program ends.
 pub struct Draft {
     path: PathBuf,
     bytes: Bytes,
@@ -166,8 +166,8 @@ fn is_special(path: &Path) -> bool {
     path.metadata().is_ok_and(|m| !m.is_file() && !m.is_dir())
 }
 
-/// Creates a file in the folder of `path` that vanishes unless it is persisted. It has the permissions of any new file; by default,
-/// only its owner could read a temporary file.
+/// Creates a file in the folder of `path` that vanishes unless it is persisted. It has the permissions of any new file;
+/// by default, only its owner could read a temporary file.
 fn temporary(path: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".durer-").suffix(".part");

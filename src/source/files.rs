@@ -9,7 +9,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// Storage that a run reads from and writes to. Relative paths start at the current folder, whatever the implementation takes for it.
+/// Storage that a run reads from and writes to. Relative paths start at the current folder, whatever the implementation
+/// takes for it.
 pub trait Files: Send + Sync {
     /// Returns the contents of a file.
     ///
@@ -149,7 +150,7 @@ pub struct Stamp {
     length: u64,
 }
 
-/// What happens to the old contents of a file that is opened for writing.
+/// Treatment of the old contents of a file that is opened for writing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WriteMode {
     /// The old contents are removed.

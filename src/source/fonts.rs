@@ -1,9 +1,9 @@
-//! Fonts that stand for those that a scene names and that are not there.
+//! Substitutes for fonts that a scene names and that are not installed.
 
 use super::Files;
 use std::path::{Path, PathBuf};
 
-/// How letters look, as far as the name of a file tells.
+/// Style of a font, derived from the name of its file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Style {
     family: Family,
@@ -18,7 +18,7 @@ enum Family {
     Serif,
 }
 
-/// Parts of names, in small letters, that tell the family; the first that is found counts, and `Sans` where none is.
+/// Parts of file names, in lower case, with their families. The first match is used; `Sans` without a match.
 const FAMILIES: &[(&str, Family)] = &[
     ("cour", Family::Mono),
     ("mono", Family::Mono),
@@ -42,13 +42,13 @@ const FAMILIES: &[(&str, Family)] = &[
     ("bodoni", Family::Serif),
 ];
 
-/// Families whose files on Windows say their weight by a few letters: `arialbd`, `verdanaz`.
+/// Families whose files on Windows have abbreviations of the weight: `arialbd`, `verdanaz`.
 const SHORT: &[&str] = &[
     "arial", "times", "cour", "verdana", "georgia", "trebuc", "tahoma", "calibri", "cambria", "consola", "pala",
     "comic",
 ];
 
-/// Those letters: bold, italic.
+/// The abbreviations; true for bold and for italic.
 const ENDINGS: &[(&str, bool, bool)] = &[
     ("bd", true, false),
     ("b", true, false),
@@ -58,10 +58,10 @@ const ENDINGS: &[(&str, bool, bool)] = &[
     ("z", true, true),
 ];
 
-/// Fonts that are taken rather than others: those of the lengths that Windows' fonts have come first.
+/// Preferred fonts. The first ones have the letter widths of Windows' fonts.
 const PREFERRED: &[&str] = &["liberation", "dejavu", "free", "noto", "timrom", "cyrvetic", "crystal"];
 
-/// Parts of the names of fonts that nobody would take for plain letters.
+/// Parts of the names of fonts that are unsuitable for plain text.
 const ODD: &[&str] =
     &["condensed", "narrow", "light", "thin", "black", "math", "symbol", "emoji", "dingbat", "logo", "icon", "caps"];
 
@@ -77,31 +77,31 @@ impl Style {
     }
 }
 
-/// The small letters of a file's name without its ending.
+/// The letters of a file's name in lower case, without its ending.
 fn plain(name: &str) -> String {
     let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
     stem.chars().filter(|c| c.is_ascii_alphabetic()).map(|c| c.to_ascii_lowercase()).collect()
 }
 
-/// All files of fonts in these folders and below them, in an order of their own.
+/// All font files in these folders and below them, in the order of the folders and of their paths.
 pub fn font_files(files: &dyn Files, folders: &[PathBuf]) -> Vec<PathBuf> {
     let mut found = vec![];
     folders.iter().for_each(|folder| collect(files, folder, MAX_DEPTH, &mut found));
     found
 }
 
-/// The font in these folders and below them that is most like the one of this name; the same one wherever the same files
-/// lie. Only files that may be read count.
+/// The font file in these folders and below them whose style is nearest to the font `name`. The result depends only on
+/// the set of files that may be read.
 pub fn similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
     let (mut found, wanted) = (font_files(files, folders), Style::of(name));
     found.sort_by_cached_key(|file| (difference(wanted, file), file.clone()));
     found.into_iter().find(|file| files.may_read(file))
 }
 
-/// Folders inside of each other.
+/// Largest nesting depth of the folders.
 const MAX_DEPTH: usize = 6;
-/// Files are enough to choose from.
+/// Largest number of font files.
 const MAX_FILES: usize = 20_000;
 
 fn collect(files: &dyn Files, folder: &Path, depth: usize, out: &mut Vec<PathBuf>) {
@@ -117,13 +117,13 @@ fn collect(files: &dyn Files, folder: &Path, depth: usize, out: &mut Vec<PathBuf
     }
 }
 
-/// Has the name of a font's file an ending?
+/// True if the path has the ending of a font file.
 pub fn is_file_name(path: &Path) -> bool {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     ["ttf", "otf", "ttc"].iter().any(|e| ending.eq_ignore_ascii_case(e))
 }
 
-/// How much a font differs from what is wanted; what counts most comes first.
+/// Difference of a font from the wanted style, the most important criterion first.
 fn difference(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, String) {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let (style, plain) = (Style::of(&name), plain(&name));
@@ -132,7 +132,7 @@ fn difference(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, Str
     (odd, style.family != wanted.family, style.bold != wanted.bold, style.italic != wanted.italic, rank, plain)
 }
 
-/// Where fonts are looked for: the folders of `DURER_FONTS`, or those of the system and the user.
+/// The font folders: those in `DURER_FONTS`, or the folders of the system and the user.
 pub fn folders() -> Vec<PathBuf> {
     if let Some(list) = std::env::var_os("DURER_FONTS") {
         return std::env::split_paths(&list).collect();
@@ -142,7 +142,7 @@ pub fn folders() -> Vec<PathBuf> {
     SYSTEM.iter().map(PathBuf::from).chain(own).collect()
 }
 
-/// Where systems keep their fonts.
+/// Font folders of Linux and macOS.
 const SYSTEM: &[&str] = &["/usr/share/fonts", "/usr/local/share/fonts", "/Library/Fonts", "/System/Library/Fonts"];
 
 #[cfg(test)]
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn the_style_is_kept() {
+    fn the_substitute_has_the_same_style() {
         let fonts = folder(DEJAVU);
         for (name, like) in [
             ("timrom.ttf", "DejaVuSerif"),
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn some_are_preferred() {
+    fn preferred_fonts_are_chosen_first() {
         let (dejavu, others) = (folder(DEJAVU), folder(&["AArdvark", "LiberationSans-Regular", "LiberationSerif"]));
         assert_eq!(found("arial", &[&dejavu, &others]).as_deref(), Some("LiberationSans-Regular"));
         assert_eq!(found("arial", &[&others, &dejavu]).as_deref(), Some("LiberationSans-Regular"));
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn without_fonts_there_is_none() {
+    fn without_fonts_there_is_no_substitute() {
         assert_eq!(found("arial.ttf", &[&folder(&[])]), None);
         let fonts = folder(DEJAVU);
         let nothing = Sandbox::default();

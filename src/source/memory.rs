@@ -7,7 +7,8 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
 
-/// A file system in memory, whose current folder is its root `/`. Folders exist as soon as a file lies below them. Clones share their files.
+/// A file system in memory, whose current folder is its root `/`. Folders exist as soon as a file lies below them.
+/// Clones share their files.
 ///
 /// ```
 /// use durer::source::{Files, Memory};
@@ -152,7 +153,8 @@ impl Write for Writer {
     }
 }
 
-/// Texts in memory in front of another storage: open documents hide the files of the same path. Writes go to the storage behind.
+/// Texts in memory in front of an underlying storage: open documents hide the files of the same path. Writes go to the
+/// underlying storage.
 pub struct Overlay {
     files: Arc<dyn Files>,
     texts: Memory,
@@ -164,12 +166,12 @@ impl Overlay {
         Self { files, texts: Memory::default() }
     }
 
-    /// Hides the file at `path` behind a text; `path` need not exist in the storage behind.
+    /// Adds a text that hides the file at `path`, which need not exist in the underlying storage.
     pub fn insert(&self, path: &Path, text: impl Into<Vec<u8>>) {
         self.texts.insert(self.key(path), text);
     }
 
-    /// The path by which texts are found: without links, where the storage behind has the file.
+    /// The key of a path: the canonical path if the underlying storage has the file or its folder.
     fn key(&self, path: &Path) -> PathBuf {
         let whole = || self.files.canonicalize(path);
         let beside = || {

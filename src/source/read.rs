@@ -1,17 +1,17 @@
-//! Reads a text file, and tells a text from a picture, an archive or a program.
+//! Reads text files, and refuses pictures, archives and programs.
 
 use super::{Files, decode_text};
 use std::io;
 use std::path::Path;
 
-/// Why a text was not read.
+/// Reason for which a text was not read.
 #[derive(Debug)]
 pub enum ReadError {
-    /// The system would not give it.
+    /// The system reported an error.
     Io(io::Error),
-    /// It is a folder.
+    /// The path is a folder.
     Folder,
-    /// It is not text but this: `a PNG picture`.
+    /// The file is no text, but for example `a PNG picture`.
     NotText(&'static str),
 }
 
@@ -21,10 +21,10 @@ impl From<io::Error> for ReadError {
     }
 }
 
-/// The text of a file: UTF-8, or else Latin-1 (see [`decode_text`]).
+/// Returns the text of a file in UTF-8 or Latin-1 (see [`decode_text`]).
 ///
 /// # Errors
-/// If it can't be read, is too long, or is no text.
+/// If the file cannot be read or is no text.
 pub fn read_text(files: &dyn Files, path: &Path) -> Result<String, ReadError> {
     if files.is_folder(path) {
         return Err(ReadError::Folder);
@@ -32,10 +32,10 @@ pub fn read_text(files: &dyn Files, path: &Path) -> Result<String, ReadError> {
     text_of(files.read(path)?)
 }
 
-/// The text that these bytes are.
+/// Decodes bytes as a text.
 ///
 /// # Errors
-/// If there are too many, or they are no text.
+/// If the bytes are no text.
 pub fn text_of(bytes: Vec<u8>) -> Result<String, ReadError> {
     match binary_kind(&bytes) {
         Some(kind) => Err(ReadError::NotText(kind)),
@@ -43,7 +43,7 @@ pub fn text_of(bytes: Vec<u8>) -> Result<String, ReadError> {
     }
 }
 
-/// How files begin that people mistake for scenes.
+/// First bytes of files that are mistaken for scenes.
 const SIGNATURES: &[(&[u8], &str)] = &[
     (b"\x89PNG", "a PNG picture"),
     (b"\xff\xd8\xff", "a JPEG picture"),
@@ -60,16 +60,16 @@ const SIGNATURES: &[(&[u8], &str)] = &[
     (b"\xfe\xff", "text in UTF-16"),
 ];
 
-/// How much of a file is looked at.
-const LOOK: usize = 8192;
+/// Number of bytes that are examined.
+const EXAMINED: usize = 8192;
 
-/// What the file is if it is not text: begins as a known kind does, holds a zero byte near its
-/// start, or has more than one control character in sixteen.
+/// Kind of a file that is no text; `None` for a text. A file is no text if it has a known signature, a zero byte near
+/// its start, or more than one control character in sixteen bytes.
 fn binary_kind(bytes: &[u8]) -> Option<&'static str> {
     if let Some((_, kind)) = SIGNATURES.iter().find(|(start, _)| bytes.starts_with(start)) {
         return Some(kind);
     }
-    let start = &bytes[..bytes.len().min(LOOK)];
+    let start = &bytes[..bytes.len().min(EXAMINED)];
     let control = |b: &&u8| **b < 32 && !matches!(**b, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a | 0x1b);
     let controls = start.iter().filter(control).count();
     (start.contains(&0) || controls * 16 > start.len()).then_some("binary data")
@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn text_is_told_from_the_rest() {
+    fn binary_files_are_recognized() {
         assert_eq!(binary_kind(b"sphere { 0, 1 }\r\n\x1a"), None);
         assert_eq!(binary_kind(b""), None);
         assert_eq!(binary_kind("// Dürer".as_bytes()), None);

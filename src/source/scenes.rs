@@ -1,21 +1,21 @@
-//! The scenes in a folder.
+//! Scenes and include files in a folder.
 
 use super::{Entry, FileKind, Files};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// All scenes in a folder and those below it, in the order of their names. Hidden folders and Cargo's `target` are left out.
+/// All scenes in a folder and below it, sorted by path. Hidden folders and Cargo's `target` are omitted.
 ///
 /// # Errors
-/// If one of the folders can't be read.
+/// If a folder cannot be read.
 pub fn scenes_below(files: &dyn Files, folder: &Path) -> io::Result<Vec<PathBuf>> {
     below(files, folder, &["scene", "pov"])
 }
 
-/// Include files too.
+/// All scenes and include files in a folder and below it, sorted by path.
 ///
 /// # Errors
-/// If one of the folders can't be read.
+/// If a folder cannot be read.
 pub fn texts_below(files: &dyn Files, folder: &Path) -> io::Result<Vec<PathBuf>> {
     below(files, folder, &["scene", "pov", "inc"])
 }

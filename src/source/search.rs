@@ -1,32 +1,32 @@
-//! Where included files are looked for.
+//! The include path.
 
 use super::{Disk, Files};
 use std::path::{Component, Path, PathBuf};
 
-/// The folders in which an `#include` is looked for, in order.
+/// Folders in which files that a scene names are searched.
 #[derive(Clone, Debug, Default)]
 pub struct SearchPath {
-    /// The scene's own folder first, then the current one, `-I`, `DURER_INCLUDE`, an installed POV-Ray.
+    /// In order: the scene's folder, the current folder, those of `-I` and `DURER_INCLUDE`, and those of an installed
+    /// POV-Ray.
     pub folders: Vec<PathBuf>,
-    /// Where fonts are looked for that stand for missing ones.
+    /// Folders of fonts that substitute missing ones.
     pub fonts: Vec<PathBuf>,
 }
 
-/// A file that was looked for.
+/// Result of a search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// Where it lies.
+    /// Path of the file.
     pub path: PathBuf,
-    /// How it has to be written to be found everywhere; only where what was written is not so.
+    /// Spelling that is found on every system, if the name in the scene is not.
     pub portable: Option<String>,
 }
 
 impl SearchPath {
-    /// `-I` folders, then those of the environment variable `DURER_INCLUDE`, then an installed
-    /// POV-Ray's.
+    /// The include path of a scene on this machine; `options` are the folders of `-I`.
     pub fn new(scene_folder: &Path, options: &[PathBuf]) -> Self {
         let mut folders = vec![scene_folder.to_path_buf()];
-        // What a scene has written stands in the current folder.
+        // Scenes write their files into the current folder.
         if scene_folder != Path::new(".") {
             folders.push(PathBuf::from("."));
         }
@@ -40,24 +40,24 @@ impl SearchPath {
         Self { folders, fonts }
     }
 
-    /// As on a machine without POV-Ray.
+    /// The include path on a machine without POV-Ray.
     pub fn without_installed(mut self) -> Self {
         self.folders.retain(|folder| !is_installed(folder));
         self.fonts.retain(|folder| !is_installed(folder));
         self
     }
 
-    /// The first file or folder of that very name: what `file_exists` tells, as POV-Ray does.
+    /// Finds the first file or folder with exactly this name, for `file_exists`.
     pub fn find(&self, files: &dyn Files, name: &str) -> Option<PathBuf> {
-        self.look(name, None, |path| files.exists(path))
+        self.search(name, None, |path| files.exists(path))
     }
 
-    /// A file that is to be read. `including` is the file that names it; its folder comes last, since POV-Ray doesn't look there.
-    /// A name without ending may stand for an `.inc`. What isn't there under its own name is looked for as other systems would:
-    /// without regard to letter case, with `\` for `/`, and where nothing else helps by the last name of a DOS path.
+    /// Finds a file to read. The folder of the file `including` is searched last, since POV-Ray does not search it. The
+    /// ending `.inc` is optional. A name that is not found is then interpreted as on other systems: in any letter case,
+    /// with `\` in place of `/`, and at last by the file name of a DOS path.
     pub fn resolve(&self, files: &dyn Files, name: &str, including: Option<&Path>) -> Option<Found> {
         let beside = including.and_then(Path::parent);
-        let exact = |name: &str| self.look(name, beside, |path| files.is_file(path));
+        let exact = |name: &str| self.search(name, beside, |path| files.is_file(path));
         let plain = |path| Found { path, portable: None };
         if let Some(path) = exact(name) {
             return Some(plain(path));
@@ -72,11 +72,11 @@ impl SearchPath {
         let names = [Some(slashed.as_str()), Some(last).filter(|_| is_dos)];
         names.into_iter().flatten().filter(|name| !name.is_empty()).find_map(|name| {
             let folders = self.folders.iter().map(PathBuf::as_path).chain(beside);
-            folders.into_iter().find_map(|folder| folded(files, folder, name))
+            folders.into_iter().find_map(|folder| find_in_any_case(files, folder, name))
         })
     }
 
-    fn look(&self, name: &str, beside: Option<&Path>, is_there: impl Fn(&Path) -> bool) -> Option<PathBuf> {
+    fn search(&self, name: &str, beside: Option<&Path>, is_there: impl Fn(&Path) -> bool) -> Option<PathBuf> {
         let name = Path::new(name);
         if name.as_os_str().is_empty() {
             return None;
@@ -89,8 +89,8 @@ impl SearchPath {
     }
 }
 
-/// A file below a folder by a name in which letter case counts nothing; never outside of the folder.
-fn folded(files: &dyn Files, folder: &Path, name: &str) -> Option<Found> {
+/// Finds a file below a folder by a relative name in any letter case.
+fn find_in_any_case(files: &dyn Files, folder: &Path, name: &str) -> Option<Found> {
     let (mut path, mut portable) = (folder.to_path_buf(), PathBuf::new());
     for part in Path::new(name).components() {
         let part = match part {
@@ -103,15 +103,16 @@ fn folded(files: &dyn Files, folder: &Path, name: &str) -> Option<Found> {
             }
             _ => return None,
         };
-        let part = if files.exists(&path.join(part)) { part.to_string() } else { same_letters(files, &path, part)? };
+        let part =
+            if files.exists(&path.join(part)) { part.to_string() } else { entry_in_any_case(files, &path, part)? };
         path.push(&part);
         portable.push(&part);
     }
     files.is_file(&path).then(|| Found { path, portable: Some(portable.to_string_lossy().replace('\\', "/")) })
 }
 
-/// The first entry of a folder, by the alphabet, that differs in letter case only.
-fn same_letters(files: &dyn Files, folder: &Path, name: &str) -> Option<String> {
+/// The first entry of a folder in alphabetical order whose name differs in letter case only.
+fn entry_in_any_case(files: &dyn Files, folder: &Path, name: &str) -> Option<String> {
     let names = files.list(folder).ok()?.into_iter().filter_map(|entry| entry.name.into_string().ok());
     names.filter(|entry| entry.to_lowercase() == name.to_lowercase()).min()
 }
@@ -120,7 +121,7 @@ fn is_installed(folder: &Path) -> bool {
     INSTALLED.iter().any(|installed| folder == Path::new(installed))
 }
 
-/// Where distributions put POV-Ray's include files.
+/// Folders of POV-Ray's include files on common systems.
 const INSTALLED: &[&str] = &[
     "/usr/share/povray-3.7/include",
     "/usr/local/share/povray-3.7/include",
@@ -144,32 +145,32 @@ mod tests {
     }
 
     #[test]
-    fn names_are_found_as_other_systems_would() {
+    fn names_of_other_systems_are_found() {
         let (folder, search) = search(&["Sub Dir/My Shapes.inc", "low.inc", "a.pov", "b.h", "Old.INC"]);
         let found = |name: &str| {
             let found = search.resolve(&Disk, name, None)?;
             let path = found.path.strip_prefix(folder.path()).unwrap().to_str().unwrap().to_string();
             Some((path, found.portable))
         };
-        let told = |path: &str| Some((path.to_string(), Some(path.to_string())));
-        let silent = |path: &str| Some((path.to_string(), None));
+        let respelled = |path: &str| Some((path.to_string(), Some(path.to_string())));
+        let exact = |path: &str| Some((path.to_string(), None));
         for name in ["low.inc", "a.pov", "b.h", "Sub Dir/My Shapes.inc"] {
-            assert_eq!(found(name), silent(name), "{name}");
+            assert_eq!(found(name), exact(name), "{name}");
         }
-        assert_eq!(found("low"), silent("low.inc"));
-        assert_eq!(found("Old"), silent("Old.INC"));
-        assert_eq!(found("LOW.INC"), told("low.inc"));
-        assert_eq!(found("sub dir\\my shapes.INC"), told("Sub Dir/My Shapes.inc"));
-        assert_eq!(found("C:\\POV\\include\\low.inc"), told("low.inc"));
-        assert_eq!(found("c:/pov/LOW.INC"), told("low.inc"));
-        assert_eq!(found(".\\low.inc"), told("low.inc"));
+        assert_eq!(found("low"), exact("low.inc"));
+        assert_eq!(found("Old"), exact("Old.INC"));
+        assert_eq!(found("LOW.INC"), respelled("low.inc"));
+        assert_eq!(found("sub dir\\my shapes.INC"), respelled("Sub Dir/My Shapes.inc"));
+        assert_eq!(found("C:\\POV\\include\\low.inc"), respelled("low.inc"));
+        assert_eq!(found("c:/pov/LOW.INC"), respelled("low.inc"));
+        assert_eq!(found(".\\low.inc"), respelled("low.inc"));
         for name in ["", "no.inc", "Sub Dir", "pov/low.inc", "/low.inc", "\\", "C:"] {
             assert_eq!(found(name), None, "{name}");
         }
     }
 
     #[test]
-    fn the_folder_of_the_including_file_comes_last() {
+    fn the_folder_of_the_including_file_is_searched_last() {
         let (folder, search) = search(&["b.inc", "sub/b.inc", "sub/c.inc"]);
         let including = folder.path().join("sub/a.inc");
         let found = |name: &str| search.resolve(&Disk, name, Some(&including)).unwrap().path;
@@ -178,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn file_exists_wants_the_very_name() {
+    fn find_needs_the_exact_name() {
         let (_folder, search) = search(&["sub/low.inc"]);
         assert!(search.find(&Disk, "sub/low.inc").is_some() && search.find(&Disk, "sub").is_some());
         for name in ["sub/LOW.inc", "sub\\low.inc", "sub/low", ""] {

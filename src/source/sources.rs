@@ -1,25 +1,25 @@
-//! All text that was read, in one numbering of bytes.
+//! All texts of a run, with one numbering of their bytes.
 
 use super::{Disk, Files, ReadFiles, Recorder, Span};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A file in [`Sources`].
+/// Identifies a text in [`Sources`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FileId(pub u32);
 
-/// A file, line and column, all as a person counts them.
+/// A position in a text for people.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// As the user named it.
+    /// Name of the file as the user wrote it.
     pub file: String,
-    /// From 1.
+    /// Line, counted from 1.
     pub line: usize,
-    /// From 1, in characters.
+    /// Column in characters, counted from 1.
     pub column: usize,
 }
 
-/// `file:line:column`, as editors take it.
+/// Formats as `file:line:column`, which editors read.
 impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         write!(f, "{}:{}:{}", self.file, self.line, self.column)
@@ -31,7 +31,7 @@ struct File {
     path: Option<PathBuf>,
     text: String,
     base: usize,
-    /// Local offsets at which lines start; CR, LF and CRLF all end a line.
+    /// Byte offsets of the lines in the text. Lines end with CR, LF or CRLF.
     lines: std::sync::OnceLock<Vec<u32>>,
 }
 
@@ -69,7 +69,7 @@ impl Sources {
         self.files.read_files()
     }
 
-    /// Adds a text; `None` when all files together pass 4 GB.
+    /// Adds a text; `None` if all texts together would exceed 4 GB.
     pub fn add(&self, name: &str, path: Option<&Path>, text: String) -> Option<FileId> {
         let base = self.texts.iter().last().map_or(1, |f| f.base + f.text.len() + 1);
         u32::try_from(base + text.len() + 1).ok()?;
@@ -78,32 +78,32 @@ impl Sources {
         Some(FileId(self.texts.len() as u32 - 1))
     }
 
-    /// All files, in the order in which they came.
+    /// All texts in the order of their addition.
     pub fn ids(&self) -> impl Iterator<Item = FileId> + use<> {
         (0..self.texts.len() as u32).map(FileId)
     }
 
-    /// The text of a file.
+    /// The contents of a text.
     pub fn text(&self, id: FileId) -> &str {
         self.texts.get(id.0 as usize).map_or("", |f| &f.text)
     }
 
-    /// The name of a file as the user wrote it.
+    /// The name of a text as the user wrote it.
     pub fn name(&self, id: FileId) -> &str {
         self.texts.get(id.0 as usize).map_or("", |f| &f.name)
     }
 
-    /// Where a file lies; `None` for standard input.
+    /// The path of a text; `None` for standard input.
     pub fn path(&self, id: FileId) -> Option<&Path> {
         self.texts.get(id.0 as usize).and_then(|f| f.path.as_deref())
     }
 
-    /// The global offset of a file's first byte.
+    /// The global offset of a text's first byte.
     pub fn base(&self, id: FileId) -> usize {
         self.texts.get(id.0 as usize).map_or(0, |f| f.base)
     }
 
-    /// The file a place is in, and its local range of bytes.
+    /// The text that contains a span, and the byte range in that text.
     pub fn locate(&self, span: Span) -> Option<(FileId, std::ops::Range<usize>)> {
         if span.is_none() {
             return None;
@@ -119,7 +119,7 @@ impl Sources {
         Some((FileId(a as u32), (lo - file.base).min(end)..hi.saturating_sub(file.base).min(end)))
     }
 
-    /// The text a place covers.
+    /// The part of a text that a span covers.
     pub fn snippet(&self, span: Span) -> &str {
         match self.locate(span) {
             Some((id, range)) => self.text(id).get(range).unwrap_or(""),
@@ -127,7 +127,7 @@ impl Sources {
         }
     }
 
-    /// File, line and column of a place's first byte.
+    /// File, line and column of a span's first byte.
     pub fn place(&self, span: Span) -> Option<Place> {
         let (id, range) = self.locate(span)?;
         let file = self.texts.get(id.0 as usize)?;
@@ -145,7 +145,7 @@ fn line_starts(text: &str) -> Vec<u32> {
     std::iter::once(0).chain(starts).collect()
 }
 
-/// Bytes to text: UTF-8 (a byte-order mark is dropped), and where they are not, Latin-1.
+/// Decodes bytes as UTF-8 without a byte-order mark or, if they are invalid UTF-8, as Latin-1.
 pub fn decode_text(bytes: Vec<u8>) -> String {
     let bytes = match bytes.strip_prefix(b"\xef\xbb\xbf") {
         Some(rest) => rest.to_vec(),
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn places_of_several_files() {
+    fn spans_identify_their_files() {
         let sources = Sources::default();
         sources.add("a", None, "abc".into()).unwrap();
         let b = sources.add("b", None, "xyz".into()).unwrap();
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn latin1_is_read() {
+    fn invalid_utf_8_is_latin_1() {
         assert_eq!(decode_text(b"D\xfcrer".to_vec()), "Dürer");
     }
 }

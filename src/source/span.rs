@@ -1,32 +1,32 @@
-//! A place in the text.
+//! Byte ranges in the texts.
 
 use serde::Serialize;
 
-/// A range of bytes in the concatenation of all files read so far (see [`super::Sources`]), so that
-/// eight bytes name the file too. The default is no place at all.
+/// A range of bytes in the concatenation of all texts (see [`super::Sources`]), which also identifies the text. The
+/// default is [`Span::NONE`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 pub struct Span {
-    /// First byte.
+    /// Offset of the first byte.
     pub lo: u32,
-    /// One past the last byte.
+    /// Offset after the last byte.
     pub hi: u32,
 }
 
 impl Span {
-    /// No place: made by the command line, or by a default. Global offsets start at 1.
+    /// No position, for values from the command line and for defaults. Global offsets start at 1.
     pub const NONE: Span = Span { lo: 0, hi: 0 };
 
-    /// From `lo` up to and without `hi`.
+    /// The range from `lo` to `hi`, exclusive.
     pub fn new(lo: usize, hi: usize) -> Self {
         Self { lo: lo as u32, hi: hi as u32 }
     }
 
-    /// Is it [`Span::NONE`]?
+    /// True for [`Span::NONE`].
     pub fn is_none(&self) -> bool {
         self.hi == 0
     }
 
-    /// From the start of this one to the end of the other.
+    /// The range from the start of this span to the end of the other.
     pub fn to(self, other: Span) -> Span {
         if self.is_none() {
             other
@@ -37,7 +37,7 @@ impl Span {
         }
     }
 
-    /// The empty place just behind this one.
+    /// The empty range after this span.
     pub fn end(self) -> Span {
         Span { lo: self.hi, hi: self.hi }
     }

@@ -51,7 +51,7 @@ def prove(args, folder, root):
     faults = [f"{line}: twice is not once" for line in again.stderr.decode(errors="replace").splitlines() if is_text(line)]
     scenes = sorted(path.relative_to(after) for path in texts if path.suffix != ".inc")
     changed = sum((before / path.relative_to(after)).read_bytes() != path.read_bytes() for path in texts)
-    left = first.stderr.decode(errors="replace").count("is left as it is")
+    left = first.stderr.decode(errors="replace").count("is unchanged")
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         compared = list(pool.map(lambda scene: compare(args, before, after, scene), scenes))
     faults += [f"{scene}: not the same Scene" for scene, same in zip(scenes, compared) if same is False]

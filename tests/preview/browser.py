@@ -99,7 +99,7 @@ class Page:
         return self.js("Array.from(picture.getContext('2d').getImageData(arguments[0], arguments[1], 1, 1).data)", x, y)
 
     def run(self):
-        return self.js("[run, done, told.status]")
+        return self.js("[run, done, state.status]")
 
     def settle(self, after=0):
         return until("a finished picture", lambda: self.run()[0] > after and self.run()[1] and self.run()[2] == "done")
@@ -258,7 +258,7 @@ def controls(page, preview):
     for step in range(60):
         driver.execute_script("arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('input'))", clock, step / 60)
     driver.execute_script("arguments[0].value = 0; arguments[0].dispatchEvent(new Event('input'))", clock)
-    until("the last value", lambda: page.run()[1:] == [True, "done"] and page.js("told.clock[0]") == 0)
+    until("the last value", lambda: page.run()[1:] == [True, "done"] and page.js("state.clock[0]") == 0)
     check("dragging ends where it ends", page.color(160, 110)[2] > 120)
 
     last = page.run()[0]
@@ -271,7 +271,7 @@ def controls(page, preview):
     last = page.run()[0]
     body().send_keys("a")
     page.settle(last)
-    check("no anti-aliasing", page.js("told.settings.antialias") is False)
+    check("no anti-aliasing", page.js("state.settings.antialias") is False)
     last = page.run()[0]
     body().send_keys("a")
     page.settle(last)

@@ -1,4 +1,4 @@
-//! `durer watch`: what goes over the wire, without a browser (`tests/preview/browser.py` has one).
+//! `durer watch` over HTTP, without a browser (`tests/preview/browser.py` uses one).
 
 use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::Value;
@@ -17,11 +17,11 @@ sphere { <clock, 0, 0>, 1 pigment { rgb Colour } }
 plane { y, -1 pigment { checker rgb 0.8 rgb 0.6 } }
 ";
 
-/// One `durer watch`, killed at the end.
+/// A running `durer watch`, killed when dropped.
 struct Watch {
     folder: tempfile::TempDir,
     durer: Child,
-    told: BufReader<ChildStderr>,
+    stderr: BufReader<ChildStderr>,
 }
 
 impl Watch {
@@ -32,8 +32,8 @@ impl Watch {
         let mut durer = Command::new(env!("CARGO_BIN_EXE_durer"));
         durer.args(["watch", "ball.scene", "--size", "72x54"]).args(words.split_whitespace());
         let mut durer = durer.current_dir(&folder).stderr(Stdio::piped()).spawn().unwrap();
-        let told = BufReader::new(durer.stderr.take().unwrap());
-        Self { folder, durer, told }
+        let stderr = BufReader::new(durer.stderr.take().unwrap());
+        Self { folder, durer, stderr }
     }
 
     fn at(&self, name: &str) -> PathBuf {
@@ -44,17 +44,17 @@ impl Watch {
         std::fs::write(self.at(name), text).unwrap();
     }
 
-    /// Waits for a line on stderr that holds a word.
+    /// Waits for a line on stderr that contains a word.
     fn line(&mut self, word: &str) -> String {
         let mut line = String::new();
         while !line.contains(word) {
             line.clear();
-            assert!(self.told.read_line(&mut line).unwrap() > 0, "no line with `{word}`");
+            assert!(self.stderr.read_line(&mut line).unwrap() > 0, "no line with `{word}`");
         }
         line
     }
 
-    /// What `durer render` makes of the scene now.
+    /// The picture of `durer render` for the current scene.
     fn rendered(&self, words: &str) -> image::RgbaImage {
         self.rendered_as("72x54", words)
     }
@@ -118,27 +118,27 @@ impl Page {
 
     fn events(&self) -> Events {
         let request = format!("GET {}events HTTP/1.1\r\nHost: {}\r\n\r\n", self.path, self.host);
-        let (picture, told) = (image::RgbaImage::default(), Value::Null);
-        Events { lines: BufReader::new(self.send(&request)), picture, told, run: [0; 2], done: false }
+        let (picture, state) = (image::RgbaImage::default(), Value::Null);
+        Events { lines: BufReader::new(self.send(&request)), picture, state, run: [0; 2], done: false }
     }
 }
 
-/// What the page's script does.
+/// State of the page's script.
 struct Events {
     lines: BufReader<TcpStream>,
     picture: image::RgbaImage,
-    told: Value,
-    /// Of the picture, and of what is told.
+    state: Value,
+    /// Run numbers of the picture and of the state.
     run: [u64; 2],
     done: bool,
 }
 
 impl Events {
-    /// Takes events until something is so.
+    /// Consumes events until a condition holds.
     fn until(&mut self, so: impl Fn(&Self) -> bool) {
         let start = Instant::now();
         while !so(self) {
-            assert!(start.elapsed() < Duration::from_secs(60), "{}", self.told);
+            assert!(start.elapsed() < Duration::from_secs(60), "{}", self.state);
             let mut line = String::new();
             assert!(self.lines.read_line(&mut line).unwrap() > 0);
             let Some(event) = line.trim().strip_prefix("event: ").map(str::to_string) else { continue };
@@ -146,7 +146,7 @@ impl Events {
             self.lines.read_line(&mut data).unwrap();
             let data: Value = serde_json::from_str(data.strip_prefix("data: ").unwrap()).unwrap();
             match &event[..] {
-                "told" => (self.told, self.run[1]) = (data["told"].clone(), data["run"].as_u64().unwrap()),
+                "state" => (self.state, self.run[1]) = (data["state"].clone(), data["run"].as_u64().unwrap()),
                 "picture" => self.paint(&data),
                 other => panic!("{other}"),
             }
@@ -166,13 +166,13 @@ impl Events {
         }
     }
 
-    /// Until the last picture is whole.
+    /// Consumes events until the last picture is complete.
     fn settle(&mut self) {
-        self.until(|page| page.done && page.run[0] == page.run[1] && page.told["status"] == "done");
+        self.until(|page| page.done && page.run[0] == page.run[1] && page.state["status"] == "done");
     }
 
     fn count(&self, severity: &str) -> usize {
-        self.told["messages"].as_array().map_or(0, |all| all.iter().filter(|m| m["severity"] == severity).count())
+        self.state["messages"].as_array().map_or(0, |all| all.iter().filter(|m| m["severity"] == severity).count())
     }
 }
 
@@ -183,13 +183,13 @@ fn same(a: &image::RgbaImage, b: &image::RgbaImage) {
 }
 
 #[test]
-fn the_page_shows_what_render_draws() {
+fn page_shows_the_rendered_picture() {
     let mut watch = Watch::start("");
     let page = Page::of(&watch.line("http://"));
     let mut events = page.events();
     events.settle();
     same(&events.picture, &watch.rendered(""));
-    // An included file is saved, in the way of careful editors.
+    // An editor replaces an included file by renaming a new one.
     watch.write("colour.new", "#declare Colour = <0, 0, 1>;\n");
     std::fs::rename(watch.at("colour.new"), watch.at("colour.inc")).unwrap();
     let run = events.run[0];
@@ -197,19 +197,19 @@ fn the_page_shows_what_render_draws() {
     events.settle();
     let blue = watch.rendered("");
     same(&events.picture, &blue);
-    // A page that comes later sees all of it, and what was there before.
+    // A page that connects later receives the current state.
     let mut late = page.events();
     late.settle();
     same(&late.picture, &blue);
     assert_eq!(page.get("before.png").0, 200);
     // The clock, anti-aliasing and quality.
     assert_eq!(page.post("change", r#"{"clock": 0.5, "antialias": false, "quality": 3}"#).0, 200);
-    events.until(|page| page.told["settings"]["quality"] == 3);
+    events.until(|page| page.state["settings"]["quality"] == 3);
     events.settle();
     same(&events.picture, &watch.rendered("--clock 0.5 --aa off --quality 3"));
-    // A part of it, twice as large.
+    // A region, twice as large.
     page.post("change", r#"{"zoom": [0.25, 0.25, 0.5, 0.5]}"#);
-    events.until(|page| page.told["settings"]["zoom"].is_array());
+    events.until(|page| page.state["settings"]["zoom"].is_array());
     events.settle();
     let whole = watch.rendered_as("144x108", "--clock 0.5 --aa off --quality 3");
     same(&events.picture, &image::imageops::crop_imm(&whole, 36, 27, 72, 54).to_image());
@@ -220,34 +220,34 @@ fn the_page_shows_what_render_draws() {
 }
 
 #[test]
-fn broken_scenes_are_told_and_mended_ones_drawn() {
+fn broken_scenes_are_reported_and_repaired_ones_rendered() {
     let mut watch = Watch::start("");
     let page = Page::of(&watch.line("http://"));
     let mut events = page.events();
     events.settle();
     let (first, run) = (events.picture.clone(), events.run[0]);
     watch.write("ball.scene", &SCENE.replace("sphere", "spere"));
-    events.until(|page| page.told["status"] == "broken");
+    events.until(|page| page.state["status"] == "broken");
     assert_eq!((events.count("error"), events.run[0]), (1, run));
-    let message = &events.told["messages"][0];
+    let message = &events.state["messages"][0];
     assert!(message["text"].as_str().unwrap().contains("did you mean `sphere`"), "{message}");
     assert!(message["place"]["url"].as_str().unwrap().ends_with("/ball.scene:6:1"), "{message}");
     // The file is gone; an included file is gone; both are back.
     std::fs::remove_file(watch.at("ball.scene")).unwrap();
-    events.until(|page| page.told["messages"][0]["code"] == "E0002");
+    events.until(|page| page.state["messages"][0]["code"] == "E0002");
     std::fs::remove_file(watch.at("colour.inc")).unwrap();
     watch.write("ball.scene", SCENE);
-    events.until(|page| page.told.to_string().contains("colour.inc"));
+    events.until(|page| page.state.to_string().contains("colour.inc"));
     watch.write("colour.inc", "#declare Colour = <1, 0, 0>;\n");
-    events.until(|page| page.count("error") == 0 && page.told["status"] == "done" && page.run[0] > run && page.done);
+    events.until(|page| page.count("error") == 0 && page.state["status"] == "done" && page.run[0] > run && page.done);
     same(&events.picture, &first);
-    // What a scene would write is not written, nor anything else.
+    // A scene must not write files in a preview …
     watch.write("ball.scene", &format!("{SCENE}#fopen F \"out.txt\" write\n"));
-    events.until(|page| page.told["status"] == "broken");
+    events.until(|page| page.state["status"] == "broken");
     let mut names: Vec<_> = std::fs::read_dir(&watch.folder).unwrap().map(|e| e.unwrap().file_name()).collect();
     names.sort();
     assert_eq!(names, ["ball.scene", "colour.inc"]);
-    // Unless its author says so.
+    // … unless the user allows it.
     watch.write("ball.scene", SCENE);
     events.settle();
     assert_eq!(page.post("save", "{}").1, r#"{"text":"ball.png"}"#);
@@ -255,7 +255,7 @@ fn broken_scenes_are_told_and_mended_ones_drawn() {
 }
 
 #[test]
-fn nobody_else_is_answered() {
+fn foreign_requests_are_rejected() {
     let mut watch = Watch::start("");
     let page = Page::of(&watch.line("http://"));
     let (host, path) = (&page.host, &page.path);
@@ -278,14 +278,14 @@ fn nobody_else_is_answered() {
     assert_eq!(page.post("change", "[").0, 400);
     assert_eq!(page.post("change", r#"{"output": "/etc/passwd"}"#).0, 400);
     assert_eq!(page.post("open", r#"{"file": "/etc/passwd", "line": 1, "column": 1}"#).0, 400);
-    // What is no HTTP ends without harm.
+    // A request that is not HTTP does no harm.
     let mut stream = page.send("\0\u{1}\u{2} nonsense\r\n\r\n");
     let _ = stream.read_to_end(&mut vec![]);
     assert_eq!(page.get("page.js").0, 200);
 }
 
 #[test]
-fn without_a_page_the_file_is_written_again() {
+fn no_page_mode_rewrites_the_file() {
     let mut watch = Watch::start("--no-page -o out.png");
     watch.line("waiting for the next change");
     let red = image::open(watch.at("out.png")).unwrap().to_rgba8();

@@ -27,11 +27,11 @@ pub enum AaMethod {
 /// Dithering method.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DitherMethod {
-    /// Bayer pattern of 2 x 2 pixels
+    /// 2 x 2 Bayer pattern
     B2,
-    /// Bayer pattern of 3 x 3 pixels
+    /// 3 x 3 Bayer pattern
     B3,
-    /// Bayer pattern of 4 x 4 pixels
+    /// 4 x 4 Bayer pattern
     B4,
     /// Error diffusion to the next pixel
     D1,

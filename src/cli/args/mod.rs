@@ -22,7 +22,7 @@ Exit codes: 0 success, 1 error in the scene, 2 error in the command line, 3 a sn
 /// Headings of the options in `--help`.
 pub mod heading {
     /// Moment and content of the picture.
-    pub const DRAWN: &str = "Scene";
+    pub const SCENE: &str = "Scene";
     /// Size, quality and destination of the picture.
     pub const PICTURE: &str = "Picture";
     /// Files that the scene may access.
@@ -30,9 +30,9 @@ pub mod heading {
     /// Limits of time and memory.
     pub const LIMITS: &str = "Limits";
     /// Messages and reports beside the picture.
-    pub const TOLD: &str = "Output";
+    pub const OUTPUT: &str = "Output";
 }
-use heading::{DRAWN, FILES, LIMITS, PICTURE, TOLD};
+use heading::{FILES, LIMITS, OUTPUT, PICTURE, SCENE};
 
 /// Renders scenes written by hand in POV-Ray's scene language.
 #[derive(Parser, Clone, Debug)]
@@ -90,16 +90,16 @@ pub enum Command {
 #[derive(Args, Clone, Debug, Default)]
 pub struct SceneArgs {
     /// Render only this frame of an animation
-    #[arg(help_heading = DRAWN, long, value_name = "N")]
+    #[arg(help_heading = SCENE, long, value_name = "N")]
     pub frame: Option<u32>,
     /// Value of `clock`; A..B from the first to the last frame [default: 0..1]
-    #[arg(help_heading = DRAWN, long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(help_heading = SCENE, long, value_name = "X", allow_hyphen_values = true)]
     pub clock: Option<Clock>,
     /// Declare an identifier: 2.5, '"text"', '<1,2,3>' or 'rgb <1,0,0>'
-    #[arg(help_heading = DRAWN, long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    #[arg(help_heading = SCENE, long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub declare: Vec<Declare>,
     /// Language version, such as 3.1, until the scene's own `#version`
-    #[arg(help_heading = DRAWN, long, value_name = "VERSION")]
+    #[arg(help_heading = SCENE, long, value_name = "VERSION")]
     pub language: Option<Version>,
     /// Width and height in pixels [default: 640x480]
     #[arg(help_heading = PICTURE, long, value_name = "WxH")]
@@ -166,12 +166,12 @@ pub struct RenderArgs {
     #[arg(value_name = "INPUT", required = true)]
     pub inputs: Vec<PathBuf>,
     /// Render these frames; file names have as many digits as B [default: frames of the INI file]
-    #[arg(help_heading = DRAWN, long, value_name = "A-B[:STEP]")]
+    #[arg(help_heading = SCENE, long, value_name = "A-B[:STEP]")]
     pub frames: Option<Frames>,
     /// Render only this part of the picture
-    #[arg(help_heading = DRAWN, long, value_name = "X,Y,W,H")]
+    #[arg(help_heading = SCENE, long, value_name = "X,Y,W,H")]
     pub region: Option<Part>,
-    /// Output file, a folder, or - for standard output [default: the input's name with .png in the current folder]
+    /// Output file, a folder, or - for standard output [default: the input's name with .png, here]
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Picture format [default: by the ending of the output; png for standard output]
@@ -211,19 +211,19 @@ pub struct RenderArgs {
     #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub threads: Option<u16>,
     /// Enable additional warnings
-    #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
+    #[arg(help_heading = OUTPUT, long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<DrawingWarn>,
     /// Show progress [default: auto]
-    #[arg(help_heading = TOLD, long, value_name = "WHEN")]
+    #[arg(help_heading = OUTPUT, long, value_name = "WHEN")]
     pub progress: Option<When>,
     /// Write times, numbers of rays and memory as JSON: `json` for standard output, or a file
-    #[arg(help_heading = TOLD, long, value_name = "json|FILE")]
+    #[arg(help_heading = OUTPUT, long, value_name = "json|FILE")]
     pub stats: Option<Stats>,
     /// Print a stage as JSON instead of rendering
-    #[arg(help_heading = TOLD, long, value_name = "STAGE")]
+    #[arg(help_heading = OUTPUT, long, value_name = "STAGE")]
     pub dump: Option<Dump>,
     /// Write the names of all files that were read, as a rule for make, or as JSON if FILE ends in .json
-    #[arg(help_heading = TOLD, long, value_name = "FILE")]
+    #[arg(help_heading = OUTPUT, long, value_name = "FILE")]
     pub deps: Option<PathBuf>,
 }
 
@@ -241,13 +241,13 @@ pub struct CheckArgs {
     #[allow(missing_docs)]
     pub scene: SceneArgs,
     /// Format of messages; all but `human` go to standard output
-    #[arg(help_heading = TOLD, long, value_name = "FORMAT", default_value = "human")]
+    #[arg(help_heading = OUTPUT, long, value_name = "FORMAT", default_value = "human")]
     pub format: CheckFormat,
     /// Treat `warnings` as errors
-    #[arg(help_heading = TOLD, long, value_name = "WHAT")]
+    #[arg(help_heading = OUTPUT, long, value_name = "WHAT")]
     pub deny: Option<Deny>,
     /// Enable additional warnings
-    #[arg(help_heading = TOLD, long, value_name = "WHAT", value_delimiter = ',')]
+    #[arg(help_heading = OUTPUT, long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<Warn>,
 }
 
@@ -264,7 +264,7 @@ pub struct PickArgs {
     #[allow(missing_docs)]
     pub scene: SceneArgs,
     /// Print one JSON object
-    #[arg(help_heading = TOLD, long)]
+    #[arg(help_heading = OUTPUT, long)]
     pub json: bool,
 }
 
@@ -326,7 +326,7 @@ pub struct WatchArgs {
     /// The scene, or an INI file
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
-    /// Output file of the page's button or of --no-page [default: the input's name with .png in the current folder]
+    /// Output file of the page's button or of --no-page [default: the input's name with .png, here]
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Open the page in your browser
@@ -362,7 +362,7 @@ pub struct QueryArgs {
     #[allow(missing_docs)]
     pub scene: SceneArgs,
     /// Print one JSON object
-    #[arg(help_heading = TOLD, long)]
+    #[arg(help_heading = OUTPUT, long)]
     pub json: bool,
 }
 

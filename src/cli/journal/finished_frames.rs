@@ -23,7 +23,8 @@ struct Entry {
 }
 
 impl FinishedFrames {
-    /// Opens the journal of the animation whose pictures are numbered variants of `picture`. Without `resume`, the old journal is deleted.
+    /// Opens the journal of the animation whose pictures are numbered variants of `picture`. Without `resume`, the old
+    /// journal is deleted.
     pub fn new(picture: &Path, resume: bool) -> Self {
         let mut name = picture.as_os_str().to_os_string();
         name.push(".frames");
@@ -37,7 +38,8 @@ impl FinishedFrames {
         Self { path, old }
     }
 
-    /// True if this frame was finished by the same program with the same options from the same files, and its picture is unchanged.
+    /// True if this frame was finished by the same program with the same options from the same files, and its picture
+    /// is unchanged.
     pub fn is_current(&self, frame: u32, picture: &Path, program: &str, options: &str) -> bool {
         let hash = |path: &Path| std::fs::read(path).ok().map(|bytes| ContentHash::of(&bytes));
         self.old.iter().any(|entry| {

@@ -4,7 +4,7 @@ use crate::source::ReadFiles;
 use crate::{interpreter, render};
 use serde::{Deserialize, Serialize};
 
-/// What determines the bytes of a picture.
+/// All inputs that determine the bytes of a picture.
 #[derive(Serialize, Deserialize, Clone, Debug, PartialEq)]
 pub struct Work {
     /// From [`program`].

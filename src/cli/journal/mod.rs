@@ -1,7 +1,9 @@
-//! Journal of a picture: the finished tiles, in a file beside the picture. After an interruption, `--resume` continues with it.
+//! Journal of a picture: the finished tiles, in a file beside the picture. After an interruption, `--resume` continues
+//! with it.
 //!
-//! The file is one line of JSON, the [`Work`] (program, options, hashes of the files that were read), and then a sequence of records: pass,
-//! tile, pixels and a checksum. A record that is cut off is ignored; a record with a wrong checksum makes the whole journal invalid.
+//! The file is one line of JSON, the [`Work`] (program, options, hashes of the files that were read), and then a
+//! sequence of records: pass, tile, pixels and a checksum. A record that is cut off is ignored; a record with a wrong
+//! checksum makes the whole journal invalid.
 
 pub mod finished_frames;
 pub mod identity;
@@ -16,8 +18,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Opens the journal of a picture: continues the one that exists if `resume` is set, and reports why that is impossible. A new journal is
-/// written when rendering has taken longer than `after`.
+/// Opens the journal of a picture: continues the one that exists if `resume` is set, and reports why that is
+/// impossible. A new journal is written when rendering has taken longer than `after`.
 pub fn open(console: &Console, picture: &Path, work: &Work, resume: bool, after: Duration) -> Journal {
     let path = path_beside(picture);
     let name = path.display();

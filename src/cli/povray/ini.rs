@@ -1,5 +1,5 @@
-//! The syntax of INI files: splits a text into words of a command line, with their positions (manual, sections 1.5.2 and 3.2;
-//! quirk: `ini_syntax`).
+//! The syntax of INI files: splits a text into words of a command line, with their positions (manual, sections 1.5.2
+//! and 3.2; quirk: `ini_syntax`).
 //!
 //! ```text
 //! ; the part before the first label is always read

@@ -1,4 +1,5 @@
-//! Decides whether a command line is durer's or POV-Ray's, and translates POV-Ray options after a command: `durer render a.scene +W32`.
+//! Decides whether a command line is durer's or POV-Ray's, and translates POV-Ray options after a command: `durer
+//! render a.scene +W32`.
 
 use super::own::Own;
 use super::{Origin, Translated, Translation, find_switch};
@@ -104,7 +105,8 @@ fn is_theirs(text: &str) -> bool {
 }
 
 impl Translation<'_> {
-    /// Puts the translated POV-Ray options before durer's own. The default of anti-aliasing is durer's unless `+A` or `-A` is given.
+    /// Puts the translated POV-Ray options before durer's own. The default of anti-aliasing is durer's unless `+A` or
+    /// `-A` is given.
     pub(super) fn mixed(mut self, words: &[OsString], at: usize) -> Translated {
         let all = commands();
         let Some(command) = words.get(at).and_then(|word| all.find_subcommand(word)) else {

@@ -1,5 +1,5 @@
-//! Translates POV-Ray's command line into durer's own: `durer +Iscene.pov +W640 +H480 +A0.3` becomes
-//! `durer render --aa=0.3 --size=640x480 -- scene.pov`. As in POV-Ray, anti-aliasing is off without `+A`, INI files may appear
+//! Translates POV-Ray's command line into durer's own: `durer +Iscene.pov +W640 +H480 +A0.3` becomes `durer render
+//! --aa=0.3 --size=640x480 -- scene.pov`. As in POV-Ray, anti-aliasing is off without `+A`, INI files may appear
 //! between other words, and the later of two contradicting words is valid.
 
 mod files;
@@ -73,8 +73,8 @@ pub fn translate_ini(sources: &Sources, name: &Path) -> Translated {
 
 struct Translation<'s> {
     settings: Settings,
-    /// Scenes that are named on the command line without a switch. All of them are rendered, unless there are POV-Ray options: POV-Ray
-    /// renders the last scene only.
+    /// Scenes that are named on the command line without a switch. All of them are rendered, unless there are POV-Ray
+    /// options: POV-Ray renders the last scene only.
     scenes: Vec<OsString>,
     /// Options of durer in their order.
     options: Vec<Own>,

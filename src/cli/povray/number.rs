@@ -1,8 +1,8 @@
 //! Numbers in options, which POV-Ray reads as far as they are valid, and ignores the rest: `Height=693.0412871` is 693
 //! (quirk: `option_numbers`).
 
-/// Reads a whole number: an optional sign and digits at the start. `12.7`, `12abc`, `1,5` and `1e2` end at the first character that is no
-/// digit; `abc` and `.5` are no whole numbers.
+/// Reads a whole number: an optional sign and digits at the start. `12.7`, `12abc`, `1,5` and `1e2` end at the first
+/// character that is no digit; `abc` and `.5` are no whole numbers.
 pub fn whole(text: &str) -> Option<f64> {
     let end = sign(text) + digits(&text[sign(text)..]);
     text[..end].parse().ok()

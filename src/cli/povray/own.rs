@@ -29,8 +29,9 @@ pub fn last_of_each(options: Vec<Own>) -> Vec<Own> {
     options.into_iter().enumerate().filter(|(i, _)| !again(*i)).map(|(_, option)| option).collect()
 }
 
-/// Recognizes an option of `durer render`; returns its long name, and true if its value is the next word. A short option is durer's if it has
-/// no attached value but POV-Ray's option of the same letter needs one; `-j` if a number follows, since POV-Ray's `-J` has no value.
+/// Recognizes an option of `durer render`; returns its long name, and true if its value is the next word. A short
+/// option is durer's if it has no attached value but POV-Ray's option of the same letter needs one; `-j` if a number
+/// follows, since POV-Ray's `-J` has no value.
 pub fn option(text: &str, next: Option<&str>) -> Option<(String, bool)> {
     let command = commands();
     let render = command.find_subcommand("render")?;

@@ -228,7 +228,7 @@ fn unknown_options_are_errors_with_a_guess() {
     assert_eq!(message("a.pov Widht=3"), "there is no option `Widht=3` | did you mean `Width=3`?");
     assert_eq!(message("a.pov +Antialais"), "there is no option `+Antialais` | did you mean `Antialias=`?");
     assert!(message("a.pov -banana").starts_with("there is no option `-banana`"));
-    assert_eq!(message("a.pov +W"), "`+W` is not understood: it needs a number | ");
+    assert_eq!(message("a.pov +W"), "`+W` is invalid: it needs a number | ");
     assert!(message("a.pov +W0").contains("1 or more"));
     assert!(message("a.pov +FX").contains("types are"));
 }

@@ -1,4 +1,5 @@
-//! Configuration of one scene's pictures, resolved once from the command line and the INI file. Nothing below changes it.
+//! Configuration of one scene's pictures, resolved once from the command line and the INI file. Nothing below changes
+//! it.
 
 use super::target::Target;
 use crate::advice::Circumstances;
@@ -116,7 +117,7 @@ impl Config {
         (self.drawing.width, self.drawing.height)
     }
 
-    /// What the advice about a finished picture depends on.
+    /// Circumstances that determine the advice about a finished picture.
     pub fn circumstances(&self, incomplete: bool, black: bool) -> Circumstances {
         Circumstances { one_of_many: self.is_animated, incomplete, black }
     }

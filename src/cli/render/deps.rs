@@ -7,7 +7,8 @@ use crate::source::{Disk, Files, ReadFiles};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// Writes the files `read` as dependencies of the pictures: as JSON if the name of the file ends in `.json`, else as a rule for make.
+/// Writes the files `read` as dependencies of the pictures: as JSON if the name of the file ends in `.json`, else as a
+/// rule for make.
 pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFiles) -> Result<()> {
     let mut files: Vec<PathBuf> = read.keys().filter(|path| path.is_file()).cloned().map(plain).collect();
     files.sort();

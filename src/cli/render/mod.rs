@@ -28,7 +28,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use target::{Target, is_folder};
 
-/// What a run is given beside its arguments.
+/// Inputs of a run beside its arguments.
 #[derive(Default)]
 pub struct Context {
     /// Animation of POV-Ray's options.
@@ -49,7 +49,8 @@ struct Done {
     read: ReadFiles,
 }
 
-/// Renders each scene: one picture, or one for each frame. Returns also the files that were read for them, even after a failure.
+/// Renders each scene: one picture, or one for each frame. Returns also the files that were read for them, even after a
+/// failure.
 pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, ReadFiles) {
     let mut done = Done { read: context.ini_files.clone(), ..Done::default() };
     let exit = render_all(console, args, &context, &mut done);

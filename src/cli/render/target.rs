@@ -26,7 +26,8 @@ enum Location {
 }
 
 impl Target {
-    /// The destination that `-o`, `--format` and `--bit-depth` describe. A format that can't hold the picture is an error now, not after hours.
+    /// The destination that `-o`, `--format` and `--bit-depth` describe. A format that can't hold the picture is an
+    /// error now, not after hours.
     pub fn new(input: &Path, args: &RenderArgs) -> Result<Self> {
         let named = args.format.as_deref().and_then(Format::from_name);
         let location = match &args.output {
@@ -96,8 +97,8 @@ impl Target {
         self.file().and_then(Path::file_name).is_some_and(|name| pattern(&name.to_string_lossy()).is_some())
     }
 
-    /// The destination of one frame: `%03d` in the name is replaced by the number with at least three digits. Without such a pattern, the number
-    /// with `digits` digits precedes the ending.
+    /// The destination of one frame: `%03d` in the name is replaced by the number with at least three digits. Without
+    /// such a pattern, the number with `digits` digits precedes the ending.
     pub fn numbered(&self, frame: u32, digits: usize) -> Self {
         let Location::File(path) = &self.location else {
             return self.clone();

@@ -20,9 +20,9 @@ pub struct Assets {
     /// Shapes built from mesh files.
     pub meshes: FxHashMap<PathBuf, Arc<dyn Thing>>,
     /// Parsed fonts.
-    pub fonts: FxHashMap<font::Place, Arc<Font>>,
+    pub fonts: FxHashMap<font::FontLocation, Arc<Font>>,
     /// Font files by the name of the family; `None` for a family that is not installed.
-    pub families: FxHashMap<String, Option<font::Place>>,
+    pub families: FxHashMap<String, Option<font::FontLocation>>,
     /// Objects that `trace` or `inside` has queried, by address. The object is kept so that no other one gets its address.
     probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
 }

@@ -1,8 +1,8 @@
 //! `tiling N`: 27 tilings of the xz plane, each tile with a bevel at the joints (manual, "Tiling Pattern").
 //!
 //! ```pov
-//! plane { y, 0.1 pigment { tiling 7 color_map { [0.4 color rgb <0.7, 0.2, 0.1>] [0.5 color rgb 1] [0.9 color rgb <0.1,
-//! 0.2, 0.6>] [1 color rgb 1] } } }
+//! plane { y, 0.1 pigment { tiling 7
+//!   color_map { [0.4 color rgb <0.7, 0.2, 0.1>] [0.5 color rgb 1] [0.9 color rgb <0.1, 0.2, 0.6>] [1 color rgb 1] } } }
 //! ```
 
 mod penrose;

@@ -1,42 +1,42 @@
-// The page of `durer watch`: shows what the server sends, and asks for what its author wants.
+// The page of `durer watch`: displays the picture and the state that the server sends, and sends the author's settings.
 "use strict";
 
 const at = (id) => document.getElementById(id);
 const [stage, picture, before] = [at("stage"), at("picture"), at("before")];
 
-/** What the server told last, and what is on the canvas. */
-let told = null;
+/** The last state from the server; number and completeness of the picture on the canvas. */
+let state = null;
 let run = 0;
 let done = false;
 
 // ---------------------------------------------------------------- from the server
 
 const events = new EventSource("events");
-events.addEventListener("told", (event) => tell(JSON.parse(event.data)));
+events.addEventListener("state", (event) => tell(JSON.parse(event.data)));
 events.addEventListener("picture", (event) => paint(JSON.parse(event.data)));
-events.onerror = () => setStatus("durer has ended, or can't be reached", true);
+events.onerror = () => setStatus("durer has ended or cannot be reached", true);
 
 function tell(news) {
-  told = news.told;
-  document.title = `${{ broken: "✗ ", done: "", reading: "… ", drawing: "… " }[told.status]}${told.name} – durer`;
-  at("name").textContent = told.name;
-  const errors = told.messages.filter((message) => message.severity === "error").length;
+  state = news.state;
+  document.title = `${{ broken: "✗ ", done: "", reading: "… ", drawing: "… " }[state.status]}${state.name} – durer`;
+  at("name").textContent = state.name;
+  const errors = state.messages.filter((message) => message.severity === "error").length;
   setStatus(
     {
       reading: "reading …",
       drawing: "drawing …",
       done: "done",
-      broken: errors > 1 ? `${errors} errors; the picture is that of before` : "an error; the picture is that of before",
-    }[told.status],
-    told.status === "broken",
+      broken: errors > 1 ? `${errors} errors; this is the previous picture` : "an error; this is the previous picture",
+    }[state.status],
+    state.status === "broken",
   );
-  stage.classList.toggle("stale", told.status === "broken");
+  stage.classList.toggle("stale", state.status === "broken");
   showSettings();
   showMessages();
   showTimes();
-  at("log-section").hidden = told.log === "";
-  at("log").textContent = told.log;
-  at("save").disabled = told.status !== "done";
+  at("log-section").hidden = state.log === "";
+  at("log").textContent = state.log;
+  at("save").disabled = state.status !== "done";
   if (news.before && at("compare").disabled) loadBefore();
 }
 
@@ -56,7 +56,7 @@ function paint(news) {
     if (done) keepBefore();
     [run, done] = [news.run, false];
     const [width, height] = news.size;
-    // What was there stays until something else is drawn.
+    // Keep the old picture until the first pixels of the new one.
     const old = document.createElement("canvas");
     [old.width, old.height] = [picture.width, picture.height];
     old.getContext("2d").drawImage(picture, 0, 0);
@@ -92,7 +92,7 @@ function keepBefore() {
   at("compare").disabled = false;
 }
 
-/** After the page was loaded again, the server still has it. */
+/** Loads the previous picture from the server after the page was reloaded. */
 function loadBefore() {
   const old = new Image();
   old.onload = () => {
@@ -113,7 +113,7 @@ at("compare").addEventListener("input", () => {
 
 // ---------------------------------------------------------------- settings
 
-/** Sends what changes, and no faster than it is taken. */
+/** Sends changes of the settings, one request at a time. */
 let waiting = null;
 let busy = false;
 async function change(settings) {
@@ -134,12 +134,12 @@ async function ask(what, body) {
     const json = await answer.json();
     return json.error ? { error: json.error } : json;
   } catch {
-    return { error: "durer does not answer" };
+    return { error: "durer does not respond" };
   }
 }
 
 function showSettings() {
-  const { settings, size, clock } = told;
+  const { settings, size, clock } = state;
   for (const button of at("sizes").children) {
     button.setAttribute("aria-pressed", Number(button.dataset.scale) === settings.scale);
   }
@@ -184,7 +184,7 @@ function link(place) {
   a.textContent = `${place.file}:${place.line}:${place.column}`;
   a.href = place.url;
   a.addEventListener("click", (event) => {
-    if (told?.editor) {
+    if (state?.editor) {
       event.preventDefault();
       open(place);
     }
@@ -193,7 +193,7 @@ function link(place) {
 }
 
 async function open(place) {
-  if (!told?.editor) {
+  if (!state?.editor) {
     window.location.href = place.url;
     return;
   }
@@ -203,7 +203,7 @@ async function open(place) {
 }
 
 function showMessages() {
-  const list = told.messages.map((message) => {
+  const list = state.messages.map((message) => {
     const item = document.createElement("div");
     item.className = `message ${message.severity}`;
     if (message.place) item.append(link(message.place));
@@ -223,8 +223,8 @@ function showMessages() {
 
 function showTimes() {
   const seconds = (time) => (time < 1 ? `${(time * 1000).toFixed(time < 0.01 ? 1 : 0)} ms` : `${time.toFixed(2)} s`);
-  const rows = told.times.map(([what, time]) => [what, seconds(time)]);
-  if (told.rays) rows.push(["rays", told.rays.toLocaleString("en")]);
+  const rows = state.times.map(([what, time]) => [what, seconds(time)]);
+  if (state.rays) rows.push(["rays", state.rays.toLocaleString("en")]);
   at("times").replaceChildren(
     ...rows.map((cells) => {
       const row = document.createElement("tr");
@@ -270,7 +270,7 @@ async function pick() {
 function showPick(x, y) {
   const text = at("pick");
   text.classList.remove("empty");
-  text.replaceChildren(`${x}, ${y}\n`, picked.words ?? "nothing is drawn yet");
+  text.replaceChildren(`${x}, ${y}\n`, picked.words ?? "nothing is rendered yet");
   if (picked.place) text.append(link(picked.place));
 }
 
@@ -323,10 +323,10 @@ stage.addEventListener("pointercancel", () => {
   at("frame").hidden = true;
 });
 
-/** A part of what is shown, which may be a part itself. */
+/** A part of the displayed picture, which may be a part itself. */
 function zoom([x, y, width, height]) {
   if (width < 0.005 || height < 0.005) return;
-  const [left, top, across, down] = told?.settings.zoom ?? [0, 0, 1, 1];
+  const [left, top, across, down] = state?.settings.zoom ?? [0, 0, 1, 1];
   change({ zoom: [left + x * across, top + y * down, width * across, height * down] });
 }
 
@@ -358,5 +358,5 @@ document.addEventListener("keydown", (event) => {
   else if (event.key === "s" && !at("save").disabled) save();
   else if (event.key === "p") stage.focus();
   else if (event.key === "Escape" && start) [start, at("frame").hidden] = [null, true];
-  else if (event.key === "Escape" && told?.settings.zoom) change({ zoom: [] });
+  else if (event.key === "Escape" && state?.settings.zoom) change({ zoom: [] });
 });

@@ -1,16 +1,16 @@
-//! Small notes between the words: what an `#end` closes, what an argument is for.
+//! Inlay hints: the directive that an `#end` closes, and the parameters of arguments.
 
 use super::complete;
-use super::scan::{Kind, Pair, What};
-use super::server::{Out, Server};
+use crate::lsp::scan::{DeclarationKind, Pair, TokenKind};
+use crate::lsp::server::{Client, Server};
 use lsp_types::{InlayHint, InlayHintKind, InlayHintLabel, InlayHintParams, Position};
 use std::collections::HashMap;
 
-/// A directive needs so many lines for its end to be out of sight.
-const LINES: u32 = 8;
+/// Number of lines from which the end of a directive gets a hint.
+const MIN_LINES: u32 = 8;
 
-/// Those of a range.
-pub fn hints<S: Out>(server: &mut Server<S>, params: &InlayHintParams) -> Option<Vec<InlayHint>> {
+/// The hints in a range.
+pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Option<Vec<InlayHint>> {
     let uri = &params.text_document.uri;
     let related = server.related(uri);
     let document = server.document(uri)?;
@@ -18,7 +18,7 @@ pub fn hints<S: Out>(server: &mut Server<S>, params: &InlayHintParams) -> Option
     let (from, to) = (text.offset(params.range.start), text.offset(params.range.end));
     let mut parameters: HashMap<&str, Vec<String>> = HashMap::new();
     for one in &related {
-        for d in one.scan.declarations.iter().filter(|d| d.what == What::Macro) {
+        for d in one.scan.declarations.iter().filter(|d| d.what == DeclarationKind::Macro) {
             parameters.entry(&d.name).or_insert_with(|| complete::parameters(one, d).unwrap_or_default());
         }
     }
@@ -26,7 +26,7 @@ pub fn hints<S: Out>(server: &mut Server<S>, params: &InlayHintParams) -> Option
     for pair in scan.pairs.iter().filter(|pair| pair.closed && pair.whole.start < to && from < pair.whole.end) {
         if pair.open == b'#' {
             let (start, end) = (text.position(pair.whole.start), text.position(pair.whole.end));
-            if end.line >= start.line + LINES && (from..=to).contains(&pair.whole.end) {
+            if end.line >= start.line + MIN_LINES && (from..=to).contains(&pair.whole.end) {
                 let name = text.line(start.line as usize).trim().trim_end_matches(['{', ' ']);
                 let name: String = name.chars().take(40).collect();
                 out.push(hint(end, name, true, false));
@@ -45,16 +45,16 @@ pub fn hints<S: Out>(server: &mut Server<S>, params: &InlayHintParams) -> Option
     Some(out)
 }
 
-fn is_definition(scan: &super::scan::Scan, pair: &Pair) -> bool {
-    scan.declarations.iter().any(|d| d.what == What::Macro && d.at == pair.named)
+fn is_definition(scan: &crate::lsp::scan::Scan, pair: &Pair) -> bool {
+    scan.declarations.iter().any(|d| d.what == DeclarationKind::Macro && d.at == pair.named)
 }
 
-/// Where the arguments of a call begin.
-fn arguments(text: &str, scan: &super::scan::Scan, call: &Pair) -> Vec<usize> {
+/// Byte offsets of the arguments of a call.
+fn arguments(text: &str, scan: &crate::lsp::scan::Scan, call: &Pair) -> Vec<usize> {
     let first = scan.tokens.partition_point(|token| token.at.start <= call.whole.start);
     let inside = scan.tokens[first..].iter().take_while(|token| token.at.end < call.whole.end);
     let (mut out, mut depth, mut fresh) = (vec![], 0i32, true);
-    for token in inside.filter(|token| token.kind != Kind::Comment) {
+    for token in inside.filter(|token| token.kind != TokenKind::Comment) {
         if std::mem::take(&mut fresh) {
             out.push(token.at.start);
         }
@@ -62,8 +62,8 @@ fn arguments(text: &str, scan: &super::scan::Scan, call: &Pair) -> Vec<usize> {
             "(" | "[" | "{" | "<" => depth += 1,
             ")" | "]" | "}" | ">" => depth -= 1,
             "," => fresh = depth <= 0,
-            // A list of numbers holds the commas of several arguments: what follows is not known.
-            list if token.kind == Kind::Number
+            // A list of numbers contains the commas of several arguments, so that later arguments have no known index.
+            list if token.kind == TokenKind::Number
                 && list.replace(char::is_whitespace, "").contains([','])
                 && !list.starts_with('<') =>
             {

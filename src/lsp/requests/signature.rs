@@ -1,15 +1,16 @@
-//! Which arguments a macro or a function takes, while its call is being typed.
+//! Signature help: the parameters of the macro or function whose call is being typed.
 
-use super::scan::What;
-use super::server::{Out, Server};
-use super::{complete, words};
+use super::complete;
+use crate::lsp::scan::DeclarationKind;
+use crate::lsp::server::{Client, Server};
+use crate::lsp::words;
 use lsp_types::{
     Documentation, MarkupContent, MarkupKind, ParameterInformation, ParameterLabel, SignatureHelp, SignatureHelpParams,
     SignatureInformation,
 };
 
-/// Of the innermost call around a place.
-pub fn help<S: Out>(server: &mut Server<S>, params: &SignatureHelpParams) -> Option<SignatureHelp> {
+/// The signature of the innermost call around a position.
+pub fn help<S: Client>(server: &mut Server<S>, params: &SignatureHelpParams) -> Option<SignatureHelp> {
     let at = &params.text_document_position_params;
     let uri = &at.text_document.uri;
     let related = server.related(uri);
@@ -17,7 +18,7 @@ pub fn help<S: Out>(server: &mut Server<S>, params: &SignatureHelpParams) -> Opt
     let offset = document.text.offset(at.position);
     let call = document.scan.around(offset, |pair| pair.open == b'(' && !pair.name.is_empty())?;
     let declared = related.iter().find_map(|one| {
-        let d = one.scan.declarations.iter().find(|d| d.what == What::Macro && d.name == call.name)?;
+        let d = one.scan.declarations.iter().find(|d| d.what == DeclarationKind::Macro && d.name == call.name)?;
         complete::parameters(one, d)
     });
     let (parameters, about) = match declared {
@@ -28,7 +29,7 @@ pub fn help<S: Out>(server: &mut Server<S>, params: &SignatureHelpParams) -> Opt
             (inner.split(',').map(|part| part.trim().to_string()).filter(|part| !part.is_empty()).collect(), summary)
         }
     };
-    // Commas of this call, not of calls, vectors and blocks inside of it.
+    // Count the commas of this call, but not those of nested calls, vectors and blocks.
     let number = call.whole.start;
     let inner = |at: usize| {
         document.scan.around(at + 1, |pair| pair.open != b'#').is_none_or(|pair| pair.whole.start == number)

@@ -1,21 +1,21 @@
-//! What a text declares and puts into the scene: for outlines and for searches.
+//! Symbols of a text: declarations and outermost blocks, for outlines and searches.
 
-use super::document::Document;
-use super::scan::{Declaration, Pair, What};
-use super::server::{Out, Server};
+use crate::lsp::document::Document;
+use crate::lsp::scan::{Declaration, DeclarationKind, Pair};
+use crate::lsp::server::{Client, Server};
 use lsp_types::{
     DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, OneOf, SymbolKind, WorkspaceSymbol,
     WorkspaceSymbolParams, WorkspaceSymbolResponse,
 };
 
-/// At most so many are found.
-const MOST: usize = 1000;
+/// Largest number of symbols of a search.
+const MAX_SYMBOLS: usize = 1000;
 
 /// Declared names, macros, and the outermost blocks.
-pub fn of_document<S: Out>(server: &mut Server<S>, params: &DocumentSymbolParams) -> Option<DocumentSymbolResponse> {
+pub fn of_document<S: Client>(server: &mut Server<S>, params: &DocumentSymbolParams) -> Option<DocumentSymbolResponse> {
     let document = server.document(&params.text_document.uri)?;
     let scan = &document.scan;
-    let declared = scan.declarations.iter().filter(|d| d.scope.is_none() || d.what == What::Macro);
+    let declared = scan.declarations.iter().filter(|d| d.scope.is_none() || d.what == DeclarationKind::Macro);
     let mut all: Vec<DocumentSymbol> = declared.map(|d| of_declaration(document, d)).collect();
     let is_outer = |pair: &&Pair| pair.open == b'{' && pair.outer.is_none() && !pair.name.is_empty();
     let is_value = |pair: &Pair| {
@@ -31,7 +31,7 @@ pub fn of_document<S: Out>(server: &mut Server<S>, params: &DocumentSymbolParams
 }
 
 fn of_declaration(document: &Document, d: &Declaration) -> DocumentSymbol {
-    // What is declared goes to the end of the braces behind it.
+    // A declaration extends to the end of the braces of its value.
     let value = document.scan.pairs.iter().find(|pair| {
         pair.open == b'{'
             && pair.whole.start > d.at.end
@@ -41,10 +41,12 @@ fn of_declaration(document: &Document, d: &Declaration) -> DocumentSymbol {
     symbol(document, &d.name, kind(d.what), d.whole.start..end.max(d.at.end), d.at.clone())
 }
 
-fn kind(what: What) -> SymbolKind {
+fn kind(what: DeclarationKind) -> SymbolKind {
     match what {
-        What::Macro => SymbolKind::FUNCTION,
-        What::Declare | What::Local | What::Parameter | What::Counter => SymbolKind::VARIABLE,
+        DeclarationKind::Macro => SymbolKind::FUNCTION,
+        DeclarationKind::Declare | DeclarationKind::Local | DeclarationKind::Parameter | DeclarationKind::Counter => {
+            SymbolKind::VARIABLE
+        }
     }
 }
 
@@ -68,8 +70,11 @@ fn symbol(
     }
 }
 
-/// Names that hold these letters, in all open texts and in what they include.
-pub fn of_workspace<S: Out>(server: &mut Server<S>, params: &WorkspaceSymbolParams) -> Option<WorkspaceSymbolResponse> {
+/// Names that contain the query, in all open texts and their includes.
+pub fn of_workspace<S: Client>(
+    server: &mut Server<S>,
+    params: &WorkspaceSymbolParams,
+) -> Option<WorkspaceSymbolResponse> {
     let wanted = params.query.to_lowercase();
     let uris: Vec<_> = server.open.values().map(|document| document.uri.clone()).collect();
     let mut out: Vec<WorkspaceSymbol> = vec![];
@@ -80,7 +85,9 @@ pub fn of_workspace<S: Out>(server: &mut Server<S>, params: &WorkspaceSymbolPara
             if !seen.insert(uri.as_str().to_string()) {
                 continue;
             }
-            let fits = |d: &&Declaration| d.what != What::Parameter && d.scope.is_none() | (d.what == What::Macro);
+            let fits = |d: &&Declaration| {
+                d.what != DeclarationKind::Parameter && d.scope.is_none() | (d.what == DeclarationKind::Macro)
+            };
             for d in reached.scan.declarations.iter().filter(fits).filter(|d| d.name.to_lowercase().contains(&wanted)) {
                 let location = Location { uri: uri.clone(), range: reached.text.range(d.at.clone()) };
                 out.push(WorkspaceSymbol {
@@ -94,6 +101,6 @@ pub fn of_workspace<S: Out>(server: &mut Server<S>, params: &WorkspaceSymbolPara
             }
         }
     }
-    out.truncate(MOST);
+    out.truncate(MAX_SYMBOLS);
     Some(WorkspaceSymbolResponse::Nested(out))
 }

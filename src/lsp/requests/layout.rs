@@ -1,29 +1,32 @@
-//! How a text is laid out: formatting, folding, what is selected step by step.
+//! Layout of a text: formatting, folding, and the stepwise extension of a selection.
 
-use super::document::{BASE, Document};
-use super::scan::Kind;
-use super::server::{Out, Server};
-use super::text::Text;
 use crate::format::{WIDTH, decode};
+use crate::lsp::document::{BASE, Document};
+use crate::lsp::scan::TokenKind;
+use crate::lsp::server::{Client, Server};
+use crate::lsp::text::Text;
 use lsp_types::{
     DocumentFormattingParams, DocumentRangeFormattingParams, FoldingRange, FoldingRangeKind, FoldingRangeParams,
     Position, Range, SelectionRange, SelectionRangeParams, TextEdit,
 };
 
-/// The text as `durer fmt` writes it; nothing if it can't be understood.
-pub fn format<S: Out>(server: &mut Server<S>, params: &DocumentFormattingParams) -> Option<Vec<TextEdit>> {
+/// The edits of `durer fmt`; `None` for a text with syntax errors.
+pub fn format<S: Client>(server: &mut Server<S>, params: &DocumentFormattingParams) -> Option<Vec<TextEdit>> {
     edits(server.document(&params.text_document.uri)?)
 }
 
-/// The same, but only what touches a range.
-pub fn format_range<S: Out>(server: &mut Server<S>, params: &DocumentRangeFormattingParams) -> Option<Vec<TextEdit>> {
+/// The edits of `durer fmt` that touch a range.
+pub fn format_range<S: Client>(
+    server: &mut Server<S>,
+    params: &DocumentRangeFormattingParams,
+) -> Option<Vec<TextEdit>> {
     let wanted = params.range;
     let touches =
         |edit: &TextEdit| edit.range.start.line <= wanted.end.line && wanted.start.line <= edit.range.end.line;
     Some(edits(server.document(&params.text_document.uri)?)?.into_iter().filter(touches).collect())
 }
 
-/// One edit for each run of lines that change.
+/// One edit for each sequence of changed lines.
 fn edits(document: &Document) -> Option<Vec<TextEdit>> {
     let old = document.text.as_str();
     let new = Text::new(decode(old.as_bytes().to_vec()).ok()?.formatted(BASE, WIDTH).ok()?);
@@ -35,7 +38,7 @@ fn edits(document: &Document) -> Option<Vec<TextEdit>> {
             (i, j) = (i + 1, j + 1);
             continue;
         }
-        let (k, l) = meet(&a, &b, i, j);
+        let (k, l) = next_equal(&a, &b, i, j);
         let start = Position::new(i as u32, 0);
         let end = if k < a.len() { Position::new(k as u32, 0) } else { document.text.position(old.len()) };
         out.push(TextEdit { range: Range::new(start, end), new_text: b[j..l].concat() });
@@ -44,13 +47,13 @@ fn edits(document: &Document) -> Option<Vec<TextEdit>> {
     Some(out)
 }
 
-/// Behind lines that differ, the nearest pair that is the same again.
-fn meet(a: &[&str], b: &[&str], i: usize, j: usize) -> (usize, usize) {
-    const FAR: usize = 60;
-    for apart in 1..FAR {
+/// The nearest pair of equal lines after a difference.
+fn next_equal(a: &[&str], b: &[&str], i: usize, j: usize) -> (usize, usize) {
+    const MAX_DISTANCE: usize = 60;
+    for apart in 1..MAX_DISTANCE {
         for k in 0..=apart {
             let (x, y) = (i + k, j + apart - k);
-            // Lines of a brace alone are everywhere.
+            // Ignore lines that consist of one brace, which are frequent.
             if x < a.len() && y < b.len() && a[x] == b[y] && a[x].trim().len() > 1 {
                 return (x, y);
             }
@@ -59,20 +62,20 @@ fn meet(a: &[&str], b: &[&str], i: usize, j: usize) -> (usize, usize) {
     (a.len(), b.len())
 }
 
-/// Blocks, directives with bodies, and comments that stand on several lines.
-pub fn folds<S: Out>(server: &mut Server<S>, params: &FoldingRangeParams) -> Option<Vec<FoldingRange>> {
+/// Blocks, directives with bodies, and comments that extend over several lines.
+pub fn folds<S: Client>(server: &mut Server<S>, params: &FoldingRangeParams) -> Option<Vec<FoldingRange>> {
     let document = server.document(&params.text_document.uri)?;
     let (text, scan) = (&document.text, &document.scan);
     let line = |offset: usize| text.position(offset).line;
     let mut out: Vec<FoldingRange> = vec![];
     for pair in scan.pairs.iter().filter(|pair| pair.closed) {
-        // The line that closes it stays in sight.
+        // The closing line remains visible.
         let (start, end) = (line(pair.whole.start), line(pair.whole.end).saturating_sub(1));
         if start < end && out.last().is_none_or(|last| last.start_line != start) {
             out.push(fold(start, end, FoldingRangeKind::Region));
         }
     }
-    let comments: Vec<_> = scan.tokens.iter().filter(|token| token.kind == Kind::Comment).collect();
+    let comments: Vec<_> = scan.tokens.iter().filter(|token| token.kind == TokenKind::Comment).collect();
     let starts_line =
         |at: usize| text.as_str()[..at].rsplit(['\n', '\r']).next().is_some_and(|before| before.trim().is_empty());
     let whole: Vec<(u32, u32)> = comments
@@ -93,8 +96,8 @@ fn fold(start_line: u32, end_line: u32, kind: FoldingRangeKind) -> FoldingRange 
     FoldingRange { start_line, end_line, kind: Some(kind), ..FoldingRange::default() }
 }
 
-/// The word, what its brackets hold, the brackets with their name, and so on up to the whole text.
-pub fn selections<S: Out>(server: &mut Server<S>, params: &SelectionRangeParams) -> Option<Vec<SelectionRange>> {
+/// The word, the contents of its brackets, the brackets with their name, and so on up to the whole text.
+pub fn selections<S: Client>(server: &mut Server<S>, params: &SelectionRangeParams) -> Option<Vec<SelectionRange>> {
     let document = server.document(&params.text_document.uri)?;
     Some(params.positions.iter().map(|at| selection(document, document.text.offset(*at))).collect())
 }
@@ -113,7 +116,7 @@ fn selection(document: &Document, offset: usize) -> SelectionRange {
     let mut out: Option<SelectionRange> = None;
     for range in ranges {
         let range = text.range(range);
-        // Each lies within the one before.
+        // Each range must be inside of the previous one.
         let fits = |outer: &SelectionRange| {
             outer.range.start <= range.start && range.end <= outer.range.end && outer.range != range
         };

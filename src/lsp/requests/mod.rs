@@ -1,13 +1,25 @@
-//! Which requests are answered, and by whom.
+//! Requests of the editor: capabilities, and a file for each family of requests.
 
-use super::server::{Out, Server};
-use super::{actions, colors, commands, complete, hover, inlay, layout, lens, names, semantic, signature, symbols};
+mod actions;
+mod colors;
+pub mod commands;
+mod complete;
+mod hover;
+mod inlay;
+mod layout;
+mod lens;
+mod names;
+mod semantic;
+mod signature;
+mod symbols;
+
+use crate::lsp::server::{Client, Server};
 use lsp_server::{ErrorCode, Request, Response};
 use lsp_types::request as ask;
 use serde_json::{Value, json};
 
-/// What the server can do. Places count in UTF-16, which every editor understands. An editor that carries out commands itself names
-/// them: `initializationOptions.commands`.
+/// The capabilities of the server. Positions count in UTF-16, which every editor supports. Commands that the editor
+/// implements itself, named in `initializationOptions.commands`, are omitted.
 pub fn capabilities(asked: &Value) -> Value {
     let own = &asked["initializationOptions"]["commands"];
     let is_own = |command: &&str| own.as_array().is_some_and(|own| own.iter().any(|one| one == command));
@@ -38,8 +50,8 @@ pub fn capabilities(asked: &Value) -> Value {
     })
 }
 
-/// The answer to a request.
-pub fn answer<S: Out>(server: &mut Server<S>, request: Request) -> Response {
+/// Responds to a request.
+pub fn answer<S: Client>(server: &mut Server<S>, request: Request) -> Response {
     fn by<R: ask::Request>(request: Request, answer: impl FnOnce(R::Params) -> R::Result) -> Response {
         match serde_json::from_value(request.params) {
             Ok(params) => Response::new_ok(request.id, answer(params)),
@@ -77,14 +89,14 @@ pub fn answer<S: Out>(server: &mut Server<S>, request: Request) -> Response {
         "textDocument/codeLens" => by::<ask::CodeLensRequest>(request, |p| lens::lenses(server, &p)),
         "workspace/executeCommand" => by::<ask::ExecuteCommand>(request, |p| commands::execute(server, &p)),
         other => {
-            let text = format!("`{other}` is not answered");
+            let text = format!("`{other}` is not supported");
             Response::new_err(request.id, ErrorCode::MethodNotFound as i32, text)
         }
     }
 }
 
-/// The one request whose refusal has a reason.
-fn rename<S: Out>(server: &mut Server<S>, request: Request) -> Response {
+/// Responds to a rename request, which may be refused with a reason.
+fn rename<S: Client>(server: &mut Server<S>, request: Request) -> Response {
     match serde_json::from_value(request.params) {
         Ok(params) => match names::rename(server, &params) {
             Ok(edit) => Response::new_ok(request.id, edit),

@@ -1,12 +1,13 @@
-//! What may be typed at a place: words that the block takes, names, directives, files.
+//! Completion: words of the block, names, directives, files.
 
-use super::document::Document;
-use super::files::Reached;
-use super::scan::{Declaration, Kind as Token, What};
-use super::server::{Out, Server};
-use super::{actions, words};
+use super::actions;
 use crate::interpreter;
 use crate::library;
+use crate::lsp::document::Document;
+use crate::lsp::files::ReachableText;
+use crate::lsp::scan::{Declaration, DeclarationKind, TokenKind};
+use crate::lsp::server::{Client, Server};
+use crate::lsp::words;
 use crate::syntax::word::CONSTANTS;
 use crate::value::ValueKind;
 use lsp_types::{
@@ -15,33 +16,36 @@ use lsp_types::{
 };
 use std::path::Path;
 
-/// Names of standard include files are offered from so many letters on, and so many of them.
-const LETTERS: usize = 2;
-const MOST: usize = 100;
+/// Number of typed letters from which names of standard include files are offered.
+const MIN_LETTERS: usize = 2;
+/// Largest number of names from standard include files.
+const MAX_NAMES: usize = 100;
+/// Largest number of files that are offered.
+const MAX_FILES: usize = 2000;
 
-/// All that may be typed here.
-pub fn complete<S: Out>(server: &mut Server<S>, params: &CompletionParams) -> Option<CompletionResponse> {
+/// The completions at a position.
+pub fn complete<S: Client>(server: &mut Server<S>, params: &CompletionParams) -> Option<CompletionResponse> {
     let at = &params.text_document_position;
     let uri = &at.text_document.uri;
     let reached = server.reachable(uri);
     let document = server.document(uri)?;
     let offset = document.text.offset(at.position);
     let items = items(document, &reached, offset)?;
-    // What begins with other letters was left out.
+    // Names that begin with other letters are missing.
     Some(CompletionResponse::List(CompletionList { is_incomplete: true, items }))
 }
 
-fn items(document: &Document, reached: &[Reached], offset: usize) -> Option<Vec<CompletionItem>> {
+fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Option<Vec<CompletionItem>> {
     let (text, scan) = (document.text.as_str(), &document.scan);
     let before = &text[..offset];
     let inside = scan.tokens.iter().find(|token| token.at.start < offset && offset <= token.at.end);
     match inside.map(|token| (token.kind, token.at.clone())) {
-        // Behind its end a comment is over, unless it ends with its line.
-        Some((Token::Comment, at)) if offset < at.end || text[at.clone()].starts_with("//") => return None,
-        Some((Token::Text, at)) => return Some(paths(document, &text[at.start + 1..offset])),
+        // A block comment ends at its end, a line comment with its line.
+        Some((TokenKind::Comment, at)) if offset < at.end || text[at.clone()].starts_with("//") => return None,
+        Some((TokenKind::Text, at)) => return Some(paths(document, &text[at.start + 1..offset])),
         _ => {}
     }
-    // A text that is not closed yet swallows the rest of the file.
+    // An unclosed string contains the rest of the file.
     let line = &before[before.rfind(['\n', '\r']).map_or(0, |i| i + 1)..];
     if let (1, Some((_, path))) = (line.matches('"').count() % 2, line.rsplit_once('"')) {
         return Some(paths(document, path));
@@ -67,7 +71,7 @@ fn items(document: &Document, reached: &[Reached], offset: usize) -> Option<Vec<
     let colors = interpreter::COLOR_WORDS.iter().map(|row| item_of_word(&row.into()));
     out.extend(colors.map(|word| CompletionItem { sort_text: Some(format!("2{}", word.label)), ..word }));
     out.extend(names(reached, document.scan.macro_at(offset)));
-    if typed.len() >= LETTERS {
+    if typed.len() >= MIN_LETTERS {
         out.extend(of_library(document, &out, typed));
     }
     Some(out)
@@ -83,8 +87,8 @@ fn item(label: &str, detail: String, about: &str) -> CompletionItem {
     }
 }
 
-/// A word of the block; shapes and blocks come with their braces.
-fn item_of_word(taken: &words::Taken) -> CompletionItem {
+/// A word of the block; shapes and blocks are completed with their braces.
+fn item_of_word(taken: &words::WordInfo) -> CompletionItem {
     let shape = words::shape(taken.name);
     let snippet = match shape {
         Some(spec) if !spec.params.is_empty() => {
@@ -118,15 +122,15 @@ fn directives() -> Vec<CompletionItem> {
         .collect()
 }
 
-/// Declared names that are seen from within this macro of the text itself.
-fn names(reached: &[Reached], within: Option<usize>) -> Vec<CompletionItem> {
+/// Declared names that are visible in the macro `within` of the first text.
+fn names(reached: &[ReachableText], within: Option<usize>) -> Vec<CompletionItem> {
     let mut out: Vec<CompletionItem> = vec![];
     let mut seen = std::collections::HashSet::new();
     for (i, one) in reached.iter().enumerate() {
         let is_seen = |d: &&Declaration| match d.what {
-            What::Declare | What::Macro => true,
-            What::Counter | What::Local => i == 0 && (d.scope.is_none() || d.scope == within),
-            What::Parameter => i == 0 && d.scope == within,
+            DeclarationKind::Declare | DeclarationKind::Macro => true,
+            DeclarationKind::Counter | DeclarationKind::Local => i == 0 && (d.scope.is_none() || d.scope == within),
+            DeclarationKind::Parameter => i == 0 && d.scope == within,
         };
         for d in one.scan.declarations.iter().filter(is_seen) {
             if !seen.insert(d.name.as_str()) {
@@ -144,7 +148,7 @@ fn names(reached: &[Reached], within: Option<usize>) -> Vec<CompletionItem> {
     out
 }
 
-fn item_of_name(one: &Reached, d: &Declaration, file: String) -> CompletionItem {
+fn item_of_name(one: &ReachableText, d: &Declaration, file: String) -> CompletionItem {
     let parameters = parameters(one, d);
     let snippet = parameters.as_ref().map(|parameters| {
         let place = |(i, name): (usize, &String)| format!("${{{}:{name}}}", i + 1);
@@ -152,7 +156,11 @@ fn item_of_name(one: &Reached, d: &Declaration, file: String) -> CompletionItem 
     });
     let detail = parameters.map_or(file.clone(), |parameters| format!("({}) {file}", parameters.join(", ")));
     CompletionItem {
-        kind: Some(if d.what == What::Macro { CompletionItemKind::METHOD } else { CompletionItemKind::VARIABLE }),
+        kind: Some(if d.what == DeclarationKind::Macro {
+            CompletionItemKind::METHOD
+        } else {
+            CompletionItemKind::VARIABLE
+        }),
         insert_text_format: snippet.is_some().then_some(InsertTextFormat::SNIPPET),
         insert_text: snippet,
         sort_text: Some(format!("{}{}", if file.is_empty() { '0' } else { '4' }, d.name)),
@@ -160,13 +168,13 @@ fn item_of_name(one: &Reached, d: &Declaration, file: String) -> CompletionItem 
     }
 }
 
-/// Of a macro: its parameters.
-pub fn parameters(one: &Reached, d: &Declaration) -> Option<Vec<String>> {
-    let found = one.scan.macros.iter().find(|m| d.what == What::Macro && m.whole.start == d.whole.start);
+/// The parameters of a macro.
+pub fn parameters(one: &ReachableText, d: &Declaration) -> Option<Vec<String>> {
+    let found = one.scan.macros.iter().find(|m| d.what == DeclarationKind::Macro && m.whole.start == d.whole.start);
     found.map(|m| m.parameters.clone())
 }
 
-/// Names that a standard include file declares which is not included.
+/// Names of standard include files that are not included yet.
 fn of_library(document: &Document, known: &[CompletionItem], typed: &str) -> Vec<CompletionItem> {
     let lower = typed.to_lowercase();
     let fits = |name: &&str| name.to_lowercase().starts_with(&lower) && !known.iter().any(|item| item.label == **name);
@@ -176,18 +184,18 @@ fn of_library(document: &Document, known: &[CompletionItem], typed: &str) -> Vec
             kind: Some(CompletionItemKind::VARIABLE),
             sort_text: Some(format!("5{name}")),
             additional_text_edits: Some(vec![actions::include(document, file)]),
-            ..item(name, format!("of {file}, which is included too"), "")
+            ..item(name, format!("from {file}; adds its #include"), "")
         })
     };
-    library::index_names().filter(fits).take(MOST).filter_map(item).collect()
+    library::index_names().filter(fits).take(MAX_NAMES).filter_map(item).collect()
 }
 
-/// Files and folders behind what was typed of a path.
+/// Files and folders that continue a typed path.
 fn paths(document: &Document, typed: &str) -> Vec<CompletionItem> {
     let (folder, _) = typed.rsplit_once('/').unwrap_or(("", typed));
     let place = document.folder().join(folder);
     let mut out = vec![];
-    for entry in std::fs::read_dir(place).into_iter().flatten().flatten().take(2000) {
+    for entry in std::fs::read_dir(place).into_iter().flatten().flatten().take(MAX_FILES) {
         let name = entry.file_name().to_string_lossy().into_owned();
         if name.starts_with('.') {
             continue;

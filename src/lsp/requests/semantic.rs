@@ -1,14 +1,14 @@
-//! Which word is what: for colours in the editor.
+//! Semantic tokens: kinds of words for the colours of the editor.
 
-use super::scan::{Kind, What};
-use super::server::{Out, Server};
+use crate::lsp::scan::{DeclarationKind, TokenKind};
+use crate::lsp::server::{Client, Server};
 use crate::reference::sorts;
 use crate::syntax::word::Category;
 use lsp_types::{SemanticToken, SemanticTokens, SemanticTokensParams, SemanticTokensResult};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
-/// What a word can be; the order is that of [`Type`].
+/// The token types, in the order of [`Type`].
 pub fn legend() -> Value {
     json!({
         "tokenTypes": [
@@ -31,37 +31,44 @@ enum Type {
     Constant,
 }
 
-/// Of the whole text: words, names and directives. Numbers, texts and comments are what they look like.
-pub fn tokens<S: Out>(server: &mut Server<S>, params: &SemanticTokensParams) -> Option<SemanticTokensResult> {
+/// The types of all words, names and directives of a text. Numbers, strings and comments are left to the editor's
+/// grammar.
+pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) -> Option<SemanticTokensResult> {
     let uri = &params.text_document.uri;
     let related = server.related(uri);
     let document = server.document(uri)?;
     let (text, scan) = (&document.text, &document.scan);
-    let declared = |one: &'_ super::files::Reached| {
-        one.scan.declarations.iter().filter(|d| d.what == What::Macro).map(|d| d.name.clone()).collect::<Vec<_>>()
+    let declared = |one: &'_ crate::lsp::files::ReachableText| {
+        one.scan
+            .declarations
+            .iter()
+            .filter(|d| d.what == DeclarationKind::Macro)
+            .map(|d| d.name.clone())
+            .collect::<Vec<_>>()
     };
     let macros: std::collections::HashSet<String> = related.iter().flat_map(declared).collect();
-    let own: HashMap<usize, What> = scan.declarations.iter().map(|d| (d.at.start, d.what)).collect();
+    let own: HashMap<usize, DeclarationKind> = scan.declarations.iter().map(|d| (d.at.start, d.what)).collect();
     let sorts = sorts();
     let (mut data, mut last) = (vec![], lsp_types::Position::default());
     for token in &scan.tokens {
         let word = &text.as_str()[token.at.clone()];
         let kind = match token.kind {
-            Kind::Directive => Type::Keyword,
-            Kind::Word(Category::Function) => Type::Function,
-            Kind::Word(Category::Constant) => Type::Constant,
-            Kind::Word(_) if sorts.objects.contains(&word) => Type::Class,
-            Kind::Word(_) if sorts.blocks.contains(&word) => Type::Struct,
-            Kind::Word(_) => Type::Property,
-            Kind::Name if own.get(&token.at.start) == Some(&What::Parameter) => Type::Parameter,
-            Kind::Name if macros.contains(word) => Type::Macro,
-            Kind::Name => {
+            TokenKind::Directive => Type::Keyword,
+            TokenKind::Word(Category::Function) => Type::Function,
+            TokenKind::Word(Category::Constant) => Type::Constant,
+            TokenKind::Word(_) if sorts.objects.contains(&word) => Type::Class,
+            TokenKind::Word(_) if sorts.blocks.contains(&word) => Type::Struct,
+            TokenKind::Word(_) => Type::Property,
+            TokenKind::Name if own.get(&token.at.start) == Some(&DeclarationKind::Parameter) => Type::Parameter,
+            TokenKind::Name if macros.contains(word) => Type::Macro,
+            TokenKind::Name => {
                 let scope = scan.macro_at(token.at.end);
-                let is =
-                    |what: What| scan.declarations.iter().any(|d| d.scope == scope && d.what == what && d.name == word);
-                if scope.is_some() && is(What::Parameter) { Type::Parameter } else { Type::Variable }
+                let is = |what: DeclarationKind| {
+                    scan.declarations.iter().any(|d| d.scope == scope && d.what == what && d.name == word)
+                };
+                if scope.is_some() && is(DeclarationKind::Parameter) { Type::Parameter } else { Type::Variable }
             }
-            Kind::Text | Kind::Number | Kind::Sign | Kind::Comment => continue,
+            TokenKind::Text | TokenKind::Number | TokenKind::Sign | TokenKind::Comment => continue,
         };
         if word.contains(['\n', '\r']) {
             continue;

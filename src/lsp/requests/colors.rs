@@ -1,28 +1,28 @@
-//! Colours with literal numbers: swatches, and what a picker chose.
+//! Colour swatches of literal colours, and edits of the colour picker.
 
-use super::scan::Kind;
-use super::server::{Out, Server};
 use crate::color::transfer::{srgb_decode, srgb_encode};
 use crate::interpreter::COLOR_WORDS;
+use crate::lsp::scan::TokenKind;
+use crate::lsp::server::{Client, Server};
 use crate::value::decimal;
 use lsp_types::{Color, ColorInformation, ColorPresentation, ColorPresentationParams, DocumentColorParams, TextEdit};
 use std::ops::Range;
 
 /// A colour in a text.
 struct Found {
-    /// From its word to the end of its numbers.
+    /// Byte range from the word to the end of the numbers.
     at: Range<usize>,
     color: Color,
 }
 
-/// Of the whole text.
-pub fn colors<S: Out>(server: &mut Server<S>, params: &DocumentColorParams) -> Vec<ColorInformation> {
+/// All literal colours of a text.
+pub fn colors<S: Client>(server: &mut Server<S>, params: &DocumentColorParams) -> Vec<ColorInformation> {
     let Some(document) = server.document(&params.text_document.uri) else { return vec![] };
-    let tokens: Vec<_> = document.scan.tokens.iter().filter(|token| token.kind != Kind::Comment).collect();
+    let tokens: Vec<_> = document.scan.tokens.iter().filter(|token| token.kind != TokenKind::Comment).collect();
     let text = document.text.as_str();
-    let word = |pair: &[&super::scan::Token]| -> Option<Found> {
+    let word = |pair: &[&crate::lsp::scan::Token]| -> Option<Found> {
         let name = &text[pair[0].at.clone()];
-        let is_color = matches!(pair[0].kind, Kind::Word(_))
+        let is_color = matches!(pair[0].kind, TokenKind::Word(_))
             && name.contains("rgb")
             && COLOR_WORDS.iter().any(|row| row.name == name);
         if !is_color {
@@ -37,7 +37,7 @@ pub fn colors<S: Out>(server: &mut Server<S>, params: &DocumentColorParams) -> V
     found.map(|found| ColorInformation { range: document.text.range(found.at), color: found.color }).collect()
 }
 
-/// What a screen shows for the numbers behind a word. Those of `rgb` are light, as with `assumed_gamma 1`.
+/// The sRGB colour of the numbers after a word. Numbers of `rgb` are linear, as with `assumed_gamma 1`.
 fn color(word: &str, numbers: &str) -> Option<Color> {
     let read: Result<Vec<f64>, _> = numbers.split(',').map(|number| number.trim().parse::<f64>()).collect();
     let read = read.ok().filter(|read| (3..=5).contains(&read.len()))?;
@@ -47,13 +47,13 @@ fn color(word: &str, numbers: &str) -> Option<Color> {
     Some(Color { red, green, blue, alpha: (1.0 - clear).clamp(0.0, 1.0) as f32 })
 }
 
-/// A colour that was chosen, in the words that may stand there.
-pub fn present<S: Out>(server: &mut Server<S>, params: &ColorPresentationParams) -> Vec<ColorPresentation> {
+/// The spellings of a colour that was chosen in the picker.
+pub fn present<S: Client>(server: &mut Server<S>, params: &ColorPresentationParams) -> Vec<ColorPresentation> {
     let Some(document) = server.document(&params.text_document.uri) else { return vec![] };
     let bytes = document.text.offset(params.range.start)..document.text.offset(params.range.end);
     let old = document.text.as_str().get(bytes).unwrap_or_default();
     let word: String = old.chars().take_while(char::is_ascii_alphabetic).collect();
-    // What else the colour had stays.
+    // Keep filter and transmit.
     let rest: Vec<String> =
         old.split([',', '<', '>']).skip(4).map(|n| n.trim().to_string()).filter(|n| !n.is_empty()).collect();
     let suffix = word.trim_start_matches('s').trim_start_matches("rgb").to_string();

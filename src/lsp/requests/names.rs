@@ -1,9 +1,9 @@
-//! Where a name is declared and used, in a text and in what it includes; renaming.
+//! Declarations and uses of a name in a text and its includes; renaming.
 
-use super::files::Reached;
-use super::scan::{Kind, What};
-use super::server::{Out, Server};
 use crate::library;
+use crate::lsp::files::ReachableText;
+use crate::lsp::scan::{DeclarationKind, TokenKind};
+use crate::lsp::server::{Client, Server};
 use crate::syntax::word::entry;
 use lsp_types::{
     DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, GotoDefinitionParams, GotoDefinitionResponse,
@@ -12,33 +12,33 @@ use lsp_types::{
 };
 use std::collections::HashMap;
 
-/// A name at a place.
+/// A name at a position.
 struct Named {
     name: String,
     range: Range,
-    /// The macro of this text to which it belongs.
+    /// Index of the macro of this text that declares the name.
     owner: Option<usize>,
 }
 
-/// The name that stands at a place of an open text.
-fn named<S: Out>(server: &Server<S>, uri: &Uri, at: Position) -> Option<Named> {
+/// The name at a position of an open text.
+fn named<S: Client>(server: &Server<S>, uri: &Uri, at: Position) -> Option<Named> {
     let document = server.document(uri)?;
     let offset = document.text.offset(at);
-    let token = document.scan.token_at(offset).filter(|token| token.kind == Kind::Name)?;
+    let token = document.scan.token_at(offset).filter(|token| token.kind == TokenKind::Name)?;
     let name = document.text.as_str()[token.at.clone()].to_string();
-    // A parameter's declaration stands inside of its macro too.
+    // The declaration of a parameter is inside of its macro, too.
     let owner = document.scan.owner(&name, document.scan.macro_at(token.at.end));
     Some(Named { name, range: document.text.range(token.at.clone()), owner })
 }
 
-/// A place where a name stands.
+/// An occurrence of a name.
 struct Hit {
     range: Range,
     declares: bool,
 }
 
-/// All places of a name in a text. A name that belongs to a macro of the first text stands nowhere else.
-fn hits(reached: &Reached, named: &Named, is_own: bool) -> Vec<Hit> {
+/// All occurrences of a name in a text. A name of a macro of the first text occurs in no other text.
+fn hits(reached: &ReachableText, named: &Named, is_own: bool) -> Vec<Hit> {
     let (scan, text) = (&reached.scan, &reached.text);
     if named.owner.is_some() && !is_own {
         return vec![];
@@ -54,8 +54,8 @@ fn hits(reached: &Reached, named: &Named, is_own: bool) -> Vec<Hit> {
     out
 }
 
-/// All places of a name in all texts that belong together.
-fn everywhere<S: Out>(server: &mut Server<S>, uri: &Uri, named: &Named) -> Vec<(Uri, Reached, Vec<Hit>)> {
+/// All occurrences of a name in all related texts.
+fn everywhere<S: Client>(server: &mut Server<S>, uri: &Uri, named: &Named) -> Vec<(Uri, ReachableText, Vec<Hit>)> {
     let own = server.document(uri).map(|document| document.path.clone());
     let related = server.related(uri);
     let mut out = vec![];
@@ -70,8 +70,8 @@ fn everywhere<S: Out>(server: &mut Server<S>, uri: &Uri, named: &Named) -> Vec<(
     out
 }
 
-/// Where the name is declared, or the file that is included.
-pub fn definition<S: Out>(server: &mut Server<S>, params: &GotoDefinitionParams) -> Option<GotoDefinitionResponse> {
+/// The declaration of a name, or the file of an `#include`.
+pub fn definition<S: Client>(server: &mut Server<S>, params: &GotoDefinitionParams) -> Option<GotoDefinitionResponse> {
     let TextDocumentPositionParams { text_document, position } = &params.text_document_position_params;
     let uri = &text_document.uri;
     if let Some(file) = included(server, uri, *position) {
@@ -84,17 +84,17 @@ pub fn definition<S: Out>(server: &mut Server<S>, params: &GotoDefinitionParams)
     Some(GotoDefinitionResponse::Array(all.collect()))
 }
 
-/// The file whose name stands at a place behind `#include`.
-fn included<S: Out>(server: &mut Server<S>, uri: &Uri, at: Position) -> Option<Uri> {
+/// The file of the `#include` at a position.
+fn included<S: Client>(server: &mut Server<S>, uri: &Uri, at: Position) -> Option<Uri> {
     let document = server.document(uri)?;
     let offset = document.text.offset(at);
     let (name, _) = document.scan.includes.iter().find(|(_, at)| at.contains(&offset))?;
     let search = crate::source::SearchPath::new(&document.folder(), &server.include);
-    super::document::uri_of(&super::files::find(name, &document.folder(), &search)?)
+    crate::lsp::document::uri_of(&crate::lsp::files::find(name, &document.folder(), &search)?)
 }
 
-/// All places of the name.
-pub fn references<S: Out>(server: &mut Server<S>, params: &ReferenceParams) -> Option<Vec<Location>> {
+/// All occurrences of the name.
+pub fn references<S: Client>(server: &mut Server<S>, params: &ReferenceParams) -> Option<Vec<Location>> {
     let at = &params.text_document_position;
     let named = named(server, &at.text_document.uri, at.position)?;
     let declares = params.context.include_declaration;
@@ -106,8 +106,11 @@ pub fn references<S: Out>(server: &mut Server<S>, params: &ReferenceParams) -> O
     Some(all.collect())
 }
 
-/// All places of the name in its own text.
-pub fn highlights<S: Out>(server: &mut Server<S>, params: &DocumentHighlightParams) -> Option<Vec<DocumentHighlight>> {
+/// All occurrences of the name in its own text.
+pub fn highlights<S: Client>(
+    server: &mut Server<S>,
+    params: &DocumentHighlightParams,
+) -> Option<Vec<DocumentHighlight>> {
     let TextDocumentPositionParams { text_document, position } = &params.text_document_position_params;
     let named = named(server, &text_document.uri, *position)?;
     let own = server.reachable(&text_document.uri).into_iter().next()?;
@@ -116,17 +119,20 @@ pub fn highlights<S: Out>(server: &mut Server<S>, params: &DocumentHighlightPara
     Some(all.iter().map(|hit| DocumentHighlight { range: hit.range, kind: Some(kind(hit)) }).collect())
 }
 
-/// Can what stands here be renamed?
-pub fn prepare<S: Out>(server: &mut Server<S>, params: &TextDocumentPositionParams) -> Option<PrepareRenameResponse> {
+/// The range of the name that can be renamed at a position.
+pub fn prepare<S: Client>(
+    server: &mut Server<S>,
+    params: &TextDocumentPositionParams,
+) -> Option<PrepareRenameResponse> {
     let named = named(server, &params.text_document.uri, params.position)?;
     Some(PrepareRenameResponse::Range(named.range))
 }
 
-/// Another name in all places.
+/// Renames all occurrences of a name.
 ///
 /// # Errors
-/// Why it can't be renamed.
-pub fn rename<S: Out>(server: &mut Server<S>, params: &RenameParams) -> Result<Option<WorkspaceEdit>, String> {
+/// The reason of a refusal.
+pub fn rename<S: Client>(server: &mut Server<S>, params: &RenameParams) -> Result<Option<WorkspaceEdit>, String> {
     let at = &params.text_document_position;
     let uri = &at.text_document.uri;
     let Some(named) = named(server, uri, at.position) else { return Ok(None) };
@@ -134,9 +140,9 @@ pub fn rename<S: Out>(server: &mut Server<S>, params: &RenameParams) -> Result<O
     check_name(new)?;
     let all = everywhere(server, uri, &named);
     if !all.iter().flat_map(|(.., hits)| hits).any(|hit| hit.declares) {
-        return Err(format!("`{}` is declared nowhere", named.name));
+        return Err(format!("`{}` is not declared", named.name));
     }
-    let installed = |one: &&(Uri, Reached, Vec<Hit>)| {
+    let installed = |one: &&(Uri, ReachableText, Vec<Hit>)| {
         let name = one
             .1
             .path
@@ -150,11 +156,11 @@ pub fn rename<S: Out>(server: &mut Server<S>, params: &RenameParams) -> Result<O
         let file = reached.path.as_deref().unwrap_or(std::path::Path::new("")).display();
         return Err(format!("`{}` belongs to `{file}`, which other scenes include", named.name));
     }
-    let taken = all
-        .iter()
-        .any(|(_, reached, _)| reached.scan.declarations.iter().any(|d| d.name == new && d.what != What::Parameter));
+    let taken = all.iter().any(|(_, reached, _)| {
+        reached.scan.declarations.iter().any(|d| d.name == new && d.what != DeclarationKind::Parameter)
+    });
     if taken && new != named.name {
-        return Err(format!("there is a `{new}` already"));
+        return Err(format!("`{new}` is declared already"));
     }
     let edit = |hit: &Hit| TextEdit { range: hit.range, new_text: new.to_string() };
     let changes: HashMap<Uri, Vec<TextEdit>> =
@@ -162,11 +168,13 @@ pub fn rename<S: Out>(server: &mut Server<S>, params: &RenameParams) -> Result<O
     Ok(Some(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() }))
 }
 
-/// Can a scene declare this name?
+/// Checks that a scene can declare this name.
 fn check_name(name: &str) -> Result<(), String> {
     let starts = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
     if !starts || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
-        return Err(format!("`{name}` is no name: letters, digits and `_`, and no digit first"));
+        return Err(format!(
+            "`{name}` is not an identifier, which consists of letters, digits and `_` and does not start with a digit"
+        ));
     }
     if entry(name).is_some() {
         return Err(format!("`{name}` is a word of the language"));

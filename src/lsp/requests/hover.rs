@@ -1,18 +1,20 @@
-//! What is known of the word under the pointer.
+//! Hover: explanation of the word under the pointer.
 
-use super::files::Reached;
-use super::scan::{Kind, What};
-use super::server::{Out, Server};
-use super::{complete, manual, words};
+use super::complete;
+use crate::lsp::files::ReachableText;
+use crate::lsp::scan::{DeclarationKind, TokenKind};
+use crate::lsp::server::{Client, Server};
+use crate::lsp::{manual, words};
 use lsp_types::{Hover, HoverContents, HoverParams, MarkupContent, MarkupKind};
 use std::path::Path;
 
-/// So much of a declaration is shown.
-const LINES: usize = 8;
-const LETTERS: usize = 400;
+/// Largest number of displayed lines of a declaration.
+const MAX_LINES: usize = 8;
+/// Largest number of displayed bytes of a declaration.
+const MAX_BYTES: usize = 400;
 
-/// What the manual says of a word; what a name was declared as, and where.
-pub fn hover<S: Out>(server: &mut Server<S>, params: &HoverParams) -> Option<Hover> {
+/// The manual's text about a word, or the declaration of a name and its position.
+pub fn hover<S: Client>(server: &mut Server<S>, params: &HoverParams) -> Option<Hover> {
     let at = &params.text_document_position_params;
     let uri = &at.text_document.uri;
     let related = server.related(uri);
@@ -21,12 +23,14 @@ pub fn hover<S: Out>(server: &mut Server<S>, params: &HoverParams) -> Option<Hov
     let token = document.scan.token_at(offset)?;
     let text = &document.text.as_str()[token.at.clone()];
     let value = match token.kind {
-        Kind::Directive => words::of_directive(text).map(|(form, summary)| format!("```pov\n{form}\n```\n{summary}")),
-        Kind::Word(_) => told(text, words::block_at(&document.scan, offset)),
-        Kind::Name => {
+        TokenKind::Directive => {
+            words::of_directive(text).map(|(form, summary)| format!("```pov\n{form}\n```\n{summary}"))
+        }
+        TokenKind::Word(_) => explained(text, words::block_at(&document.scan, offset)),
+        TokenKind::Name => {
             let scope = document.scan.owner(text, document.scan.macro_at(token.at.end));
             let own = related.iter().position(|one| one.path == document.path);
-            declared(&related, text, scope, own).or_else(|| told(text, words::block_at(&document.scan, offset)))
+            declared(&related, text, scope, own).or_else(|| explained(text, words::block_at(&document.scan, offset)))
         }
         _ => None,
     };
@@ -34,16 +38,16 @@ pub fn hover<S: Out>(server: &mut Server<S>, params: &HoverParams) -> Option<Hov
     Some(Hover { contents, range: Some(document.text.range(token.at.clone())) })
 }
 
-fn told(word: &str, block: &str) -> Option<String> {
+fn explained(word: &str, block: &str) -> Option<String> {
     let lines = words::explain(word, block);
     let picture = manual::picture(word).map(|uri| format!("\n\n![{word}]({})", uri.as_str())).unwrap_or_default();
     (!lines.is_empty()).then(|| format!("**{word}**\n\n- {}{picture}", lines.join("\n- ")))
 }
 
-/// The last declaration of a name.
-fn declared(related: &[Reached], name: &str, scope: Option<usize>, own: Option<usize>) -> Option<String> {
+/// The last declaration of a name and its position.
+fn declared(related: &[ReachableText], name: &str, scope: Option<usize>, own: Option<usize>) -> Option<String> {
     let all = related.iter().enumerate().flat_map(|(i, one)| one.scan.declarations.iter().map(move |d| (i, one, d)));
-    let fits = |(i, one, d): &(usize, &Reached, &super::scan::Declaration)| {
+    let fits = |(i, one, d): &(usize, &ReachableText, &crate::lsp::scan::Declaration)| {
         d.name == name && one.scan.owner(name, d.scope) == scope && (scope.is_none() || Some(*i) == own)
     };
     let found: Vec<_> = all.filter(fits).collect();
@@ -53,12 +57,12 @@ fn declared(related: &[Reached], name: &str, scope: Option<usize>, own: Option<u
     let place = place.map(|file| format!("{file}, line {line}")).unwrap_or(format!("line {line}"));
     let text = one.text.as_str();
     let shown = match d.what {
-        What::Macro => {
+        DeclarationKind::Macro => {
             let about = comment_before(text, d.whole.start);
             let parameters = complete::parameters(one, d).unwrap_or_default();
             format!("{about}#macro {}({})", d.name, parameters.join(", "))
         }
-        What::Parameter => format!("{name}: a parameter"),
+        DeclarationKind::Parameter => format!("{name}: a parameter"),
         _ => format!("{}{}", comment_before(text, d.whole.start), statement(&text[d.whole.start..])),
     };
     let more = if found.len() > 1 { format!("; declared {} times", found.len()) } else { String::new() };
@@ -69,12 +73,12 @@ fn declared(related: &[Reached], name: &str, scope: Option<usize>, own: Option<u
 fn comment_before(text: &str, at: usize) -> String {
     let start = text[..at].rfind('\n').map_or(0, |i| i + 1);
     let mut lines: Vec<&str> =
-        text[..start].lines().rev().take_while(|line| line.trim_start().starts_with("//")).take(LINES).collect();
+        text[..start].lines().rev().take_while(|line| line.trim_start().starts_with("//")).take(MAX_LINES).collect();
     lines.reverse();
     lines.iter().map(|line| format!("{}\n", line.trim())).collect()
 }
 
-/// A declaration up to its `;`, its closing brace, or as much of it as may be shown.
+/// A declaration up to its `;` or closing brace, shortened if necessary.
 fn statement(text: &str) -> String {
     let (mut depth, mut end) = (0i32, text.len());
     for (i, c) in text.char_indices() {
@@ -95,13 +99,13 @@ fn statement(text: &str) -> String {
             end = i + usize::from(c != '\n');
             break;
         }
-        if i > LETTERS {
+        if i > MAX_BYTES {
             end = i;
             break;
         }
     }
     let mut lines: Vec<&str> = text[..end].lines().collect();
-    let whole = lines.len() <= LINES && end <= LETTERS;
-    lines.truncate(LINES);
+    let whole = lines.len() <= MAX_LINES && end <= MAX_BYTES;
+    lines.truncate(MAX_LINES);
     lines.join("\n") + if whole { "" } else { " …" }
 }
