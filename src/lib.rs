@@ -242,11 +242,11 @@ pub struct Built {
     pub diagnostics: Vec<Diagnostic>,
     /// True if a limit (steps, memory, time) ended the run.
     pub limit_reached: bool,
-    /// Macro calls and includes around each object of the scene, innermost first; empty unless `BuildOptions::origins`
+    /// Macro calls and includes around each object of the scene, innermost first; empty unless `BuildOptions::record_origins`
     /// is set.
     pub origins: Vec<Vec<Label>>,
-    /// Branches of `#if` and its kin that never ran; empty unless `BuildOptions::branches` is set.
-    pub idle: Vec<Span>,
+    /// Branches of `#if` and its kin that never ran; empty unless `BuildOptions::record_branches` is set.
+    pub unused_branches: Vec<Span>,
     /// Duration of text → Scene.
     pub parse_time: Duration,
     /// Duration of Scene → World.
@@ -280,7 +280,7 @@ pub fn build_with(
     debug: &mut dyn FnMut(&str),
 ) -> Built {
     let start = options.host.elapsed();
-    let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached, origins, idle } =
+    let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached, origins, unused_branches } =
         interpreter::interpret_with(parsed, sources, file, options, debug);
     let parse_time = options.host.elapsed().saturating_sub(start);
     if let Some(scene) = &scene {
@@ -303,7 +303,7 @@ pub fn build_with(
     };
     let world = lowered.and_then(|world| world.map_err(|e| diagnostics.push(*e)).ok());
     let build_time = options.host.elapsed().saturating_sub(start);
-    Built { scene, world, diagnostics, limit_reached, origins, idle, parse_time, build_time }
+    Built { scene, world, diagnostics, limit_reached, origins, unused_branches, parse_time, build_time }
 }
 
 /// Stack size for parser and interpreter, in bytes. Pages that are not used take no memory.

@@ -78,7 +78,7 @@ pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> 
     let file = session::open_or_report(console, &sources, &input)?;
     let timing = session::timing(&merged.scene, animation.as_ref())?;
     let options = session::reading_options(&merged.scene, &input, timing);
-    let options = interpreter::Options { origins: true, ..options };
+    let options = interpreter::Options { record_origins: true, ..options };
     let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
     let world = session::settle(console, &sources, &mut built)?;
     let drawing = render::Options { frame: timing.frame, ..render::Options::new(size.width, size.height) };
