@@ -1,36 +1,38 @@
-//! `background { rgb … }`: what rays see that hit nothing (manual, "Background").
+//! `background { rgb … }`: the colour of rays that hit nothing (manual, "Background").
 
 use super::Segment;
 use crate::color::{Color, Rgb};
 use serde::Serialize;
 
-/// A colour behind everything.
+/// A colour behind all objects.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Background {
-    /// `transmit` is how much shows of what is behind the picture.
+    /// The colour; `transmit` is the share of what is behind the picture.
     #[serde(flatten)]
     pub color: Color,
-    /// Before 3.7: there is nothing of it in a picture that keeps alpha, and all of it in others, whatever it lets pass.
+    /// True for scenes before version 3.7: pictures with alpha have no background, others have all of it (quirk:
+    /// `background_before_3_7`).
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub by_picture: bool,
 }
 
-/// Who looks.
+/// Kind of the ray that reaches the background.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ViewKind {
-    /// A picture that keeps alpha.
+    /// A camera ray of a picture with alpha.
     Alpha,
-    /// A mirror in such a picture.
+    /// A reflected ray of such a picture.
     Mirror,
-    /// A picture without alpha, or a mirror in one.
+    /// Any ray of a picture without alpha.
     Opaque,
 }
 
 impl Background {
-    /// Of a scene that says nothing of it.
+    /// A scene without `background`.
     pub const NONE: Self = Self { color: Color { transmit: 1.0, ..Color::BLACK }, by_picture: false };
 
-    /// Its light, and what transmittance of what is behind the picture (all measured on POV-Ray 3.7).
+    /// Returns the light of the background, and the transmittance for what is behind the picture (quirk:
+    /// `background_by_view`).
     pub fn seen_by(&self, beholder: ViewKind) -> Segment {
         let Color { rgb, filter, transmit } = self.color;
         let whole = Segment { radiance: rgb, transmittance: Rgb::ZERO };
@@ -41,7 +43,7 @@ impl Background {
             ViewKind::Alpha => {
                 Segment { radiance: rgb * (1.0 - filter - transmit), transmittance: self.color.passing() }
             }
-            // What it filters is of its own colour, which is not behind the picture.
+            // Filtered light has the background's own colour.
             ViewKind::Opaque => {
                 Segment { radiance: rgb * (1.0 - transmit), transmittance: Rgb::splat(transmit) + filter * rgb }
             }

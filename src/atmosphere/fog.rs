@@ -1,4 +1,4 @@
-//! `fog { distance D color }`: colour that covers what is far (manual, "Fog"; details measured on POV-Ray 3.7).
+//! `fog { distance D color }`: colour that covers distant objects (manual, "Fog").
 //!
 //! ```pov
 //! fog { distance 30 rgb <0.8, 0.85, 0.9> }
@@ -10,7 +10,7 @@ use crate::diagnostic::Result;
 use crate::math::noise::{self, NoiseGenerator};
 use crate::math::{DVec3, Ray, Transform, fp};
 use crate::pattern::TurbulenceParams;
-use crate::value::Kind::{Float, Vector};
+use crate::value::ValueKind::{Float, Vector};
 use crate::value::words::{Row, joined, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary};
 use serde::Serialize;
@@ -18,21 +18,21 @@ use serde::Serialize;
 /// A fog.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fog {
-    /// 2: the denser the lower; anything else: the same everywhere.
+    /// 2 for ground fog, which is denser below; any other number for uniform fog.
     pub fog_type: f64,
-    /// Where 1/e of the light from behind is left; 0: there is no fog.
+    /// Distance over which light falls to 1/e; 0 for no fog.
     pub distance: f64,
-    /// Its colour; `transmit` is left open at least, `filter` of the light from behind takes the colour.
+    /// Colour; `transmit` is the minimum transmittance, `filter` tints transmitted light.
     pub color: Color,
-    /// Stirs it.
+    /// Turbulence of the density.
     pub turbulence: TurbulenceParams,
-    /// How much of it turbulence may take away.
+    /// Share of the fog that turbulence can remove.
     pub turb_depth: f64,
-    /// Height up to which a ground fog is dense.
+    /// Height up to which ground fog has its full density.
     pub fog_offset: f64,
-    /// How far above that it has half its density.
+    /// Height above `fog_offset` at which ground fog has half its density.
     pub fog_alt: f64,
-    /// Which way is up.
+    /// Upward direction.
     pub up: DVec3,
 }
 
@@ -83,10 +83,10 @@ pub const FOG: Vocabulary = Vocabulary {
 };
 
 impl Fog {
-    /// Reads what stands between the braces.
+    /// Reads what is between the braces.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut fog = Self::default();
         loop {
@@ -114,12 +114,12 @@ impl Fog {
         self.up = by.vector(self.up);
     }
 
-    /// Is there anything of it to see?
+    /// True if the fog has an effect.
     pub fn shows(&self) -> bool {
         self.distance != 0.0
     }
 
-    /// What it does to light that comes along a ray, whose direction has length 1, from as far as `length`.
+    /// Returns radiance and transmittance of the fog along a ray of length 1, up to the distance `length`.
     pub fn segment(&self, ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
         let far = length / self.distance;
         let mut depth = far;
@@ -135,8 +135,8 @@ impl Fog {
         Segment::of(self.color.rgb, clear, self.color.filter)
     }
 
-    /// The mean density of a ground fog on the way: 1 up to its offset, 1/(1 + z²) where z is the height above, in parts of
-    /// `fog_alt`; its integral is z, and above the offset atan z.
+    /// Mean density of ground fog along a ray: 1 up to the offset, 1/(1 + z²) at height z above it, in units of
+    /// `fog_alt`. The integral of the density is z below and atan z above the offset.
     fn density(&self, ray: &Ray, length: f64) -> f64 {
         let up = self.up.normalize_or(DVec3::Y);
         let from = ray.origin.dot(up) - self.fog_offset;
@@ -155,7 +155,7 @@ impl Fog {
     }
 }
 
-/// All fogs in one: each by itself radiance its colour, and takes from what lies behind (measured on POV-Ray 3.7).
+/// Combines all fogs: the radiances are added, the transmittances are multiplied (quirk: `fogs_add`).
 pub fn segment_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
     fogs.iter().map(|fog| fog.segment(ray, length, noise)).fold(Segment::NONE, |all, one| Segment {
         radiance: all.radiance + one.radiance,
@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn filter_and_transmit_as_measured() {
-        // seen in POV-Ray 3.7, of a background <1, 0.5, 0.25> behind endless fog
+        // POV-Ray: a background <1, 0.5, 0.25> behind infinite fog
         let color = Color { rgb: Rgb::new(0.2, 0.4, 0.6), filter: 0.3, transmit: 0.5 };
         let fog = Fog { distance: 20.0, color, ..Fog::default() };
         let veil = fog.segment(&Ray::new(DVec3::ZERO, DVec3::Z), Segment::FAR, NoiseGenerator::default());

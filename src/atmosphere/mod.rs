@@ -1,4 +1,5 @@
-//! What lies between the surfaces and behind them: `fog`, `rainbow`, `sky_sphere`, `background` (manual, "Atmospheric Effects").
+//! Air between surfaces and sky behind them: `fog`, `rainbow`, `sky_sphere`, `background` (manual, "Atmospheric
+//! Effects").
 
 mod background;
 mod fog;
@@ -12,29 +13,29 @@ pub use sky_sphere::{SKY_SPHERE, SkySphere};
 
 use crate::color::{Color, Rgb};
 
-/// What a stretch of air does to light that comes along it.
+/// Light along a segment of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// What it radiance.
+    /// Radiance that the segment adds.
     pub radiance: Rgb,
-    /// What it leaves of the light from behind.
+    /// Share of the light from behind the segment that remains.
     pub transmittance: Rgb,
 }
 
 impl Segment {
-    /// None at all.
+    /// A segment without effect.
     pub const NONE: Self = Self { radiance: Rgb::ZERO, transmittance: Rgb::ONE };
 
-    /// The farthest that a ray gets which hits nothing (measured on POV-Ray 3.7).
+    /// Length of a segment that ends at no surface, in world units (quirk: `fog_far`).
     pub const FAR: f64 = 2e10;
 
-    /// A veil of a colour of which a part `clear` is left open; the rest of the light from behind is filtered by so much of the
-    /// colour as `filter` says.
+    /// A segment of one colour: `clear` is the transmittance, and `filter` the share of transmitted light that takes
+    /// the colour.
     fn of(color: Rgb, clear: f64, filter: f64) -> Self {
         Self { radiance: color * (1.0 - clear), transmittance: clear * (Rgb::splat(1.0 - filter) + filter * color) }
     }
 
-    /// This veil in front of another one.
+    /// Combines this segment with one behind it.
     pub fn in_front_of(self, behind: Segment) -> Self {
         Self {
             radiance: self.radiance + self.transmittance * behind.radiance,
@@ -43,7 +44,7 @@ impl Segment {
     }
 }
 
-/// What is left open of a colour's own veil at most, where it is thick.
+/// Raises a transmittance to the colour's `transmit`.
 fn clear_at_least(color: &Color, clear: f64) -> f64 {
     clear.max(color.transmit)
 }

@@ -1,5 +1,5 @@
-//! `rainbow { direction D angle A width W color_map { … } }`: an arc about the direction of a far light (manual, "Rainbow"; details
-//! measured on POV-Ray 3.7).
+//! `rainbow { direction D angle A width W color_map { … } }`: an arc about the direction of a distant light (manual,
+//! "Rainbow").
 //!
 //! ```pov
 //! rainbow { direction <0, -0.3, 1> angle 42 width 6 color_map { [0 rgbt <1, 0, 0, 0.6>] [1 rgbt <0, 0, 1, 0.6>] } }
@@ -10,7 +10,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Ray, fp};
 use crate::source::Span;
 use crate::texture::ColorMap;
-use crate::value::Kind::{Block, Float, Vector};
+use crate::value::ValueKind::{Block, Float, Vector};
 use crate::value::words::{Row, joined, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary, WordSpec};
 use serde::Serialize;
@@ -19,27 +19,27 @@ use std::sync::Arc;
 /// A rainbow. Angles are in radians.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rainbow {
-    /// The light's, away from it.
+    /// Direction in which the light shines.
     pub direction: DVec3,
-    /// Between it and the middle of the arc.
+    /// Angle between the direction and the middle of the arc.
     pub angle: f64,
-    /// From the inner edge to the outer.
+    /// Angle between the inner and outer edges.
     pub width: f64,
-    /// As a fog's: where 1/e of the light from behind is left.
+    /// Distance over which light falls to 1/e, as in a fog.
     pub distance: f64,
-    /// How far its colours are scattered at random, as a part of the width.
+    /// Random displacement of colours, as a share of the width.
     pub jitter: f64,
-    /// Where the middle of the arc is.
+    /// Direction of the middle of the arc.
     pub up: DVec3,
-    /// How much is seen of the whole turn.
+    /// Angle of the visible part of the circle.
     pub arc_angle: f64,
-    /// How much of that is seen in full; the rest fades towards its ends.
+    /// Angle of the part with full strength; beyond it the arc fades.
     pub falloff_angle: f64,
-    /// From the inner edge to the outer.
+    /// Colours from the inner to the outer edge.
     pub color_map: Option<Arc<ColorMap>>,
 }
 
-/// Of a rainbow that tells none (measured on POV-Ray 3.7): what lies behind shows as if nothing were before it.
+/// Default distance: what is behind shows without attenuation (quirk: `rainbow_default_distance`).
 const USUAL_DISTANCE: f64 = 1e7;
 
 impl Default for Rainbow {
@@ -103,10 +103,10 @@ pub const RAINBOW: Vocabulary = Vocabulary {
 };
 
 impl Rainbow {
-    /// Reads what stands between the braces; `source` is the block's place.
+    /// Reads what is between the braces; `source` is the block's name.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
         let mut rainbow = Self::default();
         loop {
@@ -150,7 +150,8 @@ impl Rainbow {
         Ok(())
     }
 
-    /// What it does to light that comes along a ray from as far as `length`; `None` where it is not. `random` gives numbers in [0, 1).
+    /// Returns radiance and transmittance of the rainbow along a ray, up to the distance `length`; `None` outside the
+    /// arc. `random` returns numbers in [0, 1).
     fn segment(&self, ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Option<Segment> {
         let map = self.color_map.as_ref()?;
         let direction = self.direction.normalize();
@@ -173,7 +174,7 @@ impl Rainbow {
         Some(Segment::of(color.rgb, clear, color.filter * (1.0 - clear)))
     }
 
-    /// How much of the arc is seen at a place, which lies `aside` of its direction: 1 in the middle, 0 past its ends.
+    /// Strength of the arc at a point `aside` of its direction: 1 in the middle, 0 past its ends.
     fn shown(&self, aside: DVec3, direction: DVec3) -> f64 {
         let up = self.up - direction * self.up.dot(direction);
         let from_up = aside.angle_between(up);
@@ -191,7 +192,7 @@ fn smooth_step(x: f64) -> f64 {
     x * x * (3.0 - 2.0 * x)
 }
 
-/// All rainbows that a ray meets in one: their mean (measured on POV-Ray 3.7).
+/// Combines all rainbows that a ray meets: their mean (quirk: `rainbows_average`).
 pub fn segment_of(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
     let met: smallvec::SmallVec<[Segment; 2]> =
         rainbows.iter().filter_map(|rainbow| rainbow.segment(ray, length, random)).collect();
@@ -220,7 +221,7 @@ mod tests {
         Rainbow { direction: DVec3::Z, angle, width, distance: 40.0, color_map, ..Rainbow::default() }
     }
 
-    /// A ray so many degrees from z, and from up.
+    /// A ray at angles, in degrees, from z and from up.
     fn ray(from_z: f64, from_up: f64) -> Ray {
         let ((sin, cos), (s, c)) = (fp::sin_cos(from_z.to_radians()), fp::sin_cos(from_up.to_radians()));
         Ray::new(DVec3::ZERO, DVec3::new(sin * s, sin * c, cos))
@@ -233,7 +234,7 @@ mod tests {
 
     #[test]
     fn as_measured() {
-        // seen in POV-Ray 3.7 before a plane z = 50 of <1, 0.5, 0.25>
+        // POV-Ray: before a plane z = 50 of <1, 0.5, 0.25>
         let plane = 50.0 / fp::cos(20f64.to_radians());
         let color = |filter, transmit| Color { rgb: Rgb::new(0.2, 0.4, 0.6), filter, transmit };
         let close = |a: Rgb, b: [f64; 3]| assert!(a.distance(Rgb::from_array(b)) < 3e-5, "{a} {b:?}");

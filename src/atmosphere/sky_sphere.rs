@@ -1,4 +1,4 @@
-//! `sky_sphere { pigment { … } }`: pigments that are asked about a direction (manual, "Sky Sphere").
+//! `sky_sphere { pigment { … } }`: pigments by direction (manual, "Sky Sphere").
 //!
 //! ```pov
 //! sky_sphere { pigment { gradient y color_map { [0 rgb 1] [1 rgb <0.2, 0.4, 1>] } } }
@@ -9,19 +9,19 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::source::Span;
 use crate::texture::{Pigment, Texture};
-use crate::value::Kind::{Block, Color};
+use crate::value::ValueKind::{Block, Color};
 use crate::value::words::word;
 use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary};
 use serde::Serialize;
 
-/// A sky.
+/// A sky sphere.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SkySphere {
-    /// From the lowest to the topmost.
+    /// Pigments from the lowest to the topmost.
     pub pigments: Vec<Pigment>,
-    /// Factor of their light.
+    /// Factor of the pigments' light.
     pub emission: Rgb,
-    /// Moves all pigments, also those that are written behind it (measured on POV-Ray 3.7).
+    /// Transform of all pigments, also of those written after it (quirk: `sky_sphere_transform`).
     pub transform: Transform,
 }
 
@@ -56,11 +56,11 @@ pub const SKY_SPHERE: Vocabulary = Vocabulary {
 };
 
 impl SkySphere {
-    /// Reads what stands between the braces; `source` is the block's place. Pigments begin
-    /// plain and black whatever the default is, which only those in their maps begin with (measured on POV-Ray 3.7).
+    /// Reads what is between the braces; `source` is the block's name. Pigments start from black, whatever the default
+    /// pigment is; only pigments in their maps start from the default (quirk: `sky_sphere_pigment`).
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader, defaults: &Texture, source: Span) -> Result<Self> {
         let mut sky = Self::default();
         loop {

@@ -1,5 +1,5 @@
-//! `bokeh { pigment { … } }`: where a lens lets how much light through, and so what a point out of focus looks like (measured on POV-Ray
-//! 3.7, whose manual is silent); the picture as a whole stays as bright.
+//! `bokeh { pigment { … } }`: transmittance of the lens by position, which shapes points that are out of focus (quirk:
+//! `bokeh`). The brightness of the picture does not change.
 
 use crate::color::gray;
 use crate::math::DVec2;
@@ -7,21 +7,21 @@ use crate::math::noise::NoiseGenerator;
 use crate::pattern::TextureContext;
 use crate::texture::{Pigment, PigmentProgram};
 
-/// So many cells a side: finer than any lens is seen.
+/// Number of cells along a side of the lens.
 const SIDE: usize = 128;
 
-/// A square lens, lighter and darker, as what shares of its rays lie where.
+/// A square lens: the distribution of rays over its cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bokeh {
-    /// For each row of cells and the end: the share of all light that lies before it.
+    /// For each row of cells, and the end: share of all light before it.
     rows: Vec<f64>,
-    /// The same for each cell of each row, of the row's light.
+    /// For each cell of each row, and the end: share of the row's light before it.
     cells: Vec<Vec<f64>>,
 }
 
 impl Bokeh {
-    /// Asks the pigment for its brightness, which counts from 0 to 1, from <0, 0> to <1, 1>; one that is black everywhere is as good as
-    /// white.
+    /// Evaluates the pigment's brightness, clamped to 0..1, from <0, 0> to <1, 1>. A pigment that is black everywhere
+    /// counts as white.
     pub(super) fn new(pigment: &Pigment, noise: NoiseGenerator, waves: usize) -> Self {
         let program = PigmentProgram::new(pigment);
         Self::of(|at| {
@@ -34,7 +34,7 @@ impl Bokeh {
         let middle = |cell: usize| (cell as f64 + 0.5) / SIDE as f64;
         let light = |x, y| {
             let light = brightness(DVec2::new(middle(x), middle(y)));
-            // (What is no number is no light.)
+            // NaN counts as dark.
             if light > 0.0 { light.min(1.0) } else { 0.0 }
         };
         let weights: Vec<Vec<f64>> = (0..SIDE).map(|y| (0..SIDE).map(|x| light(x, y)).collect()).collect();
@@ -42,16 +42,17 @@ impl Bokeh {
         Self { rows: shares(&sums), cells: weights.iter().map(|row| shares(row)).collect() }
     }
 
-    /// A place of the lens, from -1 to 1 to the right and up, for two numbers in [0, 1): by the inverse of the distribution of its rows,
-    /// then of the cells of a row (Pharr, Jakob, Humphreys: Physically Based Rendering, 2016, 13.6.7), which keeps neighbours.
+    /// Returns a point of the lens, from -1 to 1 to the right and up, for two numbers in [0, 1): inverts the
+    /// distribution of the rows, then of the cells of a row (Pharr, Jakob, Humphreys: Physically Based Rendering, 2016,
+    /// 13.6.7). Neighbours stay neighbours.
     pub(super) fn place(&self, numbers: DVec2) -> DVec2 {
         let (row, y) = invert(&self.rows, numbers.y);
         let (_, x) = invert(&self.cells[row], numbers.x);
-        // The pigment's y goes down (measured).
+        // The pigment's y axis points down.
         DVec2::new(2.0 * x - 1.0, 1.0 - 2.0 * y)
     }
 
-    /// Where the lens's rays lie on average.
+    /// Mean position of the lens's rays.
     #[cfg(test)]
     fn mean(&self) -> DVec2 {
         let n = 200;
@@ -61,7 +62,7 @@ impl Bokeh {
     }
 }
 
-/// What share of the whole lies before each, and before the end; even ones where there is nothing.
+/// Cumulative shares before each weight and before the end; even shares if all weights are 0.
 fn shares(weights: &[f64]) -> Vec<f64> {
     let total: f64 = weights.iter().sum();
     let share = |weight: f64| if total > 0.0 { weight / total } else { 1.0 / weights.len() as f64 };
@@ -75,7 +76,7 @@ fn shares(weights: &[f64]) -> Vec<f64> {
     starts
 }
 
-/// In which cell a share of the whole lies, and where along all of them, from 0 to 1.
+/// Finds the cell that contains a cumulative share; returns its index and the position along all cells, from 0 to 1.
 fn invert(shares: &[f64], at: f64) -> (usize, f64) {
     let cells = shares.len() - 1;
     let cell = shares.partition_point(|share| *share <= at).clamp(1, cells) - 1;
@@ -90,7 +91,7 @@ mod tests {
 
     #[test]
     fn rays_lie_where_the_light_is() {
-        // ∫x·x/∫x = 2/3 of the way across, which is 1/3 of the lens; y goes down
+        // ∫x·x/∫x = 2/3 of the width, which is 1/3 of the lens; y points down
         let sloping = Bokeh::of(|at| at.x);
         assert!(sloping.mean().distance(DVec2::X / 3.0) < 1e-4, "{}", sloping.mean());
         let low = Bokeh::of(|at| f64::from(at.y > 0.5));

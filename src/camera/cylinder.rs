@@ -1,16 +1,17 @@
-//! `cylinder N`: on a cylinder about the axis that goes up (types 1 and 3) or across (2 and 4); the eye stays in the middle (1 and 2) or
-//! moves along the axis (3 and 4; manual, "Cylindrical").
+//! `cylinder N`: projection onto a cylinder about the vertical (types 1 and 3) or horizontal axis (2 and 4); the eye is
+//! fixed (1 and 2) or moves along the axis (3 and 4; manual, "Cylindrical").
 
 use super::lowered::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
-/// The ray; `angle` is that about the axis. Bumps are asked at that angle and the length along the axis.
+/// Returns the ray; `angle` is the angle of view about the axis. Bumps are evaluated at the angle and the length along
+/// the axis.
 pub(super) fn ray(kind: u8, at: DVec2, lengths: DVec3, angle: f64) -> LocalRay {
     let upright = matches!(kind, 1 | 3);
     let turn = if upright { at.x } else { at.y };
     let along = if upright { at.y * lengths.y } else { at.x * lengths.x };
     let (sin, cos) = fp::sin_cos(turn * angle);
-    // (Along the axis, about it, ahead), turned to (right, up, ahead).
+    // (Along the axis, about the axis, ahead) to (right, up, ahead).
     let turned = |along: f64, about: f64| if upright { DVec2::new(about, along) } else { DVec2::new(along, about) };
     let place = turned(along, turn * angle);
     match kind {

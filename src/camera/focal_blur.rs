@@ -1,34 +1,35 @@
-//! `aperture`, `blur_samples`, `focal_point` …: what is not in focus is blurred (manual, "Focal Blur").
+//! `aperture`, `blur_samples`, `focal_point` …: depth of field (manual, "Focal Blur").
 
 use super::Bokeh;
 use super::povray::PovrayCamera;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Ray, fp};
-use crate::value::Kind::{Float, Vector};
 use crate::value::Reader;
+use crate::value::ValueKind::{Float, Vector};
 use crate::value::words::{Row, set, word};
 use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::sync::Arc;
 
-/// A lens.
+/// Settings of focal blur as written.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FocalBlur {
-    /// Four times the radius of the lens (measured on POV-Ray 3.7); 0: all is in focus.
+    /// Four times the radius of the lens (quirk: `aperture_is_four_radii`); 0 for no blur.
     pub aperture: f64,
-    /// What is in focus, and all that lies as far ahead.
+    /// A point of the plane in focus.
     pub focal_point: DVec3,
-    /// So many rays a pixel at least and at most.
+    /// Minimum and maximum number of rays a pixel.
     pub samples: [u32; 2],
-    /// How sure it has to be that a pixel is as smooth as `variance` says, from 0 to 1.
+    /// Probability, from 0 to 1, with which the variance of a pixel must be below `variance`.
     pub confidence: f64,
-    /// No more rays are cast where the variance of the mean of those so far is no more than this, times their part of the most; 0: all are.
+    /// Variance of the mean of a pixel's rays at which no more rays are cast, in proportion to their share of the
+    /// maximum; 0 to cast all.
     pub variance: f64,
 }
 
-/// Of scenes that say nothing (measured on POV-Ray 3.7, which casts as many as with this, not as with the 1/128 of its manual).
+/// Default variance (quirk: `focal_blur_defaults`; the manual says 1/128).
 const USUAL_VARIANCE: f64 = 1e-4;
-/// So many rays are cast at least, if that is not said either (measured on POV-Ray 3.7).
+/// Default minimum number of rays (quirk: `focal_blur_defaults`).
 const USUAL_LEAST: u32 = 7;
 
 impl Default for FocalBlur {
@@ -37,7 +38,7 @@ impl Default for FocalBlur {
     }
 }
 
-/// How its words are read.
+/// Words of focal blur, and how each is read.
 pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
     word(
         "aperture",
@@ -61,7 +62,7 @@ pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
     .sets(|s, r| set(&mut s.blur.variance, r.float().map(f64::abs))),
 ];
 
-/// So many rays a pixel are more than anyone waits for.
+/// Maximum number of rays a pixel.
 const MOST: f64 = 1e6;
 
 impl FocalBlur {
@@ -81,7 +82,8 @@ impl FocalBlur {
         Ok(())
     }
 
-    /// As a ray needs it, if anything is blurred; `origin` and `ahead`, which has length 1, are the camera's, all in one space.
+    /// Lowers the settings; `None` without blur. `origin` and `ahead`, of length 1, are the camera's, in the same space
+    /// as the focal point.
     pub(super) fn lens(&self, origin: DVec3, ahead: DVec3) -> Option<Lens> {
         let distance = (self.focal_point - origin).dot(ahead);
         if self.aperture == 0.0 || self.samples[1] == 0 || distance == 0.0 || !distance.is_finite() {
@@ -103,25 +105,26 @@ impl FocalBlur {
 /// A lowered lens.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Lens {
-    /// In world space.
+    /// Radius in world units.
     pub radius: f64,
-    /// How far ahead of the eye all is in focus.
+    /// Distance of the plane in focus.
     pub distance: f64,
-    /// So many rays a pixel at least and at most.
+    /// Minimum and maximum number of rays a pixel.
     pub samples: [u32; 2],
-    /// The mean of a pixel may have this variance; 0: all rays are cast.
+    /// Variance of the mean of a pixel that is acceptable; 0 to cast all rays.
     pub variance: f64,
-    /// Of the normal distribution, for the probability with which it has to have no more.
+    /// Quantile of the normal distribution for the required confidence.
     pub quantile: f64,
-    /// How light it is where, if it is no plain disc: a square then, twice the radius wide.
+    /// Transmittance over a square of twice the radius; `None` for a disc.
     #[serde(skip)]
     pub bokeh: Option<Arc<Bokeh>>,
 }
 
 impl Lens {
-    /// Are `count` rays enough, of which one channel has this sum of squares about its mean? As POV-Ray 3.7 was seen to stop, with 37 to
-    /// 1000 rays at most and confidences of 0.1 to 0.99: where the variance of the mean is so small a part of the allowed one as the rays
-    /// are of the most. How sure that is, is told by √(χ²/n), χ² by Wilson and Hilferty (The distribution of chi-square, 1931).
+    /// True if `count` rays are enough, one channel of which has this sum of squares about its mean (quirk:
+    /// `focal_blur_convergence`): the variance of the mean must be as small a part of the acceptable variance as the
+    /// rays are of the maximum. The confidence is √(χ²/n), with χ² by Wilson and Hilferty (The distribution of
+    /// chi-square, 1931).
     pub fn suffices(&self, count: u32, squares: f64) -> bool {
         let n = f64::from(count);
         let k = 2.0 / (9.0 * n);
@@ -130,8 +133,8 @@ impl Lens {
         self.variance > 0.0 && squares * f64::from(self.samples[1]) <= self.variance * sure * n * n * (n + 1.0)
     }
 
-    /// The ray that goes through a place of the lens and meets a ray through its middle where things are in focus; `place` is two
-    /// numbers in [0, 1), `axes` are the unit vectors right, up and ahead.
+    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `place` is in [0, 1)²,
+    /// `axes` are the unit vectors right, up and ahead.
     pub fn through(&self, ray: &Ray, place: DVec2, axes: &[DVec3; 3]) -> Ray {
         let [right, up, ahead] = *axes;
         let focus = ray.at(self.distance / ray.dir.dot(ahead));
@@ -141,7 +144,7 @@ impl Lens {
     }
 }
 
-/// A place on the unit disc for one of the unit square, which keeps areas and neighbours (Shirley and Chiu 1997).
+/// Maps the unit square to the unit disc; preserves areas and neighbours (Shirley and Chiu 1997).
 fn on_disc(place: DVec2) -> DVec2 {
     let p = place * 2.0 - 1.0;
     if p == DVec2::ZERO {
@@ -153,8 +156,8 @@ fn on_disc(place: DVec2) -> DVec2 {
     DVec2::new(cos, sin) * r
 }
 
-/// The quantile of the normal distribution: the inverse of erf, times √2, by Winitzki's formula (A handy approximation for the error
-/// function and its inverse, 2008; 0.2 % off).
+/// Quantile of the normal distribution: √2 times the inverse of erf, by Winitzki's formula (A handy approximation for
+/// the error function and its inverse, 2008; error 0.2 %).
 fn quantile(probability: f64) -> f64 {
     const A: f64 = 0.147;
     let x = 2.0 * probability - 1.0;
@@ -186,7 +189,8 @@ mod tests {
 
     #[test]
     fn stops_where_pov_ray_does() {
-        // Seen with `confidence 0.975 variance 1/255`: one white ray is enough of 23, but not of 19; half of them not of 35.
+        // POV-Ray with `confidence 0.975 variance 1/255`: one white ray is enough of 23, but not of 19; half of them
+        // not of 35.
         let blur = FocalBlur {
             aperture: 1.0,
             confidence: 0.975,
@@ -198,7 +202,8 @@ mod tests {
         let squares = |n: f64, white: f64| white * (n - white) / n;
         assert!(lens.suffices(23, squares(23.0, 1.0)) && !lens.suffices(19, squares(19.0, 1.0)));
         assert!(!lens.suffices(35, squares(35.0, 17.0)) && lens.suffices(7, 0.0));
-        // Half of the rays each of two grays, at which POV-Ray's pixels have so many rays in the mean (asked now and then, so a few more).
+        // Half of the rays are of one gray, half of another, for which POV-Ray's pixels have this mean number of rays
+        // (tested at intervals, so durer casts a few more).
         for (most, confidence, variance, difference, seen) in [
             (1000, 0.9, 0.01 / 64.0, 0.2, 258.5),
             (1000, 0.99, 0.01 / 64.0, 0.2, 266.2),
@@ -212,7 +217,7 @@ mod tests {
             let needed = (1..=most).find(|n| lens.suffices(*n, f64::from(*n) * difference * difference / 4.0)).unwrap();
             assert!((f64::from(needed) - seen).abs() < 0.05 * seen, "{most} {confidence}: {needed}, not {seen}");
         }
-        // With 0 even an even pixel takes all (2000 rays a pixel: 0.78 s, and 0.01 s with 1/100000).
+        // With 0 even a uniform pixel takes all rays (2000 rays a pixel: 0.78 s, and 0.01 s with 1/100000).
         assert!(!Lens { variance: 0.0, ..lens }.suffices(7, 0.0));
     }
 

@@ -1,5 +1,5 @@
 //! The lecture's camera ("Generating rays"), right-handed: `camera { eye <..> center <..> up <..> fov_x 60 fov_y 45 }`.
-//! An addition of durer's. One of the two angles may be left out: the pixels are then square.
+//! An addition of durer. If one angle is left out, pixels are square.
 
 use super::lowered::{Frame, LoweredCamera, Projection};
 use super::perspective::Window;
@@ -9,22 +9,22 @@ use crate::source::Span;
 use crate::value::{Reader, Unsupported};
 use serde::Serialize;
 
-/// As it was written.
+/// The camera as written.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LectureCamera {
-    /// Where it is.
+    /// Position of the eye.
     pub eye: DVec3,
-    /// The point in the middle of the picture.
+    /// The point in the centre of the picture.
     pub center: DVec3,
-    /// Which way is up.
+    /// Direction that points up in the picture.
     pub up: DVec3,
     /// Horizontal angle of view in degrees.
     pub fov_x: Option<f64>,
     /// Vertical angle of view in degrees.
     pub fov_y: Option<f64>,
-    /// Applied to all of it in the end.
+    /// Transform of the whole camera.
     pub transform: Transform,
-    /// What was said and is not drawn yet.
+    /// Items that are read and not rendered yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
@@ -55,7 +55,7 @@ impl LectureCamera {
         Ok(())
     }
 
-    /// As a ray needs it: p(i, j) = eye + α·u + β·v − w.
+    /// Lowers the camera: p(i, j) = eye + α·u + β·v − w.
     pub fn eye(&self) -> LoweredCamera {
         let w = (self.eye - self.center).normalize();
         let u = self.up.cross(w).normalize();
@@ -71,7 +71,7 @@ impl LectureCamera {
     }
 }
 
-/// The window of a frame of unit vectors; where one tangent is missing, pixels are square.
+/// The window of a frame of unit vectors; a missing tangent follows from square pixels.
 pub(super) fn window(frame: &Frame, (tan_x, tan_y): (Option<f64>, Option<f64>), width: usize, height: usize) -> Window {
     let aspect = width as f64 / height as f64;
     let tan_x = tan_x.or(tan_y.map(|y| y * aspect)).unwrap_or(aspect);
@@ -85,7 +85,7 @@ pub(super) fn window(frame: &Frame, (tan_x, tan_y): (Option<f64>, Option<f64>), 
     }
 }
 
-/// An angle of view.
+/// Reads an angle of view.
 pub(super) fn read_field_of_view(word: &str, r: &mut dyn Reader) -> Result<Option<f64>> {
     let (at, angle) = (r.span(), r.float()?);
     if angle > 0.0 && angle < 180.0 {

@@ -1,4 +1,4 @@
-//! Cameras as a ray needs them: vectors in world space and angles in radians; nothing to look at, no degrees, no defaults.
+//! Lowered cameras: vectors in world space and angles in radians; no `look_at`, degrees or defaults.
 
 use super::perspective::Window;
 use super::{Bumps, Lens, MeshRays, cylinder, fisheye, omnimax, orthographic, panoramic, spherical, ultra_wide_angle};
@@ -9,102 +9,102 @@ use std::sync::Arc;
 /// A lowered camera.
 #[derive(Clone, Debug, Serialize)]
 pub struct LoweredCamera {
-    /// Where it is and where it looks.
+    /// Position and orientation.
     pub frame: Frame,
-    /// How it projects.
+    /// Projection.
     pub projection: Projection,
-    /// What blurs, if anything does.
+    /// Lens of focal blur; `None` for a pinhole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lens: Option<Lens>,
-    /// What turns the rays as bumps turn a surface's normal, if anything does.
+    /// Perturbation of rays by a `normal`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bumps: Option<Bumps>,
 }
 
-/// The vectors of a camera, in world space.
+/// Vectors of a camera, in world space.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Frame {
-    /// The eye.
+    /// Position of the eye.
     pub origin: DVec3,
-    /// To the middle of the picture.
+    /// From the eye to the centre of the window.
     pub direction: DVec3,
-    /// Across the picture; its length is the picture's width.
+    /// Horizontal side of the window; its length is the width.
     pub right: DVec3,
-    /// Up the picture; its length is the picture's height.
+    /// Vertical side of the window; its length is the height.
     pub up: DVec3,
 }
 
-/// How a camera projects. Each has a file of its own with its formula.
+/// Projection of a camera. Each formula has a file of its own.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Projection {
     /// Rays from one point through a window.
     Perspective,
-    /// The lecture's window: half its sides at distance 1 are the tangents; of which one may follow from square pixels.
+    /// The lecture's window at distance 1; a missing tangent follows from square pixels.
     Lecture {
-        /// Of half the angle of view across.
+        /// Tangent of half the horizontal angle of view.
         tan_x: Option<f64>,
-        /// Of half the angle of view from top to bottom.
+        /// Tangent of half the vertical angle of view.
         tan_y: Option<f64>,
     },
     /// Parallel rays.
     Orthographic,
-    /// All directions in a disc: see the file of this name. The angle is that of the whole disc.
+    /// See `fisheye`; the angle of the whole disc.
     Fisheye(f64),
-    /// See the file of this name. The angle is that from left to right.
+    /// See `ultra_wide_angle`; the horizontal angle.
     UltraWideAngle(f64),
-    /// See the file of this name.
+    /// See `omnimax`.
     Omnimax,
-    /// See the file of this name.
+    /// See `panoramic`.
     Panoramic,
-    /// See the file of this name. The number is the type, 1 to 4; the angle is that across, or for types 2 and 4 that upright.
+    /// See `cylinder`; the type, 1 to 4, and the angle about the axis.
     Cylinder(u8, f64),
-    /// See the file of this name. The angles are those across and upright.
+    /// See `spherical`; the horizontal and vertical angles.
     Spherical(DVec2),
     /// Rays from the faces of meshes.
     Mesh(#[serde(skip)] Arc<MeshRays>),
 }
 
 impl Frame {
-    /// The unit vectors of right, up, ahead, and the lengths they had.
+    /// Returns the unit vectors right, up and ahead, and the lengths of the three vectors.
     pub fn axes(&self) -> ([DVec3; 3], DVec3) {
         let vectors = [self.right, self.up, self.direction];
         (vectors.map(DVec3::normalize_or_zero), DVec3::from_array(vectors.map(DVec3::length)))
     }
 }
 
-/// The rays of one picture of a size.
+/// The rays of a picture of one size.
 #[derive(Clone, Debug)]
 pub struct View {
     rays: Rays,
     bumps: Option<Bumps>,
-    /// The picture, in pixels.
+    /// Size of the picture in pixels.
     size: DVec2,
 }
 
 #[derive(Clone, Debug)]
 enum Rays {
-    /// Those of most cameras.
+    /// Rays through a flat window.
     Window(Window),
-    /// Those of all others.
+    /// Rays of a curved projection, or with bumps.
     Bent(Box<Bent>),
-    /// Those from the faces of meshes.
+    /// Rays from the faces of meshes.
     Faces(Arc<MeshRays>),
 }
 
-/// Rays that no flat window gives.
+/// A projection that is not a flat window.
 #[derive(Clone, Debug)]
 struct Bent {
     projection: Projection,
     origin: DVec3,
-    /// Unit vectors: right, up, ahead.
+    /// Unit vectors right, up and ahead.
     axes: [DVec3; 3],
-    /// Lengths: the picture's width and height, and that of the direction.
+    /// Lengths: width and height of the window, length of the direction.
     lengths: DVec3,
 }
 
 impl LoweredCamera {
-    /// The rays of a picture of so many pixels.
+    /// The rays of a picture of this size in pixels.
     pub fn view(&self, width: usize, height: usize) -> View {
         let frame = self.frame;
         let rays = match self.projection.clone() {
@@ -123,22 +123,23 @@ impl LoweredCamera {
 }
 
 impl View {
-    /// How many rays a point of the picture may have.
+    /// Maximum number of rays through a point of the picture.
     pub fn count(&self) -> usize {
         if let Rays::Faces(mesh) = &self.rays { mesh.count() } else { 1 }
     }
 
-    /// How far the camera sees.
+    /// Maximum distance of a hit, in world units.
     pub fn reach(&self) -> f64 {
         if let Rays::Faces(mesh) = &self.rays { mesh.reach() } else { f64::INFINITY }
     }
 
-    /// The unit ray through a point of the picture, in pixels from its top left corner; `None` where the camera sees nothing.
+    /// Returns the unit ray through a point of the picture, in pixels from the top left corner; `None` where the camera
+    /// has no ray.
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
         self.ray_of(x, y, 0)
     }
 
-    /// Of several rays, the one of that number.
+    /// Returns ray `number` of several.
     pub fn ray_of(&self, x: f64, y: f64, number: usize) -> Option<Ray> {
         // -½ to ½, to the right and up
         let at = || DVec2::new(x / self.size.x - 0.5, 0.5 - y / self.size.y);
@@ -146,13 +147,13 @@ impl View {
             Rays::Window(window) if self.bumps.is_none() => return Some(window.ray(x, y)),
             Rays::Window(window) => (window.ray(x, y), at()),
             Rays::Bent(bent) => bent.ray(at())?,
-            // (All have the bumps of one place: measured on POV-Ray 3.7.)
+            // quirk: mesh_camera_bumps
             Rays::Faces(mesh) => (mesh.ray(x, y, number, self.size)?, DVec2::ZERO),
         };
         Some(self.bumps.as_ref().map_or(ray, |bumps| bumps.turn(ray, place)))
     }
 
-    /// Where all rays begin; `None` if each begins elsewhere.
+    /// Common origin of all rays; `None` if each ray has its own.
     pub fn origin(&self) -> Option<DVec3> {
         match &self.rays {
             Rays::Window(window) => Some(window.origin),
@@ -162,7 +163,7 @@ impl View {
         }
     }
 
-    /// The flat window, of a camera that has one and no bumps.
+    /// The flat window of a camera without bumps.
     pub fn window(&self) -> Option<&Window> {
         match &self.rays {
             Rays::Window(window) if self.bumps.is_none() => Some(window),
@@ -172,16 +173,16 @@ impl View {
 }
 
 impl Bent {
-    /// Does each ray begin elsewhere?
+    /// True if each ray has its own origin.
     fn moves(&self) -> bool {
         matches!(self.projection, Projection::Orthographic | Projection::Cylinder(3 | 4, _))
     }
 
-    /// The ray through a place of the picture, from -½ to ½ to the right and up, and where bumps are asked.
+    /// Returns the ray through a position of the picture, from -½ to ½ to the right and up, and the position for bumps.
     fn ray(&self, at: DVec2) -> Option<(Ray, DVec2)> {
         let lengths = self.lengths;
         let sight = match &self.projection {
-            // (These have a window, or faces.)
+            // These have a window or faces.
             Projection::Perspective | Projection::Lecture { .. } | Projection::Mesh(_) => return None,
             Projection::Orthographic => orthographic::ray(at, lengths),
             Projection::Fisheye(angle) => fisheye::ray(at, lengths, *angle)?,
@@ -201,18 +202,18 @@ impl Bent {
     }
 }
 
-/// What a projection makes of a place of the picture.
+/// A ray in the camera's own axes.
 pub(super) struct LocalRay {
-    /// Where the ray begins, along right and up.
+    /// Origin along right and up.
     pub(super) origin: DVec2,
-    /// Along right, up and ahead; of any length.
+    /// Direction along right, up and ahead, of any length.
     pub(super) dir: DVec3,
-    /// Where bumps are asked.
+    /// Position for bumps.
     pub(super) place: DVec2,
 }
 
 impl LocalRay {
-    /// A ray that begins at the eye.
+    /// A ray that starts at the eye.
     pub(super) fn from_eye(dir: DVec3, place: DVec2) -> Self {
         Self { origin: DVec2::ZERO, dir, place }
     }

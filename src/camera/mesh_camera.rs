@@ -1,5 +1,5 @@
-//! `mesh_camera { rays distribution [distance] mesh { … } … [smooth] }`: a ray from the middle of each triangle, along its normal (manual,
-//! "Mesh Camera").
+//! `mesh_camera { rays distribution [distance] mesh { … } … [smooth] }`: a ray from the centre of each triangle, along
+//! its normal (manual, "Mesh Camera").
 
 use super::povray::{Kind, PovrayCamera};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -11,33 +11,33 @@ use serde::Serialize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// As it was written.
+/// The camera as written.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MeshCamera {
-    /// So many rays a pixel, one for each mesh.
+    /// Number of rays a pixel, one for each mesh.
     pub rays: usize,
-    /// How faces and pixels belong together.
+    /// Assignment of faces to pixels.
     pub distribution: Distribution,
-    /// What lies farther away is not seen.
+    /// Maximum distance of a hit.
     pub reach: f64,
-    /// Rays go along the normals of the corners, as far as there are some.
+    /// True to interpolate the normals of corners.
     pub smooth: bool,
-    /// In the order in which they were written.
+    /// The meshes, in the order written.
     #[serde(skip)]
     pub meshes: Vec<PlacedMesh>,
 }
 
-/// The faces of a mesh where it lies.
+/// The faces of a mesh with its transform.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedMesh {
-    /// In its own space, in the order in which they were written. Copies of one mesh share them.
+    /// Faces in object space, in the order written. Copies of one mesh share them.
     pub faces: Arc<[Face]>,
-    /// From there to world space.
+    /// World from object.
     pub transform: Transform,
 }
 
 impl PlacedMesh {
-    /// The middle of a face and its normal, of any length.
+    /// Centre of a face and its normal, of any length.
     fn middle(&self, index: usize) -> Option<(DVec3, DVec3)> {
         let Face { corners: [a, b, c], normal, .. } = self.faces.get(index)?;
         Some((self.transform.point((*a + *b + *c) / 3.0), self.transform.normal(*normal)))
@@ -49,25 +49,25 @@ impl PlacedMesh {
     }
 }
 
-/// How faces and pixels belong together; the numbers are those of the manual.
+/// Assignment of faces to pixels; the numbers are those of the manual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Distribution {
     /// 0: each mesh has a face for each pixel, row by row.
     Layers,
-    /// 1: all meshes together have.
+    /// 1: all meshes together have a face for each pixel.
     Row,
-    /// 2: each mesh has a stripe of the picture.
+    /// 2: each mesh covers a stripe of the picture.
     Stripes,
-    /// 3: a pixel belongs to the face whose uv it lies in.
+    /// 3: a pixel belongs to the face that contains its uv.
     Uv,
 }
 
-/// What reads a mesh between the braces of its block; objects lie above this layer.
+/// Reads a mesh between the braces of its block; objects are above this layer.
 pub type ReadMesh<'a> = &'a mut dyn FnMut(&mut dyn Reader) -> Result<PlacedMesh>;
 
 impl PovrayCamera {
-    /// Reads what stands between the braces.
+    /// Reads what is between the braces.
     pub(super) fn read_mesh_camera(&mut self, r: &mut dyn Reader, read_mesh: ReadMesh) -> Result<()> {
         let mut camera = MeshCamera::read_numbers(r)?;
         loop {
@@ -127,17 +127,17 @@ impl MeshCamera {
 #[derive(Debug)]
 pub struct MeshRays {
     camera: Arc<MeshCamera>,
-    /// How far before its face a ray begins.
+    /// Distance between the origin of a ray and its face.
     offset: f64,
-    /// Do rays go the other way?
+    /// True if rays point against the normals.
     reversed: bool,
-    /// Over the faces of the first mesh, in the plane of their uv; and their numbers in its order.
+    /// Hierarchy over the faces of the first mesh in uv space, and their numbers in its order.
     by_uv: (Bvh, Vec<u32>),
 }
 
 impl MeshRays {
-    /// Of the camera's location and direction only z counts (measured on POV-Ray 3.7): how far before the face a ray begins, and whether
-    /// it goes back.
+    /// Lowers the camera. Of location and direction only z counts: the distance before the face, and the sign of the
+    /// direction (quirk: `mesh_camera_location`).
     pub(super) fn new(camera: &Arc<MeshCamera>, location: DVec3, direction: DVec3) -> Self {
         let boxes = match camera.distribution {
             Distribution::Uv => camera.meshes[0].faces.iter().map(uv_box).collect(),
@@ -149,18 +149,18 @@ impl MeshRays {
         Self { camera: camera.clone(), offset: location.z, reversed: direction.z < -1e-10, by_uv: (bvh, order) }
     }
 
-    /// How many rays a point of the picture may have.
+    /// Maximum number of rays through a point of the picture.
     pub fn count(&self) -> usize {
         if self.camera.distribution == Distribution::Layers { self.camera.rays } else { 1 }
     }
 
-    /// How far they see.
+    /// Maximum distance of a hit.
     pub fn reach(&self) -> f64 {
         self.camera.reach
     }
 
-    /// The ray of that number through a point of the picture, in pixels, if there is a face. (POV-Ray 3.7 sees the first row twice, and so
-    /// no face of the last one; and the last column by uv half a pixel earlier: all measured.)
+    /// Returns ray `number` through a point of the picture, in pixels; `None` without a face. (quirk:
+    /// `mesh_camera_first_row`)
     pub(super) fn ray(&self, x: f64, y: f64, number: usize, size: DVec2) -> Option<Ray> {
         let (x, y) = (x.min(size.x - 1.0), y.max(1.0) - 1.0);
         let meshes = &self.camera.meshes;
@@ -168,7 +168,7 @@ impl MeshRays {
         match self.camera.distribution {
             Distribution::Layers => self.of_face(meshes.get(number)?, index),
             Distribution::Row => {
-                // (So many faces have the meshes up to that one.)
+                // Number of faces of all meshes up to this one.
                 let mut end = 0;
                 let mesh = meshes.iter().find(|mesh| {
                     end += mesh.faces.len();
@@ -190,7 +190,7 @@ impl MeshRays {
         self.from(middle, normal)
     }
 
-    /// From the place of the first face that has this uv.
+    /// Returns the ray from the first face that contains this uv.
     fn by_uv(&self, uv: DVec2) -> Option<Ray> {
         let (bvh, order) = &self.by_uv;
         let mut first: Option<(u32, DVec3)> = None;
@@ -226,7 +226,7 @@ fn uv_box(face: &Face) -> Aabb {
     }
 }
 
-/// The weights of the corners of a face at a uv, if that lies within it.
+/// Barycentric weights of a uv in a face; `None` outside.
 fn within(face: &Face, uv: DVec2) -> Option<DVec3> {
     let [a, b, c] = face.uv?;
     let area = (b - a).perp_dot(c - a);
@@ -251,7 +251,7 @@ mod tests {
         MeshRays::new(&Arc::new(camera), DVec3::Z * 2.0, DVec3::Z)
     }
 
-    /// Seen in POV-Ray 3.7: which face is in which pixel of a picture of 4 by 3, and of 7 by 3 with stripes.
+    /// POV-Ray: which face is in which pixel of a picture of 4 by 3, and of 7 by 3 with stripes.
     #[test]
     fn faces_of_pixels() {
         let mesh = |n: usize| (0..n).map(|i| face(i as f64, [DVec2::ZERO; 3])).collect::<Vec<_>>();

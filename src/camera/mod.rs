@@ -1,4 +1,4 @@
-//! `camera`: POV-Ray's (manual, "Camera") and the lecture's; and what a ray needs of them, [`LoweredCamera`].
+//! `camera`: POV-Ray's (manual, "Camera") and the lecture's; both are lowered to [`LoweredCamera`].
 
 mod bokeh;
 mod bumps;
@@ -38,13 +38,13 @@ use serde::Serialize;
 use std::sync::Arc;
 use words::{KIND_ROWS, LECTURE, LECTURE_ROWS, POVRAY, POVRAY_ROWS};
 
-/// Any camera.
+/// A camera as written.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Camera {
-    /// POV-Ray's.
+    /// POV-Ray's camera.
     Povray(PovrayCamera),
-    /// `eye center up fov_x fov_y`.
+    /// The lecture's camera: `eye center up fov_x fov_y`.
     Lecture(LectureCamera),
 }
 
@@ -61,10 +61,10 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Reads what stands between the braces; `source` is the block's place, and `mesh` reads the meshes of a mesh camera.
+    /// Reads what is between the braces; `source` is the block's name, and `mesh` reads the meshes of a mesh camera.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader, source: Span, defaults: &Texture, mesh: ReadMesh) -> Result<Self> {
         let mut povray = PovrayCamera::default();
         if let Some(declared) = r.thing::<Camera>()? {
@@ -141,7 +141,7 @@ impl Camera {
         if r.next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", &words::names()).into()) }
     }
 
-    /// As a ray needs it; `noise` and `waves` are the scene's, for a `normal`.
+    /// Lowers the camera; `noise` and `waves` are the scene's settings, for a `normal`.
     pub fn eye(&self, noise: NoiseGenerator, waves: usize) -> LoweredCamera {
         match self {
             Camera::Povray(camera) => {
@@ -157,7 +157,7 @@ impl Camera {
     }
 }
 
-/// What stands in `bokeh { }`: pigments, of which the last counts.
+/// Reads `bokeh { }`: pigments, of which the last counts.
 fn read_bokeh(r: &mut dyn Reader, defaults: &Texture) -> Result<Option<Arc<Pigment>>> {
     let mut pigment = None;
     loop {

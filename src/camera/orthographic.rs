@@ -1,10 +1,10 @@
-//! `orthographic`: parallel rays, so that nothing gets smaller with the distance (manual, "Orthographic"). Its window stands at the
-//! camera's location, and is `right` wide and `up` high.
+//! `orthographic`: parallel rays through a window at the camera's location, `right` wide and `up` high (manual,
+//! "Orthographic").
 
 use super::lowered::LocalRay;
 use crate::math::{DVec2, DVec3};
 
-/// The ray.
+/// Returns the ray.
 pub(super) fn ray(at: DVec2, lengths: DVec3) -> LocalRay {
     LocalRay { origin: at * lengths.truncate(), dir: DVec3::Z, place: at }
 }

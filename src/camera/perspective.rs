@@ -4,13 +4,13 @@ use super::lowered::Frame;
 use crate::math::{DVec3, Ray};
 use serde::Serialize;
 
-/// Where the rays of a picture come from: p(x, y) = origin, direction corner + x·across + y·down, with x and y in
-/// pixels from the top left corner of the picture. All in world space; directions are not normalised.
+/// Rays through a flat window: from `origin` in the direction corner + x·across + y·down, with x and y in pixels from
+/// the top left corner of the picture. In world space, not normalised.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Window {
-    /// The eye.
+    /// Position of the eye.
     pub origin: DVec3,
-    /// Towards the top left corner.
+    /// Direction to the top left corner.
     pub corner: DVec3,
     /// One pixel to the right.
     pub across: DVec3,
@@ -19,7 +19,7 @@ pub struct Window {
 }
 
 impl Window {
-    /// The window of a frame for a picture of so many pixels.
+    /// The window of a frame for a picture of this size in pixels.
     pub(super) fn of(frame: &Frame, width: usize, height: usize) -> Self {
         Self {
             origin: frame.origin,
@@ -29,7 +29,7 @@ impl Window {
         }
     }
 
-    /// The unit ray through a point of the picture; the centre of pixel (i, j) is (i + ½, j + ½).
+    /// Returns the unit ray through a point of the picture; the centre of pixel (i, j) is (i + ½, j + ½).
     pub fn ray(&self, x: f64, y: f64) -> Ray {
         let dir = self.corner + self.across * x + self.down * y;
         Ray::new(self.origin, dir.normalize())

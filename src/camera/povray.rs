@@ -1,5 +1,5 @@
-//! POV-Ray's camera. The order of its words does not matter (measured on 3.7): all are collected, then `angle` sets the length of
-//! `direction`, `look_at` turns everything, and transforms come last.
+//! POV-Ray's camera. The order of words does not matter (quirk: `camera_word_order`): `angle` sets the length of
+//! `direction`, then `look_at` turns the camera, and transforms come last.
 
 use super::lowered::{Frame, LoweredCamera, Projection};
 use super::{FocalBlur, MeshCamera, MeshRays};
@@ -11,45 +11,45 @@ use crate::value::{Reader, Unsupported};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// As it was written.
+/// The camera as written.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PovrayCamera {
-    /// How it projects.
+    /// Kind of projection.
     pub kind: Kind,
-    /// The eye.
+    /// Position of the eye.
     pub location: DVec3,
-    /// From the eye to the middle of the window.
+    /// From the eye to the centre of the window.
     pub direction: DVec3,
-    /// Across the window.
+    /// Horizontal side of the window.
     pub right: DVec3,
-    /// Up the window.
+    /// Vertical side of the window.
     pub up: DVec3,
-    /// Which way `look_at` keeps upright.
+    /// Direction that `look_at` keeps upright.
     pub sky: DVec3,
-    /// The point in the middle of the picture.
+    /// The point in the centre of the picture.
     pub look_at: Option<DVec3>,
     /// Horizontal angle of view in degrees.
     pub angle: Option<f64>,
-    /// Vertical angle of view in degrees; only the spherical camera has one.
+    /// Vertical angle of view in degrees, for the spherical camera.
     pub vertical_angle: Option<f64>,
-    /// Has `right` or `up` been said? The window of an orthographic camera is that large then, at any distance.
+    /// True if `right` or `up` is stated, which fixes the window of an orthographic camera.
     pub sized: bool,
-    /// Where the angle was written.
+    /// Text of the angle.
     pub angle_span: Span,
-    /// What is not in focus is blurred.
+    /// Focal blur.
     pub blur: FocalBlur,
-    /// Where its rays begin, if it is made of meshes.
+    /// Meshes of a mesh camera.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<Arc<MeshCamera>>,
-    /// What turns its rays.
+    /// Perturbation of rays.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Arc<Normal>>,
-    /// How light its lens is where; nothing: a disc.
+    /// Transmittance of the lens; `None` for a disc.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bokeh: Option<Arc<Pigment>>,
-    /// Applied to all of it in the end.
+    /// Transform of the whole camera.
     pub transform: Transform,
-    /// What was said and is not drawn yet.
+    /// Items that are read and not rendered yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
@@ -60,7 +60,7 @@ impl Default for PovrayCamera {
             kind: Kind::Perspective,
             location: DVec3::ZERO,
             direction: DVec3::Z,
-            // POV-Ray's 1.33, which is not quite 4/3 (measured)
+            // quirk: camera_right_1_33
             right: DVec3::new(1.33, 0.0, 0.0),
             up: DVec3::Y,
             sky: DVec3::Y,
@@ -79,7 +79,7 @@ impl Default for PovrayCamera {
     }
 }
 
-/// How a camera projects, as its word says.
+/// Kind of projection, by its word.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
@@ -95,7 +95,7 @@ pub enum Kind {
     Mesh,
 }
 
-/// Of cameras that have one, if nothing is said; in degrees (measured on 3.7).
+/// Default angle of curved projections, in degrees (quirk: `camera_default_angle`).
 const USUAL_ANGLE: f64 = 90.0;
 
 impl PovrayCamera {
@@ -120,7 +120,7 @@ impl PovrayCamera {
         Ok(())
     }
 
-    /// Has the camera a flat window?
+    /// True for a flat window.
     pub fn is_perspective(&self) -> bool {
         self.kind == Kind::Perspective
     }
@@ -152,16 +152,16 @@ impl PovrayCamera {
         Ok(())
     }
 
-    /// As a ray needs it.
+    /// Lowers the camera.
     pub fn eye(&self) -> LoweredCamera {
         let (mut direction, mut right, mut up) = (self.direction, self.right, self.up);
         let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
         if let Some(angle) = self.angle.filter(|_| flat) {
-            // half the window's width over the direction's length is the tangent of half the angle
+            // tan(angle/2) = half the window's width / the length of `direction`
             direction = direction.normalize() * (right.length() / 2.0 / fp::tan(angle.to_radians() / 2.0));
         }
         if self.kind == Kind::Orthographic && (self.angle.is_some() || !self.sized) {
-            // As large as a perspective camera's window where it looks at (measured on 3.7, where it looks at z unless told).
+            // quirk: orthographic_window
             let scale = self.look_at.unwrap_or(DVec3::Z).distance(self.location) / direction.length();
             (right, up) = (right * scale, up * scale);
         }
@@ -197,13 +197,13 @@ impl PovrayCamera {
         }
     }
 
-    /// Direction, right and up turned towards `look_at`, their lengths and their handedness kept.
+    /// Turns direction, right and up towards `target`; keeps lengths and handedness.
     fn turned(&self, target: DVec3, direction: DVec3, right: DVec3, up: DVec3) -> (DVec3, DVec3, DVec3) {
-        // What has no handedness, as `up z` with the usual direction, counts as left-handed (measured on 3.7).
+        // quirk: camera_without_handedness
         let left_handed = up.cross(direction).dot(right) <= 0.0;
         let ahead = (target - self.location).normalize();
         let side = self.sky.normalize().cross(ahead);
-        // Looking along `sky`, the given `right` tells what is level.
+        // If the camera looks along `sky`, the given `right` is level.
         let side = if side.length() < 1e-10 { right.normalize() } else { side.normalize() };
         let top = ahead.cross(side).normalize_or(up);
         let across = if left_handed { -side } else { side };
@@ -225,7 +225,7 @@ mod tests {
         let window = window(&PovrayCamera::default(), 4, 3);
         let ray = window.ray(2.0, 1.5);
         assert_eq!((ray.origin, ray.dir), (DVec3::ZERO, DVec3::Z));
-        // the top left corner of the window lies at (-1.33/2, 1/2, 1)
+        // The top left corner of the window is at (-1.33/2, 1/2, 1)
         let corner = DVec3::new(-0.665, 0.5, 1.0).normalize();
         assert!(window.ray(0.0, 0.0).dir.distance(corner) < 1e-15);
     }
@@ -253,7 +253,7 @@ mod tests {
 
     #[test]
     fn up_along_direction_mirrors() {
-        // seen in POV-Ray 3.7: `camera { location <0, 30, 0> up z right x look_at <0, 0, 0.0001> }`
+        // POV-Ray: `camera { location <0, 30, 0> up z right x look_at <0, 0, 0.0001> }`
         let across = |up| {
             let (location, right) = (DVec3::new(0.0, 30.0, 0.0), DVec3::X);
             let look_at = Some(DVec3::new(0.0, 0.0, 0.0001));

@@ -2,15 +2,15 @@
 
 use crate::math::{DVec2, DVec3, fp};
 
-/// The direction, of unit length, and where bumps are asked: at longitude and latitude. `angles` are those from left to right and from
-/// bottom to top; `axes` are the unit vectors right, up and ahead. What is ahead turns about what is right, and then about what is up,
-/// whatever angles these have to each other (measured on POV-Ray 3.7: so no mirror and no scale turns the picture round).
+/// Returns the direction, of length 1, and the position for bumps: longitude and latitude. `angles` are the horizontal
+/// and vertical angles of view; `axes` are the unit vectors right, up and ahead. The direction ahead is rotated about
+/// right and then about up, even if these are not orthogonal (quirk: `spherical_skew`).
 pub(super) fn ray(at: DVec2, angles: DVec2, [right, up, ahead]: [DVec3; 3]) -> (DVec3, DVec2) {
     let place = at * angles;
     (turned(turned(ahead, right, -place.y), up, place.x), place)
 }
 
-/// A vector turned about an axis of unit length (Rodrigues 1840).
+/// Rotates a vector about an axis of length 1 (Rodrigues 1840).
 fn turned(v: DVec3, axis: DVec3, angle: f64) -> DVec3 {
     let (sin, cos) = fp::sin_cos(angle);
     v * cos + axis.cross(v) * sin + axis * (axis.dot(v) * (1.0 - cos))
@@ -20,7 +20,7 @@ fn turned(v: DVec3, axis: DVec3, angle: f64) -> DVec3 {
 mod tests {
     use super::*;
 
-    /// Measured on POV-Ray 3.7 by a sky that shows directions: `matrix <1, .5, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0>`.
+    /// POV-Ray's directions with `matrix <1, .5, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0>`, shown by the colours of a sky.
     #[test]
     fn axes_that_are_no_right_angle() {
         let right = DVec3::new(1.0, 0.5, 0.0).normalize();

@@ -1,9 +1,10 @@
-//! `ultra_wide_angle`: a fisheye that fills the picture (manual, "Ultra wide angle"; formula fitted on POV-Ray 3.7).
+//! `ultra_wide_angle`: a fisheye that fills the picture (manual, "Ultra wide angle", quirk:
+//! `ultra_wide_angle_formula`).
 
 use super::lowered::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
-/// The ray; `angle` is that from left to right. Bumps are asked at the angles.
+/// Returns the ray; `angle` is the horizontal angle of view. Bumps are evaluated at the angles.
 pub(super) fn ray(at: DVec2, lengths: DVec3, angle: f64) -> LocalRay {
     let place = at * angle * DVec2::new(1.0, lengths.y / lengths.x);
     let ((sin_x, cos_x), (sin_y, cos_y)) = (fp::sin_cos(place.x), fp::sin_cos(place.y));

@@ -1,4 +1,4 @@
-//! Linear colour with filter and transmit, and the only transfer curves.
+//! Linear colour with filter and transmit; transfer curves.
 
 pub mod transfer;
 
@@ -13,11 +13,11 @@ pub type Rgb = DVec3;
 /// A colour of the scene language: `rgbft <red, green, blue, filter, transmit>`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Color {
-    /// What the surface reflects.
+    /// Reflected colour.
     pub rgb: Rgb,
-    /// How much of the light behind passes, tinted by `rgb`.
+    /// Fraction of the light from behind that is transmitted and tinted by `rgb`.
     pub filter: f64,
-    /// How much of the light behind passes untinted.
+    /// Fraction of the light from behind that is transmitted untinted.
     pub transmit: f64,
 }
 
@@ -27,10 +27,10 @@ impl Color {
     /// `rgb 1`.
     pub const WHITE: Color = Color::opaque(Rgb::ONE);
 
-    /// What stands for an infinite number in a colour.
+    /// Replacement for an infinite number in a colour.
     pub const BLINDING: f64 = 1e30;
 
-    /// As the paint of a surface: numbers that were infinite are 0 then (measured on POV-Ray 3.7).
+    /// The colour as paint of a surface: infinite components are 0 (quirk: `infinite_colors`).
     pub fn as_paint(self) -> Self {
         let is_infinite = self.to_array().contains(&Self::BLINDING);
         if !is_infinite {
@@ -40,12 +40,12 @@ impl Color {
         }
     }
 
-    /// Neither filters nor transmits.
+    /// A colour without filter and transmit.
     pub const fn opaque(rgb: Rgb) -> Self {
         Self { rgb, filter: 0.0, transmit: 0.0 }
     }
 
-    /// The five numbers of `rgbft`.
+    /// From the five numbers of `rgbft`.
     pub const fn from_array(c: [f64; 5]) -> Self {
         Self { rgb: Rgb::new(c[0], c[1], c[2]), filter: c[3], transmit: c[4] }
     }
@@ -55,14 +55,14 @@ impl Color {
         [self.rgb.x, self.rgb.y, self.rgb.z, self.filter, self.transmit]
     }
 
-    /// The part that is not see-through. Before 3.7, `by_color`, a filter let pass only as much as its brightest channel says
-    /// (measured on POV-Ray 3.7).
+    /// Fraction of the surface's own light that is shown. Before 3.7, with `by_color`, a filter transmits only as much
+    /// as its brightest channel (quirk: `opacity_by_version`).
     pub fn opacity(&self, by_color: bool) -> f64 {
         let filter = if by_color { self.filter * self.rgb.max_element() } else { self.filter };
         1.0 - filter - self.transmit
     }
 
-    /// What it lets pass of the light from behind: filter · rgb + transmit.
+    /// Transmittance for light from behind: filter · rgb + transmit.
     pub fn passing(&self) -> Rgb {
         self.rgb * self.filter + self.transmit
     }
@@ -86,10 +86,10 @@ impl Color {
     }
 }
 
-/// How much red, green and blue add to brightness (manual, "Color Operators").
+/// Weights of red, green and blue in brightness (manual, "Color Operators").
 pub const GRAY_WEIGHTS: [f64; 3] = [0.297, 0.589, 0.114];
 
-/// Brightness as POV-Ray's `.gray` weighs it (manual, "Color Operators").
+/// Brightness of a colour, as POV-Ray's `.gray` (manual, "Color Operators").
 pub fn gray(c: Rgb) -> f64 {
     GRAY_WEIGHTS[0] * c.x + GRAY_WEIGHTS[1] * c.y + GRAY_WEIGHTS[2] * c.z
 }

@@ -1,38 +1,38 @@
-//! What several messages have in common: a name, or an include file that declares several.
+//! The common cause of several messages: an undeclared name, or an include file that declares several names.
 
 use crate::source::Span;
 
-/// What would mend all of them.
+/// The action that would resolve all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remedy {
-    /// This include file declares the names.
+    /// Include this file, which declares the names.
     Include(&'static str),
-    /// The name has to be declared, or is misspelt.
+    /// Declare the name, or correct its spelling.
     Declare,
 }
 
-/// Why a message is told, where others may be told for the same reason.
+/// The cause of a message, which other messages may share.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cause {
-    /// What is to be done.
+    /// The action to take.
     pub remedy: Remedy,
-    /// The names that are missing, and where they are used.
+    /// The missing names, and the places where they are used.
     pub uses: Vec<(String, Span)>,
 }
 
 impl Cause {
-    /// One use of a name.
+    /// A cause with one use of a name.
     pub fn new(remedy: Remedy, name: &str, span: Span) -> Self {
         Self { remedy, uses: vec![(name.into(), span)] }
     }
 
-    /// Is it the same as another?
+    /// True if both are the same cause.
     pub fn is(&self, other: &Cause) -> bool {
         let first = |cause: &Cause| cause.uses.first().map(|(name, _)| name.clone());
         self.remedy == other.remedy && (self.remedy != Remedy::Declare || first(self) == first(other))
     }
 
-    /// Takes over the uses of another that are not known yet.
+    /// Adds the uses of another cause, without duplicates.
     pub fn join(&mut self, other: &Cause) {
         for part in &other.uses {
             if !self.uses.contains(part) {

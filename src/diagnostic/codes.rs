@@ -1,4 +1,4 @@
-//! Every code there is. A code is never reused or renumbered; each has a case in `tests/ui`.
+//! All codes. A code is never reused or renumbered; each has a case in `tests/ui`.
 
 use super::Severity;
 
@@ -7,7 +7,7 @@ use super::Severity;
 pub struct Code(pub &'static str);
 
 impl Code {
-    /// `W…` warns, `E…` is an error.
+    /// A warning for `W…`, an error for `E…`.
     pub fn severity(self) -> Severity {
         if self.0.starts_with('W') { Severity::Warning } else { Severity::Error }
     }
@@ -19,11 +19,11 @@ impl std::fmt::Display for Code {
     }
 }
 
-/// What `durer explain` prints.
+/// The output of `durer explain`.
 pub struct Explanation {
     /// The code.
     pub code: Code,
-    /// One line.
+    /// Title in one line.
     pub title: &'static str,
     /// A paragraph or two, with an example.
     pub text: &'static str,
@@ -32,7 +32,7 @@ pub struct Explanation {
 macro_rules! codes {
     ($($name:ident $code:literal $title:literal $text:literal)*) => {
         $(#[doc = $title] pub const $name: Code = Code($code);)*
-        /// All of them, in the order of their numbers.
+        /// All explanations, in the order of their codes.
         pub const ALL: &[Explanation] = &[$(Explanation { code: $name, title: $title, text: $text }),*];
     };
 }
@@ -298,9 +298,9 @@ thousandth; let what a `difference` takes away stick out a little. Told when a p
 its `texture { }`, a missing `;`, or a word that only durer knows."
 }
 
-/// Follows from an error that was told before; never shown.
+/// Marks an error that follows from a reported one; never shown.
 pub const FOLLOWS: Code = Code("E0998");
-/// Ends the run after an error that was told before; never shown.
+/// Ends the run after a reported error; never shown.
 pub const ENDS_RUN: Code = Code("E0999");
 
 /// The explanation of a code as the user typed it, in any letter case.

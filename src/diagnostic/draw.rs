@@ -1,4 +1,4 @@
-//! Draws messages for a person; the only file that knows miette.
+//! Renders messages for a terminal; the only file that uses miette.
 
 use super::{Diagnostic, Label, Severity};
 use crate::source::{FileId, Sources, Span};
@@ -7,16 +7,16 @@ use miette::{
     SpanContents,
 };
 
-/// How to draw.
+/// Style of the rendering.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
-    /// With colours and Unicode lines.
+    /// True for colours and Unicode lines.
     pub fancy: bool,
-    /// Columns of the terminal.
+    /// Width of the terminal, in columns.
     pub width: usize,
 }
 
-/// One message as a person sees it, ending in a newline.
+/// Renders one message, ending in a newline.
 pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> String {
     let theme = if style.fancy { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
     let handler = GraphicalReportHandler::new_themed(theme).with_width(style.width).with_context_lines(1);
@@ -30,7 +30,7 @@ pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> Strin
     let mut out = match primary_apart(diagnostic, sources) {
         Some([first, rest]) => {
             let rest = draw(&rest);
-            // The message has been told: from the frame on.
+            // The message is above already: continue with the frame.
             let frame = rest.find(FRAME).and_then(|at| rest[..at].rfind('\n')).map_or(0, |at| at + 1);
             draw(&first) + &rest[frame..]
         }
@@ -44,11 +44,11 @@ pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> Strin
     out
 }
 
-/// What a frame begins with.
+/// Beginning of a frame.
 const FRAME: &str = "╭─";
 
-/// miette draws places in the order of the text. Where others come before the fault's own, and not beside it, they are told
-/// behind it: the message with its own place, and the rest with the help.
+/// miette shows places in the order of the text. If others precede the fault's own place and are not next to it, splits
+/// the message in two: one with the fault's own place, and one with the others and the help.
 fn primary_apart(d: &Diagnostic, sources: &Sources) -> Option<[Diagnostic; 2]> {
     let line = |label: &Label| sources.place(label.span).map_or(0, |place| place.line);
     let primary = d.labels.first()?;
@@ -59,13 +59,13 @@ fn primary_apart(d: &Diagnostic, sources: &Sources) -> Option<[Diagnostic; 2]> {
     if !far.iter().any(|l| file(l) == file(primary) && line(l) < own) {
         return None;
     }
-    // (The first label of a message gives the file that is shown.)
+    // (The first label of a message decides which file is shown.)
     let far = far.into_iter().filter(|l| file(l) == file(primary)).collect();
     let first = Diagnostic { labels: near, help: None, trace: Box::default(), ..d.clone() };
     Some([first, Diagnostic { labels: far, trace: Box::default(), ..d.clone() }])
 }
 
-/// miette's view of a diagnostic.
+/// Adapter from a diagnostic to miette.
 #[derive(Debug)]
 struct Report {
     head: String,
@@ -131,7 +131,7 @@ impl miette::Diagnostic for Report {
     }
 }
 
-/// Longer messages, which quote a name or string of the scene, are cut in their middle.
+/// Maximum length of a message; longer ones, which quote a name or string of the scene, are cut in their middle.
 const MAX_MESSAGE: usize = 2000;
 
 fn abridged(text: &str) -> String {
@@ -142,25 +142,25 @@ fn abridged(text: &str) -> String {
     format!("{} … {}", &text[..head], &text[tail..])
 }
 
-/// The lines that a message shows, and where they stand in the file.
+/// The lines that a message shows, and their position in the file.
 #[derive(Debug)]
 struct Lines {
     name: String,
-    /// From the first to the last line that a label touches; of a very long line, what is around the label.
+    /// From the first to the last line with a label; of a very long line, the part around the label.
     text: String,
-    /// Local offset of `text`.
+    /// Offset of `text` in the file, in bytes.
     start: usize,
-    /// Number of its first line, from 0.
+    /// Number of the first line, from 0.
     line: usize,
-    /// Characters of the first line that are left out before `text`.
+    /// Number of characters of the first line before `text`.
     column: usize,
 }
 
-/// Longer lines are cut to what is around the label.
+/// Maximum length of a line; longer ones are cut around the label.
 const MAX_LINE: usize = 300;
-/// So much of a cut line is shown before the label.
+/// Number of characters of a cut line before the label.
 const BEFORE: usize = 60;
-/// A label that runs over more lines is drawn on its first one alone.
+/// Maximum number of lines of a label; a longer one is shown on its first line alone.
 const MAX_LINES: usize = 8;
 
 impl Lines {
@@ -179,7 +179,7 @@ impl Lines {
         let line_end = text[last..].find(LINE_ENDS).map_or(text.len(), |i| last + i);
         let (mut start, mut end) = (line_start, line_end);
         if line_end - line_start > MAX_LINE * (1 + text[line_start..line_end].matches('\n').count()) {
-            // The first label is the fault's own.
+            // The first label is the place of the fault.
             let at = ranges.first().map_or(first, |r| r.start);
             start = boundary(text, at.saturating_sub(BEFORE).max(line_start));
             end = boundary(text, (start + MAX_LINE).min(line_end));
@@ -217,7 +217,7 @@ fn boundary(text: &str, mut at: usize) -> usize {
 }
 
 impl SourceCode for Lines {
-    /// Whole lines, always: miette would cut them to the span where no context is asked for.
+    /// Returns whole lines: miette would cut them to the span where it asks for no context.
     fn read_span<'a>(
         &'a self,
         span: &SourceSpan,
@@ -236,7 +236,7 @@ impl SourceCode for Lines {
         let data = &self.text.as_bytes()[from..to];
         let place = SourceSpan::from((self.start + from, to - from));
         let count = self.text[from..to].matches('\n').count() + 1;
-        // Without context it is asked where the span starts; with it, for the lines around the span.
+        // Without context miette asks for the start of the span; with it, for the lines around the span.
         let left_out = if from == 0 { self.column } else { 0 };
         let column = if before == 0 { left_out + self.text[from..lo].chars().count() } else { 0 };
         let line = self.line + lines_before;

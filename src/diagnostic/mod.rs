@@ -1,4 +1,4 @@
-//! What is told to the user: a code, a place, the reason and the remedy.
+//! Messages to the user: code, place, reason and help.
 
 mod cause;
 pub mod codes;
@@ -13,12 +13,12 @@ pub use suggest::{did_you_mean, nearest};
 
 use crate::source::{Sources, Span};
 
-/// How bad it is.
+/// Severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// The picture may not be what was meant.
+    /// The picture may not be the intended one.
     Warning,
-    /// The scene can't be drawn.
+    /// The scene can't be rendered.
     Error,
 }
 
@@ -29,49 +29,49 @@ impl Severity {
     }
 }
 
-/// A place with a few words about it.
+/// A place with a short text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// Where.
+    /// The place.
     pub span: Span,
-    /// What is there; may be empty.
+    /// Description of the place; may be empty.
     pub text: String,
 }
 
-/// One message. It is made where the fault is found and drawn in [`draw`] alone.
+/// One message. It is created where the fault is found, and rendered in [`draw`] alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
-    /// Stable; `durer explain CODE` tells more.
+    /// Stable code; `durer explain CODE` explains it.
     pub code: Code,
-    /// Follows from the code unless an unused declaration turned it into a warning.
+    /// That of the code, unless an unused declaration lowers it to a warning.
     pub severity: Severity,
-    /// Lower case, says found and expected, names in backticks.
+    /// In lower case, with found and expected, names in backticks.
     pub message: String,
-    /// The first one is the place of the fault.
+    /// The first label is the place of the fault.
     pub labels: Vec<Label>,
-    /// What to type instead.
+    /// The text to type instead.
     pub help: Option<String>,
     /// The chain of "in macro `M`, called here", "included from here", innermost first.
     pub trace: Box<[Label]>,
-    /// What it shares with others: those of one cause become one message.
+    /// The cause, if other messages may share it: messages of one cause are merged.
     pub cause: Option<Box<Cause>>,
 }
 
-/// An error on its way up; boxed because the way down is the fast one.
+/// A propagated error; boxed so that the success path is fast.
 pub type Fault = Box<Diagnostic>;
 
-/// What everything that can meet a fault returns.
+/// The result of every fallible function.
 pub type Result<T, E = Fault> = std::result::Result<T, E>;
 
 impl Diagnostic {
-    /// A message of this code at this place.
+    /// A message with this code at this place.
     pub fn new(code: Code, span: Span, message: impl Into<String>) -> Self {
         let labels = if span.is_none() { vec![] } else { vec![Label { span, text: String::new() }] };
         let (message, help, trace) = (message.into(), None, Box::default());
         Self { code, severity: code.severity(), message, labels, help, trace, cause: None }
     }
 
-    /// As an `Err`, ready for `?`.
+    /// A message as an `Err`.
     ///
     /// # Errors
     /// Always.
@@ -79,7 +79,7 @@ impl Diagnostic {
         Err(Box::new(Self::new(code, span, message)))
     }
 
-    /// Says what the first place is.
+    /// Sets the text of the first label.
     pub fn label(mut self, text: impl Into<String>) -> Self {
         if let Some(first) = self.labels.first_mut() {
             first.text = text.into();
@@ -87,7 +87,7 @@ impl Diagnostic {
         self
     }
 
-    /// Adds another place.
+    /// Adds another label.
     pub fn also(mut self, span: Span, text: impl Into<String>) -> Self {
         if !span.is_none() {
             self.labels.push(Label { span, text: text.into() });
@@ -95,25 +95,25 @@ impl Diagnostic {
         self
     }
 
-    /// Adds what to type instead.
+    /// Sets the help.
     pub fn help(mut self, text: impl Into<String>) -> Self {
         self.help = Some(text.into());
         self
     }
 
-    /// Says what it shares with other messages.
+    /// Sets the cause.
     pub fn because(mut self, cause: Cause) -> Self {
         self.cause = Some(Box::new(cause));
         self
     }
 
-    /// The same with help where there is some.
+    /// Sets the help, if there is one.
     pub fn maybe_help(mut self, text: Option<String>) -> Self {
         self.help = text.or(self.help);
         self
     }
 
-    /// The same about this place, for faults that were found below the text.
+    /// Sets the place, for faults from layers without a text.
     pub fn at(mut self, span: Span) -> Box<Self> {
         self.labels = vec![Label { span, text: String::new() }];
         Box::new(self)

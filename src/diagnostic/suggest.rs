@@ -15,7 +15,7 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     let limit = (word.chars().count().max(3) / 3).min(3);
     let score = |candidate: &str| match osa_distance(&lower, &candidate.to_lowercase()) {
         0 => 0,
-        // Nothing in common.
+        // No letter in common.
         d if d >= lower.chars().count() => usize::MAX,
         d => 2 * d + usize::from(!candidate.starts_with(word.chars().next().unwrap_or(' '))),
     };

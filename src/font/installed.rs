@@ -1,4 +1,4 @@
-//! Fonts by the names that they have themselves: `DejaVu Sans Bold`.
+//! Search for fonts by their own names, such as `DejaVu Sans Bold`.
 
 use super::Font;
 use crate::source::Files;
@@ -6,33 +6,33 @@ use fontdb::{Database, FaceInfo, Family, ID, Query, Source, Stretch, Style, Weig
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Where a font is.
+/// Location of a font.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Place {
-    /// It is the one that durer brings along.
+pub enum FontLocation {
+    /// durer's built-in font.
     Own,
-    /// In a file, of whose fonts it has this number, from 0 on.
+    /// The font with this index in a file, counted from 0.
     File(PathBuf, u32),
 }
 
-impl Place {
+impl FontLocation {
     /// The first or only font of a file.
     pub fn first_of(path: PathBuf) -> Self {
         Self::File(path, 0)
     }
 }
 
-/// How the letters of a family are to look.
+/// Style that a font's name asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Looks {
+struct FontStyle {
     weight: Weight,
     style: Style,
     stretch: Stretch,
 }
 
-const PLAIN: Looks = Looks { weight: Weight::NORMAL, style: Style::Normal, stretch: Stretch::Normal };
+const PLAIN: FontStyle = FontStyle { weight: Weight::NORMAL, style: Style::Normal, stretch: Stretch::Normal };
 
-/// Words behind a family's name.
+/// Words of weight after a family's name.
 const WEIGHTS: &[(&str, Weight)] = &[
     ("thin", Weight::THIN),
     ("extralight", Weight::EXTRA_LIGHT),
@@ -51,31 +51,36 @@ const STYLES: &[(&str, Style)] = &[("italic", Style::Italic), ("oblique", Style:
 const STRETCHES: &[(&str, Stretch)] =
     &[("condensed", Stretch::Condensed), ("narrow", Stretch::Condensed), ("expanded", Stretch::Expanded)];
 
-/// Returns the font of a family whose weight, style and width are nearest to the words behind the family's name, from the font files
-/// `paths` and durer's own font.
-pub fn of_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<Place> {
+/// Returns the font of a family whose weight, style and width are nearest to the words after the family's name, from
+/// the font files `paths` and durer's own font.
+pub fn of_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<FontLocation> {
     let (mut fonts, mut places) = (Database::new(), vec![]);
     for path in paths.iter().filter(|path| files.may_read(path)) {
-        // A file that is no font belongs to no family.
+        // A file that is not a font has no family.
         let Ok(bytes) = files.inspect(path) else { continue };
-        add_faces(&mut fonts, bytes, &mut places, |number| Place::File(path.clone(), number));
+        add_faces(&mut fonts, bytes, &mut places, |number| FontLocation::File(path.clone(), number));
     }
-    add_faces(&mut fonts, Font::OWN.to_vec(), &mut places, |_| Place::Own);
+    add_faces(&mut fonts, Font::OWN.to_vec(), &mut places, |_| FontLocation::Own);
     let words: Vec<&str> = name.split_whitespace().collect();
-    // The longest family: that of `Arial Black` is not `Arial`.
+    // Prefer the longest family: that of `Arial Black` is not `Arial`.
     let (family, looks) = (1..=words.len()).rev().find_map(|count| {
         let looks = looks_of(&words[count..])?;
         let family = words[..count].join(" ");
         let found = fonts.faces().find_map(|face| own_name(face, &family))?;
         Some((found.to_string(), looks))
     })?;
-    let Looks { weight, style, stretch } = looks;
+    let FontStyle { weight, style, stretch } = looks;
     let id = fonts.query(&Query { families: &[Family::Name(&family)], weight, stretch, style })?;
     places.into_iter().find(|(face, _)| *face == id).map(|(_, place)| place)
 }
 
 /// Adds the descriptions of a file's fonts, without the file's bytes, to a database.
-fn add_faces(fonts: &mut Database, bytes: Vec<u8>, places: &mut Vec<(ID, Place)>, place: impl Fn(u32) -> Place) {
+fn add_faces(
+    fonts: &mut Database,
+    bytes: Vec<u8>,
+    places: &mut Vec<(ID, FontLocation)>,
+    place: impl Fn(u32) -> FontLocation,
+) {
     let mut of_file = Database::new();
     of_file.load_font_source(Source::Binary(Arc::new(bytes)));
     for face in of_file.faces() {
@@ -84,21 +89,21 @@ fn add_faces(fonts: &mut Database, bytes: Vec<u8>, places: &mut Vec<(ID, Place)>
     }
 }
 
-/// The name of a font's family, if it is this one in any language.
+/// The name of a font's family, if it equals `family` in any language.
 fn own_name<'f>(face: &'f FaceInfo, family: &str) -> Option<&'f str> {
     face.families.iter().map(|(name, _)| &**name).find(|name| name.to_lowercase() == family.to_lowercase())
 }
 
-fn looks_of(words: &[&str]) -> Option<Looks> {
+fn looks_of(words: &[&str]) -> Option<FontStyle> {
     words.iter().try_fold(PLAIN, |looks, word| {
         let word = word.to_lowercase();
         if let Some(&(_, weight)) = WEIGHTS.iter().find(|(name, _)| *name == word) {
-            return Some(Looks { weight, ..looks });
+            return Some(FontStyle { weight, ..looks });
         }
         if let Some(&(_, style)) = STYLES.iter().find(|(name, _)| *name == word) {
-            return Some(Looks { style, ..looks });
+            return Some(FontStyle { style, ..looks });
         }
-        STRETCHES.iter().find(|(name, _)| *name == word).map(|&(_, stretch)| Looks { stretch, ..looks })
+        STRETCHES.iter().find(|(name, _)| *name == word).map(|&(_, stretch)| FontStyle { stretch, ..looks })
     })
 }
 
@@ -121,22 +126,22 @@ mod tests {
         for (name, is_there) in [
             ("Roboto", true),
             ("roboto regular", true),
-            // The nearest that there is.
+            // the nearest one
             ("Roboto Bold Italic", true),
             ("Roboto Slab", false),
             ("Bold", false),
             ("", false),
         ] {
             let found = of_family(&files, name, &paths);
-            assert_eq!(found, is_there.then(|| Place::first_of(paths[1].clone())), "{name}");
+            assert_eq!(found, is_there.then(|| FontLocation::first_of(paths[1].clone())), "{name}");
         }
         let nothing = Sandbox::default();
-        assert_eq!(of_family(&Sandboxed::new(&files, &nothing), "Roboto", &paths), Some(Place::Own));
+        assert_eq!(of_family(&Sandboxed::new(&files, &nothing), "Roboto", &paths), Some(FontLocation::Own));
     }
 
     #[test]
     fn words_for_looks() {
-        let bold = Looks { weight: Weight::BOLD, style: Style::Oblique, stretch: Stretch::Condensed };
+        let bold = FontStyle { weight: Weight::BOLD, style: Style::Oblique, stretch: Stretch::Condensed };
         assert_eq!(looks_of(&["Condensed", "Bold", "Oblique"]), Some(bold));
         assert_eq!((looks_of(&[]), looks_of(&["Sans"])), (Some(PLAIN), None));
     }

@@ -1,4 +1,4 @@
-//! Fonts: TrueType and OpenType files, and how a line of text is set with one. The only file that knows how they are read.
+//! Fonts: TrueType and OpenType files, and the layout of a line of text. No other module reads font files.
 //!
 //! Lengths are in units of the font's size: an em is 1.
 
@@ -6,7 +6,7 @@ mod installed;
 #[cfg(test)]
 mod tests;
 
-pub use installed::{Place, of_family};
+pub use installed::{FontLocation, of_family};
 
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::math::DVec2;
@@ -17,27 +17,27 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder, kern};
 
 /// A font file.
 pub struct Font {
-    /// Where it is.
-    place: Place,
+    /// Location of the font.
+    place: FontLocation,
     data: Cow<'static, [u8]>,
 }
 
-/// A letter where it stands on its line.
+/// A glyph on a line of text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Set {
-    /// Its number in the font.
+pub struct PlacedGlyph {
+    /// Index of the glyph in the font.
     pub glyph: u16,
-    /// Where its origin is, along the line.
+    /// Position of the glyph's origin along the line.
     pub x: f64,
 }
 
 /// A piece of an outline: (1 - s)²·a + 2s(1 - s)·b + s²·c for s from 0 to 1. A straight one has `b` in the middle.
 pub type Curve = [DVec2; 3];
 
-/// Closed outlines of a letter, all curves in a row; what lies within an odd number of them is ink.
+/// Closed outlines of a glyph, as a list of curves; the inside is where the number of enclosing outlines is odd.
 pub type Outline = Vec<Curve>;
 
-/// Each curve of third degree is taken for so many of second degree.
+/// Number of quadratic curves that approximate a cubic one.
 const PIECES: u32 = 4;
 
 impl Font {
@@ -47,9 +47,9 @@ impl Font {
     /// Reads a file.
     ///
     /// # Errors
-    /// E0002 where it is not there, E0003 where it can't be read, E0236 where it is no font.
-    pub fn read(files: &dyn Files, place: &Place) -> Result<Self> {
-        let Place::File(path, number) = place else { return Ok(Self::own()) };
+    /// E0002 if it does not exist, E0003 if it can't be read, E0236 if it is not a font.
+    pub fn read(files: &dyn Files, place: &FontLocation) -> Result<Self> {
+        let FontLocation::File(path, number) = place else { return Ok(Self::own()) };
         let data = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
         match Face::parse(&data, *number) {
             Ok(_) => Ok(Self { place: place.clone(), data: data.into() }),
@@ -60,25 +60,25 @@ impl Font {
         }
     }
 
-    /// The font that durer brings along for machines that have none: Latin, Greek and Cyrillic letters of Roboto.
+    /// The built-in font, for machines without any: Latin, Greek and Cyrillic letters of Roboto.
     pub fn own() -> Self {
-        Self { place: Place::Own, data: Cow::Borrowed(Self::OWN) }
+        Self { place: FontLocation::Own, data: Cow::Borrowed(Self::OWN) }
     }
 
-    /// Its file; that of durer's own has but a name.
+    /// The font's file; the built-in font has only a name.
     pub fn path(&self) -> &Path {
-        if let Place::File(path, _) = &self.place { path } else { Path::new("Roboto-Regular.ttf") }
+        if let FontLocation::File(path, _) = &self.place { path } else { Path::new("Roboto-Regular.ttf") }
     }
 
     fn face(&self) -> Option<Face<'_>> {
-        let number = if let Place::File(_, number) = self.place { number } else { 0 };
+        let number = if let FontLocation::File(_, number) = self.place { number } else { 0 };
         Face::parse(&self.data, number).ok()
     }
 
-    /// Sets a line of text: the left edge of its first letter is at 0, and kerning pairs come closer. Letters that are made of others
-    /// stand to the right by what is left free before them (all as POV-Ray 3.7 sets them). What the font does not have is shown as its
-    /// letter 0.
-    pub fn set(&self, text: &str) -> Vec<Set> {
+    /// Lays out a line of text: the left edge of the first glyph is at 0, and kerning pairs are moved together.
+    /// Composite glyphs are shifted to the right by their left bearing (quirk: `text_layout`). Characters without a
+    /// glyph show glyph 0.
+    pub fn set(&self, text: &str) -> Vec<PlacedGlyph> {
         let Some(face) = self.face() else { return vec![] };
         let em = f64::from(face.units_per_em());
         let glyphs: Vec<GlyphId> = text.chars().map(|c| glyph_of(&face, c)).collect();
@@ -87,14 +87,14 @@ impl Font {
         let mut line = Vec::with_capacity(glyphs.len());
         for (i, &glyph) in glyphs.iter().enumerate() {
             let right = if is_composite(&face, glyph) { bearing(&glyph) } else { 0.0 };
-            line.push(Set { glyph: glyph.0, x: (x + right) / em });
+            line.push(PlacedGlyph { glyph: glyph.0, x: (x + right) / em });
             x += face.glyph_hor_advance(glyph).map_or(0.0, f64::from);
             x += glyphs.get(i + 1).map_or(0.0, |next| kerning(face.tables().kern, glyph, *next));
         }
         line
     }
 
-    /// The outline of a letter; empty where it has none.
+    /// The outline of a glyph; empty if it has none.
     pub fn outline(&self, glyph: u16) -> Outline {
         let Some(face) = self.face() else { return vec![] };
         let mut pen = Pen { scale: 1.0 / f64::from(face.units_per_em()), ..Pen::default() };
@@ -104,7 +104,7 @@ impl Font {
     }
 }
 
-/// The letter of a character. Symbol fonts, which know nothing of Unicode, have theirs at 0xF000 and up.
+/// The glyph of a character. Symbol fonts, which do not use Unicode, have their glyphs at 0xF000 and above.
 fn glyph_of(face: &Face, c: char) -> GlyphId {
     let others = || face.tables().cmap.into_iter().flat_map(|cmap| cmap.subtables).filter(|table| !table.is_unicode());
     let code = u32::from(c);
@@ -112,7 +112,7 @@ fn glyph_of(face: &Face, c: char) -> GlyphId {
     face.glyph_index(c).or_else(symbol).unwrap_or_default()
 }
 
-/// Is the letter made of others (OpenType, "glyf": a negative number of contours)?
+/// True if the glyph is composed of others (OpenType, "glyf": a negative number of contours).
 fn is_composite(face: &Face, glyph: GlyphId) -> bool {
     let tables = face.raw_face();
     let [glyf, loca] = [b"glyf", b"loca"].map(|tag| tables.table(ttf_parser::Tag::from_bytes(tag)).unwrap_or_default());
@@ -125,8 +125,8 @@ fn is_composite(face: &Face, glyph: GlyphId) -> bool {
     start.and_then(|start| glyf.get(start)).is_some_and(|first| first & 0x80 != 0)
 }
 
-/// How much closer two letters stand (`kern` table), in font units. Pairs need not be sorted, though they should: POV-Ray 3.7 finds all of
-/// its own font's, whose are not.
+/// Kerning of a pair (`kern` table), in font units. Pairs should be sorted; as in POV-Ray 3.7, unsorted ones are found
+/// too (quirk: `text_layout`).
 fn kerning(kern: Option<kern::Table>, left: GlyphId, right: GlyphId) -> f64 {
     let tables = kern.into_iter().flat_map(|kern| kern.subtables);
     let mut tables = tables.filter(|table| table.horizontal && !table.variable && !table.has_state_machine);
@@ -138,7 +138,7 @@ fn kerning(kern: Option<kern::Table>, left: GlyphId, right: GlyphId) -> f64 {
     tables.find_map(value).map_or(0.0, f64::from)
 }
 
-/// Draws outlines.
+/// Collects outlines.
 #[derive(Default)]
 struct Pen {
     scale: f64,
@@ -184,7 +184,7 @@ impl OutlineBuilder for Pen {
         };
         for i in 0..PIECES {
             let (s0, s1) = (f64::from(i) / f64::from(PIECES), f64::from(i + 1) / f64::from(PIECES));
-            // Through the same point in the middle: b = 2·m - (a + c)/2
+            // Through the same midpoint: b = 2·m - (a + c)/2
             let (a, m, c) = (at(s0), at((s0 + s1) / 2.0), at(s1));
             self.to(2.0 * m - (a + c) / 2.0, c);
         }

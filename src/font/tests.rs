@@ -5,11 +5,11 @@ use ttf_parser::{GlyphId, kern};
 fn letters_stand_by_their_widths() {
     let font = Font::own();
     let line = font.set("lll");
-    // The left edge of the first one is at 0, and all are equally wide.
+    // The left edge of the first glyph is at 0, and all are equally wide.
     let left = font.outline(line[0].glyph).iter().flatten().map(|p| p.x).reduce(f64::min).unwrap();
     assert!((line[0].x + left).abs() < 1e-12);
     assert!((line[2].x - 2.0 * line[1].x + line[0].x).abs() < 1e-12 && line[1].x > line[0].x);
-    // What a font does not have is its letter 0.
+    // A character without a glyph shows glyph 0.
     assert_eq!(font.set("\u{4E2D}")[0].glyph, 0);
     assert!(font.set("").is_empty());
 }
@@ -33,7 +33,7 @@ fn outlines_are_closed() {
 
 #[test]
 fn kerning_pairs_need_not_be_sorted() {
-    // One table of pairs: its head, its length and coverage, three pairs (the search's numbers are not asked for).
+    // A table with three pairs: its header, its length and coverage, the pairs (the search fields are unused).
     let pairs: [[i16; 3]; 3] = [[55, 72, -42], [34, 57, -97], [14, 34, -56]];
     let head = [0, 1, 0, 14 + 6 * 3, 1, 3, 0, 0, 0];
     let bytes: Vec<u8> = head.iter().chain(pairs.iter().flatten()).flat_map(|n: &i16| n.to_be_bytes()).collect();

@@ -1,36 +1,36 @@
-//! Tokens and comments in a row, with what the tree knows of them.
+//! Tokens and comments as a list, with their role in the tree.
 
-/// A token, or a comment. Of a list of numbers, each number, comma and bracket is one.
+/// A token, or a comment. Each number, comma and bracket of a list of numbers is an atom.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Atom {
-    /// Its first byte.
+    /// Offset of the first byte.
     pub lo: u32,
-    /// One past its last byte.
+    /// Offset after the last byte.
     pub hi: u32,
-    /// Of an item of a body: the atom behind it.
+    /// For an item of a body: index of the atom after the item.
     pub next: u32,
-    /// Of a bracket around a body: its other half; of a directive with bodies: its [`Atoms::arms`]; of another item that holds a
-    /// body: the bracket that opens it.
+    /// For a bracket around a body: the other bracket; for a directive with bodies: its index in [`Atoms::arms`]; for
+    /// another item with a body: the opening bracket.
     pub link: u32,
     /// See [`flag`].
     pub flags: u16,
-    /// What the item is that begins here.
+    /// The kind of item that begins here.
     pub item: Item,
-    /// Ends of lines before it: 2 stands for more.
+    /// Number of line ends before the atom, at most 2.
     pub lines: u8,
 }
 
-/// What is known of an atom.
+/// Properties of an atom.
 pub mod flag {
-    /// No blank before it.
+    /// No blank precedes it.
     pub const GLUE: u16 = 1;
-    /// It stands on the line of what is before it.
+    /// It is on the same line as the atom before it.
     pub const JOIN: u16 = 1 << 1;
-    /// No blank behind it: a sign, an opening bracket.
+    /// No blank follows it: a sign, an opening bracket.
     pub const TIGHT: u16 = 1 << 2;
-    /// Brackets around something.
+    /// An opening bracket.
     pub const OPEN: u16 = 1 << 3;
-    /// The other half.
+    /// A closing bracket.
     pub const CLOSE: u16 = 1 << 4;
     /// An operator between two operands.
     pub const OPERATOR: u16 = 1 << 5;
@@ -38,19 +38,19 @@ pub mod flag {
     pub const LINE_COMMENT: u16 = 1 << 6;
     /// `/* … */`
     pub const BLOCK_COMMENT: u16 = 1 << 7;
-    /// One of millions of vectors, blanks and all.
+    /// One vector of a very long list, as one atom.
     pub const PACKED: u16 = 1 << 8;
-    /// A bracket that has lost its other half, or holds what the tree has no name for.
+    /// A bracket without its other half, or around contents that the tree has no node for.
     pub const LOOSE: u16 = 1 << 9;
-    /// One of several textures of a declaration, which lie on each other.
+    /// One of several layered textures of a declaration.
     pub const LAYER: u16 = 1 << 10;
     /// Any comment.
     pub const COMMENT: u16 = LINE_COMMENT | BLOCK_COMMENT;
 }
-/// What begins at an atom.
+/// Kinds of items.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Item {
-    /// Nothing that stands directly in a body.
+    /// No direct item of a body.
     #[default]
     None,
     /// A number, a vector, a call …
@@ -78,21 +78,21 @@ pub enum Item {
 /// A part of a directive: `#if (A) …`.
 #[derive(Clone, Copy, Debug)]
 pub struct Arm {
-    /// Its directive.
+    /// The atom of its directive.
     pub head: u32,
-    /// Where its body begins.
+    /// First atom of its body.
     pub body: u32,
-    /// Where it ends.
+    /// Atom after its body.
     pub end: u32,
-    /// Is it one of those that stand inside a `#switch`?
+    /// True for the arms of a `#switch`.
     pub choice: bool,
 }
 
-/// All of a text.
+/// The atoms of a text.
 #[derive(Debug, Default)]
 pub struct Atoms {
-    /// In their order.
+    /// In the order of the text.
     pub row: Vec<Atom>,
-    /// Of each directive with bodies.
+    /// The arms of each directive with bodies.
     pub arms: Vec<Vec<Arm>>,
 }

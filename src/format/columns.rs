@@ -1,24 +1,24 @@
-//! Comments behind lines: those that the author set in a column stay in one.
+//! Alignment of comments at the ends of lines: comments that the author aligned stay aligned.
 
-/// A comment behind something on its line.
+/// A comment after something on its line.
 pub struct Trailing {
-    /// Its first byte in the new text.
+    /// Offset of its first byte in the new text.
     pub at: usize,
-    /// Its line there, from 0.
+    /// Its line in the new text, from 0.
     pub line: u32,
-    /// Columns of what stands before it there.
+    /// Width of the line before the comment in the new text.
     pub end: usize,
-    /// Columns of what stood before it in the author's text, blanks and all.
+    /// Width of the line before the comment in the author's text, including blanks.
     pub written: usize,
 }
 
-/// Blanks before a comment, at least.
+/// Minimum number of blanks before a comment.
 const APART: usize = 2;
 
-/// Comments no further apart than this many lines share a column if the author gave them one.
+/// Comments at most this many lines apart share a column if the author aligned them.
 const NEAR: u32 = 6;
 
-/// Puts blanks before comments: those that stood in one column stand in one again.
+/// Inserts blanks before comments: those that were in one column are in one column again.
 pub fn align(text: &str, comments: &[Trailing]) -> String {
     let columns = columns(comments);
     let mut out = String::with_capacity(text.len() + comments.len() * 8);
@@ -35,7 +35,7 @@ pub fn align(text: &str, comments: &[Trailing]) -> String {
 fn columns(comments: &[Trailing]) -> Vec<usize> {
     let mut groups: Vec<Vec<usize>> = vec![];
     for (i, comment) in comments.iter().enumerate() {
-        // The groups of the last lines; the others are out of reach.
+        // The groups of the last lines; earlier ones are too far away.
         let near = |group: &&mut Vec<usize>| {
             group.last().is_some_and(|last| {
                 comments[*last].written == comment.written && comment.line - comments[*last].line <= NEAR

@@ -1,56 +1,56 @@
-//! Sets atoms in lines: which items of a body share one, and where blocks and directives are opened.
+//! Distributes atoms over lines: which items of a body share a line, and which blocks and directives are broken.
 
 use super::STEP;
 use super::atoms::{Arm, Atoms, Item, flag};
 use super::columns::{self, Trailing};
 use super::table;
 
-/// The text in its new lines.
+/// The text with its new line breaks.
 pub fn set(text: &str, atoms: &Atoms, width: usize) -> String {
     let mut setter = Setter::new(text, atoms, width);
     setter.body(0, atoms.row.len(), 0, false);
     setter.finish()
 }
 
-/// Where the text grows.
+/// State of the layout, with the text written so far.
 pub(super) struct Setter<'a> {
     pub(super) text: &'a str,
     pub(super) atoms: &'a Atoms,
-    /// How many columns a line has.
+    /// Maximum width of a line, in columns.
     pub(super) width: usize,
-    /// Columns of all atoms before each, with the blanks between them, if they stood on one line.
+    /// Total width of all atoms before each atom, with blanks, on one line.
     sums: Vec<u32>,
-    /// How many of the atoms up to and with each must begin a line.
+    /// Number of atoms, up to and including each, that must begin a line.
     breaks: Vec<u32>,
-    /// Braces without partner before each: those that open less those that close.
+    /// Unmatched braces before each atom: opening minus closing.
     loose: Vec<i32>,
-    /// Blanks before atoms that keep a column in line; see [`super::table`].
+    /// Blanks before atoms that keep a column aligned; see [`super::table`].
     pub(super) pads: Vec<u8>,
-    /// Brackets without partner that are open before what is being set.
+    /// Number of unmatched brackets that are open before the current position.
     pub(super) open: i32,
     out: String,
-    /// Columns that the current line has already.
+    /// Width of the current line so far.
     pub(super) column: usize,
     line: u32,
-    /// How far the current line is indented.
+    /// Indentation of the current line.
     indent: usize,
-    /// Does the current line end in a comment?
+    /// True if the current line ends in a comment.
     commented: bool,
     trailing: Vec<Trailing>,
 }
 
-/// What begins at an atom of a body, and the atom behind it.
+/// An item of a body: its atoms.
 #[derive(Clone, Copy)]
 struct Range {
     from: usize,
     to: usize,
 }
 
-/// What stands on one line unless it is too long.
+/// Items that share a line unless it is too long.
 pub(super) struct Row {
     pub(super) from: usize,
     pub(super) to: usize,
-    /// Does nothing in it break lines?
+    /// True if no item in it has line breaks.
     pub(super) flat: bool,
 }
 
@@ -102,7 +102,7 @@ impl<'a> Setter<'a> {
         self.atoms.row[i].flags & flag != 0
     }
 
-    /// Must a line begin here?
+    /// True if a line must begin here.
     fn begins_line(&self, i: usize) -> bool {
         let Some(previous) = i.checked_sub(1) else { return false };
         let after_comment = self.has(previous, flag::LINE_COMMENT) || self.is_tall(previous);
@@ -110,17 +110,17 @@ impl<'a> Setter<'a> {
         after_comment || self.atoms.row[i].lines > 0 && !joined
     }
 
-    /// A brace that ends a body needs no line because of itself.
+    /// True for a brace that ends a body, which needs no line of its own.
     fn closes_block(&self, i: usize) -> bool {
         matches!(self.read(i), "}" | "]") && !self.has(i, flag::LOOSE)
     }
 
-    /// Does a comment stand on several lines?
+    /// True for a comment of several lines.
     fn is_tall(&self, i: usize) -> bool {
         self.has(i, flag::BLOCK_COMMENT) && self.read(i).contains(['\n', '\r'])
     }
 
-    /// Blanks before an atom that does not begin a line.
+    /// Number of blanks before an atom that does not begin a line.
     pub(super) fn gap(&self, i: usize) -> usize {
         usize::from(self.pads[i]) + usize::from(!self.has(i, flag::GLUE))
     }
@@ -129,7 +129,7 @@ impl<'a> Setter<'a> {
         if self.has(i, flag::PACKED) { unpack(self.read(i), |_| {}) } else { columns_of(self.read(i)) }
     }
 
-    /// Columns of a range that begins a line.
+    /// Width of a range that begins a line.
     pub(super) fn flat_width(&self, from: usize, to: usize) -> usize {
         (self.sums[to] - self.sums[from]) as usize - if from < to { self.gap_in_sum(from) } else { 0 }
     }
@@ -138,12 +138,12 @@ impl<'a> Setter<'a> {
         if self.has(i, flag::LINE_COMMENT) { 0 } else { usize::from(!self.has(i, flag::GLUE)) }
     }
 
-    /// Can a range stand on one line?
+    /// True if a range can be on one line.
     pub(super) fn is_flat(&self, from: usize, to: usize) -> bool {
         from >= to || self.breaks[to - 1] == self.breaks[from] && !(from + 1 < to && self.is_tall(from))
     }
 
-    /// Does it, on what is left of this one?
+    /// True if a range fits on the rest of the current line.
     fn fits(&self, from: usize, to: usize) -> bool {
         let gap = if from < to && !self.at_start() { self.gap(from) } else { 0 };
         self.is_flat(from, to) && self.column + gap + self.flat_width(from, to) <= self.width
@@ -165,7 +165,7 @@ impl<'a> Setter<'a> {
         (self.indent, self.commented) = (indent, false);
     }
 
-    /// Has nothing but blanks been written to this line?
+    /// True if the current line has only blanks so far.
     pub(super) fn at_start(&self) -> bool {
         self.out.as_bytes().last().is_none_or(|b| matches!(b, b'\n' | b' '))
     }
@@ -176,7 +176,7 @@ impl<'a> Setter<'a> {
 
     fn put(&mut self, i: usize) {
         if self.commented {
-            // A comma, or whatever else nobody else breaks lines before.
+            // A comma, or another atom that no other rule breaks lines before.
             self.new_line(self.indent, false);
         }
         self.commented = self.has(i, flag::LINE_COMMENT);
@@ -222,7 +222,7 @@ impl<'a> Setter<'a> {
         Range { from, to: to.max(from + 1) }
     }
 
-    /// The items up to the next that begins a line, and where that is.
+    /// The items up to the next one that begins a line, and its position.
     fn row_at(&self, from: usize, to: usize) -> (Vec<Range>, usize) {
         let (mut items, mut at) = (vec![], from);
         while at < to && (at == from || !self.begins_line(at)) {
@@ -258,11 +258,11 @@ impl<'a> Setter<'a> {
         }
     }
 
-    /// Braces without partner in an item: those that open less those that close. Of a directive, those of its first arm count: one
-    /// of them runs.
+    /// Unmatched braces in an item: opening minus closing. For a directive, those of its first arm count: one of the
+    /// arms runs.
     fn open_braces(&self, item: Range) -> i32 {
         let (from, to) = match self.arms(item.from) {
-            // It runs elsewhere.
+            // A macro runs elsewhere.
             _ if self.read(item.from).ends_with("macro") => return 0,
             Some([first, ..]) => (first.body as usize, first.end as usize),
             _ => (item.from, item.to),
@@ -277,7 +277,7 @@ impl<'a> Setter<'a> {
 
     fn kind(&self, item: Range) -> Item {
         match self.atoms.row[item.from].item {
-            // One comma more, which the tree passes over.
+            // An additional comma, which the tree drops.
             Item::None if self.read(item.from) == "," => Item::Separator,
             kind => kind,
         }
@@ -288,7 +288,7 @@ impl<'a> Setter<'a> {
             && !self.has(item.from, flag::GLUE)
     }
 
-    /// Items that the author wrote on one line, where so many brackets without partner are `open`.
+    /// Items that the author wrote on one line, with this number of unmatched brackets `open`.
     fn row(&mut self, items: &[Range], indent: usize, open: &mut i32) {
         let flat = match items {
             [first, .., last] => self.fits(first.from, last.to),
@@ -315,12 +315,12 @@ impl<'a> Setter<'a> {
         }
     }
 
-    /// How much further in a line begins that goes on with a declaration.
+    /// Additional indentation of a line that continues a declaration.
     fn layer(&self, i: usize) -> usize {
         if self.has(i, flag::LAYER) { STEP } else { 0 }
     }
 
-    /// May a line be broken before an item that follows these?
+    /// True if a line may be broken before `item`, which follows `piece`.
     fn parts(&self, piece: &[Range], item: Range) -> bool {
         let (kind, before) = (self.kind(item), piece[piece.len() - 1]);
         let directive = matches!(kind, Item::Declare | Item::Plain | Item::Bodies);
@@ -344,7 +344,7 @@ impl<'a> Setter<'a> {
         }
     }
 
-    /// Items that belong together: on this line if they fit.
+    /// Items that belong together: on the current line if they fit.
     fn piece(&mut self, items: &[Range], indent: usize) {
         let (from, to) = (items[0].from, items[items.len() - 1].to);
         if self.fits(from, to) {
@@ -365,7 +365,7 @@ impl<'a> Setter<'a> {
         self.run(at, to, indent);
     }
 
-    /// A body in brackets, on several lines, and what stands before it from atom `at` on.
+    /// A body in brackets on several lines, and the atoms before it from `at` on.
     fn block(&mut self, at: usize, item: Range, indent: usize) {
         let open = match self.kind(item) {
             Item::Block => self.atoms.row[item.from].link as usize,
@@ -381,10 +381,10 @@ impl<'a> Setter<'a> {
         self.flat(close, item.to);
     }
 
-    /// Values that stay on the line of the bracket: `sphere { 0, 1`. Tells where the rest begins.
+    /// Values that stay on the line of the bracket, as in `sphere { 0, 1`. Returns the start of the rest.
     fn header(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
         let (items, next) = self.row_at(from, to);
-        // A comma never begins a line, but where it is the first there is.
+        // A comma never begins a line, unless it is the first item.
         let stays = |item: &&Range| matches!(self.kind(**item), Item::Value | Item::Separator);
         let begins = items.first().is_none_or(|first| self.kind(*first) == Item::Separator);
         let values = if begins { 0 } else { items.iter().take_while(stays).count() };
@@ -393,7 +393,7 @@ impl<'a> Setter<'a> {
         let held = |item: &Range| self.has(item.from, flag::JOIN | flag::GLUE);
         let end = match () {
             () if values == 0 || self.begins_line(from) || items.get(values).is_some_and(held) => from,
-            // Only the closing bracket would have no room.
+            // Only the closing bracket would not fit.
             () if !is_entry && next == to && values == items.len() && self.is_flat(from, to) => from,
             () if next < to && small && !is_entry => next,
             () if items.get(values).is_some_and(trails) || next == to || is_entry => {
@@ -431,17 +431,17 @@ impl<'a> Setter<'a> {
     }
 }
 
-/// Indented inside of so many brackets that have no partner.
+/// Indentation inside of `open` unmatched brackets.
 pub(super) fn indent_by(indent: usize, open: i32) -> usize {
     indent + STEP * open.clamp(0, 20).unsigned_abs() as usize
 }
 
-/// Columns of a text on one line.
+/// Width of a text on one line.
 pub(super) fn columns_of(text: &str) -> usize {
     if text.is_ascii() { text.len() } else { text.chars().count() }
 }
 
-/// Gives the parts of a vector of numbers as they should be, and tells how many columns they have.
+/// Passes the parts of a vector of numbers, normalised, to `part`; returns their total width.
 fn unpack(text: &str, mut part: impl FnMut(&str)) -> usize {
     let (mut columns, mut first) = (2, true);
     part("<");

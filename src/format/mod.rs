@@ -1,9 +1,8 @@
-//! `durer fmt`: one style for scenes, that of a careful author.
+//! `durer fmt`: one style for scenes.
 //!
-//! What the author decided stays: tokens, comments, blank lines (one at a time), which things share a line, and whether a block
-//! stands on one line or on several. What is nobody's decision follows from the tree: how far lines are indented, where
-//! blanks stand, where braces go, where a line that is too long is broken. A block or a directive that stands on several lines
-//! has them all to itself:
+//! The author's decisions stay: tokens, comments, blank lines (one at a time), which items share a line, and whether a
+//! block is on one line or on several. All else follows from the tree: indentation, blanks, the position of braces, the
+//! breaks of lines that are too long. A block or a directive on several lines shares none of them:
 //!
 //! ```text
 //! sphere { 0, 1 pigment { Oak } }
@@ -13,9 +12,9 @@
 //! }
 //! ```
 //!
-//! `gather` makes of tokens, comments and tree a row of `atoms`; `layout` sets them in lines, `run` breaks those that hold one long
-//! expression, `columns` and `table` keep in line what was aligned. A text that was broken once is never joined again, so that formatting twice
-//! is formatting once.
+//! `gather` makes a list of `atoms` from tokens, comments and tree; `layout` distributes them over lines, `run` breaks
+//! lines of one long expression, `columns` and `table` keep columns aligned. A line that was broken is never joined
+//! again, so that formatting is idempotent.
 
 mod atoms;
 mod columns;
@@ -30,18 +29,18 @@ pub use text::{Encoded, decode};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::syntax::{Granularity, Names, parse_text};
 
-/// Columns of a line, unless the author wants others.
+/// Default maximum width of a line, in columns.
 pub const WIDTH: usize = 120;
 
-/// Blanks for each level.
+/// Indentation of each level, in columns.
 const STEP: usize = 2;
 
-/// The text as it should be, with `\n` at the ends of those lines that are new. Lines hold at most `width` characters where there is
-/// a place to break them. `base` is the global offset of the text's first byte, for messages.
+/// The formatted text, with `\n` at the ends of new lines. Lines have at most `width` characters where they can be
+/// broken. `base` is the global offset of the text's first byte, for messages.
 ///
 /// # Errors
-/// What is wrong with the text if it can't be understood well enough: strings, comments and directives without an end, brackets that
-/// nest too deeply.
+/// The faults of a text that can't be formatted: strings, comments and directives without an end, brackets that nest
+/// too deeply.
 pub fn format(text: &str, base: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
     let (ast, faults) = parse_text(text, base, &Names::default(), Granularity::Whole);
     if faults.iter().any(|fault| fault.severity == Severity::Error) {

@@ -1,15 +1,15 @@
-//! Breaks what stands outside of bodies: expressions, heads, arguments.
+//! Breaks lines outside of bodies: expressions, heads, arguments.
 
 use super::STEP;
 use super::atoms::{Item, flag};
 use super::layout::{Setter, indent_by};
 
-/// Brackets that are open, by the number of the line on which each stands.
+/// Open brackets, by the line of each.
 #[derive(Default)]
 struct Nesting {
     open: Vec<u32>,
     line: u32,
-    /// Those that were opened less those that were closed.
+    /// Opening minus closing brackets.
     net: i32,
 }
 
@@ -23,7 +23,7 @@ impl Nesting {
         }
     }
 
-    /// Lines with open brackets: each indents by one step, and a line that goes on is indented at least once.
+    /// Number of lines with open brackets: each indents by one step, and a continued line is indented at least once.
     fn levels(&self) -> usize {
         let others = self.open.windows(2).filter(|pair| pair[0] != pair[1]).count();
         (others + usize::from(!self.open.is_empty())).clamp(1, 20)
@@ -31,7 +31,7 @@ impl Nesting {
 }
 
 impl Setter<'_> {
-    /// Atoms whose line is indented so far: the author's breaks, and more where it gets too long.
+    /// Writes atoms with this indentation: keeps the author's line breaks, and adds more where a line is too long.
     pub(super) fn run(&mut self, from: usize, to: usize, indent: usize) {
         let (mut nesting, mut at) = (Nesting::default(), from);
         let (body, mut open, mut indent) = (indent.saturating_sub(indent_by(0, self.open)), self.open, indent);
@@ -63,7 +63,8 @@ impl Setter<'_> {
         }
     }
 
-    /// How many of these atoms go on the line: all, or up to the best place to break it, which is outside of as many brackets as may be.
+    /// Number of atoms that go on the line: all, or up to the best position for a break, which is outside of as many
+    /// brackets as possible.
     fn break_in(&self, from: usize, to: usize, depth: usize) -> usize {
         let gap = if self.at_start() { 0 } else { self.gap(from) };
         let room = self.width.saturating_sub(self.column + gap);
@@ -95,14 +96,14 @@ impl Setter<'_> {
         self.atoms.row[i].item != Item::None
     }
 
-    /// Not before operators, nor between a word and its value.
+    /// False before operators, and between a word and its value.
     fn may_break(&self, i: usize) -> bool {
         let word = matches!(self.atoms.row[i - 1].item, Item::Word | Item::Plain);
         let held = self.has(i, flag::GLUE | flag::JOIN | flag::OPERATOR | flag::COMMENT);
         !(held || word && self.is_item(i))
     }
 
-    /// How much an atom holds what follows it.
+    /// Strength with which an atom binds the following one.
     fn tie(&self, i: usize) -> usize {
         match self.read(i) {
             "," => 1,

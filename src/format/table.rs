@@ -1,9 +1,9 @@
-//! Tables: lines of one shape that the author set in columns stay in columns.
+//! Alignment of tables: rows of one shape that the author aligned in columns stay aligned.
 
 use super::atoms::{Item, flag};
 use super::layout::{Row, Setter, columns_of};
 
-/// Gives the atoms of tables the blanks that keep their columns in line, unless a line would get too long.
+/// Adds the blanks that align the columns of tables, unless a line would get too long.
 pub fn pad(setter: &mut Setter, rows: &[Row], indent: usize) {
     let mut from = 0;
     while from < rows.len() {
@@ -27,19 +27,19 @@ pub fn pad(setter: &mut Setter, rows: &[Row], indent: usize) {
     }
 }
 
-/// Will a row stand on more lines than the author gave it?
+/// True if a row needs more lines than the author gave it.
 fn splits(setter: &Setter, row: &Row, indent: usize) -> bool {
     let single = setter.atoms.row[row.from].next as usize == row.to;
     !single && (!row.flat || indent + setter.flat_width(row.from, row.to) > setter.width)
 }
 
-/// The atoms of a row, without a comment behind it, nor a comma: the last row has none.
+/// The atoms of a row, without a comment or comma at its end: the last row has no comma.
 fn cells(setter: &Setter, row: &Row) -> std::ops::Range<usize> {
     let to = row.to - usize::from(setter.has(row.to - 1, flag::LINE_COMMENT));
     row.from..to - usize::from(to > row.from + 1 && setter.read(to - 1) == ",")
 }
 
-/// Have both rows the same words and signs, and numbers, names and texts at the same places?
+/// True if both rows have the same words and signs, and numbers, names and strings at the same positions.
 fn goes_on(setter: &Setter, first: &Row, next: &Row) -> bool {
     let (a, b) = (cells(setter, first), cells(setter, next));
     let together = first.flat && next.flat && setter.atoms.row[next.from].lines == 1;
@@ -57,14 +57,14 @@ fn class<'a>(setter: &Setter<'a>, i: usize) -> &'a str {
     }
 }
 
-/// An atom as the author wrote it: columns before it and of it.
+/// An atom in the author's text: its column and its width.
 #[derive(Clone, Copy)]
 struct Cell {
     start: usize,
     columns: usize,
 }
 
-/// The blanks before all atoms of all rows, if the rows are a table that is not in line by itself.
+/// The blanks before all atoms of all rows, if the rows are a table that is not aligned without them.
 fn table(setter: &Setter, rows: &[Row], indent: usize) -> Option<Vec<Vec<u8>>> {
     let text = setter.text;
     let begins = |lo: usize| text[..lo].rfind(['\n', '\r']).map_or(0, |end| end + 1);

@@ -1,10 +1,10 @@
-//! Bytes of a file to text and back: encoding and ends of lines stay as they are.
+//! Decoding and encoding of files: the encoding and the ends of lines are kept.
 
 use super::format;
 use crate::diagnostic::Diagnostic;
 use crate::source::{ReadError, text_of};
 
-/// A file's text, and how it is written.
+/// A file's text, and its encoding.
 #[derive(Debug)]
 pub struct Encoded {
     /// Without a byte-order mark.
@@ -15,17 +15,17 @@ pub struct Encoded {
 
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// What the bytes say.
+/// Decodes the bytes of a file.
 ///
 /// # Errors
-/// If they are no text.
+/// If they are not text.
 pub fn decode(bytes: Vec<u8>) -> Result<Encoded, ReadError> {
     let (marked, latin_1) = (bytes.starts_with(MARK), std::str::from_utf8(&bytes).is_err());
     Ok(Encoded { text: text_of(bytes)?, marked, latin_1 })
 }
 
 impl Encoded {
-    /// The text as it should be; see [`format()`].
+    /// The formatted text; see [`format()`].
     ///
     /// # Errors
     /// Those of [`format()`].
@@ -33,7 +33,7 @@ impl Encoded {
         Ok(with_ends(&format(&self.text, base, width)?, line_end(&self.text)))
     }
 
-    /// Another text, encoded as this one was.
+    /// Encodes another text as this one was encoded.
     pub fn encode(&self, text: &str) -> Vec<u8> {
         let mark = if self.marked { MARK } else { b"" };
         let narrow = || text.chars().map(|c| u8::try_from(u32::from(c)).unwrap_or(b'?')).collect();
@@ -42,7 +42,7 @@ impl Encoded {
     }
 }
 
-/// How the first line ends.
+/// The end of the first line.
 fn line_end(text: &str) -> &'static str {
     match text.find(['\n', '\r']) {
         Some(at) if text[at..].starts_with("\r\n") => "\r\n",
@@ -51,7 +51,7 @@ fn line_end(text: &str) -> &'static str {
     }
 }
 
-/// Lines that end in `\n` alone end so; those inside of strings and comments that end otherwise stay.
+/// Replaces `\n` at the ends of lines by `end`; other line ends, inside of strings and comments, stay.
 fn with_ends(text: &str, end: &str) -> String {
     if end == "\n" {
         return text.to_string();

@@ -1,5 +1,5 @@
-//! What a function computes: operations that refer to their operands by number. Equal ones exist once, and those of
-//! constants are computed at once.
+//! The computation of a function: a graph of operations that refer to their operands by index. Equal operations exist
+//! once; operations on constants are evaluated when the graph is built.
 
 use super::numeric::{self, Kernel};
 use super::{Function, Gives, Interval, LocalBounds, Program, Sampler, internal::Internal};
@@ -11,7 +11,7 @@ use smallvec::SmallVec;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// An operation in its [`Graph`]; operands have smaller numbers.
+/// Index of an operation in its [`Graph`]; operands have smaller indices.
 pub type Id = u32;
 
 /// One operation.
@@ -21,34 +21,34 @@ pub enum Operation {
     Constant(u64),
     /// A parameter.
     Parameter(u16),
-    /// A row of [`numeric::TABLE`] for one number.
+    /// A row of [`numeric::TABLE`] with one argument.
     One(u8, Id),
-    /// A row of it for two.
+    /// A row of the table with two arguments.
     Two(u8, Id, Id),
     /// An operator.
     Binary(Operator, Id, Id),
-    /// The second if the first is not 0, else the third; only that one is computed.
+    /// The second operand if the first is not 0, else the third; the other one is not evaluated.
     Choice(Id, Id, Id),
-    /// A component of what [`Graph::callees`] gives.
+    /// A component of the result of a call of [`Graph::callees`].
     Call(u32, u8, Box<[Id]>),
 }
 
-/// What a [`Operation::Call`] asks.
+/// Target of an [`Operation::Call`].
 #[derive(Clone, Debug)]
 pub enum Callee {
     /// One of the functions behind `functions.inc`.
     Internal(&'static Internal),
-    /// `f_noise3d`: its generator is that of the scene, whose settings may come later.
+    /// `f_noise3d`: its generator is that of the scene, which may be set later.
     SceneNoise(Arc<AtomicU8>),
-    /// A function that is too large to be copied into this one.
+    /// A function that is too large to be inlined.
     Function(Arc<Function>),
     /// A pigment, pattern, transform or spline.
     Sampler(Arc<dyn Sampler>),
-    /// `sum(I, A, B, …)` and `prod`: the body's parameters are those of this function and the counter.
+    /// `sum(I, A, B, …)` and `prod`: the body's parameters are those of the enclosing function and the counter.
     Series {
-        /// `prod`.
+        /// True for `prod`.
         product: bool,
-        /// What is added or multiplied.
+        /// The terms or factors.
         body: Arc<Program>,
     },
 }
@@ -56,16 +56,17 @@ pub enum Callee {
 /// All operations of a function, operands first.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
-    /// In order.
+    /// The operations.
     pub nodes: Vec<Operation>,
-    /// What calls refer to.
+    /// Targets of calls.
     pub callees: Vec<Callee>,
     /// The result.
     pub result: Id,
     known: FxHashMap<Operation, Id>,
 }
 
-/// The operator for two numbers. Inside functions comparisons are exact, and all but 0 is true (measured on POV-Ray 3.7).
+/// Applies an operator. Inside functions comparisons are exact, and all numbers but 0 are true (quirk:
+/// `exact_comparisons_in_functions`).
 pub(super) fn operate(op: Operator, a: f64, b: f64) -> f64 {
     use Operator::*;
     match op {
@@ -84,7 +85,7 @@ pub(super) fn operate(op: Operator, a: f64, b: f64) -> f64 {
     }
 }
 
-/// The same for intervals; `same` says that both are one number.
+/// Bounds of an operator's result over intervals; `same` is true if both operands are one node.
 pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool) -> Interval {
     use Operator::*;
     let sure = |yes: bool, no: bool| match (yes, no) {
@@ -110,7 +111,7 @@ pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool
 }
 
 impl Callee {
-    /// A component of the answer.
+    /// A component of the result.
     pub fn call(&self, component: usize, arguments: &[f64]) -> f64 {
         match self {
             Callee::Internal(internal) => (internal.compute)(arguments),
@@ -121,7 +122,7 @@ impl Callee {
         }
     }
 
-    /// All components of the answer of what gives several.
+    /// All components of a result with several.
     pub(super) fn call_all(&self, arguments: &[f64]) -> [f64; 5] {
         match self {
             Callee::Function(function) => function.call(arguments),
@@ -130,7 +131,7 @@ impl Callee {
         }
     }
 
-    /// Is the answer one number, whatever component is asked for?
+    /// True if the result is a number, whatever component is asked for.
     pub(super) fn gives_number(&self) -> bool {
         let gives = match self {
             Callee::Function(function) => function.gives(),
@@ -150,8 +151,8 @@ impl Callee {
         }
     }
 
-    /// What is known of the components no farther than `radius` from a point, which the first three arguments say, and of their gradients
-    /// by those.
+    /// Bounds on the components, and on their gradients by the first three arguments, within `radius` of the point that
+    /// these arguments are.
     pub(super) fn bounds_near(&self, arguments: &[f64], radius: f64) -> [LocalBounds; 5] {
         let rest = &arguments[3..];
         let (steepest, bend) = match self {
@@ -202,10 +203,11 @@ fn scene_noise(generator: &AtomicU8, p: &[f64]) -> f64 {
     noise::noise(DVec3::new(p[0], p[1], p[2]), generator_of(generator))
 }
 
-/// A series with more terms is not a number: it would never end.
+/// Maximum number of terms of a series; longer ones give NaN.
 const MAX_TERMS: f64 = 1e7;
 
-/// The arguments are the first and last value of the counter, and then those of the function around.
+/// Evaluates a series. The arguments are the first and last value of the counter, and then those of the enclosing
+/// function.
 fn series(product: bool, body: &Program, arguments: &[f64]) -> f64 {
     let [first, last, outer @ ..] = arguments else { return f64::NAN };
     let mut inner = outer.to_vec();
@@ -224,18 +226,18 @@ fn series(product: bool, body: &Program, arguments: &[f64]) -> f64 {
 }
 
 impl Graph {
-    /// Does it compute the same in the same way?
+    /// True if both graphs are equal.
     pub fn is_alike(&self, other: &Graph) -> bool {
         (self.result, &self.nodes, self.callees.len()) == (other.result, &other.nodes, other.callees.len())
             && self.callees.iter().zip(&other.callees).all(|(a, b)| a.is(b))
     }
 
-    /// A number.
+    /// Adds a constant.
     pub fn constant(&mut self, x: f64) -> Id {
         self.add(Operation::Constant(x.to_bits()))
     }
 
-    /// The number that an operation is known to give.
+    /// The value of an operation, if it is a constant.
     pub fn known(&self, id: Id) -> Option<f64> {
         match self.nodes[id as usize] {
             Operation::Constant(bits) => Some(f64::from_bits(bits)),
@@ -243,7 +245,7 @@ impl Graph {
         }
     }
 
-    /// Finds or makes an operation.
+    /// Finds or adds an operation.
     pub fn add(&mut self, node: Operation) -> Id {
         let node = self.folded(&node).map_or(node, |x| Operation::Constant(x.to_bits()));
         if let Operation::Choice(condition, yes, no) = node
@@ -269,7 +271,7 @@ impl Graph {
         })
     }
 
-    /// A call of something.
+    /// Adds a call.
     pub fn call(&mut self, callee: Callee, component: u8, arguments: Box<[Id]>) -> Id {
         let index = self.callees.iter().position(|c| c.is(&callee)).unwrap_or_else(|| {
             self.callees.push(callee);
@@ -278,7 +280,7 @@ impl Graph {
         self.add(Operation::Call(index as u32, component, arguments))
     }
 
-    /// Copies what another function computes, with these arguments for its parameters.
+    /// Copies another graph, with these operands for its parameters.
     pub fn inline(&mut self, other: &Graph, arguments: &[Id]) -> Id {
         let mut ids: Vec<Id> = Vec::with_capacity(other.nodes.len());
         for node in &other.nodes {
@@ -300,7 +302,7 @@ impl Graph {
         ids[other.result as usize]
     }
 
-    /// Between which numbers the result lies while the parameters lie in these intervals and every operation gives a number.
+    /// Bounds of the result while the parameters are in these intervals and every operation gives a number.
     pub fn bounds(&self, parameters: &[Interval]) -> Interval {
         let mut all: Vec<Interval> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
@@ -327,7 +329,7 @@ impl Graph {
     }
 }
 
-/// A row of the table for one number.
+/// Applies a row of the table with one argument.
 pub(super) fn one(row: u8, a: f64) -> f64 {
     match numeric::TABLE[row as usize].kernel {
         Kernel::One(f) => f(a),
@@ -335,7 +337,7 @@ pub(super) fn one(row: u8, a: f64) -> f64 {
     }
 }
 
-/// A row of the table for two numbers.
+/// Applies a row of the table with two arguments.
 pub(super) fn two(row: u8, a: f64, b: f64) -> f64 {
     match numeric::TABLE[row as usize].kernel {
         Kernel::Two(f) | Kernel::Many(f) => f(a, b),

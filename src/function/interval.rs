@@ -1,10 +1,10 @@
-//! Interval arithmetic: between which numbers a function lies over a box (Moore, "Interval Analysis", 1966). Results
-//! are widened by a few units in the last place, so that rounding never makes one too narrow.
+//! Interval arithmetic: bounds of a function over a box (Moore, "Interval Analysis", 1966). Results are widened by a
+//! few units in the last place, so that rounding never makes one too narrow.
 
 use crate::math::fp;
 use std::ops::{Add, Mul, Neg};
 
-/// All numbers from `lo` to `hi`; a function that is not defined everywhere in a box has [`Interval::ALL`].
+/// All numbers from `lo` to `hi`; a function that is not defined everywhere in a box has the bounds [`Interval::ALL`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     /// The smallest.
@@ -16,7 +16,7 @@ pub struct Interval {
 impl Interval {
     /// Any number.
     pub const ALL: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
-    /// What a comparison gives: 0 or 1.
+    /// Results of a comparison: 0 or 1.
     pub const TRUTH: Interval = Interval { lo: 0.0, hi: 1.0 };
 
     /// From the smaller to the larger.
@@ -29,17 +29,17 @@ impl Interval {
         Self::new(x, x)
     }
 
-    /// Is the number in it?
+    /// True if the number is in the interval.
     pub fn contains(&self, x: f64) -> bool {
         self.lo <= x && x <= self.hi
     }
 
-    /// The smallest interval that holds both.
+    /// The smallest interval that contains both.
     pub fn hull(self, other: Self) -> Self {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
-    /// What both have in common; the first where that is nothing.
+    /// The intersection; `self` if it is empty.
     pub fn shared(self, other: Self) -> Self {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         if lo <= hi { Self { lo, hi } } else { self }
@@ -52,12 +52,12 @@ impl Interval {
         if lo.is_nan() || hi.is_nan() { Self::ALL } else { Self { lo, hi } }
     }
 
-    /// By a function that grows everywhere.
+    /// Bounds of a monotonically increasing function.
     pub fn growing(self, f: impl Fn(f64) -> f64) -> Self {
         Self::new(f(self.lo), f(self.hi)).widened()
     }
 
-    /// 1 / x: any number where 0 lies inside.
+    /// 1 / x; any number if 0 is inside.
     pub fn recip(self) -> Self {
         if self.contains(0.0) { Self::ALL } else { Self::new(1.0 / self.lo, 1.0 / self.hi).widened() }
     }
@@ -70,13 +70,13 @@ impl Interval {
         Self { lo: wide.lo.max(0.0), hi: wide.hi }
     }
 
-    /// The distance from 0.
+    /// The absolute value.
     pub fn abs(self) -> Self {
         let lo = if self.contains(0.0) { 0.0 } else { self.lo.abs().min(self.hi.abs()) };
         Self { lo, hi: self.lo.abs().max(self.hi.abs()) }
     }
 
-    /// cos, whose ends lie where the interval's ends or the multiples of π inside it do.
+    /// cos: its extremes are at the interval's ends or at multiples of π inside.
     pub fn cos(self) -> Self {
         use std::f64::consts::PI;
         let width = self.hi - self.lo;
@@ -97,7 +97,7 @@ impl Interval {
         (self + Self::point(-std::f64::consts::FRAC_PI_2)).cos()
     }
 
-    /// x to the power of y, for powers that are one number and bases that are not negative, or whole powers.
+    /// x to the power of y, for exponents that are one number and bases that are not negative, or integer exponents.
     pub fn pow(self, power: Self) -> Self {
         let p = power.lo;
         if power.lo != power.hi || !p.is_finite() {
@@ -137,7 +137,7 @@ impl Neg for Interval {
 impl Mul for Interval {
     type Output = Self;
 
-    /// The products of the ends.
+    /// Hull of the products of the ends.
     fn mul(self, other: Self) -> Self {
         let product = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
         let ends = [

@@ -1,8 +1,8 @@
-//! `function { … }` (manual, "User-Defined Functions"): compiled once into a graph of operations and a row of
-//! instructions, evaluated for points, and for boxes by interval arithmetic.
+//! `function { … }` (manual, "User-Defined Functions"): compiled once into a graph of operations and into bytecode,
+//! evaluated for points, and for boxes by interval arithmetic.
 //!
-//! What a function computes lies in its [`Graph`]: numbers, without names, scopes or macros, each shared result once.
-//! The bytecode of [`Program`] comes from it, as machine code will.
+//! The [`Graph`] has no names, scopes or macros, and each common subexpression once. The bytecode of [`Program`] is
+//! generated from the graph.
 
 mod graph;
 pub mod internal;
@@ -28,20 +28,20 @@ use std::sync::Arc;
 pub struct Function {
     /// Names of its parameters; `x`, `y`, `z` where none are given.
     pub parameters: Box<[Box<str>]>,
-    /// What it computes.
+    /// The computation.
     pub body: Body,
 }
 
-/// See the variants.
+/// Computation of a function.
 #[derive(Debug)]
 pub enum Body {
     /// An expression.
     Numeric(Program),
-    /// `function { pigment { … } }` and its kin.
+    /// `function { pigment { … } }` and similar functions.
     Sampled(Arc<dyn Sampler>),
 }
 
-/// What a call gives.
+/// Type of a function's result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gives {
     /// A number.
@@ -52,30 +52,30 @@ pub enum Gives {
     Color,
 }
 
-/// Something of a higher layer that can be asked at a point: a pigment, a pattern, a transform, a spline.
+/// An object of a higher layer that is evaluated at a point: a pigment, a pattern, a transform, a spline.
 pub trait Sampler: std::fmt::Debug + Send + Sync {
-    /// How many arguments it takes.
+    /// Number of arguments.
     fn arity(&self) -> usize;
-    /// What it gives.
+    /// Type of the result.
     fn gives(&self) -> Gives;
-    /// The answer; a number is the first of the five, a colour is red, green, blue, filter, transmit.
+    /// The result: a number is the first of the five, a colour is red, green, blue, filter, transmit.
     fn sample(&self, arguments: &[f64]) -> [f64; 5];
-    /// One of the five.
+    /// One component of the result.
     fn part(&self, component: usize, arguments: &[f64]) -> f64 {
         self.sample(arguments)[component]
     }
-    /// What is known of the five no farther than a radius from these arguments.
+    /// Bounds on the components within a radius of these arguments.
     fn bounds_near(&self, _arguments: &[f64], _radius: f64) -> [LocalBounds; 5] {
         [LocalBounds::UNKNOWN; 5]
     }
-    /// Between which numbers a component lies while the arguments lie in these intervals.
+    /// Bounds of a component while the arguments are in these intervals.
     fn bounds(&self, _component: usize, _arguments: &[Interval]) -> Interval {
         Interval::ALL
     }
 }
 
 impl Function {
-    /// Does it compute the same in the same way, whatever its parameters are called?
+    /// True if both compute the same in the same way, whatever their parameters' names.
     pub fn is_alike(&self, other: &Function) -> bool {
         match (&self.body, &other.body) {
             (Body::Numeric(a), Body::Numeric(b)) => self.arity() == other.arity() && a.graph().is_alike(b.graph()),
@@ -84,7 +84,7 @@ impl Function {
         }
     }
 
-    /// What a call gives.
+    /// Type of the result.
     pub fn gives(&self) -> Gives {
         match &self.body {
             Body::Numeric(_) => Gives::Number,
@@ -92,7 +92,7 @@ impl Function {
         }
     }
 
-    /// How many arguments a call takes.
+    /// Number of arguments.
     pub fn arity(&self) -> usize {
         match &self.body {
             Body::Numeric(_) => self.parameters.len(),
@@ -100,7 +100,7 @@ impl Function {
         }
     }
 
-    /// The value for these arguments, as many as [`Self::arity`] says.
+    /// The result for [`Self::arity`] arguments.
     pub fn call(&self, arguments: &[f64]) -> [f64; 5] {
         match &self.body {
             Body::Numeric(program) => [program.run(arguments), 0.0, 0.0, 0.0, 0.0],
@@ -108,7 +108,7 @@ impl Function {
         }
     }
 
-    /// One of the numbers that [`Self::call`] gives.
+    /// One component of [`Self::call`].
     pub fn part(&self, component: usize, arguments: &[f64]) -> f64 {
         match &self.body {
             Body::Numeric(program) if component == 0 => program.run(arguments),

@@ -5,44 +5,44 @@ use crate::math::fp;
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
 
-/// How a function is computed.
+/// Implementation of a function.
 #[derive(Clone, Copy, Debug)]
 pub enum Kernel {
-    /// Of one number.
+    /// One argument.
     One(fn(f64) -> f64),
-    /// Of two.
+    /// Two arguments.
     Two(fn(f64, f64) -> f64),
-    /// Of one or more, two at a time from the left.
+    /// One or more arguments, folded from the left.
     Many(fn(f64, f64) -> f64),
 }
 
-/// For which numbers a script can compute a function; in `function { }` the others give what is no number.
+/// Arguments for which a script can evaluate a function; in `function { }` all others give NaN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Domain {
     /// All.
     All,
-    /// -1 to 1, and others are brought there.
+    /// -1 to 1; other numbers are clamped.
     Arc,
     /// 0 and above.
     FromZero,
     /// Above 0.
     AboveZero,
-    /// Not 0 twice; why.
+    /// Not two zeros; the reason.
     NotBothZero(&'static str),
-    /// All, but a second number of 0 divides by it.
+    /// All, but a second argument of 0 is a division by zero.
     Divides,
 }
 
 /// A row of the table.
 #[derive(Debug)]
 pub struct Numeric {
-    /// As it is typed.
+    /// The function's name.
     pub name: &'static str,
-    /// What computes it.
+    /// The implementation.
     pub kernel: Kernel,
-    /// What it takes.
+    /// The domain.
     pub domain: Domain,
-    /// Its bounds; the second is that of the first where it takes but one.
+    /// Its bounds; the second interval equals the first for one argument.
     pub bounds: fn(Interval, Interval) -> Interval,
     /// One line for the manual.
     pub summary: &'static str,
@@ -81,12 +81,12 @@ impl Numeric {
     }
 }
 
-/// Bounds that say nothing.
+/// No bounds.
 fn any(_: Interval, _: Interval) -> Interval {
     Interval::ALL
 }
 
-/// All of them. The arcs are not clamped here: outside of [-1, 1] they are not a number.
+/// All functions. The arcs are not clamped here: outside of [-1, 1] they are NaN.
 pub const TABLE: &[Numeric] = &[
     one("abs", f64::abs, |a, _| a.abs(), "the distance from 0"),
     one("acos", fp::acos_or_nan, any, "the angle in radians whose cosine it is").of(Domain::Arc),
@@ -135,7 +135,7 @@ fn bits(a: f64, b: f64, f: fn(i64, i64) -> i64) -> f64 {
     f(a as i64, b as i64) as f64
 }
 
-/// The number of the row with this name.
+/// Index of the row with this name.
 pub fn find(name: &str) -> Option<u8> {
     NUMBERS.get(name).copied()
 }
@@ -144,8 +144,8 @@ static NUMBERS: LazyLock<FxHashMap<&'static str, u8>> =
     LazyLock::new(|| TABLE.iter().enumerate().map(|(i, row)| (row.name, i as u8)).collect());
 
 impl Numeric {
-    /// Why a script can't compute it for these numbers; functions then give what is no number. The second number is the
-    /// first again where it takes but one.
+    /// The reason why a script cannot evaluate the function for these arguments; functions give NaN instead. `b` equals
+    /// `a` for one argument.
     pub fn fault(&self, a: f64, b: f64) -> Option<String> {
         match self.domain {
             Domain::FromZero if a < 0.0 => Some(format!("{a} has no square root")),
@@ -155,7 +155,7 @@ impl Numeric {
         }
     }
 
-    /// The arguments as scripts take them: those of the arcs are brought into their range.
+    /// The argument as scripts use it: that of an arc is clamped to its domain.
     pub fn clamped(&self, a: f64) -> f64 {
         if self.domain == Domain::Arc { a.clamp(-1.0, 1.0) } else { a }
     }

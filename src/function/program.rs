@@ -1,14 +1,14 @@
-//! Bytecode: the operations of a [`Graph`] in an order in which they can be computed, each into a register of its own.
+//! Bytecode: the operations of a [`Graph`] in an order in which they can be evaluated, each into a register of its own.
 
 use super::graph::{self, Graph, Id, Operation};
 use super::numeric::{self, Kernel};
 use crate::syntax::ast::Operator;
 use smallvec::SmallVec;
 
-/// The number of a register: first the parameters, then the constants, then results.
+/// Index of a register: first the parameters, then the constants, then results.
 type Register = u16;
 
-/// One step.
+/// One instruction.
 #[derive(Clone, Copy, Debug)]
 enum Step {
     Add(Register, Register, Register),
@@ -20,16 +20,16 @@ enum Step {
     One(fn(f64) -> f64, Register, Register),
     Two(fn(f64, f64) -> f64, Register, Register, Register),
     Copy(Register, Register),
-    /// Goes on behind this step if the register is 0.
+    /// Jumps over the instructions up to this one if the register is 0.
     SkipIfZero(Register, u32),
     Skip(u32),
-    /// Callee, component, and where its arguments' registers stand in [`Program::arguments`].
+    /// Callee, component, and the position and number of the arguments' registers in [`Program::arguments`].
     Call(u32, u8, u32, u16, Register),
-    /// The same for all components, into five registers.
+    /// All components of a call, into five registers.
     CallAll(u32, u32, u16, Register),
 }
 
-/// A function that can be run.
+/// A compiled function.
 #[derive(Clone, Debug)]
 pub struct Program {
     graph: Graph,
@@ -39,36 +39,36 @@ pub struct Program {
     parameters: usize,
     registers: usize,
     result: Register,
-    /// The first registers before anything is computed: the constants where they belong.
+    /// Initial values of the first registers, including the constants.
     start: Box<[f64; FEW]>,
 }
 
-/// Most programs need no more registers than this.
+/// Maximum number of registers of most programs.
 const FEW: usize = 24;
-/// Larger ones.
+/// Maximum number of registers of larger programs.
 const SOME: usize = 64;
-/// Programs with more of them have memory of their own.
+/// Programs with more registers allocate memory.
 const MANY: usize = 256;
-/// The most arguments of a call that need no memory of their own.
+/// Maximum number of arguments of a call that needs no allocation.
 const FEW_ARGUMENTS: usize = 12;
-/// So far behind an operation others are looked for that take components of the same call.
+/// Number of operations after one that are searched for other components of the same call.
 const NEAR: usize = 24;
-/// Registers are numbered by 16 bits.
+/// Register indices have 16 bits.
 const MAX_OPERATIONS: usize = 60_000;
 
-/// Makes the steps.
+/// Generates the instructions.
 struct Writer<'g> {
     graph: &'g Graph,
     steps: Vec<Step>,
     constants: Vec<f64>,
     arguments: Vec<Register>,
-    /// Where a result lies, if it has been computed on the way to here.
+    /// Register of each result that is already evaluated at the current position.
     places: Vec<Option<Register>>,
     next: usize,
 }
 
 impl Program {
-    /// Orders the operations; `None` if there are more than 60 000.
+    /// Compiles a graph; `None` if it has more than 60 000 operations.
     pub fn new(graph: Graph, parameters: usize) -> Option<Self> {
         if graph.nodes.len() + parameters > MAX_OPERATIONS {
             return None;
@@ -99,14 +99,15 @@ impl Program {
         })
     }
 
-    /// What it computes.
+    /// The graph.
     pub fn graph(&self) -> &Graph {
         &self.graph
     }
 
     /// The result for these parameters.
     pub fn run(&self, parameters: &[f64]) -> f64 {
-        // (Most of the time that a short one takes would go by with zeros, and with copies whose lengths the compiler does not know.)
+        // (A short program would spend most of its time clearing registers, and on copies whose lengths the compiler
+        // does not know.)
         let all = self.registers;
         if all <= FEW {
             let mut r = *self.start;
@@ -177,7 +178,7 @@ impl Program {
 }
 
 impl Writer<'_> {
-    /// Makes sure that a result is computed at this point; gives its register.
+    /// Ensures that a result is evaluated at this position; returns its register.
     fn write(&mut self, id: Id) -> Register {
         if let Some(place) = self.places[id as usize] {
             return place;
@@ -243,7 +244,7 @@ impl Writer<'_> {
         place
     }
 
-    /// The operations, of this one and the next few, that take a component of the same call, and which one.
+    /// The operations, among this one and the next few, that use components of the same call, with their components.
     fn siblings(&self, id: Id, callee: u32, list: &[Id]) -> SmallVec<[(usize, u8); 5]> {
         let is_one = |(i, node): (usize, &Operation)| match node {
             Operation::Call(other, component, same) if *other == callee && **same == *list => Some((i, *component)),
@@ -252,7 +253,7 @@ impl Writer<'_> {
         self.graph.nodes.iter().enumerate().skip(id as usize).take(NEAR).filter_map(is_one).collect()
     }
 
-    /// What only one branch needs is computed in it, and is not known behind it.
+    /// Operations that only one branch needs are evaluated in that branch, and are unknown after it.
     fn choice(&mut self, condition: Id, yes: Id, no: Id) -> Register {
         let condition = self.write(condition);
         let to = self.register();
@@ -278,7 +279,7 @@ impl Writer<'_> {
     }
 }
 
-/// The graph of an expression, step by step, without bytecode: what the fast way is tested against.
+/// Evaluates a graph recursively, without bytecode: the reference for tests.
 #[cfg(test)]
 pub(super) fn slow(graph: &Graph, parameters: &[f64]) -> f64 {
     fn value(graph: &Graph, id: Id, p: &[f64]) -> f64 {
@@ -305,10 +306,10 @@ mod tests {
     use crate::function::Interval;
     use proptest::prelude::*;
 
-    /// A recipe for one operation: which kind, and which operands.
+    /// Description of one operation: its type, and its operands.
     type Recipe = Vec<(u8, u32, u32, u32, f64)>;
 
-    /// Operations that give finite numbers mostly, in any order.
+    /// A graph of operations that mostly give finite numbers, in any order.
     fn graph(recipe: &Recipe) -> Graph {
         let mut graph = Graph::default();
         let mut ids: Vec<Id> = (0..3).map(|i| graph.add(Operation::Parameter(i))).collect();

@@ -10,26 +10,26 @@ use smallvec::SmallVec;
 const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };
 const ONE: Interval = Interval { lo: 1.0, hi: 1.0 };
 
-/// Where a value lies, and where its gradient does: in a box, or at most so far from one. Jumps have gradients without bounds.
+/// Bounds of a value and of its gradient: in a box, or within a distance of the box. Jumps have unbounded gradients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
     /// The value.
     pub value: Interval,
     /// The box: derivatives by each of up to three parameters.
     pub by: [Interval; 3],
-    /// How far from the box.
+    /// Maximum distance from the box.
     pub around: f64,
-    /// Nearly all gradients are far shorter than these.
+    /// True if nearly all gradients are far shorter than these bounds.
     pub rough: bool,
 }
 
 impl Slope {
-    /// A number.
+    /// A constant.
     pub fn constant(x: f64) -> Self {
         Self::flat(Interval::point(x))
     }
 
-    /// The parameter of this number, which lies in the interval.
+    /// The parameter with this index, which is in the interval.
     pub fn parameter(i: usize, value: Interval) -> Self {
         let mut by = [ZERO; 3];
         if let Some(by) = by.get_mut(i) {
@@ -46,7 +46,7 @@ impl Slope {
         Self { value, by: [Interval::ALL; 3], around: 0.0, rough: false }
     }
 
-    /// Bounds of the derivative along a direction; infinite where nothing is known.
+    /// Bounds of the derivative along a direction; infinite if unknown.
     pub fn along(&self, d: DVec3) -> Interval {
         let [x, y, z] = [0, 1, 2].map(|i| times(self.by[i], Interval::point(d[i])));
         let sum = plus(plus(x, y), z);
@@ -54,12 +54,12 @@ impl Slope {
         Interval { lo: sum.lo - far, hi: sum.hi + far }
     }
 
-    /// Does it not change at all?
+    /// True if the value is constant.
     fn is_flat(&self) -> bool {
         self.by == [ZERO; 3] && self.around == 0.0
     }
 
-    /// By the chain rule: of a function with this value, whose derivative by this one lies there.
+    /// The chain rule, for a function with this value and the derivative `derivative` by `self`.
     fn chain(&self, value: Interval, derivative: Interval) -> Self {
         let most = derivative.lo.abs().max(derivative.hi.abs());
         let around = if self.around == 0.0 { 0.0 } else { self.around * most };
@@ -72,7 +72,7 @@ impl Slope {
         Self { value, by: [by(0), by(1), by(2)], around: self.around + other.around, rough }
     }
 
-    /// A function of two whose derivatives by each lie there.
+    /// The chain rule for two arguments with these derivatives.
     fn both(value: Interval, a: &Self, by_a: Interval, b: &Self, by_b: Interval) -> Self {
         a.chain(value, by_a).plus(value, &b.chain(value, by_b), 1.0)
     }
@@ -84,7 +84,7 @@ impl Slope {
     }
 }
 
-/// The product, exactly 0 where one of them is.
+/// The product; exactly 0 if one factor is.
 fn times(a: Interval, b: Interval) -> Interval {
     if a == ZERO || b == ZERO { ZERO } else { a * b }
 }
@@ -98,7 +98,8 @@ fn plus(a: Interval, b: Interval) -> Interval {
 }
 
 impl Graph {
-    /// Bounds of the result and its derivatives, while the parameters lie there. `room` is filled with those of all operations.
+    /// Bounds of the result and its derivatives, while the parameters have these. `room` is filled with those of all
+    /// operations.
     pub fn slope(&self, parameters: &[Slope], room: &mut Vec<Slope>) -> Slope {
         room.clear();
         let mut last = None;
@@ -109,7 +110,8 @@ impl Graph {
         room.get(self.result as usize).copied().unwrap_or(Slope::steep(Interval::ALL))
     }
 
-    /// `last` is what the last call gave: the next one often takes another component of it.
+    /// The bounds of one operation. `last` are the results of the last call: the next operation often uses another
+    /// component.
     fn slope_of<'g>(
         &'g self,
         node: &'g Operation,
@@ -145,7 +147,7 @@ impl Graph {
 }
 
 impl Function {
-    /// Bounds of the number it gives, and of its derivatives, over a box of its parameters. `room` is for its own use.
+    /// Bounds of the number and of its derivatives, over a box of its parameters. `room` is scratch memory.
     pub fn slope(&self, parameters: &[Interval], room: &mut Vec<Slope>) -> Slope {
         let list: SmallVec<[Slope; 4]> =
             parameters.iter().enumerate().map(|(i, &value)| Slope::parameter(i, value)).collect();
@@ -174,7 +176,7 @@ fn of_operator(op: Operator, a: &Slope, b: &Slope, same: bool) -> Slope {
     }
 }
 
-/// A function of one number: its derivative over an interval.
+/// A function of one argument, by its derivative over an interval.
 fn of_one(row: &numeric::Numeric, a: &Slope) -> Slope {
     let value = (row.bounds)(a.value, a.value);
     if a.is_flat() {
@@ -191,7 +193,7 @@ fn of_one(row: &numeric::Numeric, a: &Slope) -> Slope {
         "ln" if x.lo > 0.0 => x.recip(),
         "log" if x.lo > 0.0 => x.recip() * Interval::point(std::f64::consts::LOG10_E),
         "sqrt" if x.lo > 0.0 => Interval::point(0.5) * value.recip(),
-        // (Steep without end at 0.)
+        // (Unbounded slope at 0.)
         "sqrt" if x.hi > 0.0 => Interval { lo: 0.5 / x.hi.sqrt(), hi: f64::INFINITY }.widened(),
         "sinh" => (numeric_bounds("cosh"))(x, x),
         "cosh" => (numeric_bounds("sinh"))(x, x),
@@ -200,7 +202,7 @@ fn of_one(row: &numeric::Numeric, a: &Slope) -> Slope {
         "asinh" => (ONE + x.square()).growing(f64::sqrt).recip(),
         "degrees" => Interval::point(1f64.to_degrees()),
         "radians" => Interval::point(1f64.to_radians()),
-        // (A step inside is a jump.)
+        // (A step inside the interval is a jump.)
         "floor" | "ceil" | "int" if value.lo == value.hi => ZERO,
         _ => Interval::ALL,
     };
@@ -211,7 +213,7 @@ fn numeric_bounds(name: &str) -> fn(Interval, Interval) -> Interval {
     numeric::find(name).map_or(|_, _| Interval::ALL, |row| numeric::TABLE[row as usize].bounds)
 }
 
-/// A function of two numbers.
+/// A function of two arguments.
 fn of_two(row: &numeric::Numeric, a: &Slope, b: &Slope) -> Slope {
     let value = (row.bounds)(a.value, b.value);
     if a.is_flat() && b.is_flat() {
@@ -229,7 +231,8 @@ fn of_two(row: &numeric::Numeric, a: &Slope, b: &Slope) -> Slope {
             let power = if y.lo == 1.0 { ONE } else { (row.bounds)(x, less) };
             a.chain(value, times(y, power))
         }
-        // The angle of (y, x) turns by (y·dx - x·dy)/(x² + y²). Where it jumps by a full turn, what is made of it does not, mostly.
+        // The angle of (y, x) changes by (y·dx - x·dy)/(x² + y²). Where it jumps by a full turn, most results that use
+        // it do not.
         "atan2" => {
             let over = (x.square() + y.square()).recip();
             Slope::both(angle(x, y), a, times(y, over), b, -times(x, over))
@@ -261,7 +264,7 @@ fn angle(y: Interval, x: Interval) -> Interval {
     all.into_iter().reduce(Interval::hull).unwrap_or(Interval::ALL).widened()
 }
 
-/// All components of what a call gives.
+/// All components of a call.
 fn of_call(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
     if let Callee::Function(function) = callee
         && let Body::Numeric(program) = &function.body
@@ -300,14 +303,14 @@ fn of_call(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
     each(&|component| if is_flat { Slope::flat(bounds(component)) } else { Slope::steep(bounds(component)) })
 }
 
-/// How much longer three numbers make a step of the parameters at most.
+/// Upper bound of the factor by which three numbers lengthen a step of the parameters.
 fn longest(numbers: [&Slope; 3]) -> f64 {
     let size = |i: &Interval| i.lo.abs().max(i.hi.abs());
     let turns = numbers.iter().map(|n| n.around * n.around).sum::<f64>().sqrt();
     let alone = |(i, n): (usize, &&Slope)| (0..3).all(|k| k == i || n.by[k] == ZERO);
     let by = numbers.iter().enumerate().map(|(i, n)| size(&n.by[i]));
     if numbers.iter().enumerate().all(alone) {
-        // Each of the parameters goes into its own number: the largest factor counts.
+        // Each parameter affects only its own number: the largest factor counts.
         return by.fold(0.0, f64::max) + turns;
     }
     let all = numbers.iter().flat_map(|n| n.by.iter().map(|by| size(by).powi(2)));

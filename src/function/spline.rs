@@ -1,37 +1,36 @@
-//! `spline { … }` (manual, "Splines"): a curve of two to five numbers through points that stand at values of a
-//! parameter.
+//! `spline { … }` (manual, "Splines"): a curve of two to five numbers through points at values of a parameter.
 
 use super::{Gives, Sampler};
 use crate::value::{Thing, VecN};
 
-/// How the points are joined.
+/// Interpolation between the points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SplineKind {
-    /// Straight lines.
+    /// Linear.
     Linear,
     /// A parabola through three points at a time.
     Quadratic,
-    /// Bends like a thin strip of wood: two continuous derivatives, none bent at the ends.
+    /// Cubic with two continuous derivatives, and none bent at the ends.
     Natural,
-    /// Through all points but the first and last, which only give the direction at their neighbours.
+    /// Cubic through all points but the first and last, which only define the direction at their neighbours.
     Cubic,
 }
 
 /// Points in the order of their parameters.
 #[derive(Clone, Debug)]
 pub struct Spline {
-    /// Used unless a call names another.
+    /// Interpolation unless a call names another.
     pub kind: SplineKind,
     /// Parameter and point, ascending.
     points: Vec<(f64, [f64; 5])>,
-    /// How many numbers a point has.
+    /// Number of components of a point.
     pub len: u8,
     /// Second derivatives of the natural spline.
     bends: Vec<[f64; 5]>,
 }
 
 impl SplineKind {
-    /// The kind of this word.
+    /// The kind with this name.
     pub fn of(word: &str) -> Option<Self> {
         Some(match word {
             "linear_spline" => Self::Linear,
@@ -44,7 +43,7 @@ impl SplineKind {
 }
 
 impl Spline {
-    /// Of points in any order; of two at one parameter the last counts. There must be one at least.
+    /// From points in any order; of two with one parameter the last counts. At least one is required.
     pub fn new(kind: SplineKind, given: &[(f64, VecN)]) -> Self {
         let mut points: Vec<(f64, [f64; 5])> = vec![];
         for (t, point) in given {
@@ -58,15 +57,15 @@ impl Spline {
         Self { kind, points, len, bends }
     }
 
-    /// The points, ascending, for a spline that adds some.
+    /// The points, ascending, for a spline that adds more.
     pub fn points(&self) -> impl Iterator<Item = (f64, VecN)> + '_ {
         self.points.iter().map(|(t, c)| (*t, VecN { c: *c, len: self.len }))
     }
 
-    /// The point at a parameter; before the first and behind the last it stays where it is.
+    /// The point at a parameter; constant before the first and after the last.
     pub fn at(&self, t: f64, kind: SplineKind) -> [f64; 5] {
         let (p, n) = (&self.points, self.points.len());
-        // The cubic runs from the second point to the last but one.
+        // The cubic begins at the second point and ends at the last but one.
         let (first, last) = if kind == SplineKind::Cubic && n > 1 { (1, n.max(3) - 2) } else { (0, n - 1) };
         let (first, last) = (first.min(last), last);
         if n == 1 || t.is_nan() || t <= p[first].0 {
@@ -75,7 +74,7 @@ impl Spline {
         if t >= p[last].0 {
             return p[last].1;
         }
-        // t lies between the points i and i+1.
+        // t is between the points i and i+1.
         let i = p.partition_point(|(known, _)| *known <= t) - 1;
         let mut out = [0.0; 5];
         for (c, out) in out.iter_mut().enumerate().take(self.len as usize) {
@@ -90,7 +89,8 @@ impl Spline {
         out
     }
 
-    /// Hermite's cubic; the slope at a point is the mean of those of the lines to its neighbours, as was measured.
+    /// Hermite's cubic; the slope at a point is the mean of those of the lines to its neighbours (quirk:
+    /// `cubic_spline_slopes`).
     fn cubic(&self, i: usize, t: f64, c: usize) -> f64 {
         let p = &self.points;
         let slope = |i: usize| (p[i + 1].1[c] - p[i].1[c]) / (p[i + 1].0 - p[i].0);

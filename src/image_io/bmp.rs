@@ -1,12 +1,12 @@
-//! What stands in a bmp beside its colours: the numbers of its palette, and what POV-Ray 3.7 takes for alpha.
+//! The parts of a bmp that the crate `image` drops: palette indices, and the bytes that POV-Ray 3.7 takes for alpha.
 
-/// The parts of the header that matter here.
+/// The fields of the header that are needed.
 struct Header {
-    /// Where the pixels begin.
+    /// Offset of the pixels.
     start: usize,
     width: usize,
     height: usize,
-    /// The lowest row comes first.
+    /// True if the lowest row comes first.
     up: bool,
     bits: usize,
     compression: u32,
@@ -30,13 +30,13 @@ impl Header {
         })
     }
 
-    /// Rows as they stand in the file to rows from the top.
+    /// Reorders rows from the file's order to top first.
     fn top_first<T: Copy>(&self, rows: Vec<T>) -> Vec<T> {
         if self.up { rows.chunks(self.width).rev().flatten().copied().collect() } else { rows }
     }
 }
 
-/// The numbers of the pixels in the palette, from the top left; `None` without a palette, or if the file is broken.
+/// Palette index of each pixel, from the top left; `None` without a palette, or if the file is broken.
 pub(super) fn indices(bytes: &[u8]) -> Option<Vec<u8>> {
     let header = Header::read(bytes)?;
     let data = bytes.get(header.start..)?;
@@ -48,7 +48,7 @@ pub(super) fn indices(bytes: &[u8]) -> Option<Vec<u8>> {
     Some(header.top_first(rows))
 }
 
-/// Each row ends at a multiple of four bytes.
+/// Uncompressed data; each row is padded to a multiple of four bytes.
 fn plain(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let stride = header.width.checked_mul(header.bits)?.div_ceil(32) * 4;
     let data = data.get(..stride.checked_mul(header.height)?)?;
@@ -63,11 +63,11 @@ fn plain(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     Some(data.chunks(stride).flat_map(|row| (0..header.width).map(move |x| number(row, x))).collect())
 }
 
-/// Pairs of a count and what is repeated; a count of 0 ends a row (0), the picture (1), moves on (2), or says how many come
-/// as they are.
+/// Run-length data: pairs of a count and a byte that is repeated; a count of 0 ends a row (0), ends the picture (1),
+/// moves the position (2), or precedes literal bytes.
 fn runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let (width, halves) = (header.width, header.bits == 4);
-    // A run of two bytes holds 255 pixels at most, and a move goes as far as 255 rows.
+    // A run of two bytes has at most 255 pixels, and a move at most 255 rows.
     if width.checked_mul(header.height)? > data.len().checked_mul(255 * 255)? {
         return None;
     }
@@ -112,7 +112,7 @@ fn runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     Some(out)
 }
 
-/// The fourth bytes of a bmp of 32 bits a pixel, from the top left.
+/// The fourth byte of each pixel of a bmp with 32 bits a pixel, from the top left.
 pub(super) fn alpha(bytes: &[u8]) -> Option<Vec<u8>> {
     let header = Header::read(bytes)?;
     if header.bits != 32 || header.compression != PLAIN {
@@ -130,7 +130,7 @@ pub(super) fn alpha(bytes: &[u8]) -> Option<Vec<u8>> {
 mod tests {
     use super::*;
 
-    /// 3 by 2 pixels, the lower row first.
+    /// A file of 3 by 2 pixels, the lower row first.
     fn file(bits: u8, compression: u8, data: &[u8]) -> Vec<u8> {
         let mut out = vec![0; 54];
         (out[10], out[18], out[22], out[26], out[28], out[30]) = (54, 3, 2, 1, bits, compression);

@@ -1,4 +1,4 @@
-//! The bytes of a picture file to numbers.
+//! Decoders of picture files.
 
 use super::{Frame, bmp, netpbm, radiance, tga, tiff_palette};
 use crate::color::transfer;
@@ -9,20 +9,20 @@ use image::{DynamicImage, ImageFormat, ImageReader};
 use std::io::Cursor;
 use std::path::Path;
 
-/// A picture as its file stores it, before any curve.
+/// A picture as stored in its file, without any transfer curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pixels {
-    /// Pixels across.
+    /// Width in pixels.
     pub width: usize,
-    /// Pixels down.
+    /// Height in pixels.
     pub height: usize,
     /// 1 gray, 2 gray and alpha, 3 colour, 4 colour and alpha.
     pub channels: usize,
-    /// Row by row from the top left, the channels of a pixel side by side; alpha is not multiplied in.
+    /// Row by row from the top left, the channels of a pixel adjacent; colours are not multiplied by alpha.
     pub samples: Samples,
 }
 
-/// The numbers of a picture file.
+/// The samples of a picture file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Samples {
     /// 0 to 255.
@@ -33,7 +33,7 @@ pub enum Samples {
     F32(Vec<f32>),
 }
 
-/// A picture, and where its reader tells them the numbers of its pixels in its palette.
+/// A picture, with the palette indices of its pixels if the decoder returns them.
 pub(super) struct Decoded {
     pub pixels: Pixels,
     pub indices: Option<Vec<u8>>,
@@ -48,7 +48,7 @@ impl From<Pixels> for Decoded {
 /// Decodes a file.
 ///
 /// # Errors
-/// E0002 where it is not there, E0003 where it can't be read, E0007 where it is no picture.
+/// E0002 if it does not exist, E0003 if it can't be read, E0007 if it is not a picture.
 pub fn decode_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
     let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
     decode_bytes(&bytes, path).map(|decoded| decoded.pixels)
@@ -61,7 +61,7 @@ pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
         let reason = reason.lines().next().unwrap_or_default();
         let text = format!("`{}` can't be decoded: {reason}", path.display());
         let fault = Diagnostic::new(codes::PICTURE_BROKEN, Span::NONE, text);
-        // (POV-Ray 3.7.0.10 knows the word `iff`, but reads no such file either.)
+        // (POV-Ray 3.7.0.10 accepts the word `iff`, but can't read such a file either.)
         let help = match bytes {
             [b'F', b'O', b'R', b'M', ..] => "IFF pictures have to be made into png first",
             _ if ImageReader::new(Cursor::new(bytes)).with_guessed_format().is_ok_and(|r| r.format().is_some()) => {
@@ -73,11 +73,11 @@ pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
     })
 }
 
-/// Decodes png, jpg, bmp, tga, tiff, gif, ppm, hdr or exr. The bytes tell which; the ending of the file's name counts only for
-/// tga, which has no mark.
+/// Decodes png, jpg, bmp, tga, tiff, gif, ppm, hdr or exr. The bytes decide which; the ending of the file's name counts
+/// only for tga, which has no signature.
 ///
 /// # Errors
-/// Why it is no picture, in words.
+/// The reason why it is not a picture, in words.
 pub fn decode(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
     decode_any(bytes, ending).map(|decoded| decoded.pixels)
 }
@@ -113,7 +113,7 @@ fn decode_any(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
     Ok(Decoded { pixels, indices: bmp::indices(bytes) })
 }
 
-/// What the crate `image` reads.
+/// Decodes the formats of the crate `image`.
 fn decode_usual(bytes: &[u8]) -> Result<Pixels, String> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
     reader.decode().map(Pixels::from).map_err(|e| e.to_string())
@@ -139,7 +139,7 @@ fn decode_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
     Ok(Pixels { width: frame.width, height: frame.height, channels: 4, samples })
 }
 
-/// Luminance alone.
+/// Decodes an exr with luminance alone.
 fn decode_gray_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
     let image = exr::prelude::read()
         .no_deep_data()
@@ -184,7 +184,7 @@ impl From<DynamicImage> for Pixels {
 }
 
 impl Pixels {
-    /// Colour or gray alone.
+    /// Drops alpha.
     pub(super) fn without_alpha(self) -> Self {
         fn kept<T: Copy>(samples: &[T], n: usize) -> Vec<T> {
             samples.chunks_exact(n).flat_map(|pixel| &pixel[..n - 1]).copied().collect()
@@ -201,7 +201,7 @@ impl Pixels {
         Self { channels: n - 1, samples, ..self }
     }
 
-    /// With the alpha of each pixel, if they are bytes of colour.
+    /// Adds an alpha for each pixel, if the samples are bytes of colour.
     fn with_alpha(self, alpha: &[u8]) -> Self {
         let solid = self.without_alpha();
         let (Samples::U8(v), 3) = (&solid.samples, solid.channels) else { return solid };
@@ -213,7 +213,7 @@ impl Pixels {
         Self { channels: 4, samples, ..solid }
     }
 
-    /// Linear light: integers are taken to follow the sRGB curve, floating-point numbers to be linear.
+    /// Converts to linear light: integers are decoded by the sRGB curve, floating-point numbers are linear already.
     pub fn to_frame(&self) -> Frame {
         let pixels = match &self.samples {
             Samples::U8(v) => self.gather(v, &curve(255), |x| f32::from(x) / 255.0, usize::from),
@@ -234,7 +234,7 @@ impl Pixels {
     }
 }
 
-/// One pixel of one to four channels as colour and alpha, each number through the function of its kind; without alpha it is 1.
+/// Expands a pixel of one to four channels to colour and alpha, each converted by its function; a missing alpha is 1.
 pub fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
     match *pixel {
         [gray] => [color(gray), color(gray), color(gray), 1.0],
@@ -245,7 +245,7 @@ pub fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) 
     }
 }
 
-/// The linear light of each code.
+/// Linear light of each code.
 fn curve(max: u16) -> Vec<f32> {
     (0..=max).map(|code| transfer::srgb_decode(f64::from(code) / f64::from(max)) as f32).collect()
 }

@@ -1,4 +1,4 @@
-//! Density files: numbers on a grid in space (manual, "df3 file format").
+//! Density files: numbers on a three-dimensional grid (manual, "df3 file format").
 
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::source::{Files, ReadError, Span};
@@ -7,7 +7,7 @@ use std::path::Path;
 /// Numbers from 0 to 1 on a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Voxels {
-    /// How many along x, y and z.
+    /// Number of samples along x, y and z.
     pub size: [usize; 3],
     numbers: Numbers,
 }
@@ -23,7 +23,7 @@ impl Voxels {
     /// Reads a df3 file.
     ///
     /// # Errors
-    /// E0002 where it is not there, E0003 where it can't be read, E0007 where its length does not fit.
+    /// E0002 if it does not exist, E0003 if it can't be read, E0007 if its length is wrong.
     pub fn read(files: &dyn Files, path: &Path) -> Result<Self> {
         let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
         Self::decode(&bytes).map_err(|reason| {
@@ -32,11 +32,11 @@ impl Voxels {
         })
     }
 
-    /// Three sizes of two bytes, then all numbers, x fastest, of one, two or four bytes, which the file's length tells; all with
-    /// the high byte first.
+    /// Decodes three sizes of two bytes, then all numbers, x fastest, of one, two or four bytes, as the file's length
+    /// implies; all are big-endian.
     ///
     /// # Errors
-    /// Why it is no df3 file, in words.
+    /// The reason why it is not a df3 file, in words.
     pub fn decode(bytes: &[u8]) -> std::result::Result<Self, String> {
         let Some((&header, body)) = bytes.split_first_chunk::<6>() else { return Err("it is too short".into()) };
         let [a, b, c, d, e, f] = header;
@@ -54,7 +54,7 @@ impl Voxels {
         Ok(Self { size, numbers })
     }
 
-    /// The number at a place of the grid, 0 to 1.
+    /// The number at a grid position, 0 to 1.
     pub fn at(&self, [x, y, z]: [usize; 3]) -> f64 {
         let i = (z * self.size[1] + y) * self.size[0] + x;
         match &self.numbers {

@@ -1,19 +1,21 @@
-//! Dithering (manual, "Output File Dithering"): where neighbours are rounded up and down in turn, more shades are seen than a file has.
-//! Patterns, shares and what is rounded are those of POV-Ray 3.7, measured on it; a file is the same however its rows come. Patterns are
-//! added to the numbers of the file; errors are handed on as light, so that the light of the whole is kept.
+//! Dithering (manual, "Output File Dithering"): neighbouring pixels are rounded up and down alternately, which shows
+//! more shades than a file has. Patterns, shares and rounding are POV-Ray's (quirk: `dithering`); the result does not
+//! depend on how rows are grouped. Patterns are added to the numbers of the file; errors are diffused as light, which
+//! preserves the total light.
 
 use super::quantize::Scale;
 
-/// How numbers are rounded.
+/// Method of rounding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dither {
-    /// By a square pattern of 2, 3 or 4 pixels (Bayer, An optimum method for two-level rendition, 1973).
+    /// An ordered pattern of 2, 3 or 4 pixels (Bayer, An optimum method for two-level rendition, 1973).
     Bayer(usize),
-    /// The error goes to the next pixel.
+    /// The error is added to the next pixel.
     Row,
-    /// To the next one and two of those below.
+    /// The error is divided among the next pixel and two below.
     Simple,
-    /// To the next one and three below (Floyd and Steinberg, An adaptive algorithm for spatial greyscale, 1976).
+    /// The error is divided among the next pixel and three below (Floyd and Steinberg, An adaptive algorithm for
+    /// spatial greyscale, 1976).
     FloydSteinberg,
 }
 
@@ -21,7 +23,7 @@ const TWO: [usize; 4] = [1, 4, 3, 2];
 const THREE: [usize; 9] = [3, 6, 2, 7, 1, 8, 4, 9, 5];
 const FOUR: [usize; 16] = [1, 13, 4, 16, 9, 5, 12, 8, 3, 15, 2, 14, 11, 7, 10, 6];
 
-/// Where the error of a pixel goes: pixels to the right, rows down, share of it.
+/// A receiver of a pixel's error: offset to the right, offset down, share.
 type Share = (isize, usize, f32);
 const SIMPLE: &[Share] = &[(1, 0, 0.5), (0, 1, 0.25), (1, 1, 0.25)];
 const FLOYD_STEINBERG: &[Share] = &[(1, 0, 7.0 / 16.0), (-1, 1, 3.0 / 16.0), (0, 1, 5.0 / 16.0), (1, 1, 1.0 / 16.0)];
@@ -31,9 +33,9 @@ pub(super) struct Ditherer {
     dither: Dither,
     channels: usize,
     row: usize,
-    /// Light that this row and the two below get more, by channel.
+    /// Light to be added to this row and the two below, by channel.
     errors: [Vec<f32>; 3],
-    /// What the last pixel left, by channel.
+    /// Error of the last pixel, by channel.
     last: [f32; 4],
 }
 
@@ -43,7 +45,7 @@ impl Ditherer {
         Self { dither, channels, row: 0, errors, last: [0.0; 4] }
     }
 
-    /// Light of a row, from 0 to 1, channel by channel, to codes.
+    /// Converts the light of a row, from 0 to 1, channel by channel, to codes.
     pub fn codes(&mut self, row: &[f32], scale: Scale) -> Vec<u16> {
         let codes = row.iter().enumerate().map(|(i, &x)| self.code(i, x, scale)).collect();
         self.errors.rotate_left(1);
@@ -52,7 +54,7 @@ impl Ditherer {
         codes
     }
 
-    /// The code of the light with this index in its row.
+    /// Code of the light with this index in its row.
     fn code(&mut self, i: usize, light: f32, scale: Scale) -> u16 {
         let (column, channel) = (i / self.channels, i % self.channels);
         let round = |light| scale.code(scale.number(channel, light) + 0.5);
@@ -77,8 +79,8 @@ impl Ditherer {
         }
     }
 
-    /// Hands the error of the pixel on. What the first column gets from above comes one row later than it should, and what
-    /// leaves the picture at its sides is lost (both measured on POV-Ray 3.7).
+    /// Distributes the error of a pixel. The first column receives errors from above one row late, and errors beyond
+    /// the sides are lost (quirk: `dithering`).
     fn share(&mut self, i: usize, error: f32) {
         let shares = if self.dither == Dither::Simple { SIMPLE } else { FLOYD_STEINBERG };
         for &(right, down, share) in shares {
@@ -111,7 +113,7 @@ mod tests {
                 let mut ditherer = Ditherer::new(dither, 120, 3);
                 let codes: Vec<u16> = (0..120).flat_map(|_| ditherer.codes(&[light; 360], scale)).collect();
                 let mean = codes.iter().map(|&c| f64::from(c)).sum::<f64>() / codes.len() as f64;
-                // A pattern of nine or sixteen has so many shades; and all of its levels are rounded up.
+                // A pattern of nine or sixteen pixels has as many shades, and all of its levels are rounded up.
                 assert!((mean - f64::from(shade)).abs() < 0.27, "{dither:?}: {mean}, not {shade}");
                 assert!(codes.iter().all(|&code| (f32::from(code) - shade).abs() <= 1.0), "{dither:?}");
                 let lights = codes.iter().map(|&code| f64::from(scale.light(0, code)));
@@ -122,7 +124,7 @@ mod tests {
         }
     }
 
-    /// Of a picture of one shade, 100.53/255 (POV-Ray 3.7, `+THB4`).
+    /// On a picture of one shade, 100.53/255 (POV-Ray 3.7, `+THB4`).
     #[test]
     fn patterns_are_povrays() {
         let mut ditherer = Ditherer::new(Dither::Bayer(4), 4, 1);
@@ -131,7 +133,7 @@ mod tests {
         assert_eq!(rows, [[100, 101, 100, 101], [101, 100, 101, 101], [100, 101, 100, 101], [101, 100, 101, 100]]);
     }
 
-    /// Of a picture of `rgb 0.03` (POV-Ray 3.7, `+THD1`, `+THD2`, `+THFS`).
+    /// On a picture of `rgb 0.03` (POV-Ray 3.7, `+THD1`, `+THD2`, `+THFS`).
     #[test]
     fn errors_go_where_povrays_go() {
         let rows = |dither| {

@@ -1,4 +1,4 @@
-//! A picture, from the top, to the bytes of a file. The same picture always gives the same bytes.
+//! Encoders of picture files, row by row from the top. Equal pictures give equal bytes.
 
 use super::dither::{Dither, Ditherer};
 use super::png_writer::PngWriter;
@@ -13,31 +13,31 @@ use image::codecs::{bmp::BmpEncoder, hdr::HdrEncoder, jpeg::JpegEncoder, tga::Tg
 use image::{ExtendedColorType, ImageEncoder, ImageError, Rgb};
 use std::io::{self, Cursor, Seek, Write};
 
-/// How a picture is stored.
+/// Format and options of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Encoding {
     /// The format.
     pub format: Format,
     /// 8 or 16 bits a channel, or for exr 16 or 32, where the format has them.
     pub depth: u8,
-    /// Keep transparency, where the format can; otherwise the picture is laid over black.
+    /// True to keep transparency, where the format can; otherwise the picture is composited over black.
     pub alpha: bool,
-    /// Keep brightness alone, as height fields do; png and ppm (which is then pgm) can.
+    /// True to keep brightness alone, as height fields do; png and ppm (which is then pgm) can.
     pub gray: bool,
-    /// The curve that integers follow.
+    /// Transfer curve of integers.
     pub gamma: Gamma,
-    /// Shades between two integers; formats that have no need of it know nothing of it.
+    /// Dithering; formats without integers ignore it.
     pub dither: Option<Dither>,
-    /// How exr is packed.
+    /// Compression of exr.
     pub packing: Packing,
 }
 
-/// How exr is packed.
+/// Compression of exr.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Packing {
-    /// Not at all.
+    /// None.
     None,
-    /// Run lengths, line by line: ten times as fast as the denser ones.
+    /// Run-length encoding by lines: ten times as fast as the denser methods.
     #[default]
     Runs,
     /// Deflate, sixteen lines at once.
@@ -56,14 +56,14 @@ impl Encoding {
         self.alpha && self.format.has_alpha()
     }
 
-    /// Is the light of all pixels kept until the last is here? Rows of bmp files stand from the bottom, and from there errors are handed
-    /// on (measured on POV-Ray 3.7; patterns begin at the top).
+    /// True if the light of all pixels is kept until the last row: the rows of bmp files start at the bottom, and error
+    /// diffusion does too (quirk: `bmp_dithers_upwards`; patterns start at the top).
     fn keeps_light(&self) -> bool {
         let hands_on = self.dither.is_some_and(|dither| !matches!(dither, Dither::Bayer(_)));
         self.format == Format::Exr || self.format == Format::Bmp && hands_on
     }
 
-    /// The bytes of memory that a pixel takes until the file is finished.
+    /// Memory per pixel until the file is finished, in bytes.
     pub fn kept(&self) -> usize {
         match self.format {
             Format::Png | Format::Ppm | Format::Hdr => 0,
@@ -73,12 +73,12 @@ impl Encoding {
     }
 }
 
-/// Takes a picture from its top, some whole rows of linear light at a time; pixels are those of a [`Frame`].
+/// A consumer of a picture, some whole rows of linear light at a time, from the top; pixels are those of a [`Frame`].
 pub trait Rows: Send {
-    /// The next rows.
+    /// Consumes the next rows.
     ///
     /// # Errors
-    /// Whatever keeps them from being stored.
+    /// The reason why they can't be stored.
     fn take(&mut self, rows: &[[f32; 4]]) -> Result<()>;
 }
 
@@ -89,17 +89,17 @@ impl Rows for Frame {
     }
 }
 
-/// Why a picture was not stored.
+/// The reason why a picture was not stored.
 #[derive(Debug)]
 pub enum EncodeError {
     /// The file can't be written.
     Io(io::Error),
-    /// The format can't hold the picture, and this is why.
+    /// The format can't hold the picture; the reason.
     Format(String),
 }
 
 impl EncodeError {
-    /// E0008, or what `unwritable` makes of a file that can't be written.
+    /// E0008, or the result of `unwritable` if the file can't be written.
     pub fn told(self, format: Format, unwritable: impl FnOnce(&io::Error) -> Diagnostic) -> Fault {
         Box::new(match self {
             Self::Io(error) => unwritable(&error),
@@ -137,10 +137,11 @@ impl From<exr::error::Error> for EncodeError {
 
 pub(super) type Encoded<T = ()> = std::result::Result<T, EncodeError>;
 
-/// JPEG's quality, of 100.
+/// Quality of JPEG, from 1 to 100.
 const JPEG_QUALITY: u8 = 92;
 
-/// A file to be: it takes rows from the top, and writes them at once where the format allows.
+/// A picture file that is being written: rows are passed from the top, and are written immediately where the format
+/// allows.
 pub struct Encoder<W: Write + Seek> {
     encoding: Encoding,
     width: usize,
@@ -150,16 +151,17 @@ pub struct Encoder<W: Write + Seek> {
 }
 
 enum Out<W: Write + Seek> {
-    /// Rows are written as they come.
+    /// Rows are written immediately.
     Png(Box<PngWriter<W>>),
     Flat(W),
-    /// They are kept, as the file will hold them, until all are here.
+    /// Rows are kept in the file's own form until the last one.
     Integers(W, Vec<u8>),
     Floats(W, Vec<[f32; 4]>),
 }
 
 impl<W: Write + Seek> Encoder<W> {
-    /// Begins the file of a picture of this size: integers follow the sRGB curve, floating-point formats hold linear light.
+    /// Begins the file of a picture of this size: integers follow the sRGB curve, floating-point formats have linear
+    /// light.
     ///
     /// # Errors
     /// If the format can't hold the picture, or the file can't be written.
@@ -186,7 +188,7 @@ impl<W: Write + Seek> Encoder<W> {
         Ok(Self { encoding: *encoding, width, height, integers, out })
     }
 
-    /// The next rows.
+    /// Adds rows.
     ///
     /// # Errors
     /// If they can't be written.
@@ -280,7 +282,7 @@ fn encode_integers<W: Write + Seek>(
     Ok(())
 }
 
-/// Alpha is associated (colours are multiplied by it), as OpenEXR's specification wants.
+/// Alpha is associated (colours are multiplied by it), as OpenEXR's specification demands.
 fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32; 4]], how: &Encoding) -> Encoded {
     let compression = match how.packing {
         Packing::None => Compression::Uncompressed,
@@ -295,7 +297,7 @@ fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32
         [r * a, g * a, b * a, a]
     };
     let half = f16::from_f32;
-    // (Each of these is a type of its own to the library.)
+    // (Each of these is a type of its own in the crate.)
     macro_rules! write {
         ($channels:expr) => {
             Image::from_encoded_channels(size, packing, $channels).write().non_parallel().to_buffered(out)?
@@ -310,7 +312,7 @@ fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32
     Ok(())
 }
 
-/// What stands before the size in a file of these rows, and what behind it.
+/// The bytes before the size in a file of these rows, and those after it.
 fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>, Vec<u8>)> {
     let mut file = Vec::new();
     HdrEncoder::new(&mut file).encode(rows, width, height)?;
@@ -321,20 +323,20 @@ fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>
     Ok((file, behind))
 }
 
-/// The same brightness in all three channels.
+/// A gray pixel of equal brightness.
 fn brightness(&[r, g, b, a]: &[f32; 4]) -> [f32; 4] {
     let gray = gray(crate::color::Rgb::new(f64::from(r), f64::from(g), f64::from(b))) as f32;
     [gray, gray, gray, a]
 }
 
-/// Of pixels whose three colours are the same, one, and their alpha.
+/// Keeps one of three equal colour channels, and alpha.
 fn one_of_three(pixels: &[u8], encoding: Encoding) -> Vec<u8> {
     let number = usize::from(encoding.depth / 8);
     let pixel = number * if encoding.keeps_alpha() { 4 } else { 3 };
     pixels.chunks(pixel).flat_map(|pixel| pixel[..number].iter().chain(&pixel[3 * number..])).copied().collect()
 }
 
-/// NaN would spread through every program that reads the file.
+/// Replaces NaN by 0: it would spread through every program that reads the file.
 fn number(x: f32) -> f32 {
     if x.is_nan() { 0.0 } else { x }
 }

@@ -1,4 +1,4 @@
-//! The formats that pictures are written in.
+//! Formats of picture files that durer writes.
 
 use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::source::Span;
@@ -25,12 +25,12 @@ pub enum Format {
     Tiff,
 }
 
-/// What a format can hold.
+/// Capabilities of a format.
 struct Row {
     format: Format,
-    /// The first one is the format's name.
+    /// Endings of file names; the first one is the format's name.
     endings: &'static [&'static str],
-    /// Bits a channel; empty where they are floating-point numbers.
+    /// Bits per channel; empty for floating-point numbers.
     depths: &'static [u8],
     alpha: bool,
     max_side: usize,
@@ -72,17 +72,17 @@ impl Format {
         ROWS.iter().map(|row| row.endings[0])
     }
 
-    /// Can it be told how many bits a channel has?
+    /// True if the number of bits per channel can be chosen.
     pub fn has_depth(self) -> bool {
         !self.row().depths.is_empty()
     }
 
-    /// Can it hold transparency?
+    /// True if the format can hold transparency.
     pub fn has_alpha(self) -> bool {
         self.row().alpha
     }
 
-    /// Can it hold brightness alone?
+    /// True if the format can hold brightness alone.
     pub fn has_gray(self) -> bool {
         matches!(self, Self::Png | Self::Ppm)
     }
@@ -95,7 +95,7 @@ impl Format {
     /// By the ending of a file's name.
     ///
     /// # Errors
-    /// E0005 where the ending is none of a format.
+    /// E0005 if no format has the ending.
     pub fn from_path(path: &Path) -> Result<Format> {
         let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
         if let Some(format) = Self::from_name(ending) {
@@ -111,7 +111,7 @@ impl Format {
         Diagnostic::new(codes::UNKNOWN_FORMAT, Span::NONE, message).help(help).into()
     }
 
-    /// Can it hold a picture of this size with so many bits a channel?
+    /// Checks whether the format can hold a picture of this size with this number of bits per channel.
     ///
     /// # Errors
     /// E0008 if it can't.

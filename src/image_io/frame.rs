@@ -1,4 +1,4 @@
-//! A picture in memory.
+//! A rendered picture in memory.
 
 use super::quantize;
 
@@ -6,21 +6,21 @@ use super::quantize;
 /// clamped, not multiplied by alpha) and alpha (1 is opaque).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// Pixels across.
+    /// Width in pixels.
     pub width: usize,
-    /// Pixels down.
+    /// Height in pixels.
     pub height: usize,
     /// `width * height` pixels.
     pub pixels: Vec<[f32; 4]>,
 }
 
 impl Frame {
-    /// All transparent black.
+    /// A transparent black picture.
     pub fn new(width: usize, height: usize) -> Self {
         Self { width, height, pixels: vec![[0.0; 4]; width * height] }
     }
 
-    /// As it looks without transparency: laid over black.
+    /// Composited over black.
     pub fn over_black(&self) -> Self {
         let opaque = |&p: &[f32; 4]| {
             let [r, g, b] = quantize::over_black(p);
@@ -29,7 +29,7 @@ impl Frame {
         Self { width: self.width, height: self.height, pixels: self.pixels.iter().map(opaque).collect() }
     }
 
-    /// As an 8-bit file stores it: the sRGB curve, red, green, blue and alpha.
+    /// Encoded as in an 8-bit file: the sRGB curve, red, green, blue and alpha.
     pub fn rgba8(&self) -> Vec<[u8; 4]> {
         quantize::bytes(&self.pixels, true).as_chunks().0.to_vec()
     }

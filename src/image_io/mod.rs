@@ -1,4 +1,4 @@
-//! Decodes and encodes pixel files; nothing else opens one.
+//! Decoders and encoders of picture files; no other module reads or writes them.
 
 mod bmp;
 mod decode;

@@ -1,8 +1,9 @@
-//! Netpbm's pgm and ppm with a largest number below 255, which others bring to eight bits and lose a little.
+//! Netpbm's pgm and ppm with a maximum value below 255, which the crate `image` scales to eight bits with rounding
+//! errors.
 
 use super::{Pixels, Samples};
 
-/// `None` if it is another file, or has any other largest number.
+/// `None` for another file, or another maximum value.
 pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
     let (channels, plain) = match bytes.get(..2)? {
         b"P2" => (1, true),
@@ -22,14 +23,14 @@ pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
         if plain {
             return (0..count).map(|_| number(&mut rest).map(wide)).collect();
         }
-        // one blank ends the header
+        // one whitespace character ends the header
         Some(rest.get(1..=count)?.iter().map(|&byte| wide(usize::from(byte))).collect())
     };
     let samples = read().ok_or_else(|| "it is cut off".to_string());
     Some(samples.map(|samples| Pixels { width, height, channels, samples: Samples::U16(samples) }))
 }
 
-/// The next number, behind blanks and comments.
+/// The next number after whitespace and comments.
 fn number(rest: &mut &[u8]) -> Option<usize> {
     loop {
         match rest.first()? {

@@ -1,4 +1,4 @@
-//! A picture that a scene shows: its numbers, and what its file says of them beside.
+//! A picture that a scene uses: its samples, and the information in its file about them.
 
 use super::{Decoded, Pixels, Samples, decode_bytes};
 use crate::color::GRAY_WEIGHTS;
@@ -7,29 +7,29 @@ use crate::diagnostic::file;
 use crate::source::{Files, ReadError};
 use std::path::Path;
 
-/// How a file's numbers stand to light.
+/// Relation of a file's numbers to light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stored {
-    /// They are what they are: ppm, tiff, hdr, exr.
+    /// Used as they are: ppm, tiff, hdr, exr.
     Plain,
-    /// The file does not say; png, jpeg, gif, tga and bmp mostly follow the sRGB curve.
+    /// Unknown; png, jpeg, gif, tga and bmp usually follow the sRGB curve.
     Unsaid,
-    /// The file says that they follow the sRGB curve.
+    /// The sRGB curve, according to the file.
     Srgb,
-    /// The file says that light is the number to the power of this.
+    /// Light is the number to the power of this, according to the file.
     Power(f64),
 }
 
 /// A decoded file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// Its numbers.
+    /// The samples.
     pub pixels: Pixels,
-    /// How they stand to light.
+    /// Relation of the samples to light.
     pub stored: Stored,
-    /// The number of each pixel's colour in the file's palette, row by row from the top, if it has one.
+    /// Palette index of each pixel, row by row from the top, if the file has a palette.
     pub indices: Option<Vec<u8>>,
-    /// Is it a png of grays alone, of up to eight bits each?
+    /// True for a png of grays alone, of up to eight bits each.
     pub gray_bytes: bool,
 }
 
@@ -37,7 +37,7 @@ impl Picture {
     /// Decodes a file.
     ///
     /// # Errors
-    /// E0002 where it is not there, E0003 where it can't be read, E0007 where it is no picture.
+    /// E0002 if it does not exist, E0003 if it can't be read, E0007 if it is not a picture.
     pub fn read(files: &dyn Files, path: &Path) -> Result<Self> {
         let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
         let Decoded { mut pixels, mut indices } = decode_bytes(&bytes, path)?;
@@ -61,21 +61,22 @@ impl Picture {
     }
 }
 
-/// What POV-Ray keeps of a gray in a png of grays: the lower byte, after the weights have made it less (measured on POV-Ray 3.7).
+/// POV-Ray's value of a gray in a png of grays: rounded down to a byte after the weights have reduced it (quirk:
+/// `gray_png_rounds_down`).
 pub fn kept_gray(gray: f32) -> f32 {
     let [r, g, b] = GRAY_WEIGHTS.map(|weight| weight as f32 * gray);
     (((r + g) + b) * 255.0).floor().clamp(0.0, 255.0) / 255.0
 }
 
-/// A function's number as the 16 bits that keep it in a picture: what is below a step is lost, and what lies below 0 or above 1
-/// comes round again (measured on POV-Ray 3.7: 0.25 is 16383, 1.001 is 64, and -0.3 is 45876).
+/// A function's number in the 16 bits of a function picture: truncated, and numbers below 0 or above 1 wrap (quirk:
+/// `function_picture_wraps`): 0.25 is 16383, 1.001 is 64, and -0.3 is 45876.
 pub fn wrapped(x: f32) -> u16 {
     // (the product is rounded to 24 bits before)
     (x * 65535.0) as i64 as u16
 }
 
-/// What a png's chunks say of its numbers, its palette's numbers, and whether it names a colour that is clear, which counts
-/// for nothing (measured on POV-Ray 3.7).
+/// From the chunks of a png: the relation to light, palette indices, and whether the file is gray. A transparent colour
+/// has no effect (quirk: `png_transparent_color`).
 fn png_extras(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
     let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::IDENTITY);
@@ -98,7 +99,7 @@ fn png_extras(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
     (encoding, Some(indices), false)
 }
 
-/// The number at a place in a row of numbers of 1, 2, 4 or 8 bits, the first in the highest bits.
+/// The number at an index in a row of numbers of 1, 2, 4 or 8 bits, the first in the highest bits.
 fn unpacked(row: &[u8], x: usize, depth: usize) -> u8 {
     let per_byte = 8 / depth;
     let shift = 8 - depth * (x % per_byte + 1);
@@ -106,7 +107,7 @@ fn unpacked(row: &[u8], x: usize, depth: usize) -> u8 {
     if depth == 8 { byte } else { (byte >> shift) & ((1 << depth) - 1) }
 }
 
-/// The palette's numbers of a gif's first frame.
+/// The palette indices of a gif's first frame.
 fn gif_indices(bytes: &[u8]) -> Option<Vec<u8>> {
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::Indexed);

@@ -60,7 +60,7 @@ impl<W: Write> PngWriter<W> {
                 encoder.set_source_gamma(ScaledFloat::from_scaled((100_000.0 / gamma).round() as u32));
             }
             Gamma::Srgb | Gamma::Raw => {
-                // Readers that do not know the chunk `sRGB` take the gamma beside it.
+                // Readers that do not support the chunk `sRGB` use the gamma chunk.
                 encoder.set_source_gamma(ScaledFloat::from_scaled(45_455));
                 encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
             }

@@ -1,19 +1,19 @@
-//! From linear light to stored integers: the sRGB curve, rounded to the nearest code, fast.
+//! Conversion of linear light to stored integers: the sRGB curve, rounded to the nearest code, by tables.
 
 use super::dither::Ditherer;
 use crate::color::{Gamma, transfer};
 use std::sync::LazyLock;
 
-/// Finds the code of a number by table instead of by power: for each small interval of numbers (equal leading bits) the code of
-/// its start, and the one number in the interval, if any, from which on the code is one more.
+/// Finds the code of a number by a table instead of a power: for each small interval of numbers (with equal leading
+/// bits) the code of its start, and the one number in the interval, if any, from which on the code is one more.
 struct Quantizer {
-    /// Entry k is the smallest number that is stored as more than k; the last is infinite.
+    /// Entry k is the smallest number with a code above k; the last is infinite.
     thresholds: Vec<f32>,
     /// The code of the smallest number of each interval.
     starts: Vec<u16>,
-    /// The start of the first interval, which is stored as 0.
+    /// Start of the first interval, with code 0.
     lowest: f32,
-    /// How many trailing bits an interval ignores: so few that no two thresholds fall into one.
+    /// Number of trailing bits that an interval ignores: so few that no two thresholds are in one interval.
     shift: u32,
 }
 
@@ -35,7 +35,7 @@ impl Quantizer {
         Self { starts: starts.collect(), thresholds, lowest: f32::from_bits(first << shift), shift }
     }
 
-    /// The code nearest to the curve; 0 for NaN and what is below 0, the largest one above 1.
+    /// The code nearest to the curve; 0 for NaN and negative numbers, the largest one above 1.
     #[inline]
     fn code(&self, x: f32) -> u16 {
         let x = if x > self.lowest { x.min(1.0) } else { self.lowest };
@@ -44,19 +44,19 @@ impl Quantizer {
     }
 }
 
-/// The smallest number with this code: what the half between it and the code below becomes in light. As in POV-Ray 3.7 the
-/// half itself is rounded up, and it is the nearest `f32` to it that counts: `rgb 0.7` without any gamma is 178.5 and gets 179.
+/// The smallest number with this code: the light of the half between the code and the one below. As in POV-Ray 3.7 the
+/// half itself is rounded up, and the nearest `f32` counts: `rgb 0.7` without any gamma is 178.5 and becomes 179.
 fn threshold(code: u16, max: u16) -> f32 {
     let half = ((f64::from(code) - 0.5) / f64::from(max)) as f32;
     transfer::srgb_decode(f64::from(half)) as f32
 }
 
-/// Alpha and other numbers without a curve; NaN gives 0.
+/// Code of alpha and other numbers without a curve; 0 for NaN.
 fn linear(x: f32, max: f32) -> f32 {
     x.clamp(0.0, 1.0) * max + 0.5
 }
 
-/// Red, green, blue over black where alpha is not kept.
+/// Red, green, blue over black, where alpha is not kept.
 pub(super) fn over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
     if a == 1.0 {
         return [r, g, b];
@@ -65,19 +65,19 @@ pub(super) fn over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
     [r * a, g * a, b * a]
 }
 
-/// Rows of three or four bytes a pixel, with the sRGB curve.
+/// Rows of three or four bytes a pixel, by the sRGB curve.
 pub(super) fn bytes(pixels: &[[f32; 4]], alpha: bool) -> Vec<u8> {
     let table = &*BITS8;
     pack(pixels, alpha, |x| table.code(x) as u8, |a| linear(a, 255.0) as u8)
 }
 
-/// The same with 16 bits a channel.
+/// [`bytes`] with 16 bits a channel.
 pub(super) fn words(pixels: &[[f32; 4]], alpha: bool) -> Vec<u16> {
     let table = &*BITS16;
     pack(pixels, alpha, |x| table.code(x), |a| linear(a, 65_535.0) as u16)
 }
 
-/// How light becomes the integers of a file.
+/// Conversion of light to the integers of a file.
 pub(super) struct Integers {
     pub wide: bool,
     pub alpha: bool,
@@ -87,7 +87,7 @@ pub(super) struct Integers {
 }
 
 impl Integers {
-    /// Some whole rows as bytes; 16-bit samples with the high byte first, or as this machine has them.
+    /// Whole rows as bytes; 16-bit samples are big-endian, or in native order.
     pub fn rows(&mut self, rows: &[[f32; 4]], high_first: bool) -> Vec<u8> {
         let order = if high_first { u16::to_be_bytes } else { u16::to_ne_bytes };
         if self.ditherer.is_none() && self.gamma == Gamma::Srgb {
@@ -115,15 +115,15 @@ impl Integers {
         out
     }
 
-    /// A pixel's channels, from 0 to 1.
+    /// Light of a pixel's channels, clamped to 0 to 1.
     fn lights(&self, &[r, g, b, a]: &[f32; 4]) -> impl Iterator<Item = f32> {
         let [r, g, b] = if self.alpha { [r, g, b] } else { over_black([r, g, b, a]) };
-        // (What is not a number becomes 0: `max` takes the other one.)
+        // (`max` replaces NaN by 0.)
         [r, g, b, a].into_iter().take(if self.alpha { 4 } else { 3 }).map(|x| x.clamp(0.0, 1.0).max(0.0))
     }
 }
 
-/// How light becomes the numbers of a file, and these light. A fourth channel is opacity, which has no curve.
+/// Conversion between light and the numbers of a file. A fourth channel is opacity, which has no curve.
 #[derive(Clone, Copy)]
 pub(super) struct Scale {
     pub gamma: Gamma,
@@ -132,7 +132,7 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// What the code would be if there were numbers between the codes.
+    /// The code of a light before rounding.
     pub fn number(self, channel: usize, light: f32) -> f32 {
         let encoded = if channel == 3 { light } else { self.gamma.encode(f64::from(light)) as f32 };
         encoded.clamp(0.0, 1.0) * self.max
@@ -143,14 +143,14 @@ impl Scale {
         number.min(self.max) as u16
     }
 
-    /// What a code stands for.
+    /// The light of a code.
     pub fn light(self, channel: usize, code: u16) -> f32 {
         let number = f64::from(code) / f64::from(self.max);
         (if channel == 3 { number } else { self.gamma.decode(number) }) as f32
     }
 }
 
-/// Stores colours by one rule and alpha by another.
+/// Stores colours by one function and alpha by another.
 fn pack<T: Copy + Default>(
     pixels: &[[f32; 4]],
     alpha: bool,
@@ -175,7 +175,7 @@ fn pack<T: Copy + Default>(
 mod tests {
     use super::*;
 
-    /// What the tables stand for: the curve, times the largest code, rounded.
+    /// The reference for the tables: the curve, times the largest code, rounded.
     fn exact(x: f64, max: u16) -> u16 {
         (transfer::srgb_encode(x).clamp(0.0, 1.0) * f64::from(max) + 0.5) as u16
     }
@@ -185,7 +185,7 @@ mod tests {
         for (table, max) in [(&BITS8, 255), (&BITS16, 65_535)] {
             let samples = (0..1.5f32.to_bits()).step_by(9973).map(f32::from_bits);
             for x in samples.chain(table.thresholds.iter().step_by(7).copied()) {
-                // (a few of the last bits may be lost on the way)
+                // (the last bits may differ)
                 let near = [-2e-7, 2e-7].map(|d| exact(f64::from(x) * (1.0 + d), max));
                 assert!((near[0]..=near[1]).contains(&table.code(x)), "{x}");
             }
@@ -193,7 +193,7 @@ mod tests {
         }
     }
 
-    /// Numbers without gamma, as scenes of before 3.7 have them (all measured on POV-Ray 3.7).
+    /// Numbers without gamma, as in scenes before version 3.7 (POV-Ray 3.7's output).
     #[test]
     fn a_half_is_rounded_up() {
         let code = |table: &Quantizer, x: f32| table.code(transfer::srgb_decode(f64::from(x)) as f32);

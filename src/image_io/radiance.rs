@@ -18,7 +18,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
     let mut samples = vec![];
     for _ in 0..height {
         for [r, g, b, e] in row(&mut rest, width)? {
-            // As Ward's own programs and POV-Ray 3.7 do, mantissas stand for the middle of their steps.
+            // A mantissa is the middle of its step, as in Ward's own programs and in POV-Ray 3.7.
             let step = 2f64.powi(i32::from(e) - 136);
             samples.extend([r, g, b].map(|m| if e == 0 { 0.0 } else { ((f64::from(m) + 0.5) * step) as f32 }));
         }
@@ -29,7 +29,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
     Ok(Pixels { width, height, channels: 3, samples: Samples::F32(samples) })
 }
 
-/// So many pixels at most: a short file can claim any number.
+/// Maximum number of pixels: a short file can claim any number.
 const MOST: usize = 1 << 26;
 
 const CUT_OFF: &str = "it is cut off";
@@ -47,7 +47,7 @@ fn take<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], String> {
     Ok(head)
 }
 
-/// One row: the four channels one after the other, each in runs, or else pixel by pixel.
+/// Decodes a row: the four channels one after the other, each run-length encoded, or else pixel by pixel.
 fn row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     match **rest {
         [2, 2, a, b, ..] if usize::from(u16::from_be_bytes([a, b])) == width => *rest = &rest[4..],
@@ -68,7 +68,7 @@ fn row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     Ok((0..width).map(|i| [r[i], g[i], b[i], e[i]]).collect())
 }
 
-/// Pixel by pixel; (1, 1, 1, n) repeats the one before n times, several in a row count in bytes.
+/// Decodes pixel by pixel; (1, 1, 1, n) repeats the previous pixel n times; consecutive ones are digits of base 256.
 fn plain(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     let mut out: Vec<[u8; 4]> = vec![];
     let mut shift = 0;

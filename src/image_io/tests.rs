@@ -1,4 +1,4 @@
-//! What is encoded comes back when it is decoded.
+//! Encoding and decoding again gives the original.
 
 use super::*;
 
@@ -16,7 +16,7 @@ fn round_trip(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Pixels {
     decode(&encoded(frame, format, depth, alpha), format.name()).unwrap()
 }
 
-/// Errors of a bmp are handed on from the bottom: turned upside down, it is the png that is turned upside down.
+/// A bmp is dithered from the bottom: turned upside down, it equals the png of the picture turned upside down.
 #[test]
 fn bmp_is_dithered_from_the_bottom() {
     let light = |x: usize, y: usize| (x * 7 + y * 13) as f32 / 500.0;
@@ -36,7 +36,8 @@ fn bmp_is_dithered_from_the_bottom() {
     }
 }
 
-/// Brightness alone is brightness of light, as POV-Ray's `+FNg` (measured: `rgb <1, 0.3, 0.1>` as 16 bits), in the file's curve.
+/// Brightness of the light in the file's curve, as with POV-Ray's `+FNg` (its output for `rgb <1, 0.3, 0.1>` as 16
+/// bits).
 #[test]
 fn gray_is_brightness() {
     let frame = Frame { width: 2, height: 1, pixels: vec![[1.0, 0.3, 0.1, 1.0], [0.5, 0.5, 0.5, 0.5]] };

@@ -1,10 +1,11 @@
-//! Targa files, as POV-Ray 3.7 reads them: five bits of a channel become eight by zeros, and the sixteenth bit is alpha.
+//! Targa files, as POV-Ray 3.7 reads them: five bits of a channel are extended by zeros, and the sixteenth bit is
+//! alpha.
 
 use super::{Decoded, Pixels, Samples};
 
-/// The parts of the header that matter here.
+/// The fields of the header that are needed.
 struct Header {
-    /// Is there a palette?
+    /// True if the file has a palette.
     mapped: bool,
     kind: u8,
     first: usize,
@@ -13,9 +14,9 @@ struct Header {
     width: usize,
     height: usize,
     bits: u8,
-    /// Rows come from the top.
+    /// True if the first row is the top.
     down: bool,
-    /// Rows come from the right.
+    /// True if rows start at the right.
     leftwards: bool,
 }
 
@@ -60,7 +61,8 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
     }
 }
 
-/// Runs: a byte below 128 says how many pixels follow, less one; any other how often the next one is repeated.
+/// Run-length data: a byte below 128 is the number of literal pixels minus 1; a larger one repeats the next pixel,
+/// as often as it exceeds 127.
 fn unpacked(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, String> {
     let mut out = vec![];
     while out.len() < wanted {
@@ -112,7 +114,7 @@ impl Header {
         })
     }
 
-    /// Alpha is dropped where the file has none.
+    /// The decoded picture; alpha is dropped if the file has none.
     fn finished(&self, channels: usize, alpha: bool, samples: Vec<u8>, indices: Option<Vec<u8>>) -> Decoded {
         let pixels = Pixels { width: self.width, height: self.height, channels, samples: Samples::U8(samples) };
         Decoded { pixels: if alpha { pixels } else { pixels.without_alpha() }, indices }

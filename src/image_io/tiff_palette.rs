@@ -1,4 +1,4 @@
-//! Tiff files with a palette of 256 colours: they are decoded as if they were gray, and the palette is looked up here.
+//! Tiff files with a palette of 256 colours: decoded as gray, then looked up in the palette.
 
 use super::{Decoded, Pixels, Samples};
 
@@ -11,7 +11,7 @@ const COLOR_MAP: u16 = 320;
 const BY_PALETTE: u16 = 3;
 const GRAY: u16 = 1;
 
-/// A file in its own order of bytes.
+/// A file with its byte order.
 struct File<'a> {
     bytes: &'a [u8],
     little: bool,
@@ -28,7 +28,7 @@ impl File<'_> {
         Some((if self.little { u32::from_le_bytes(*four) } else { u32::from_be_bytes(*four) }) as usize)
     }
 
-    /// Where the value of a tag of the first picture stands.
+    /// Offset of the value of a tag of the first picture.
     fn value(&self, tag: u16) -> Option<usize> {
         let start = self.long(4)?;
         let count = usize::from(self.word(start)?);
@@ -37,7 +37,7 @@ impl File<'_> {
     }
 }
 
-/// `None` if the file has no such palette; `gray` decodes the bytes of another file.
+/// `None` if the file has no such palette; `gray` decodes the bytes of a modified file.
 pub(super) fn decode(bytes: &[u8], gray: impl Fn(&[u8]) -> Result<Pixels, String>) -> Option<Result<Decoded, String>> {
     let little = match bytes.get(..4)? {
         b"II*\0" => true,

@@ -9,31 +9,36 @@ use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Operator, Sign};
 use crate::texture::tell_bytes;
 use crate::value::words::word;
-use crate::value::{Kind, Next, Reader, Vocabulary};
+use crate::value::{Next, Reader, ValueKind, Vocabulary};
 
 /// Words of the outermost level, except shapes.
 pub const STATEMENTS: Vocabulary = Vocabulary {
     block: "scene",
     summary: "what stands in a scene outside of all braces",
     words: &[
-        word("camera", Kind::Block, "at the origin, along z", "where the picture is taken from; the last one counts"),
-        word("light_source", Kind::Block, "", "a light"),
-        word("union", Kind::Block, "", "several objects as one"),
-        word("composite", Kind::Block, "", "of old scenes: `union`"),
-        word("merge", Kind::Block, "", "the same without the surfaces inside, for glass"),
-        word("intersection", Kind::Block, "", "what all of several objects share"),
-        word("difference", Kind::Block, "", "the first object without the others"),
-        word("object", Kind::Block, "", "a declared object, or another one, with more words behind it"),
-        word("background", Kind::Color, "black", "what rays see that hit nothing"),
-        word("sky_sphere", Kind::Block, "", "the sky: pigments in all directions; the last one counts"),
-        word("fog", Kind::Block, "", "colour that covers what is far; of several, all are seen"),
-        word("rainbow", Kind::Block, "", "an arc of colours; of several, all are seen"),
-        word("light_group", Kind::Block, "", "lights that shine on some objects alone"),
-        word("global_settings", Kind::Block, "", "what holds for the whole scene"),
-        word("default", Kind::Block, "", "behind `#`: what all that follows looks like where it doesn't say"),
-        word("declare", Kind::Nothing, "", "`#declare`, where an old scene leaves the `#` out"),
-        word("include", Kind::Nothing, "", "`#include`, likewise"),
-        word("max_trace_level", Kind::Float, "", "of old scenes: as in `global_settings`"),
+        word(
+            "camera",
+            ValueKind::Block,
+            "at the origin, along z",
+            "where the picture is taken from; the last one counts",
+        ),
+        word("light_source", ValueKind::Block, "", "a light"),
+        word("union", ValueKind::Block, "", "several objects as one"),
+        word("composite", ValueKind::Block, "", "of old scenes: `union`"),
+        word("merge", ValueKind::Block, "", "the same without the surfaces inside, for glass"),
+        word("intersection", ValueKind::Block, "", "what all of several objects share"),
+        word("difference", ValueKind::Block, "", "the first object without the others"),
+        word("object", ValueKind::Block, "", "a declared object, or another one, with more words behind it"),
+        word("background", ValueKind::Color, "black", "what rays see that hit nothing"),
+        word("sky_sphere", ValueKind::Block, "", "the sky: pigments in all directions; the last one counts"),
+        word("fog", ValueKind::Block, "", "colour that covers what is far; of several, all are seen"),
+        word("rainbow", ValueKind::Block, "", "an arc of colours; of several, all are seen"),
+        word("light_group", ValueKind::Block, "", "lights that shine on some objects alone"),
+        word("global_settings", ValueKind::Block, "", "what holds for the whole scene"),
+        word("default", ValueKind::Block, "", "behind `#`: what all that follows looks like where it doesn't say"),
+        word("declare", ValueKind::Nothing, "", "`#declare`, where an old scene leaves the `#` out"),
+        word("include", ValueKind::Nothing, "", "`#include`, likewise"),
+        word("max_trace_level", ValueKind::Float, "", "of old scenes: as in `global_settings`"),
     ],
     has_transforms: false,
     ignored: &["max_intersections"],

@@ -1,30 +1,29 @@
-//! `area_light axis, axis, N, M`: a row or a grid of lights that makes soft shadows (manual, "Area Lights"; details measured on
-//! POV-Ray 3.7).
+//! `area_light axis, axis, N, M`: a row or grid of lights that makes soft shadows (manual, "Area Lights").
 
 use super::{Light, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
-use crate::value::Kind::{Flag, Float, Nothing, Vector};
 use crate::value::Reader;
+use crate::value::ValueKind::{Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, set, word};
 use serde::Serialize;
 
 /// A grid of lights about the location of a light.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Area {
-    /// Its two sides.
+    /// Sides of the grid.
     pub axes: [DVec3; 2],
-    /// How many lights stand along each.
+    /// Number of lights along each side.
     pub size: [u32; 2],
-    /// After so many halvings it asks no more where the corners agree; `None`: it asks all.
+    /// Number of halvings after which subdivision stops where the corners agree; `None` to use all lights.
     pub adaptive: Option<u32>,
-    /// Are they moved about at random?
+    /// True to displace lights at random.
     pub jitter: bool,
-    /// Is the grid bent to a disc?
+    /// True to bend the grid to a disc.
     pub circular: bool,
-    /// Does it always face the place that it shines on?
+    /// True to turn the grid towards the point that it illuminates.
     pub orient: bool,
-    /// Does each light shine by itself, not only cast its shadow?
+    /// True if each light illuminates by itself; otherwise the grid only shapes the shadow.
     pub illumination: bool,
 }
 
@@ -42,7 +41,7 @@ impl Default for Area {
     }
 }
 
-/// How the words of an area are read.
+/// Words of an area light, and how each is read.
 pub(super) const AREA_ROWS: &[Row<Light>] = &[
     word(
         "area_light",
@@ -62,10 +61,9 @@ pub(super) const AREA_ROWS: &[Row<Light>] = &[
         .sets(|s, r| set(&mut s.area.illumination, r.flag())),
 ];
 
-/// So many lights are more than anyone waits for.
+/// Maximum number of lights along a side.
 const MOST: f64 = 1e5;
-/// Lights of a round grid stand beside their places by so much of half a side (seen through a pinhole in POV-Ray 3.7, in grids of 2x2
-/// to 5x5).
+/// Displacement of the lights of a circular grid, as a share of half a side (quirk: `circular_area_light`).
 const BESIDE: f64 = 0.002;
 
 impl Light {
@@ -90,21 +88,21 @@ impl Light {
 }
 
 impl Area {
-    /// From the light's location to the light of these numbers, for a place in the direction `toward`, of length 1; `random` moves it,
-    /// each number in [0, 1).
+    /// Returns the vector from the light's location to the light `cell`. `toward` is the direction to the illuminated
+    /// point, length 1; `random` are two numbers in [0, 1) for jitter.
     pub fn offset(&self, cell: [u32; 2], toward: DVec3, random: Option<[f64; 2]>) -> DVec3 {
         let place = |i: usize| {
             let steps = f64::from(self.size[i].max(2) - 1);
-            // A single light stands in the middle.
+            // The only light of a row is in its middle.
             let middle = if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell[i]) };
             2.0 * (middle + random.map_or(0.0, |random| random[i] - 0.5)) / steps - 1.0
         };
-        // In [-1, 1]
+        // Map to [-1, 1]
         let (mut u, mut v) = (place(0), place(1));
-        // (What is oriented is round, too, whether it says so or not, but no row is: measured on POV-Ray 3.7.)
+        // quirk: oriented_area_is_circular
         if (self.circular || self.orient) && self.size.iter().all(|n| *n > 1) {
             (u, v) = (u + BESIDE, v + BESIDE);
-            // A square about the middle becomes a circle.
+            // Map the square to a disc.
             let shrink = u.abs().max(v.abs()) / (u * u + v * v).sqrt().max(f64::MIN_POSITIVE);
             (u, v) = (u * shrink, v * shrink);
         }
@@ -112,8 +110,8 @@ impl Area {
         (a * u + b * v) * 0.5
     }
 
-    /// Its sides when it faces a direction: the first is level about z, or about y where the direction is nearly z (measured on POV-Ray
-    /// 3.7).
+    /// Sides of a grid that faces a direction: the first side is perpendicular to z, or to y if the direction is nearly
+    /// z (quirk: `oriented_area_sides`).
     fn facing(&self, toward: DVec3) -> [DVec3; 2] {
         let up = if toward.z.abs() > 0.99 { DVec3::Y } else { DVec3::Z };
         let level = up.cross(toward).normalize_or(DVec3::X);
@@ -132,7 +130,7 @@ mod tests {
 
     #[test]
     fn a_grid_and_a_disc_as_measured() {
-        // seen through a pinhole in POV-Ray 3.7
+        // Positions seen through a pinhole in POV-Ray
         let area = Area { axes: [DVec3::X * 4.0, DVec3::Y * 2.0], size: [4, 3], circular: true, ..Area::default() };
         let places = places(&area);
         let seen = [(0, [-1.4112, -0.7056]), (1, [-0.6293, -0.9468]), (4, [-1.9958, 0.0017]), (5, [-0.6629, 0.0014])];
@@ -151,7 +149,7 @@ mod tests {
         for cell in [[0, 0], [1, 0], [1, 1]] {
             let offset = area.offset(cell, toward, None);
             assert!(offset.dot(toward).abs() < 1e-15);
-            // (Corners are as far as the middles of sides: it is round.)
+            // Corners are as far from the centre as the middles of sides.
             assert!((offset.length() - 1.5).abs() < 1.5 * 1.001 * BESIDE);
         }
     }

@@ -1,34 +1,34 @@
-//! `spotlight` and `cylinder`: light that goes one way (manual, "Spotlights", "Cylindrical Lights"; details measured on POV-Ray 3.7).
+//! `spotlight` and `cylinder`: light in one direction (manual, "Spotlights", "Cylindrical Lights").
 
 use super::Light;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, fp};
 use crate::source::Span;
-use crate::value::Kind::{Float, Nothing};
 use crate::value::Reader;
+use crate::value::ValueKind::{Float, Nothing};
 use crate::value::words::{Row, set, word};
 use serde::Serialize;
 
-/// Where a light shines to.
+/// Directional distribution of a light.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Beam {
-    /// To all sides.
+    /// Equal in all directions.
     Round,
-    /// Into a cone; its numbers are angles in degrees.
+    /// A cone; the edge is in degrees.
     Spotlight(Edge),
-    /// Along a tube; its numbers are lengths, which no transform changes.
+    /// A tube; the edge is in units of length, which transforms do not change.
     Cylinder(Edge),
 }
 
-/// How a beam ends towards its sides.
+/// How a beam fades towards its sides.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Edge {
-    /// Within it the light has its full strength.
+    /// Up to here the light has its full strength.
     pub radius: f64,
-    /// From here on it is dark.
+    /// From here on the light is dark.
     pub falloff: f64,
-    /// How fast it fades from the middle on.
+    /// Exponent of the fall-off from the axis.
     pub tightness: f64,
 }
 
@@ -44,7 +44,7 @@ impl Beam {
     }
 }
 
-/// How the words of a beam are read.
+/// Words of a beam, and how each is read.
 pub(super) const BEAM_ROWS: &[Row<Light>] = &[
     word("spotlight", Nothing, "", "it shines into a cone").sets(|s, _| set(&mut s.beam, Ok(Beam::SPOTLIGHT))),
     word("cylinder", Nothing, "", "it shines along a tube").sets(|s, _| set(&mut s.beam, Ok(Beam::CYLINDER))),
@@ -77,22 +77,22 @@ impl Light {
     }
 }
 
-/// A beam as a ray needs it: how bright it is to its sides.
+/// Lowered distribution of a light.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Profile {
-    /// The same everywhere.
+    /// Equal in all directions.
     Round,
-    /// By the cosine of the angle to its axis.
+    /// By the cosine of the angle to the axis.
     Cone {
-        /// That within which it has its full strength.
+        /// Cosine of the angle up to which the light has its full strength.
         radius: f64,
-        /// That of its edge.
+        /// Cosine of the angle from which on it is dark.
         falloff: f64,
-        /// The exponent of the cosine.
+        /// Exponent of the cosine.
         tightness: f64,
     },
-    /// By the distance from its axis.
+    /// By the distance from the axis.
     Tube(Edge),
 }
 
@@ -108,8 +108,8 @@ impl Profile {
         }
     }
 
-    /// The part of its strength that is left at a place: `cos` is that of the angle between its axis and the light that arrives,
-    /// `beside` is how far the place lies from the axis, `ahead` how far along.
+    /// Returns the share of the light's strength at a point: `cos` is the cosine of the angle to the axis, `beside` the
+    /// distance from the axis, `ahead` the distance along it (quirk: `spotlight_profile`).
     pub fn share(&self, cos: f64, beside: f64, ahead: f64) -> f64 {
         match *self {
             Profile::Round => 1.0,
@@ -119,7 +119,7 @@ impl Profile {
                     cos if cos > falloff => smooth_step((cos - falloff) / (radius - falloff)),
                     _ => return 0.0,
                 };
-                // (Behind the light, the power of a cosine below zero is none.)
+                // Behind the light the cosine is negative, and its power is 0.
                 if tightness == 0.0 { edge } else { edge * fp::pow(cos.max(0.0), tightness) }
             }
             Profile::Tube(Edge { radius, falloff, tightness }) => {
@@ -141,7 +141,7 @@ fn smooth_step(x: f64) -> f64 {
     x * x * (3.0 - 2.0 * x)
 }
 
-/// The axis of a beam.
+/// Axis of a beam, length 1.
 pub(super) fn axis(from: DVec3, to: DVec3) -> DVec3 {
     (to - from).normalize_or_zero()
 }
@@ -163,7 +163,7 @@ mod tests {
 
     #[test]
     fn as_measured() {
-        // seen in POV-Ray 3.7 on a white sphere about the light
+        // Light on a white sphere about the light source, as POV-Ray renders it
         for (edge, degrees, seen) in [
             ([30.0, 45.0, 0.0], 35.0, 0.79033),
             ([20.0, 40.0, 0.0], 25.0, 0.90333),
@@ -176,7 +176,7 @@ mod tests {
         ] {
             assert!((spot(edge, degrees) - seen).abs() < 2e-5, "{edge:?} {degrees}: {}", spot(edge, degrees));
         }
-        // and on a plane across
+        // Light on a plane across the beam
         for (edge, beside, seen) in [
             ([0.75, 1.0, 0.0], 0.8, 0.896),
             ([0.2, 0.5, 2.0], 0.1, 0.64),

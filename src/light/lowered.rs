@@ -1,4 +1,4 @@
-//! Lights as a ray needs them: from where, how far, how bright.
+//! Lowered lights: direction, distance and strength of the light at a point.
 
 use super::beam::{Profile, axis};
 use super::{Area, Beam, Light};
@@ -9,40 +9,41 @@ use serde::Serialize;
 /// A lowered light.
 #[derive(Clone, Debug, Serialize)]
 pub struct LoweredLight {
-    /// In world space.
+    /// Location in world space.
     pub location: DVec3,
-    /// Negative ones darken.
+    /// Colour; negative values darken.
     pub color: Rgb,
-    /// Casts no shadow and makes no highlight.
+    /// True if the light casts no shadow and makes no highlight.
     pub shadowless: bool,
-    /// Distance of full strength, and how fast it fades from there.
+    /// Distance of full strength, and exponent of the fall-off from there.
     pub fade: Option<(f64, f64)>,
-    /// Does the air take from it on its way (`media_attenuation`)?
+    /// True if air attenuates the light (`media_attenuation`).
     pub attenuated: bool,
-    /// The grid of lights about its location; never a single one.
+    /// Grid of lights about the location; never a single light.
     pub area: Option<Area>,
-    /// Where its axis goes, length 1.
+    /// Direction of the axis, length 1.
     axis: DVec3,
-    /// How far away the place is that it points at.
+    /// Distance of the point `point_at`.
     aim: f64,
-    /// Is all of its light parallel to its axis?
+    /// True if all light is parallel to the axis.
     parallel: bool,
     profile: Profile,
 }
 
-/// Light that arrives at a place, if nothing is in between.
+/// Light at a point without any occluder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSample {
-    /// Where it comes from; length 1.
+    /// Direction to the light, length 1.
     pub from: DVec3,
-    /// How far it comes; negative behind a parallel light, which shines there too.
+    /// Distance to the light; negative behind a parallel light, which illuminates points there too (quirk:
+    /// `parallel_light_behind`).
     pub distance: f64,
-    /// What arrives.
+    /// Incident light.
     pub light: Rgb,
 }
 
 impl LoweredLight {
-    /// Lowers a light that has been moved to its place.
+    /// Lowers a light in world space.
     pub fn new(light: &Light) -> Self {
         let fade =
             (light.fade_distance > 0.0 && light.fade_power > 0.0).then_some((light.fade_distance, light.fade_power));
@@ -60,25 +61,25 @@ impl LoweredLight {
         }
     }
 
-    /// What arrives at a point from the light that stands at `offset` from its location.
+    /// Returns the light at a point from the light at `offset` from the location.
     pub fn sample(&self, p: DVec3, offset: DVec3) -> LightSample {
-        // (A tube is that of the middle of a grid: measured on POV-Ray 3.7.)
+        // quirk: area_light_tube
         let ahead = (p - self.location).dot(self.axis);
         let way = self.location + offset - p;
         let from = match self.parallel {
             true if offset == DVec3::ZERO => -self.axis,
-            // Each light of a grid shines in a direction of its own, from its place to the one that all point at.
+            // Each light of a grid shines from its position towards `point_at`.
             true => (offset - self.axis * self.aim).normalize_or(-self.axis),
             false => way / way.length(),
         };
-        // (Of parallel light, how far its place lies in that direction, for each light of a grid.)
+        // Distance of a parallel light: along its direction.
         let distance = if self.parallel { way.dot(from) } else { way.length() };
         let beside = || (p - self.location - self.axis * ahead).length();
         let share = match self.profile {
             Profile::Round => 1.0,
-            // A beam without an axis shines nowhere (measured on POV-Ray 3.7).
+            // quirk: beam_without_axis
             _ if self.axis == DVec3::ZERO => 0.0,
-            // (Behind a parallel light, a cone is seen from its back.)
+            // Behind a parallel light, the cone is reversed.
             profile if self.parallel => profile.share(-from.dot(self.axis) * distance.signum(), beside(), ahead),
             profile => profile.share(-from.dot(self.axis), beside(), ahead),
         };
@@ -86,14 +87,14 @@ impl LoweredLight {
         LightSample { from, distance, light: self.strength(distance) * lit }
     }
 
-    /// The light at a distance when nothing is in between; behind a parallel light that is below 0, and an odd power brightens and
-    /// darkens there (measured on POV-Ray 3.7).
+    /// Strength at a distance. Behind a parallel light the distance is negative, and an odd exponent brightens and
+    /// darkens there (quirk: `parallel_light_behind`).
     fn strength(&self, distance: f64) -> Rgb {
         match self.fade {
             // 2 / (1 + (d/d₀)ᵏ)
             Some((from, power)) => {
                 let share = 2.0 / (1.0 + fp::pow(distance / from, power));
-                // (No number: behind the light, by a power that is not whole.)
+                // NaN: a fractional power behind the light.
                 if share.is_nan() { Rgb::ZERO } else { self.color * share }
             }
             None => self.color,
@@ -107,7 +108,7 @@ mod tests {
 
     #[test]
     fn parallel_light_comes_from_its_plane() {
-        // seen in POV-Ray 3.7: it fades by the distance from there, and shines behind it too
+        // POV-Ray: the light fades by the distance from its plane, and illuminates points behind the plane too
         let light = Light {
             location: DVec3::new(0.0, 0.0, -4.0),
             point_at: DVec3::ZERO,

@@ -1,4 +1,4 @@
-//! `light_source` (manual, "Light Source"): what the author said, and what a ray needs of it, [`LoweredLight`].
+//! `light_source` (manual, "Light Source"): as written, and lowered to [`LoweredLight`].
 
 mod area;
 mod beam;
@@ -21,37 +21,37 @@ use beam::BEAM_ROWS;
 use serde::Serialize;
 use words::{LIGHT, LIGHT_ROWS};
 
-/// A light.
+/// A light source as written.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Light {
-    /// Where it is, in the space around the block.
+    /// Location, in the space around the block.
     pub location: DVec3,
-    /// Its colour; negative ones darken.
+    /// Colour; negative values darken.
     pub color: Rgb,
-    /// Where it shines to.
+    /// Directional distribution.
     pub beam: Beam,
-    /// What beams and parallel light point at.
+    /// Target of beams and of parallel light.
     pub point_at: DVec3,
-    /// Is all its light parallel?
+    /// True for parallel light.
     pub parallel: bool,
-    /// Casts no shadows and makes no highlights.
+    /// True if the light casts no shadow and makes no highlight.
     pub shadowless: bool,
-    /// Is it one of a grid of lights?
+    /// True if `area_light` is stated.
     pub spreads: bool,
-    /// The grid; its words may stand before `area_light` itself.
+    /// The grid; its words may precede `area_light`.
     pub area: Area,
-    /// Distance at which it has its full colour; 0: it does not fade.
+    /// Distance of full strength; 0 for no fall-off.
     pub fade_distance: f64,
-    /// How fast it fades; 0: it does not.
+    /// Exponent of the fall-off; 0 for none.
     pub fade_power: f64,
-    /// Does it light up media?
+    /// True if media scatter the light.
     pub media_interaction: bool,
-    /// Do media take from it on its way?
+    /// True if media attenuate the light.
     pub media_attenuation: bool,
-    /// What was said and is not drawn yet.
+    /// Items that are read and not rendered yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
-    /// The text that made it.
+    /// Text of the light.
     pub source: Span,
 }
 
@@ -83,20 +83,20 @@ impl Thing for Light {
 }
 
 impl Light {
-    /// Reads what every light begins with: its place and its colour; `source` is the block's place.
+    /// Reads location and colour; `source` is the block's name.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader, source: Span) -> Result<Self> {
         let location = r.vector()?;
         let color = r.color()?.rgb;
         Ok(Self { location, color, source, ..Self::default() })
     }
 
-    /// Reads one of its words, if it comes next, and what follows it; false if none does.
+    /// Reads one word of a light, if it is next, and what follows it; returns false otherwise.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     pub fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         for rows in [LIGHT_ROWS, BEAM_ROWS, AREA_ROWS] {
             if read_row(rows, self, next, r)? {
@@ -112,10 +112,10 @@ impl Light {
         Ok(true)
     }
 
-    /// Checks what only the whole block shows.
+    /// Checks the complete block.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic for a grid that cannot be circular.
     pub fn finish(&self) -> Result<()> {
         let area = &self.area;
         if self.spreads && area.circular && area.size.contains(&1) {
@@ -125,7 +125,7 @@ impl Light {
         Ok(())
     }
 
-    /// Moves the light.
+    /// Transforms the light.
     pub fn transform(&mut self, by: &Transform) {
         self.location = by.point(self.location);
         self.point_at = by.point(self.point_at);

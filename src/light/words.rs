@@ -1,13 +1,13 @@
-//! The words of `light_source`: what the reader obeys and the manual lists.
+//! Words of `light_source`, for the reader and the manual.
 
 use super::area::AREA_ROWS;
 use super::beam::BEAM_ROWS;
 use super::{Light, finite};
-use crate::value::Kind::{Block, Flag, Float, Nothing, Vector};
+use crate::value::ValueKind::{Block, Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Vocabulary, WordSpec};
 
-/// How words are read that all lights take.
+/// Words of all lights, and how each is read.
 pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
     word("point_at", Vector, "<0, 0, 1>", "what beams and parallel light point at")
         .sets(|s, r| set(&mut s.point_at, r.vector())),
@@ -25,7 +25,7 @@ pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
         .sets(|s, r| set(&mut s.media_attenuation, r.flag())),
 ];
 
-/// What holds an object; the scene reads it.
+/// Words with an object, which the scene reads.
 const LIGHT_PARTS: &[WordSpec] = &[
     word(
         "looks_like",
@@ -38,7 +38,7 @@ const LIGHT_PARTS: &[WordSpec] = &[
 
 const OWN: usize = LIGHT_ROWS.len() + BEAM_ROWS.len();
 
-/// `light_source { place, colour … }`
+/// `light_source { location, color … }`
 pub const LIGHT: Vocabulary = Vocabulary {
     block: "light_source",
     summary: "a light: `light_source { place, colour … }`; it is not seen itself",

@@ -9,14 +9,14 @@ use crate::scene::words::MODIFIERS;
 use crate::shape;
 use crate::syntax::word::{CONSTANTS, GROUPS};
 use crate::value::words::TRANSFORMS;
-use crate::value::{Kind, Spec, WordSpec};
+use crate::value::{Spec, ValueKind, WordSpec};
 
 /// A word that a block takes.
 pub struct WordInfo {
     /// Spelling.
     pub name: &'static str,
     /// Value that follows the word.
-    pub kind: Kind,
+    pub kind: ValueKind,
     /// Description, one line.
     pub summary: &'static str,
     /// Default value; empty for a word without default.
@@ -31,7 +31,7 @@ impl From<&WordSpec> for WordInfo {
 
 impl From<&Spec> for WordInfo {
     fn from(spec: &Spec) -> Self {
-        Self { name: spec.name, kind: Kind::Nothing, summary: spec.summary, default: "" }
+        Self { name: spec.name, kind: ValueKind::Nothing, summary: spec.summary, default: "" }
     }
 }
 
@@ -92,17 +92,17 @@ pub fn of_block(block: &str) -> Vec<WordInfo> {
 }
 
 /// Name of a kind of value.
-pub fn kind(kind: Kind) -> &'static str {
+pub fn kind(kind: ValueKind) -> &'static str {
     match kind {
-        Kind::Nothing => "nothing",
-        Kind::Flag => "nothing, `on` or `off`",
-        Kind::Float => "a number",
-        Kind::Vector2 => "a vector of two",
-        Kind::Vector => "a vector",
-        Kind::Vectors => "vectors",
-        Kind::Color => "a colour",
-        Kind::Text => "a text",
-        Kind::Block => "a block",
+        ValueKind::Nothing => "nothing",
+        ValueKind::Flag => "nothing, `on` or `off`",
+        ValueKind::Float => "a number",
+        ValueKind::Vector2 => "a vector of two",
+        ValueKind::Vector => "a vector",
+        ValueKind::Vectors => "vectors",
+        ValueKind::Color => "a colour",
+        ValueKind::Text => "a text",
+        ValueKind::Block => "a block",
     }
 }
 
@@ -165,7 +165,7 @@ fn plain(markdown: &str) -> String {
 }
 
 fn describe(info: &WordInfo) -> String {
-    let takes = if info.kind == Kind::Nothing { String::new() } else { format!(" (takes {})", kind(info.kind)) };
+    let takes = if info.kind == ValueKind::Nothing { String::new() } else { format!(" (takes {})", kind(info.kind)) };
     let default = if info.default.is_empty() { String::new() } else { format!(" Default: {}.", info.default) };
     format!("{}{takes}.{default}", info.summary)
 }

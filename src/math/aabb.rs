@@ -13,9 +13,9 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    /// Holds no point.
+    /// The empty box.
     pub const EMPTY: Aabb = Aabb { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
-    /// Holds every point.
+    /// The box that contains every point.
     pub const INFINITE: Aabb = Aabb { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
 
     /// The box between two corners given in any order.
@@ -38,43 +38,43 @@ impl Aabb {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
-    /// What two boxes share.
+    /// The intersection of two boxes.
     pub fn intersection(self, other: Self) -> Self {
         Self { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
-    /// The box moved outwards by `d` on every side.
+    /// The box enlarged by `d` on every side.
     pub fn grown(self, d: f64) -> Self {
         Self { min: self.min - d, max: self.max + d }
     }
 
-    /// Is there no point in it?
+    /// True if the box contains no point.
     pub fn is_empty(&self) -> bool {
         !self.min.cmple(self.max).all()
     }
 
-    /// Are all its ends finite numbers?
+    /// True if all ends are finite.
     pub fn is_finite(&self) -> bool {
         self.min.is_finite() && self.max.is_finite()
     }
 
-    /// The point in the middle.
+    /// The centre.
     pub fn center(&self) -> DVec3 {
         self.min * 0.5 + self.max * 0.5
     }
 
-    /// Its edges' lengths.
+    /// Lengths of the edges.
     pub fn size(&self) -> DVec3 {
         self.max - self.min
     }
 
-    /// Half its surface: what the surface-area heuristic compares.
+    /// Half the surface area, for the surface-area heuristic.
     pub fn half_area(&self) -> f64 {
         let s = self.size();
         if self.is_empty() { 0.0 } else { s.x * s.y + s.y * s.z + s.z * s.x }
     }
 
-    /// Is the point in the closed box?
+    /// True if the closed box contains the point.
     pub fn contains(&self, p: DVec3) -> bool {
         p.cmpge(self.min).all() && p.cmple(self.max).all()
     }
@@ -91,16 +91,17 @@ impl Aabb {
         })
     }
 
-    /// Where the ray enters and leaves, by slabs (lecture, "Ray – AAB intersection"); where a
-    /// component of the direction is zero, the origin must lie between the two planes.
+    /// The values of `t` where the ray enters and leaves, by slabs (lecture, "Ray – AAB intersection"); where a
+    /// component of the direction is zero, the origin must be between the two planes.
     pub fn slabs(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
         let (mut near, mut far) = (range.min, range.max);
         for axis in 0..3 {
             let (o, inverse) = (ray.origin[axis], 1.0 / ray.dir[axis]);
             let (lo, hi) = ((self.min[axis] - o) * inverse, (self.max[axis] - o) * inverse);
-            // Enters through the lower plane where v is positive. (Sorting t₁ and t₂ would find a way into an empty box.)
+            // The ray enters through the lower plane where v is positive. (Sorting t₁ and t₂ would give hits with an
+            // empty box.)
             let (enter, leave) = if inverse < 0.0 { (hi, lo) } else { (lo, hi) };
-            // Parallel to the planes they are infinite, or in one of them NaN, which counts for nothing.
+            // For a parallel ray they are infinite, or NaN in one of the planes, which the comparisons ignore.
             near = if enter > near { enter } else { near };
             far = if leave < far { leave } else { far };
         }

@@ -60,7 +60,7 @@ impl Complex {
         (Self::new(sinh * cos, cosh * sin), Self::new(cosh * cos, sinh * sin))
     }
 
-    /// z to the n-th, by squares.
+    /// z to the n-th, by repeated squaring.
     pub fn power(self, mut n: u32) -> Self {
         let (mut result, mut base) = (Self::new(1.0, 0.0), self);
         while n > 0 {

@@ -1,5 +1,5 @@
-//! Every transcendental function goes through here, so that one edit can make them the same on all
-//! platforms. (clippy.toml forbids those of the standard library everywhere else.)
+//! All transcendental functions, so that one file makes them equal on all platforms. (clippy.toml forbids those of the
+//! standard library everywhere else.)
 #![allow(clippy::disallowed_methods)]
 
 use std::f64::consts::TAU;
@@ -70,13 +70,13 @@ pub fn hypot(x: f64, y: f64) -> f64 {
     x.hypot(y)
 }
 
-/// What is left of a number above the whole number below it, in [0, 1].
+/// The fractional part, in [0, 1): x - ⌊x⌋.
 #[inline]
 pub fn fraction(x: f64) -> f64 {
     x - x.floor()
 }
 
-/// Angle of the point (x, y) as a part of a whole turn, in [0, 1].
+/// Angle of the point (x, y) as a fraction of a turn, in [0, 1].
 #[inline]
 pub fn turn(y: f64, x: f64) -> f64 {
     fraction(atan2(y, x) / TAU)
@@ -88,7 +88,7 @@ pub fn pow(x: f64, y: f64) -> f64 {
     x.powf(y)
 }
 
-/// xⁿ by products alone, which are the same on all machines.
+/// xⁿ by products alone, which are equal on all machines.
 #[inline]
 pub fn power_of(x: f64, n: u32) -> f64 {
     let (mut out, mut square, mut rest) = (1.0, x, n);

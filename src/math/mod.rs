@@ -1,4 +1,4 @@
-//! Vectors, transforms, rays and boxes: plain mathematics, nothing of the language.
+//! Vectors, transforms, rays and boxes: mathematics without any concept of the scene language.
 
 mod aabb;
 pub mod bvh;

@@ -1,9 +1,9 @@
-//! Polynomials of the second order in x, y and z, and the box around where one is not positive: a hyperboloid that is cut by two
-//! planes across its axis ends on all sides.
+//! Polynomials of the second order in x, y and z, and the bounding box of the set where one is not positive: a
+//! hyperboloid between two planes across its axis is bounded on all sides.
 
 use super::{Aabb, DMat3, DVec3, Transform, solve_quadratic, tolerance};
 
-/// Rounding in sums and products of a few numbers, relative to the largest of them, with much to spare.
+/// Relative rounding error of sums and products of a few numbers, with a large reserve.
 const ROUNDING: f64 = 1e-13;
 
 /// w·Qw + 2·h·w + c with w = p - center.
@@ -13,25 +13,25 @@ pub struct Quadratic {
     pub q: DMat3,
     /// Half of the linear terms.
     pub h: DVec3,
-    /// The value at the centre.
+    /// Value at the centre.
     pub c: f64,
-    /// Any point; about the middle of the surface, numbers are small.
+    /// Any point; near the middle of the surface, the numbers are small.
     pub center: DVec3,
 }
 
 impl Quadratic {
-    /// The same in the space around: q(M⁻¹·p).
+    /// The polynomial in the outer space: q(M⁻¹·p).
     pub fn under(&self, m: &Transform) -> Self {
         let a = m.inv.matrix3;
         Self { q: a.transpose() * self.q * a, h: a.transpose() * self.h, c: self.c, center: m.point(self.center) }
     }
 
-    /// With the other sign: its inside is what was outside.
+    /// With the opposite sign, which exchanges inside and outside.
     pub fn negated(&self) -> Self {
         Self { q: -self.q, h: -self.h, c: -self.c, ..*self }
     }
 
-    /// A box that holds all of the points in `around` where this is not positive; no larger than that.
+    /// Bounding box of all points in `around` where the polynomial is not positive.
     pub fn bounds_in(&self, around: Aabb) -> Aabb {
         let numbers = [self.q.x_axis, self.q.y_axis, self.q.z_axis, self.h, self.center];
         if around.is_empty() || !numbers.iter().all(|v| v.is_finite()) || !self.c.is_finite() {
@@ -39,7 +39,7 @@ impl Quadratic {
         }
         let squares = self.least_squares();
         let mut within = Aabb { min: around.min - self.center, max: around.max - self.center };
-        // What one axis loses may end another.
+        // A tighter interval along one axis may tighten another.
         for _ in 0..2 {
             for axis in 0..3 {
                 let Some((lo, hi)) = self.along(axis, squares, &within) else { return Aabb::EMPTY };
@@ -64,7 +64,8 @@ impl Quadratic {
         DVec3::new(least(0), least(1), least(2))
     }
 
-    /// Where the sum can be 0 or less along an axis, given where the others are; `None` if nowhere.
+    /// The interval along an axis where the sum can be 0 or less, given the intervals of the others; `None` if it is
+    /// empty.
     fn along(&self, axis: usize, squares: DVec3, within: &Aabb) -> Option<(f64, f64)> {
         let others = [(axis + 1) % 3, (axis + 2) % 3];
         let least = others.map(|i| minimum(squares[i], 2.0 * self.h[i], within.min[i], within.max[i]));
@@ -85,7 +86,7 @@ impl Quadratic {
     }
 }
 
-/// The smallest value of a·x² + b·x between two places, which may be infinite.
+/// The least value of a·x² + b·x between two positions, which may be infinite.
 fn minimum(a: f64, b: f64, lo: f64, hi: f64) -> f64 {
     let value = |x: f64| match x.is_finite() {
         true => (a * x + b) * x,
@@ -122,12 +123,12 @@ mod tests {
         // x² + z² ≤ 1 + y²
         let r = 5f64.sqrt();
         assert!(near(ROUND_Y.bounds_in(slab(-1.0, 2.0)), DVec3::new(-r, -1.0, -r), DVec3::new(r, 2.0, r)));
-        // Turned about its axis, larger, elsewhere.
+        // Rotated about its axis, scaled, translated.
         let m = Transform::rotate(DVec3::Y * 33.0).then(&Transform::scale(DVec3::splat(2.0)).unwrap());
         let m = m.then(&Transform::translate(DVec3::new(1000.0, 5.0, 0.0)));
         let found = ROUND_Y.under(&m).bounds_in(slab(3.0, 9.0));
         assert!(near(found, DVec3::new(1000.0 - 2.0 * r, 3.0, -2.0 * r), DVec3::new(1000.0 + 2.0 * r, 9.0, 2.0 * r)));
-        // Without an end along the axis there is none across, and what is outside has none.
+        // Unbounded along the axis, it is unbounded across; its outside is unbounded.
         assert_eq!(ROUND_Y.bounds_in(Aabb::INFINITE), Aabb::INFINITE);
         assert_eq!(ROUND_Y.negated().bounds_in(slab(-1.0, 2.0)), slab(-1.0, 2.0));
         assert!(ROUND_Y.bounds_in(Aabb::EMPTY).is_empty());
@@ -135,7 +136,7 @@ mod tests {
 
     #[test]
     fn bowls_and_pipes() {
-        // x² + z² ≤ y, from above: it ends below by itself.
+        // x² + z² ≤ y, bounded above: the lower bound follows.
         let bowl =
             Quadratic { q: DMat3::from_diagonal(DVec3::new(1.0, 0.0, 1.0)), h: DVec3::Y * -0.5, c: 0.0, ..ROUND_Y };
         let found = bowl.bounds_in(slab(f64::NEG_INFINITY, 4.0));

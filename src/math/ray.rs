@@ -1,11 +1,11 @@
-//! The half-line that is cast, and the piece of it that is searched.
+//! Rays, and the interval of a ray that is searched.
 
 use super::{DVec3, tolerance};
 
 /// p(t) = origin + t·dir (lecture, "Ray").
 ///
-/// `dir` has length 1 in world space only: a ray brought into an object's space by M⁻¹ is **not**
-/// renormalised, so `t` is the distance in world space everywhere.
+/// `dir` has length 1 in world space only: a ray transformed to object space by M⁻¹ is **not** renormalised, so `t` is
+/// the distance in world space everywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// p₀.
@@ -15,7 +15,7 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// The ray from `origin` along `dir`, which the caller has normalised where that matters.
+    /// The ray from `origin` along `dir`, which the caller normalises where that matters.
     pub fn new(origin: DVec3, dir: DVec3) -> Self {
         Self { origin, dir }
     }
@@ -29,36 +29,36 @@ impl Ray {
 /// The open interval of `t` in which a hit counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
-    /// Hits at or before it do not count.
+    /// Hits at or before this do not count.
     pub min: f64,
-    /// Hits at or behind it do not count.
+    /// Hits at or after this do not count.
     pub max: f64,
 }
 
 impl Range {
-    /// Every t, also negative: what CSG asks for.
+    /// Every t, also negative, as CSG needs.
     pub const ALL: Range = Range { min: f64::NEG_INFINITY, max: f64::INFINITY };
     /// The half-line of the lecture: t > 0.
     pub const FORWARD: Range = Range { min: 0.0, max: f64::INFINITY };
 
-    /// What both have in common.
+    /// The intersection of both.
     pub fn and(self, other: Range) -> Range {
         Range { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
-    /// Without what lies nearer than `least`, where what lies nearest is left out already; of a range that begins nearer than at
-    /// [`tolerance::SURFACE`], as a part of that.
+    /// Raises `min` to `least` if it is [`tolerance::SURFACE`] or more, and to the same fraction of `least` if it is less.
+    /// A range that begins at or before 0 is unchanged.
     pub fn ahead(self, least: f64) -> Range {
         let least = least * (self.min / tolerance::SURFACE).min(1.0);
         if self.min > 0.0 { Range { min: self.min.max(least), ..self } } else { self }
     }
 
-    /// Is there nothing between the ends?
+    /// True if the interval is empty.
     pub fn is_empty(&self) -> bool {
         self.min >= self.max
     }
 
-    /// Is t strictly between the ends? (False for NaN.)
+    /// True if t is strictly inside. (False for NaN.)
     pub fn contains(&self, t: f64) -> bool {
         t > self.min && t < self.max
     }

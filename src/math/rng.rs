@@ -1,4 +1,4 @@
-//! Random numbers that depend on what they are for, never on who asks first.
+//! Random numbers that are functions of a key, independent of the order of calls.
 
 /// A number in [0, 1) that is a function of its key alone: (frame, pixel, sample, dimension) or the
 /// like. SplitMix64's finaliser (Steele, Lea and Flood 2014) folds the words in.
@@ -6,12 +6,12 @@ pub fn unit(key: &[u64]) -> f64 {
     (mix(folded(key)) >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// A key in one word.
+/// A key hashed to one word.
 pub fn word(key: &[u64]) -> u64 {
     mix(folded(key))
 }
 
-/// The numbers that [`unit()`] gives for a key followed by 1, 2, 3 …: for tests. (What draws pictures names each number's purpose.)
+/// The numbers of [`unit()`] for a key followed by 1, 2, 3 …: for tests. (Rendering code names each number's purpose.)
 #[derive(Clone, Copy, Debug)]
 pub struct Stream {
     folded: u64,
@@ -19,7 +19,7 @@ pub struct Stream {
 }
 
 impl Stream {
-    /// For this key.
+    /// The stream of this key.
     pub fn new(key: &[u64]) -> Self {
         Self { folded: folded(key), dimension: 0 }
     }

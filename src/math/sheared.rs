@@ -1,31 +1,31 @@
-//! A ray and triangles: the test of Woop, Benthin and Wald (Watertight ray/triangle intersection, Journal of Computer Graphics
-//! Techniques, 2013). A ray never slips through between two triangles that share a side.
+//! A ray and triangles: the test of Woop, Benthin and Wald (Watertight ray/triangle intersection, Journal of Computer
+//! Graphics Techniques, 2013). A ray never passes between two triangles with a common side.
 
 use super::{DVec2, DVec3, Ray};
 
-/// A ray as the test wants it: seen along its longest axis, sheared so that it runs along that.
+/// A ray prepared for the test: sheared along its longest axis, so that it is parallel to that axis.
 pub struct Sheared {
-    /// The longest one last.
+    /// The axes; the longest one of the direction is last.
     pub(super) axes: [usize; 3],
-    /// The origin along them.
+    /// The origin in the order of `axes`.
     pub(super) from: DVec3,
-    /// How far the ray leans along the first two, and one over its length along the last.
+    /// Shear along the first two axes, and the inverse of the direction's last component.
     pub(super) shear: DVec3,
 }
 
 impl Sheared {
-    /// Of a ray that has a direction.
+    /// From a ray with a direction other than zero.
     #[inline(always)]
     pub fn new(ray: &Ray) -> Self {
         let z = ray.dir.abs().max_position();
-        // (Which way round does not matter: the signs of all three areas change together.)
+        // (The orientation does not matter: the signs of all three areas change together.)
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
         let from = DVec3::new(ray.origin[x], ray.origin[y], ray.origin[z]);
         let shear = DVec3::new(ray.dir[x] / ray.dir[z], ray.dir[y] / ray.dir[z], 1.0 / ray.dir[z]);
         Self { axes: [x, y, z], from, shear }
     }
 
-    /// Where a corner is seen, that has these coordinates along the axes.
+    /// The sheared position of a corner with these coordinates in the order of `axes`.
     #[inline(always)]
     pub(super) fn place(&self, corner: [f64; 3]) -> DVec3 {
         let [x, y, z] = corner;
@@ -33,20 +33,20 @@ impl Sheared {
         DVec3::new((x - self.from.x) - self.shear.x * z, (y - self.from.y) - self.shear.y * z, z)
     }
 
-    /// Twice the areas of the parts that each side cuts off with the ray.
+    /// Twice the signed areas between the ray and each side.
     #[inline(always)]
     pub(super) fn areas(a: DVec3, b: DVec3, c: DVec3) -> [f64; 3] {
         let side = |p: DVec3, q: DVec3| p.x * q.y - p.y * q.x;
         [side(c, b), side(a, c), side(b, a)]
     }
 
-    /// Is the ray on one side of all three?
+    /// True if the ray is on the same side of all three sides.
     #[inline(always)]
     pub(super) fn is_within([u, v, w]: [f64; 3]) -> bool {
         (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0)
     }
 
-    /// t and the weights of the second and third corner, where the line meets the triangle.
+    /// t and the weights of the second and third corner, where the line hits the triangle.
     pub fn meet(&self, corners: [DVec3; 3]) -> Option<(f64, DVec2)> {
         let [a, b, c] = corners.map(|p| self.place(self.axes.map(|axis| p[axis])));
         let [u, v, w] = Self::areas(a, b, c);

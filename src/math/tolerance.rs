@@ -1,37 +1,40 @@
-//! Every tolerance of the program, in one table.
+//! All tolerances of the program.
 
-/// A ray ignores hits nearer than this, in world units (measured on POV-Ray 3.7: absolute, for every shape).
+/// Minimum hit distance along a ray, in world units, for every shape (quirk: `blob_min_distance`).
 pub const SURFACE: f64 = 1e-4;
 
-/// The same for tori, superellipsoids, cubics, quartics and polynomials, but in units of their own space (measured on POV-Ray 3.7).
+/// Minimum hit distance for tori, superellipsoids, cubics, quartics and polynomials, in units of their own space
+/// (quirk: `own_space_min_distance`).
 pub const OWN_SURFACE: f64 = 1e-4;
 
-/// The same for blobs, in world units (measured on POV-Ray 3.7: absolute, also in CSG and under any scale).
+/// Minimum hit distance for blobs, in world units, also in CSG and under any scale (quirk: `blob_min_distance`).
 pub const BLOB_SURFACE: f64 = 1e-2;
 
-/// A shadow ray ignores hits nearer than this to either of its ends, in world units (measured on POV-Ray 3.7).
+/// Minimum distance of an occluder from both ends of a shadow ray, in world units (quirk: `shadow_min_distance`).
 pub const SHADOW: f64 = 1e-3;
 
-/// No ray meets a plane farther away than this, in world units (measured on POV-Ray 3.7, which draws other shapes there or not, as their
-/// transforms have it).
+/// Maximum hit distance of a plane, in world units (quirk: `plane_max_distance`).
 pub const PLANE_ENDS: f64 = 1e7;
 
-/// How far from a flat face or a round wall a point may be and still change sides, in units of the shape's own space.
-/// Seen in what POV-Ray's `inside()` answers: a plane reaches this much beyond its surface, closed cylinders and cones
-/// end this much before theirs, open ones this much behind their ends. So surfaces that lie in one another come out alike.
+/// Distance from a flat face or a round wall within which a point changes sides, in units of the shape's own space
+/// (quirk: `inside_margins`): a plane contains points this far beyond its surface, closed cylinders and cones end this
+/// much before theirs, open ones this much beyond their ends. Coincident surfaces are thus consistent.
 pub const INSIDE: f64 = 1e-10;
 
-/// A polynomial surface holds points where the polynomial is less than this; seen in what POV-Ray's `inside()` answers.
+/// A polynomial surface contains points where the polynomial is less than this (quirk: `polynomial_inside_margin`).
 pub const POLYNOMIAL_INSIDE: f64 = 1e-4;
 
-/// A polygon's points may be this far from its plane (units of its own space); POV-Ray draws 1e-11 and drops 1e-9.
+/// Maximum distance of a polygon's points from its plane, in units of its own space; POV-Ray draws 1e-11 and drops
+/// 1e-9.
 pub const FLAT: f64 = 1e-10;
 
-/// Sub-polygons end where a point comes back to the first one: this near, in every coordinate.
+/// Sub-polygons end where a point equals the first one to this tolerance in every coordinate.
 pub const SAME_POINT: f64 = 1e-10;
 
-/// Growth of an object's box, relative to its largest coordinate or 1, so that rounding in its kernel never puts a hit outside.
+/// Growth of an object's box, relative to its largest coordinate or 1, so that rounding in its kernel never puts a hit
+/// outside.
 pub const BOUNDS: f64 = 1e-9;
 
-/// Rounding in a polynomial's value, as a multiple of the sum of its terms' sizes: below it, a value counts as zero.
+/// Rounding of a polynomial's value, as a multiple of the sum of its terms' absolute values: a smaller value counts as
+/// zero.
 pub const POLYNOMIAL: f64 = 1e-15;

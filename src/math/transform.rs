@@ -13,7 +13,7 @@ pub struct Transform {
     pub inv: DAffine3,
 }
 
-/// A matrix that flattens space has no inverse.
+/// Error: the matrix has no inverse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Singular;
 
@@ -24,18 +24,18 @@ impl Default for Transform {
 }
 
 impl Transform {
-    /// Changes nothing.
+    /// The identity.
     pub const IDENTITY: Transform = Transform { m: DAffine3::IDENTITY, inv: DAffine3::IDENTITY };
 
-    /// Moves by `v`.
+    /// Translation by `v`.
     pub fn translate(v: DVec3) -> Self {
         Self { m: DAffine3::from_translation(v), inv: DAffine3::from_translation(-v) }
     }
 
-    /// Stretches along the axes; a factor of zero flattens space.
+    /// Scaling along the axes.
     ///
     /// # Errors
-    /// If a factor is zero, or so small that nothing turns it back.
+    /// If a factor is zero, or too small to be inverted.
     pub fn scale(v: DVec3) -> Result<Self, Singular> {
         if v.cmpeq(DVec3::ZERO).any() || !v.is_finite() || !v.recip().is_finite() {
             return Err(Singular);
@@ -43,9 +43,9 @@ impl Transform {
         Ok(Self { m: DAffine3::from_scale(v), inv: DAffine3::from_scale(v.recip()) })
     }
 
-    /// Turns by `degrees.x` about x, then `degrees.y` about y, then `degrees.z` about z. In
-    /// POV-Ray's left-handed system a positive angle turns y towards z, z towards x, x towards y
-    /// (manual, "rotate"), which is the same matrix as the right-handed one.
+    /// Rotation by `degrees.x` about x, then `degrees.y` about y, then `degrees.z` about z. In POV-Ray's left-handed
+    /// system a positive angle turns y towards z, z towards x, x towards y (manual, "rotate"), which is the same matrix
+    /// as the right-handed one.
     pub fn rotate(degrees: DVec3) -> Self {
         let r = DVec3::new(degrees.x.to_radians(), degrees.y.to_radians(), degrees.z.to_radians());
         let about = |axis: usize| {
@@ -62,7 +62,7 @@ impl Transform {
         Self { m: DAffine3::from_mat3(m), inv: DAffine3::from_mat3(m.transpose()) }
     }
 
-    /// Turns by `degrees` about `axis`, which need not have length 1.
+    /// Rotation by `degrees` about `axis`, which need not have length 1.
     pub fn rotate_about(axis: DVec3, degrees: f64) -> Self {
         let m = DMat3::from_axis_angle(axis.normalize_or(DVec3::Y), degrees.to_radians());
         Self { m: DAffine3::from_mat3(m), inv: DAffine3::from_mat3(m.transpose()) }
@@ -78,7 +78,7 @@ impl Transform {
         Self::from_affine(m)
     }
 
-    /// A map given as a matrix alone.
+    /// From a matrix alone.
     ///
     /// # Errors
     /// If the matrix can't be inverted.
@@ -88,10 +88,10 @@ impl Transform {
         if fine { Ok(Self { m, inv }) } else { Err(Singular) }
     }
 
-    /// First this one, then `next`: `next.m * self.m`.
+    /// The composition `next.m * self.m`: first `self`, then `next`.
     pub fn then(&self, next: &Transform) -> Self {
         if next.m.matrix3 == DMat3::IDENTITY {
-            // The common case, by far less work.
+            // Translations alone are common, and far cheaper.
             let (m, inv) = (&self.m, &self.inv);
             let back = inv.transform_vector3(next.inv.translation) + inv.translation;
             return Self {
@@ -102,12 +102,12 @@ impl Transform {
         Self { m: next.m * self.m, inv: self.inv * next.inv }
     }
 
-    /// The way back.
+    /// The inverse transform.
     pub fn inverse(&self) -> Self {
         Self { m: self.inv, inv: self.m }
     }
 
-    /// Is it exactly the identity?
+    /// True if the transform is exactly the identity.
     pub fn is_identity(&self) -> bool {
         self.m == DAffine3::IDENTITY
     }
@@ -129,7 +129,7 @@ impl Transform {
         DVec3::new(inv.x_axis.dot(n), inv.y_axis.dot(n), inv.z_axis.dot(n))
     }
 
-    /// Mᵀ·n: the way back of [`Self::normal`]; not normalised.
+    /// Mᵀ·n: the inverse of [`Self::normal`]; not normalised.
     pub fn inverse_normal(&self, n: DVec3) -> DVec3 {
         let m = &self.m.matrix3;
         DVec3::new(m.x_axis.dot(n), m.y_axis.dot(n), m.z_axis.dot(n))
@@ -159,7 +159,7 @@ impl Transform {
         let cols = [self.m.matrix3.x_axis, self.m.matrix3.y_axis, self.m.matrix3.z_axis];
         for (axis, col) in cols.iter().enumerate() {
             for row in 0..3 {
-                // 0·∞ counts as 0: an axis that does not reach this row adds nothing to it.
+                // 0·∞ counts as 0: an axis that does not contribute to this row adds nothing.
                 let product = |x: f64| if col[row] == 0.0 { 0.0 } else { col[row] * x };
                 let (a, b) = (product(b.min[axis]), product(b.max[axis]));
                 out.min[row] += a.min(b);

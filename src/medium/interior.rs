@@ -3,7 +3,7 @@
 use crate::color::Rgb;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::fp;
-use crate::value::Kind::{Color, Float};
+use crate::value::ValueKind::{Color, Float};
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Thing, Unsupported, Vocabulary};
 use serde::Serialize;

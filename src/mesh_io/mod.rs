@@ -19,39 +19,41 @@ use crate::math::{DVec2, DVec3};
 use glam::Vec3;
 use serde::Serialize;
 
-/// In a list of three numbers: this triangle has none.
+/// The absence of normals, surface coordinates or textures in a list of indices of three corners.
 pub const NONE: [u32; 3] = [u32::MAX; 3];
 
-/// No file gives more triangles than this, or than it has bytes, if those are more: a small one may name one mesh many times.
+/// Maximum number of triangles of a file, or its size in bytes if that is larger: a small file may refer to one mesh
+/// many times.
 const MANY: usize = 1 << 24;
 
-/// What a reader gives: else why the file is not understood, in words, with the line or byte.
+/// The result of a reader; the error is the reason in words, with the line or byte where it is known.
 pub type Reading<T> = Result<T, String>;
 
-/// Opens a file that the mesh's file names, beside it.
+/// Opens a file that is named in the mesh's file, relative to it.
 pub type Open<'a> = &'a mut dyn FnMut(&str) -> Reading<Vec<u8>>;
 
-/// Triangles whose corners, normals and surface coordinates are numbers into lists.
+/// Triangles whose corners, normals and surface coordinates are indices into lists.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Triangles {
-    /// In object space. (POV-Ray 3.7 keeps no more digits of the corners of a mesh: measured.)
+    /// In object space; single precision, as in POV-Ray (quirk: `mesh_single_precision`).
     pub vertices: Vec<Vec3>,
-    /// Length 1, or 0 where there is none.
+    /// Unit vectors, or 0 without a direction.
     pub normals: Vec<Vec3>,
     /// Surface coordinates.
     pub uvs: Vec<DVec2>,
-    /// Numbers of the corners of each triangle.
+    /// Indices of the vertices of each triangle.
     pub corners: Vec<[u32; 3]>,
-    /// Numbers of the normals at the corners, of each triangle; empty if all are flat.
+    /// Indices of the normals at the corners of each triangle; empty if all are flat.
     pub smooth: Vec<[u32; 3]>,
-    /// Numbers of the surface coordinates at the corners, of each triangle; empty if no triangle has any.
+    /// Indices of the surface coordinates at the corners of each triangle; empty if no triangle has any.
     pub mapped: Vec<[u32; 3]>,
-    /// Numbers of the textures at the corners, from 1 on, of each triangle; 0 is that of the whole. Empty if no triangle has any.
+    /// Indices of the textures at the corners of each triangle, from 1 on; 0 is the texture of the whole mesh. Empty if
+    /// no triangle has any.
     pub painted: Vec<[u32; 3]>,
 }
 
 impl Triangles {
-    /// Adds a triangle; the lists that most meshes do not have begin where the first triangle has something for them.
+    /// Adds a triangle; the optional lists begin when the first triangle has a value for them.
     pub fn push(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], slots: [u32; 3]) {
         let before = self.corners.len();
         let add = |list: &mut Vec<[u32; 3]>, numbers: [u32; 3], none: [u32; 3]| {
@@ -67,33 +69,33 @@ impl Triangles {
     }
 }
 
-/// What a file holds.
+/// Contents of a mesh file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshFile {
-    /// All its triangles; their textures are the looks.
+    /// All triangles; their textures are the looks.
     pub triangles: Triangles,
-    /// Its materials; number 1 is the first.
+    /// The materials; index 1 is the first.
     pub looks: Vec<Look>,
-    /// What was left out, in words.
+    /// Parts of the file that were ignored, in words.
     pub remarks: Vec<String>,
 }
 
-/// A material of a file, as far as it is drawn.
+/// The rendered part of a material of a mesh file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
-    /// Its name in the file.
+    /// Name in the file.
     pub name: String,
-    /// Its colour.
+    /// Diffuse colour.
     pub color: [f64; 3],
-    /// Is the colour linear light? Else it is what the scene would write behind `rgb`.
+    /// True if the colour is linear light; false if it is a number as after `rgb`.
     pub is_linear: bool,
-    /// 1 lets no light pass.
+    /// Opacity, from 0 for transparent to 1.
     pub opacity: f64,
     /// Strength of the highlight.
     pub specular: f64,
-    /// The highlight's exponent.
+    /// Exponent of the highlight.
     pub shininess: f64,
-    /// The file of a picture that gives the colour by surface coordinates.
+    /// File of a picture that gives the colour by surface coordinates.
     pub picture: Option<String>,
 }
 
@@ -103,13 +105,13 @@ impl Look {
     }
 }
 
-/// The endings of the files that are read.
+/// Endings of the files that can be read.
 pub const ENDINGS: &[&str] = &["ply", "obj", "stl", "gltf", "glb"];
 
-/// Reads a file's bytes; `ending` is that of its name, which counts where the bytes do not tell.
+/// Reads a file's bytes; `ending` is that of the file's name, which counts where the bytes do not decide.
 ///
 /// # Errors
-/// Why it is not understood, with the line or byte.
+/// The reason why the file is not understood, with the line or byte where it is known.
 pub fn read(bytes: &[u8], ending: &str, open: Open) -> Reading<MeshFile> {
     let mut file = match (bytes, ending.to_ascii_lowercase().as_str()) {
         ([b'p', b'l', b'y', b'\r' | b'\n', ..], _) | (_, "ply") => ply::read(bytes),
@@ -129,12 +131,12 @@ pub fn read(bytes: &[u8], ending: &str, open: Open) -> Reading<MeshFile> {
     Ok(file)
 }
 
-/// A direction, made 1 long.
+/// A normalised direction.
 fn direction(numbers: [f64; 3]) -> Vec3 {
     DVec3::from_array(numbers).normalize_or_zero().as_vec3()
 }
 
-/// A point, unless one of its numbers is none.
+/// A point; an error if a coordinate is not finite.
 fn point(numbers: [f64; 3], place: impl FnOnce() -> String) -> Reading<Vec3> {
     let p = Vec3::from_array(numbers.map(|x| x as f32));
     if p.is_finite() { Ok(p) } else { Err(format!("{}: a corner's place is not a number, or beyond 1e38", place())) }

@@ -1,4 +1,4 @@
-//! The materials that an OBJ file names: colour, clearness, highlight and picture. (Alias|Wavefront, MTL material format, 1995.)
+//! Materials of OBJ files: colour, opacity, highlight and picture. (Alias|Wavefront, MTL material format, 1995.)
 
 use super::words::{lines, number};
 use super::{Look, Reading};
@@ -26,7 +26,7 @@ pub fn read(bytes: &[u8], file: &str, out: &mut Vec<Look>) -> Reading<()> {
             }
         };
         match word {
-            // (`Kd spectral` and `Kd xyz` are seldom seen, and say nothing here.)
+            // (`Kd spectral` and `Kd xyz` are rare, and ignored.)
             "Kd" if !rest.starts_with(['s', 'x']) => {
                 let c = numbers()?;
                 look.color = [0, 1, 2].map(|i| *c.get(i).unwrap_or(&c[0]));
@@ -42,7 +42,7 @@ pub fn read(bytes: &[u8], file: &str, out: &mut Vec<Look>) -> Reading<()> {
     Ok(())
 }
 
-/// The file's name behind options such as `-o 0 0 0`; it may hold blanks.
+/// The file's name after options such as `-o 0 0 0`; it may contain blanks.
 fn picture(rest: &str) -> Option<String> {
     let mut words = rest.split_ascii_whitespace().peekable();
     while words.peek().is_some_and(|word| word.starts_with('-')) {

@@ -1,11 +1,11 @@
-//! OBJ: corners, polygons and the names of their materials, line by line. (Alias|Wavefront, Object files, 1995.)
+//! OBJ: vertices, polygons and names of materials, line by line. (Alias|Wavefront, Object files, 1995.)
 
 use super::words::{lines, number};
 use super::{MeshFile, NONE, Open, Reading, direction, mtl, point, polygon};
 use crate::math::DVec2;
 use glam::Vec3;
 
-/// Reads a file. Lines that say nothing of polygons are passed over.
+/// Reads a file. Lines that do not describe polygons are skipped.
 pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
     let mut out = MeshFile::default();
     let mut state = State::default();
@@ -29,7 +29,7 @@ pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
             "usemtl" => {
                 let name = rest.trim();
                 let found = out.looks.iter().rposition(|look| look.name == name);
-                // (One is enough: a file of materials that is not there takes them all along.)
+                // (One remark is enough: a missing material file makes all of its materials missing.)
                 if found.is_none() && out.remarks.is_empty() {
                     out.remarks.push(format!("line {line}: there is no material `{name}`"));
                 }
@@ -41,9 +41,9 @@ pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
     Ok(out)
 }
 
-/// The files of materials that a line names; one that is not there is told.
+/// Reads the material files that a line names; a missing one becomes a remark.
 fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> Reading<()> {
-    // One name, which may hold blanks, or else several.
+    // One name, which may contain blanks, or else several.
     if let Ok(bytes) = open(rest) {
         return mtl::read(&bytes, rest, &mut out.looks);
     }
@@ -56,7 +56,7 @@ fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> Reading<()> {
     Ok(())
 }
 
-/// At least so many numbers; those that are left out are 0.
+/// At least `least` numbers; missing ones are 0.
 fn numbers(rest: &str, least: usize, line: usize) -> Reading<[f64; 4]> {
     let mut out = [0.0; 4];
     let mut count = 0;
@@ -67,10 +67,10 @@ fn numbers(rest: &str, least: usize, line: usize) -> Reading<[f64; 4]> {
     if count < least { Err(format!("line {line}: expected {least} numbers, found {count}")) } else { Ok(out) }
 }
 
-/// What faces are read with.
+/// State of the reader of faces.
 #[derive(Default)]
 struct State {
-    /// The material in force.
+    /// The current material.
     slot: u32,
     corners: Vec<[Option<u32>; 3]>,
     points: Vec<Vec3>,
@@ -110,7 +110,7 @@ impl State {
     }
 }
 
-/// A number counted from 1, or back from the end.
+/// An index counted from 1, or backwards from the end.
 fn index(text: &str, length: usize, what: &str, line: usize) -> Reading<u32> {
     let n: i64 = text.parse().map_err(|_| format!("line {line}: expected the number of a {what}, found `{text}`"))?;
     let place = if n < 0 { length as i64 + n } else { n - 1 };

@@ -12,7 +12,7 @@ const BATCH: usize = 1 << 12;
 /// Reads the `vertex` and `face` elements of a file and skips all others.
 ///
 /// # Errors
-/// Why the file is not understood, with the line where it is text.
+/// The reason why the file is not understood, with the line where it is text.
 pub fn read(bytes: &[u8]) -> Reading<MeshFile> {
     const END: &[u8] = b"end_header";
     // Comments in the header may be in any encoding.
@@ -49,7 +49,7 @@ fn each<T: BufRead, E: PropertyAccess>(
     header: &Header,
     mut visit: impl FnMut(usize, E) -> Reading<()>,
 ) -> Reading<()> {
-    // Elements without properties take no bytes: their count has no bound, and there is nothing to read.
+    // Elements without properties take no bytes: their count has no bound, and no data follow.
     let count = if element.properties.is_empty() { 0 } else { element.count };
     let mut batch = element.clone();
     for first in (0..count).step_by(BATCH) {
@@ -64,7 +64,7 @@ fn each<T: BufRead, E: PropertyAccess>(
     Ok(())
 }
 
-/// An element of which nothing is needed.
+/// An element whose properties are ignored.
 struct Skipped;
 
 impl PropertyAccess for Skipped {

@@ -1,13 +1,14 @@
-//! Polygons to triangles.
+//! Triangulation of polygons.
 
 use crate::math::{DVec2, DVec3};
 use glam::Vec3;
 
-/// Larger polygons are taken for convex: cutting off ears one by one takes the square of their corners.
+/// Larger polygons are assumed to be convex: clipping ears takes time in proportion to the square of the number of
+/// corners.
 const LARGE: usize = 2000;
 
-/// The triangles of a polygon, as places in its row of corners: a fan, where it is convex; else ears are cut off (Meisters, Polygons
-/// have ears, 1975).
+/// The triangles of a polygon, as indices of its corners: a fan if it is convex; else ears are clipped (Meisters,
+/// Polygons have ears, 1975).
 pub fn triangles(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
     let n = points.len();
     let flat = if n > 3 && n <= LARGE { flattened(points) } else { vec![] };
@@ -20,7 +21,7 @@ pub fn triangles(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
     while rest.len() > 3 {
         let m = rest.len();
         let corner = |i: usize| [rest[(i + m - 1) % m], rest[i], rest[(i + 1) % m]];
-        // (A polygon that crosses itself may have none: then any will do.)
+        // (A polygon that intersects itself may have no ear: then any corner will do.)
         let ear = (0..m).find(|&i| is_ear(&flat, corner(i), &rest)).unwrap_or(0);
         visit(corner(ear));
         rest.remove(ear);
@@ -28,7 +29,7 @@ pub fn triangles(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
     visit([rest[0], rest[1], rest[2]]);
 }
 
-/// Seen along the axis of its normal (Newell's sum), and so that it goes round counter-clockwise.
+/// The polygon projected along the axis of its normal (Newell's sum), counter-clockwise.
 fn flattened(points: &[Vec3]) -> Vec<DVec2> {
     let wide = || points.iter().map(|p| p.as_dvec3());
     let (first, next) = (points[0].as_dvec3(), wide().cycle().skip(1));
@@ -38,12 +39,12 @@ fn flattened(points: &[Vec3]) -> Vec<DVec2> {
     wide().map(|p| DVec2::new(p[(z + 1) % 3], p[(z + 2) % 3] * sign)).collect()
 }
 
-/// Twice the area of three corners, below 0 if they turn to the right.
+/// Twice the signed area of three corners, negative if they turn to the right.
 fn turn(flat: &[DVec2], a: usize, b: usize, c: usize) -> f64 {
     (flat[b] - flat[a]).perp_dot(flat[c] - flat[b])
 }
 
-/// Does it turn to the left, with no other corner in it?
+/// True if the corner turns to the left, with no other corner in its triangle.
 fn is_ear(flat: &[DVec2], [a, b, c]: [usize; 3], rest: &[usize]) -> bool {
     let holds = |p: usize| turn(flat, a, b, p) >= 0.0 && turn(flat, b, c, p) >= 0.0 && turn(flat, c, a, p) >= 0.0;
     let other = |p: &&usize| ![flat[a], flat[b], flat[c]].contains(&flat[**p]);
@@ -56,7 +57,7 @@ mod tests {
 
     #[test]
     fn concave_polygons_keep_their_area() {
-        // A star of ten corners in a slanted plane, either way round.
+        // A star of ten corners in a slanted plane, in both orientations.
         let star = |i: usize| {
             let (angle, r) = (i as f64 * std::f64::consts::PI / 5.0, if i.is_multiple_of(2) { 2.0 } else { 0.7 });
             let (x, y) = (r * crate::math::fp::cos(angle), r * crate::math::fp::sin(angle));

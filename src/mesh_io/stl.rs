@@ -1,17 +1,17 @@
-//! STL, of which text and bytes know nothing but triangles. (Marshall Burns, Automated Fabrication, 1993, section 6.5.)
+//! STL, as text or as bytes: triangles without topology. (Marshall Burns, Automated Fabrication, 1993, section 6.5.)
 
 use super::words::{Words, number};
 use super::{MeshFile, NONE, Reading, Triangles, point, polygon};
 use glam::Vec3;
 use rustc_hash::FxHashMap;
 
-/// Bytes of a triangle.
+/// Size of a triangle, in bytes.
 const SIZE: usize = 50;
 
 /// Reads either kind.
 pub fn read(bytes: &[u8]) -> Reading<MeshFile> {
     let mut joined = Joined::default();
-    // Files of bytes may begin as text does; then their length tells.
+    // Binary files may begin like text; then their length decides.
     let count = bytes.get(80..84).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
     let fits = count.is_some_and(|count| bytes.len() == 84 + count * SIZE);
     if bytes.trim_ascii_start().starts_with(b"solid") && !fits {
@@ -22,7 +22,7 @@ pub fn read(bytes: &[u8]) -> Reading<MeshFile> {
     Ok(MeshFile { triangles: joined.triangles, ..MeshFile::default() })
 }
 
-/// Triangles whose corners are found again by their bits.
+/// Triangles that share vertices with equal bits.
 #[derive(Default)]
 struct Joined {
     triangles: Triangles,

@@ -1,21 +1,21 @@
-//! Text files of words with blanks between them.
+//! Text files of words separated by whitespace.
 
 use super::Reading;
 
-/// Words one after the other, with the number of the line.
+/// Words in order, with the current line number.
 pub struct Words<'a> {
     rest: &'a [u8],
-    /// Counted from 1.
+    /// Current line, counted from 1.
     pub line: usize,
 }
 
 impl<'a> Words<'a> {
-    /// All of a text, of which the first line has this number.
+    /// The words of a text whose first line has this number.
     pub fn new(rest: &'a [u8], line: usize) -> Self {
         Self { rest, line }
     }
 
-    /// The next word, also of a later line.
+    /// The next word, on this line or a later one.
     pub fn next(&mut self) -> Option<&'a [u8]> {
         loop {
             let first = *self.rest.first()?;
@@ -31,13 +31,13 @@ impl<'a> Words<'a> {
         Some(word)
     }
 
-    /// The place, for a message.
+    /// The current line, for a message.
     pub fn place(&self) -> String {
         format!("line {}", self.line)
     }
 }
 
-/// The lines of a text, each with its number and without its end; those that end in `\` go on.
+/// The lines of a text, each with its number and without its end; a line that ends in `\` is joined with the next.
 pub fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
     let text = |line: &[u8]| String::from_utf8_lossy(line).trim().to_string();
     let mut rest = bytes.split(|b| *b == b'\n').enumerate();
@@ -53,7 +53,7 @@ pub fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
     })
 }
 
-/// A number, as all these files write them.
+/// Parses a number.
 pub fn number(word: &[u8], place: impl FnOnce() -> String) -> Reading<f64> {
     let text = std::str::from_utf8(word).ok();
     text.and_then(|text| text.parse().ok()).ok_or_else(|| {

@@ -9,7 +9,7 @@ use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{fp, noise};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Reader, Spec};
+use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -29,7 +29,7 @@ impl Readable for Agate {
     };
 
     const WORDS: &'static [Row<Self>] =
-        &[word("agate_turb", Kind::Float, "1", "how much they are twisted; `turbulence` comes on top of it")
+        &[word("agate_turb", ValueKind::Float, "1", "how much they are twisted; `turbulence` comes on top of it")
             .sets(|s, r| set(&mut s.turbulence, r.float().map(|x| f64::from(x as f32))))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

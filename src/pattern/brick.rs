@@ -9,7 +9,7 @@ use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Reader, Spec};
+use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Rows of bricks; every other row is shifted by half a brick.
@@ -30,9 +30,9 @@ impl Readable for Brick {
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("brick_size", Kind::Vector, "<8, 3, 4.5>", "a brick with its mortar")
+        word("brick_size", ValueKind::Vector, "<8, 3, 4.5>", "a brick with its mortar")
             .sets(|s, r| set(&mut s.size, r.vector())),
-        word("mortar", Kind::Float, "0.5", "thickness of the mortar").sets(|s, r| set(&mut s.mortar, r.float())),
+        word("mortar", ValueKind::Float, "0.5", "thickness of the mortar").sets(|s, r| set(&mut s.mortar, r.float())),
     ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

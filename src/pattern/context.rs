@@ -48,7 +48,7 @@ impl TextureContext {
         self.normal != DVec3::ZERO
     }
 
-    /// The same point with its coordinates in another space.
+    /// This context with the point's coordinates in another space.
     pub fn at(&self, p: DVec3) -> Self {
         Self { p, ..*self }
     }

@@ -9,7 +9,7 @@ use crate::diagnostic::Result;
 use crate::math::noise::{self, Around, Cell};
 use crate::math::{DVec3, fp};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Reader, Spec};
+use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Distances to the nearest of random sites; each unit cube holds one.
@@ -30,12 +30,23 @@ impl Readable for Crackle {
         Spec { name: "crackle", summary: "cells of random shape", params: &[], words: specs!(Self::WORDS) };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("form", Kind::Vector, "<-1, 1, 0>", "what the distances to the nearest, second and third point count")
-            .sets(|s, r| set(&mut s.form, r.vector())),
-        word("metric", Kind::Float, "2", "the power that makes a distance; 1 counts along the axes, 2 is the usual")
-            .sets(|s, r| set(&mut s.metric, r.float())),
-        word("offset", Kind::Float, "0", "distance in a fourth dimension").sets(|s, r| set(&mut s.offset, r.float())),
-        word("solid", Kind::Nothing, "", "one number for each cell").sets(|s, _| set(&mut s.solid, Ok(true))),
+        word(
+            "form",
+            ValueKind::Vector,
+            "<-1, 1, 0>",
+            "what the distances to the nearest, second and third point count",
+        )
+        .sets(|s, r| set(&mut s.form, r.vector())),
+        word(
+            "metric",
+            ValueKind::Float,
+            "2",
+            "the power that makes a distance; 1 counts along the axes, 2 is the usual",
+        )
+        .sets(|s, r| set(&mut s.metric, r.float())),
+        word("offset", ValueKind::Float, "0", "distance in a fourth dimension")
+            .sets(|s, r| set(&mut s.offset, r.float())),
+        word("solid", ValueKind::Nothing, "", "one number for each cell").sets(|s, _| set(&mut s.solid, Ok(true))),
     ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

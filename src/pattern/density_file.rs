@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Voxels;
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Param, Reader, ReaderExt, Spec};
+use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -50,14 +50,14 @@ impl Readable for DensityFile {
         name: "density_file",
         summary: "numbers from a file, in the cube from <0, 0, 0> to <1, 1, 1>",
         params: &[
-            Param { name: "df3", kind: Kind::Nothing, summary: "the word `df3`, the only format" },
-            Param { name: "file", kind: Kind::Text, summary: "the file's name" },
+            Param { name: "df3", kind: ValueKind::Nothing, summary: "the word `df3`, the only format" },
+            Param { name: "file", kind: ValueKind::Text, summary: "the file's name" },
         ],
         words: specs!(Self::WORDS),
     };
 
     const WORDS: &'static [Row<Self>] =
-        &[word("interpolate", Kind::Float, "0", "between the numbers: 0 nothing, 1 straight lines, 2 curves")
+        &[word("interpolate", ValueKind::Float, "0", "between the numbers: 0 nothing, 1 straight lines, 2 curves")
             .sets(|s, r| set(&mut s.between, r.float().map(Voxel::from_number)))];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

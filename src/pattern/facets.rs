@@ -9,7 +9,7 @@ use super::{Field, FieldParams, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Reader, Spec};
+use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Flat pieces.
@@ -36,11 +36,11 @@ impl Readable for Facets {
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("coords", Kind::Float, "", "cells of space: how far normals turn")
+        word("coords", ValueKind::Float, "", "cells of space: how far normals turn")
             .sets(|s, r| set(&mut s.coords, r.float())),
-        word("size", Kind::Float, "0.1", "for curved shapes: how large they are")
+        word("size", ValueKind::Float, "0.1", "for curved shapes: how large they are")
             .sets(|s, r| set(&mut s.size, r.float())),
-        word("metric", Kind::Float, "2", "how distances are counted").sets(|s, r| set(&mut s.metric, r.float())),
+        word("metric", ValueKind::Float, "2", "how distances are counted").sets(|s, r| set(&mut s.metric, r.float())),
     ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

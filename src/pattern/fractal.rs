@@ -2,8 +2,7 @@
 //! Pattern").
 //!
 //! ```pov
-//! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb
-//! 1] } scale 0.4 } }
+//! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb 1] } scale 0.4 } }
 //! ```
 
 use super::{Field, GRAYS, Readable, SIX_COLORS, TextureContext};
@@ -11,7 +10,7 @@ use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Complex, DVec2};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
+use crate::value::{Next, Param, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
 /// The property of an orbit that becomes the number, and its factor.
@@ -44,7 +43,7 @@ enum End {
 
 const EXTERIOR: WordSpec = word(
     "exterior",
-    Kind::Block,
+    ValueKind::Block,
     "1, 1",
     "of points that leave: 0 the factor, 1 after how many of the iterations, 2 to 6 something of the last point times the factor, 7 and 8 \
      steps in turns",
@@ -52,18 +51,18 @@ const EXTERIOR: WordSpec = word(
 
 const INTERIOR: WordSpec = word(
     "interior",
-    Kind::Block,
+    ValueKind::Block,
     "0, 1",
     "of points that stay: 0 the factor, 1 the orbit's least distance, 2 to 6 something of the last point",
 );
 
-const EXPONENT: WordSpec = word("exponent", Kind::Float, "2", "to which power z goes, 2 to 33");
+const EXPONENT: WordSpec = word("exponent", ValueKind::Float, "2", "to which power z goes, 2 to 33");
 
 const ITERATIONS: Param =
-    Param { name: "iterations", kind: Kind::Float, summary: "how often the formula is applied at most" };
+    Param { name: "iterations", kind: ValueKind::Float, summary: "how often the formula is applied at most" };
 
 const JULIA: Param =
-    Param { name: "complex", kind: Kind::Vector2, summary: "the number that is the same for all points" };
+    Param { name: "complex", kind: ValueKind::Vector2, summary: "the number that is the same for all points" };
 
 impl OrbitValue {
     fn read(word: &str, last: u8, r: &mut dyn Reader) -> Result<Self> {
@@ -319,15 +318,15 @@ impl Readable for Magnet {
         name: "magnet",
         summary: "`magnet 1 mandel`, `magnet 2 julia` …: sets of magnetic phases in the xy plane",
         params: &[
-            Param { name: "type", kind: Kind::Float, summary: "1 or 2" },
+            Param { name: "type", kind: ValueKind::Float, summary: "1 or 2" },
             Param {
                 name: "mandel or julia",
-                kind: Kind::Nothing,
+                kind: ValueKind::Nothing,
                 summary: "is the point the formula's number or its start?",
             },
             Param {
                 name: "complex",
-                kind: Kind::Vector2,
+                kind: ValueKind::Vector2,
                 summary: "after `julia`: the number that is the same for all points",
             },
             ITERATIONS,

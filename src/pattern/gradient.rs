@@ -7,7 +7,7 @@
 use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A ramp along a direction.
@@ -23,7 +23,7 @@ impl Readable for Gradient {
         summary: "a ramp that begins anew after each unit along a direction",
         params: &[Param {
             name: "orientation",
-            kind: Kind::Vector,
+            kind: ValueKind::Vector,
             summary: "the direction; its length does not matter",
         }],
         words: &[],

@@ -2,7 +2,7 @@
 
 use crate::math::fp;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, WordSpec};
+use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -48,16 +48,20 @@ impl Modifiers {
     pub const WORDS: &[WordSpec] = specs!(Self::ROWS);
 
     pub(super) const ROWS: &[Row<Self>] = &[
-        word("frequency", Kind::Float, "1", "passes through the map in a unit")
+        word("frequency", ValueKind::Float, "1", "passes through the map in a unit")
             .sets(|s, r| set(&mut s.frequency, r.float().map(|x| Some(single(x))))),
-        word("phase", Kind::Float, "0", "where the map begins").sets(|s, r| set(&mut s.phase, r.float().map(single))),
-        word("ramp_wave", Kind::Nothing, "", "rises and falls back at once")
+        word("phase", ValueKind::Float, "0", "where the map begins")
+            .sets(|s, r| set(&mut s.phase, r.float().map(single))),
+        word("ramp_wave", ValueKind::Nothing, "", "rises and falls back at once")
             .sets(|s, _| set(&mut s.wave, Ok(Wave::Ramp))),
-        word("triangle_wave", Kind::Nothing, "", "rises and falls").sets(|s, _| set(&mut s.wave, Ok(Wave::Triangle))),
-        word("sine_wave", Kind::Nothing, "", "rises and falls, rounded").sets(|s, _| set(&mut s.wave, Ok(Wave::Sine))),
-        word("scallop_wave", Kind::Nothing, "", "a row of arches").sets(|s, _| set(&mut s.wave, Ok(Wave::Scallop))),
-        word("cubic_wave", Kind::Nothing, "", "flat at both ends").sets(|s, _| set(&mut s.wave, Ok(Wave::Cubic))),
-        word("poly_wave", Kind::Float, "1", "to this power")
+        word("triangle_wave", ValueKind::Nothing, "", "rises and falls")
+            .sets(|s, _| set(&mut s.wave, Ok(Wave::Triangle))),
+        word("sine_wave", ValueKind::Nothing, "", "rises and falls, rounded")
+            .sets(|s, _| set(&mut s.wave, Ok(Wave::Sine))),
+        word("scallop_wave", ValueKind::Nothing, "", "a row of arches")
+            .sets(|s, _| set(&mut s.wave, Ok(Wave::Scallop))),
+        word("cubic_wave", ValueKind::Nothing, "", "flat at both ends").sets(|s, _| set(&mut s.wave, Ok(Wave::Cubic))),
+        word("poly_wave", ValueKind::Float, "1", "to this power")
             .sets(|s, r| set(&mut s.wave, r.optional_float().map(|x| Wave::Poly(single(x.unwrap_or(1.0)))))),
     ];
 

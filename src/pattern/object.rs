@@ -8,7 +8,7 @@ use super::{Cells, Readable};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Kind, Param, Reader, Solid, Spec};
+use crate::value::{Param, Reader, Solid, Spec, ValueKind};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -32,7 +32,7 @@ impl Readable for ObjectPattern {
     const SPEC: Spec = Spec {
         name: "object",
         summary: "inside and outside of an object; both in its braces, `object { Thing color A, color B }`, A is outside",
-        params: &[Param { name: "object", kind: Kind::Block, summary: "any object with an inside" }],
+        params: &[Param { name: "object", kind: ValueKind::Block, summary: "any object with an inside" }],
         words: &[],
     };
 

@@ -7,7 +7,7 @@
 
 use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::value::{Kind, Param, Reader, Spec, Thing, downcast};
+use crate::value::{Param, Reader, Spec, Thing, ValueKind, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -58,7 +58,7 @@ impl Readable for PigmentPattern {
     const SPEC: Spec = Spec {
         name: "pigment_pattern",
         summary: "the brightness of a pigment, which stands in braces",
-        params: &[Param { name: "pigment", kind: Kind::Block, summary: "any pigment" }],
+        params: &[Param { name: "pigment", kind: ValueKind::Block, summary: "any pigment" }],
         words: &[],
     };
 

@@ -1,14 +1,15 @@
 //! `quilted`: cubes with soft seams (manual, "Quilted").
 //!
 //! ```pov
-//! box { -1, 1 pigment { quilted control0 0.8 control1 0.5 color_map { [0 color rgb <1, 0.9, 0.8>] [0.6 color rgb <0.4, 0, 0.2>] } scale 0.5 } }
+//! box { -1, 1 pigment { quilted control0 0.8 control1 0.5
+//!   color_map { [0 color rgb <1, 0.9, 0.8>] [0.6 color rgb <0.4, 0, 0.2>] } scale 0.5 } }
 //! ```
 
 use super::{Field, FieldParams, Readable, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Reader, Spec};
+use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Unit cubes with rounded edges: the number falls towards the seams.
@@ -28,9 +29,9 @@ impl Readable for Quilted {
         Spec { name: "quilted", summary: "unit cubes with soft seams", params: &[], words: specs!(Self::WORDS) };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("control0", Kind::Float, "1", "the slope in the middle, 0 to 1")
+        word("control0", ValueKind::Float, "1", "the slope in the middle, 0 to 1")
             .sets(|s, r| set(&mut s.control0, r.float().map(|x| f64::from(x as f32)))),
-        word("control1", Kind::Float, "1", "the slope at the seams, 0 to 1")
+        word("control1", ValueKind::Float, "1", "the slope at the seams, 0 to 1")
             .sets(|s, r| set(&mut s.control1, r.float().map(|x| f64::from(x as f32)))),
     ];
 

@@ -8,7 +8,7 @@
 use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, fp};
-use crate::value::{Kind, Param, Reader, ReaderExt, Spec};
+use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -50,10 +50,10 @@ impl Readable for Slope {
         params: &[
             Param {
                 name: "direction",
-                kind: Kind::Vector,
+                kind: ValueKind::Vector,
                 summary: "where a surface that gives 1 faces, in world space",
             },
-            Param { name: "low, high", kind: Kind::Float, summary: "which slopes give 0 and 1" },
+            Param { name: "low, high", kind: ValueKind::Float, summary: "which slopes give 0 and 1" },
         ],
         words: &[],
     };

@@ -7,14 +7,14 @@
 use super::{Field, FieldParams, Readable, TextureContext, Wave};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// The parameter for the number of arms, which both spirals have.
 pub(super) const ARMS: &[Param] = &[Param {
     name: "arms",
-    kind: Kind::Float,
+    kind: ValueKind::Float,
     summary: "how many arms wind around the axis; the fraction is dropped",
 }];
 

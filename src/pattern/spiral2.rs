@@ -1,8 +1,7 @@
 //! `spiral2 N`: two crossing spirals (manual, "Spiral2").
 //!
 //! ```pov
-//! cylinder { 0, 0.2*z, 1 pigment { spiral2 8 color_map { [0.4 color rgb <0.5, 0.3, 0.1>] [0.6 color rgb <1, 0.9, 0.5>]
-//! } scale 0.6 } }
+//! cylinder { 0, 0.2*z, 1 pigment { spiral2 8 color_map { [0.4 color rgb <0.5, 0.3, 0.1>] [0.6 color rgb <1, 0.9, 0.5>] } scale 0.6 } }
 //! ```
 
 use super::spiral1::{ARMS, shift, thread};

@@ -3,7 +3,7 @@
 use crate::math::DVec3;
 use crate::math::noise::{self, Turbulence};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, WordSpec};
+use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 
 /// Parameters of `turbulence`.
@@ -34,12 +34,13 @@ impl TurbulenceParams {
 
     /// The readers of the keywords.
     pub const ROWS: &[Row<Self>] = &[
-        word("turbulence", Kind::Vector, "0", "how far points are displaced")
+        word("turbulence", ValueKind::Vector, "0", "how far points are displaced")
             .sets(|s, r| set(&mut s.amount, r.vector())),
-        word("octaves", Kind::Float, "6", "steps of ever finer turbulence, 1 to 10")
+        word("octaves", ValueKind::Float, "6", "steps of ever finer turbulence, 1 to 10")
             .sets(|s, r| set(&mut s.octaves, r.float())),
-        word("lambda", Kind::Float, "2", "how much finer each step is").sets(|s, r| set(&mut s.lambda, r.float())),
-        word("omega", Kind::Float, "0.5", "how much weaker each step is").sets(|s, r| set(&mut s.omega, r.float())),
+        word("lambda", ValueKind::Float, "2", "how much finer each step is").sets(|s, r| set(&mut s.lambda, r.float())),
+        word("omega", ValueKind::Float, "0.5", "how much weaker each step is")
+            .sets(|s, r| set(&mut s.omega, r.float())),
     ];
 
     /// The sum of octaves.

@@ -29,11 +29,36 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/random/README.md"],
     ),
     emulated(
+        "extent_boxes",
+        "The boxes that `min_extent` and `max_extent` return are not the smallest ones: each transform is applied to the box of a CSG object, and not to its parts.",
+        &["tests/lang/geometry.scene"],
+    ),
+    emulated(
+        "infinite_shapes_vanish",
+        "A shape with a number that is not finite is not seen, nor is an object that such a number transforms.",
+        &["light_cases/infinite_shapes"],
+    ),
+    emulated(
         "intersection_box",
         "An `intersection` or `difference` is seen only by rays that meet the box that `min_extent` and `max_extent` \
          return, which can be \
          too small where parts of parts are inverted.",
         &["light_cases/csg_disc_halves"],
     ),
+    emulated(
+        "inverse_toggles",
+        "Each `inverse` turns an object inside out again: two of them have no effect.",
+        &["light_cases/csg_inverse_twice"],
+    ),
     emulated("patch_never_clipped", "`clipped_by` has no effect on a `bicubic_patch`.", &["light_cases/patch_clipped"]),
+    emulated(
+        "textures_add_layers",
+        "A `texture` in an object that has one already, perhaps from its declaration, adds layers to it.",
+        &["light_cases/layers_apart"],
+    ),
+    emulated(
+        "uv_mapping_of_group",
+        "`uv_mapping` of a group of objects also applies to its parts, except those with an `interior_texture`.",
+        &["light_cases/csg_uv_inside"],
+    ),
 ];

@@ -4,9 +4,29 @@ use super::{Quirk, emulated};
 
 pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
+        "bmp_dithers_upwards",
+        "Error diffusion in a bmp file begins at the bottom row, as its rows do.",
+        &["src/image_io/tests.rs::bmp_is_dithered_from_the_bottom"],
+    ),
+    emulated(
         "bump_map_three_pixels",
         "`bump_map` takes its slope from three pixels that form a triangle, and wraps at the edges of the picture even with `once`.",
         &["light_cases/bump_map_level"],
+    ),
+    emulated(
+        "dithering",
+        "Dithering adds patterns to the numbers of the file and diffuses errors as light; the first column receives errors from above one row late, and errors beyond the sides are lost.",
+        &["src/image_io/dither.rs::patterns_are_povrays", "src/image_io/dither.rs::errors_go_where_povrays_go"],
+    ),
+    emulated(
+        "function_picture_wraps",
+        "A picture made of a function has 16 bits a channel; numbers are truncated, and numbers outside of 0 to 1 wrap.",
+        &["light_cases/function_image_bits", "light_cases/function_image_wraps"],
+    ),
+    emulated(
+        "gray_png_rounds_down",
+        "The brightness of a pixel in a png of grays is rounded down to a byte.",
+        &["tests/patterns/image_pattern.txt"],
     ),
     emulated(
         "image_pattern_ignores_index",
@@ -19,13 +39,13 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/patterns/image_pattern.txt"],
     ),
     emulated(
-        "no_gamma_before_3_7",
-        "In scenes before version 3.7 without `assumed_gamma`, the numbers of a picture file are used unchanged.",
-        &["light_cases/no_version"],
-    ),
-    emulated(
         "palette_index_truncated",
         "Interpolation between the indices of a palette gives a whole number.",
+        &["tests/patterns/image_pattern.txt"],
+    ),
+    emulated(
+        "png_transparent_color",
+        "A colour that a png file marks as transparent is opaque.",
         &["tests/patterns/image_pattern.txt"],
     ),
 ];

@@ -1,6 +1,6 @@
 //! Parsing, values, versions.
 
-use super::{Quirk, emulated};
+use super::{Quirk, differs, emulated};
 
 pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
@@ -19,6 +19,16 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "comparison_tolerance",
         "Numbers that differ by less than 1e-10 are equal, and a number closer to 0 than that is false.",
         &["tests/lang/operators.scene"],
+    ),
+    emulated(
+        "cubic_spline_slopes",
+        "The slope of a `cubic_spline` at a point is the mean of the slopes of the lines to its two neighbours.",
+        &["tests/lang/functions.scene"],
+    ),
+    emulated(
+        "exact_comparisons_in_functions",
+        "Inside `function { }` comparisons are exact, and every number but 0 is true; outside of it 1e-10 separates numbers.",
+        &["tests/lang/functions.scene"],
     ),
     emulated(
         "gamma_by_version",
@@ -40,6 +50,26 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "infinite_colors",
         "An infinite component of a colour is as bright as the picture allows, and one that is not a number is 0.",
         &["light_cases/infinite_colors"],
+    ),
+    emulated(
+        "internal_functions",
+        "The functions of `functions.inc` have signs, scales and weights of parameters of their own beside the published formulas.",
+        &["tests/internals/values.txt"],
+    ),
+    emulated(
+        "logical_precedence",
+        "`&` and `|` have one precedence and apply from left to right, but inside `function { }` `&` binds more tightly than `|`.",
+        &["tests/lang/operators.scene", "tests/lang/functions.scene"],
+    ),
+    emulated(
+        "object_color_ignored",
+        "A colour in an object itself, outside of a `pigment`, has no effect.",
+        &["light_cases/object_color"],
+    ),
+    emulated(
+        "object_in_any_block",
+        "A declared object is allowed in the block of any shape: `box { Ball }` is the same as `object { Ball }`.",
+        &["tests/lang/geometry.scene"],
     ),
     emulated(
         "opacity_by_version",
@@ -76,6 +106,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "srgb_files_since_3_7",
         "Picture files without gamma information are read as sRGB since `#version 3.7`, and as linear before.",
         &["light_cases/image_alpha_one"],
+    ),
+    differs(
+        "strict_separators",
+        "Some commas, such as those between the objects of a `union`, and missing semicolons after values are errors.",
+        "durer accepts them; `--warn portable` reports them.",
+        &["tests/ui/portable.scene"],
     ),
     emulated(
         "unsigned_infinity",

@@ -54,6 +54,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/pigment_defaults"],
     ),
     emulated(
+        "noise_tables",
+        "Noise, turbulence and random cells come from fixed tables, offsets and ranges; `cells` and `crackle` use the Mersenne Twister with its default seed.",
+        &["tests/noise/points.txt", "tests/noise/turbulence.txt", "tests/patterns/cells.txt"],
+    ),
+    emulated(
         "pavement_plans",
         "`pavement` lays its tiles, and shapes its joints, in ways that the manual leaves open.",
         &["tests/patterns/pavement.txt"],

@@ -27,6 +27,23 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/csg_polygon_sides"],
     ),
     emulated(
+        "inside_margins",
+        "`inside()` and CSG count points 1e-10 beyond a plane as inside; closed cylinders and cones end 1e-10 before their surface, open ones 1e-10 beyond their ends.",
+        &["tests/lang/geometry.scene"],
+    ),
+    emulated("mesh_single_precision", "The corners of meshes have single precision.", &["light_cases/mesh_camera"]),
+    emulated(
+        "own_space_min_distance",
+        "Rays do not hit tori, superellipsoids, cubics, quartics and polynomials closer than 0.0001 to their origin in units of the space of the shape.",
+        &["light_cases/near_own_space"],
+    ),
+    emulated("plane_max_distance", "Rays do not hit a plane farther away than 1e7.", &["light_cases/plane_ends"]),
+    emulated(
+        "polynomial_inside_margin",
+        "A polynomial surface contains the points where its polynomial is less than 1e-4.",
+        &["tests/lang/geometry.scene"],
+    ),
+    emulated(
         "quadric_keeps_sides",
         "`inverse` does not exchange `texture` and `interior_texture` of a quadric, as it does for other shapes.",
         &["light_cases/interior_texture_quadric_inverse"],
@@ -43,5 +60,10 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "smooth_triangle_normals",
         "The normals of a `smooth_triangle` have length 1 after scaling, before they are interpolated.",
         &["light_cases/smooth_stretched", "light_cases/twisted_by_scale"],
+    ),
+    emulated(
+        "text_layout",
+        "In a `text`, kerning pairs of an unsorted table are found too, and composite glyphs are shifted to the right by their left bearing.",
+        &["src/font/tests.rs::kerning_pairs_need_not_be_sorted"],
     ),
 ];

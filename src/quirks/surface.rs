@@ -10,6 +10,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/adc", "light_cases/adc_filter", "light_cases/transmit_below_0"],
     ),
     emulated(
+        "albedo_stays",
+        "Once `albedo` is given for `diffuse`, `phong` or `specular`, it stays for later numbers in the same finish; a finish on top of another begins without it.",
+        &["light_cases/finish_again", "light_cases/albedo"],
+    ),
+    emulated(
         "attenuation_beyond_surface",
         "`fade_distance` attenuates only light from beyond the surface where a ray leaves the interior; diffuse \
          light, highlights and reflection of that surface arrive without attenuation.",
@@ -92,6 +97,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/fresnel_nested", "light_cases/fresnel_overlap"],
     ),
     emulated(
+        "irid_formula",
+        "`irid` multiplies the light of each channel by 1 + amount · cos(2π path / wavelength).",
+        &["light_cases/finish_mixed_2", "light_cases/area_illumination_irid"],
+    ),
+    emulated(
         "layers_below_adc_bailout",
         "Layers below a stack whose transmittance is at most `adc_bailout` are not evaluated.",
         &["light_cases/adc_conserve", "light_cases/shadow_layers"],
@@ -117,6 +127,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
             "light_cases/quality_q6",
             "light_cases/quality_q8",
         ],
+    ),
+    emulated(
+        "reflection_again",
+        "A second `reflection { }` in a finish keeps `fresnel`, `falloff`, `exponent` and `metallic` of the first; a plain `reflection` switches `fresnel` off.",
+        &["light_cases/reflection_twice"],
     ),
     emulated(
         "reflection_weight",

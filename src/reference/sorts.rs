@@ -6,7 +6,7 @@ use crate::pattern::Modifiers;
 use crate::shape;
 use crate::syntax::word::{CONSTANTS, FUNCTIONS, GROUPS, KEYWORDS};
 use crate::syntax::{continues, opens};
-use crate::value::Kind;
+use crate::value::ValueKind;
 use crate::value::words::TRANSFORMS;
 
 /// Words by kind, each list in alphabetical order. No word is in two of the first five lists.
@@ -41,7 +41,7 @@ pub fn sorts() -> Sorts {
     let named = BLOCKS.iter().flat_map(|block| block.words.unsupported.iter().copied().chain([block.words.block]));
     // `function` is part of the grammar itself.
     let named = named.chain(LATER.iter().copied()).chain(["function"]);
-    let with_braces = rows().filter(|row| row.kind == Kind::Block).map(|row| row.name);
+    let with_braces = rows().filter(|row| row.kind == ValueKind::Block).map(|row| row.name);
     let is_keyword = |name: &&str| KEYWORDS.contains(name);
     let blocks = sorted(named.chain(with_braces).filter(is_keyword).filter(|name| !objects.contains(name)));
     let is_left = |name: &&str| !objects.contains(name) && !blocks.contains(name);

@@ -1,17 +1,17 @@
-//! What the author said, after all macros and loops ran: plain data.
+//! The scene as plain data, after all macros and loops have run.
 
-mod alike;
 mod object;
 mod pov_bounds;
+mod recent_parts;
 mod settings;
 mod surface;
 mod weight;
 pub mod words;
 
-pub use alike::Alike;
 pub use object::{
     Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, Object, ObjectBody, ObjectKind, Uncommon, is_object, read_camera,
 };
+pub use recent_parts::RecentParts;
 pub use settings::Settings;
 pub use surface::{Material, Painted, read_layers, read_material};
 pub use weight::Weight;
@@ -25,41 +25,41 @@ use serde::Serialize;
 use std::rc::Rc;
 use std::sync::Arc;
 
-/// Everything the text put into the scene.
+/// Contents of the scene.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Scene {
     /// The last `#version`, as 100 times the number.
     pub version: u32,
     /// `global_settings`.
     pub settings: Settings,
-    /// The last camera; without one, POV-Ray's default.
+    /// The last camera; POV-Ray's default camera if the scene has none.
     pub camera: Camera,
-    /// The text of each camera, the one that counts last.
+    /// Spans of all cameras; the last one counts.
     #[serde(skip)]
     pub cameras: Vec<Span>,
-    /// What rays see that hit nothing.
+    /// Colour of rays without a hit.
     pub background: Option<Background>,
     /// The sky; the last one counts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sky_sphere: Option<SkySphere>,
-    /// All fogs.
+    /// Fogs.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub fogs: Vec<Fog>,
-    /// All rainbows.
+    /// Rainbows.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rainbows: Vec<Rainbow>,
-    /// Objects and lights in the order they were written.
+    /// Objects and lights in the order of the text.
     pub objects: Vec<Object>,
-    /// What was said and is not drawn yet.
+    /// Blocks that durer does not render yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
 
-/// What `#default` has set for all that follows.
+/// Defaults set by `#default` for the text that follows.
 #[derive(Clone, Debug, Default)]
 pub struct Defaults {
-    /// Where a block says nothing else.
+    /// Texture of objects without their own.
     pub texture: Arc<Texture>,
-    /// What was read last: what is like it is one with it.
-    pub alike: Rc<Alike>,
+    /// Recently read parts, for deduplication.
+    pub recent: Rc<RecentParts>,
 }

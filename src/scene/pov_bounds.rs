@@ -1,13 +1,14 @@
-//! The box that `min_extent` and `max_extent` tell. It is not always the smallest one: scenes place things by these
-//! numbers, so they are made as POV-Ray makes them (measured on 3.7). A shape's box is that of its own frame, moved once;
-//! a CSG object's is the union or intersection of its parts', moved as a box by each transform that follows.
+//! The boxes that `min_extent` and `max_extent` return. Scenes place objects by these boxes, so they are POV-Ray's and
+//! not always the smallest ones (quirk: `extent_boxes`). The box of a shape is that of its object space, transformed
+//! once. The box of a CSG object is the union or intersection of its parts' boxes; each later transform acts on this
+//! box.
 
 use super::{CsgOp, Object, ObjectKind};
 use crate::math::{Aabb, DVec3};
 use crate::shape::{HUGE, Kernel};
 
 impl Object {
-    /// The box around the object where it is now.
+    /// The object's box after its transforms.
     pub fn pov_bounds(&self) -> Aabb {
         let own = match &self.kind {
             ObjectKind::Shape(shape) => shape.pov_bounds(&self.transform),
@@ -21,7 +22,7 @@ impl Object {
         })
     }
 
-    /// The box around a CSG object before it is moved.
+    /// The box of a CSG object before its transforms.
     pub(super) fn parts_box(op: CsgOp, parts: &[Object]) -> Aabb {
         match op {
             CsgOp::Union | CsgOp::Merge => {
@@ -51,7 +52,7 @@ fn volume(b: &Aabb) -> f64 {
     size.x * size.y * size.z
 }
 
-/// What a part leaves of space in an intersection.
+/// The box that a part of an intersection leaves.
 fn side(part: &Object) -> Aabb {
     outer_side(part, false)
 }
@@ -73,7 +74,7 @@ fn outer_side(part: &Object, taken_away: bool) -> Aabb {
     }
 }
 
-/// What lies behind a plane that faces along an axis; everything for any other plane.
+/// The half-space below an axis-aligned plane as a box; everything for any other plane.
 fn half_space(normal: DVec3, point: DVec3) -> Aabb {
     let mut out = Aabb::INFINITE;
     for axis in 0..3 {

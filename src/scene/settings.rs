@@ -9,28 +9,29 @@ use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt, Unsupported};
 use serde::Serialize;
 
-/// All numbers of `global_settings`.
+/// Values of `global_settings`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Settings {
-    /// `assumed_gamma`, once it is settled.
+    /// `assumed_gamma`, once it is known.
     pub gamma: Option<Gamma>,
-    /// How often a ray may be reflected and bent.
+    /// Maximum number of reflections and refractions of a ray.
     pub max_trace_level: u32,
-    /// Rays that count for less than this are not followed.
+    /// Weight below which a ray is not traced.
     pub adc_bailout: f64,
-    /// The light that `finish { ambient }` answers to.
+    /// Factor of all `ambient` finishes.
     pub ambient_light: Rgb,
-    /// The wavelengths of red, green and blue in the units of `irid { thickness }`.
+    /// Wavelengths of red, green and blue in the units of `irid { thickness }`.
     pub irid_wavelength: Rgb,
-    /// The noise that patterns and functions are made of, if the scene says which.
+    /// Noise generator of patterns and functions; `None` if the scene sets none.
     pub noise_generator: Option<NoiseGenerator>,
-    /// How many sources the patterns `ripples` and `waves` have.
+    /// Number of wave sources of the patterns `ripples` and `waves`.
     pub number_of_waves: usize,
-    /// Surfaces keep what their filter's color holds back, as before 3.7: see [`crate::color::Color::opacity`].
+    /// True if surfaces keep back the colour that their filter absorbs, as before 3.7; see
+    /// [`crate::color::Color::opacity`].
     pub opacity_by_color: bool,
-    /// Skies are layered as before 3.7: see [`crate::world::Sky`].
+    /// True if sky layers are blended as before 3.7; see [`crate::world::Sky`].
     pub sky_by_share: bool,
-    /// What was said and is not drawn yet.
+    /// Settings that durer does not support yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
@@ -53,10 +54,10 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Reads what stands between the braces.
+    /// Reads the inside of the block.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// With the span of the unexpected token, and the expectation.
     pub fn read(&mut self, r: &mut dyn Reader) -> Result<()> {
         loop {
             match r.next()? {
@@ -80,22 +81,22 @@ impl Settings {
 }
 
 impl Settings {
-    /// The number behind `max_trace_level`; in old scenes it stands outside of the braces too.
+    /// Reads the number after `max_trace_level`, which old scenes also write outside of the block.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// With the span of the unexpected token, and the expectation.
     pub fn read_max_trace_level(&mut self, r: &mut dyn Reader) -> Result<()> {
         self.max_trace_level = r.float()?.clamp(1.0, 256.0) as u32;
         Ok(())
     }
 }
 
-/// `assumed_gamma srgb`, or a number.
+/// Reads `srgb` or a number after `assumed_gamma`.
 pub(super) fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
     if r.accept("srgb")? { Ok(Gamma::Srgb) } else { positive(r).map(Gamma::Power) }
 }
 
-/// A gamma of 0 or less has no curve.
+/// Reads a number greater than 0.
 fn positive(r: &mut dyn Reader) -> Result<f64> {
     let (at, gamma) = (r.span(), r.float()?);
     if gamma > 0.0 {

@@ -1,4 +1,4 @@
-//! What lies on objects: textures with their places, layers, materials (manual, "Texture", "Material").
+//! Surfaces of objects: textures with their spaces, layers, materials (manual, "Texture", "Material").
 
 use super::Defaults;
 use crate::diagnostic::Result;
@@ -9,41 +9,42 @@ use crate::value::{Next, Reader, ReaderExt, Thing};
 use serde::Serialize;
 use std::sync::{Arc, LazyLock};
 
-/// Of all that has not been moved since: a scene of a million objects has but one.
+/// The transform of objects that were not moved, shared by all of them.
 static STILL: LazyLock<Arc<Transform>> = LazyLock::new(Arc::default);
 
-/// A texture where it lies on an object.
+/// A texture on an object.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Painted {
-    /// Shared by all objects that were given it.
+    /// The texture, shared by all objects that use it.
     pub texture: Arc<Texture>,
-    /// How the object was moved after it got the texture, if it had been moved before: else it is the object's own.
+    /// Transform of the object since the texture was set; `None` if the texture was set before any transform, so that
+    /// the transform is the object's own.
     pub moved: Option<Arc<Transform>>,
 }
 
 impl Painted {
-    /// On an object that has been moved so before.
+    /// A texture set on an object that has the transform `before`.
     pub fn new(texture: Arc<Texture>, before: &Transform) -> Self {
         Self { texture, moved: (!before.is_identity()).then(|| STILL.clone()) }
     }
 
-    /// The object has been moved.
+    /// Adds a transform of the object.
     pub(super) fn transform_by(&mut self, step: &Transform) {
         if let Some(moved) = &mut self.moved {
             *moved = Arc::new(moved.then(step));
         }
     }
 
-    /// The space around the object from the texture's, given that from the object's.
+    /// Transform from the texture's space to that of the block around the object; `object` is the object's transform.
     pub fn place<'t>(&'t self, object: &'t Transform) -> &'t Transform {
         self.moved.as_deref().unwrap_or(object)
     }
 }
 
-/// One or more `texture` blocks in a row: layers, the first is the lowest.
+/// Reads consecutive `texture` blocks as layers; the first is the lowest.
 ///
 /// # Errors
-/// With the place of what is not understood, and what was expected there.
+/// With the span of the unexpected token, and the expectation.
 pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
     let mut layers = vec![];
     let mut next = r.next()?;
@@ -53,7 +54,7 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
                 r.take()?;
                 let read = Texture::read(r, &defaults.texture)?.layers;
                 r.leave()?;
-                // Mostly there is but one.
+                // Most textures have one block.
                 if layers.is_empty() { layers = read } else { layers.extend(read) }
             }
             Next::Thing("texture") => match r.thing::<Texture>()? {
@@ -68,19 +69,19 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
     Ok(Texture { layers })
 }
 
-/// No layers yet.
+/// A texture without layers.
 fn nothing() -> Arc<Texture> {
     Arc::new(Texture { layers: vec![] })
 }
 
-/// A texture, an inner texture and an interior (manual, "Material").
+/// Contents of a `material` block (manual, "Material").
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Material {
     /// Texture of the outside.
     pub texture: Option<Arc<Texture>>,
-    /// Texture seen from inside.
+    /// Texture of the inside.
     pub interior_texture: Option<Arc<Texture>>,
-    /// What fills the object.
+    /// Interior.
     pub interior: Option<Arc<Interior>>,
 }
 
@@ -90,10 +91,10 @@ impl Thing for Material {
     }
 }
 
-/// Reads what stands between the braces of a `material` of something that is filled so far with `interior`.
+/// Reads the inside of a `material`; `interior` is that of the object so far.
 ///
 /// # Errors
-/// With the place of what is not understood, and what was expected there.
+/// With the span of the unexpected token, and the expectation.
 pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<Arc<Interior>>) -> Result<Material> {
     let mut out = Material { interior, ..Material::default() };
     loop {

@@ -1,38 +1,38 @@
-//! How large an object is: a loop makes a few lines of text deep as a well, or double themselves until no memory holds them.
+//! Size of objects: loops can nest objects, or double them, until no memory can hold them.
 
 use super::{Object, Scene};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 
-/// Objects inside each other; whoever walks them recurses.
+/// Maximum nesting depth of objects, which recursive functions walk.
 const MAX_DEPTH: u32 = 5000;
-/// Shapes that clip one object: they are copied whenever it moves.
+/// Maximum number of shapes that clip one object: transforms of the object copy them.
 const MAX_CLIPPING: u32 = 1_000_000;
-/// Bytes that each shape takes in the world, about.
+/// Approximate bytes per shape in the world.
 const PER_SHAPE: u64 = 1000;
 
-/// More shapes have no numbers.
+/// Maximum number of shapes that have indices.
 const MAX_SHAPES: u32 = u32::MAX / 2;
 
-/// Known when an object is made, so that nobody has to walk it.
+/// Size of an object, computed when the object is built.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Weight {
-    /// Objects inside each other.
+    /// Nesting depth.
     depth: u32,
-    /// Shapes in it, each counted as often as it is there; the largest number stands for more.
+    /// Number of shapes, counting each instance; saturates.
     shapes: u32,
 }
 
 impl Weight {
-    /// Of one shape.
+    /// Size of one shape.
     pub const SHAPE: Self = Self { depth: 0, shapes: 1 };
 
-    /// How many shapes are in it.
+    /// Number of shapes.
     pub fn shapes(self) -> u32 {
         self.shapes
     }
 
-    /// With these inside.
+    /// Adds the sizes of the parts of an object.
     pub fn around(self, parts: &[Object]) -> Self {
         parts.iter().map(|part| part.weight()).fold(self, |sum, part| Self {
             depth: sum.depth.max(part.depth + 1),
@@ -40,10 +40,10 @@ impl Weight {
         })
     }
 
-    /// E0104 if it is deeper than anybody can walk.
+    /// Checks the nesting depth.
     ///
     /// # Errors
-    /// E0104, if so.
+    /// E0104 if the depth is above the maximum.
     pub fn check(self, source: Span) -> Result<()> {
         if self.depth <= MAX_DEPTH {
             return Ok(());
@@ -54,10 +54,10 @@ impl Weight {
             .into()
     }
 
-    /// E0242 if these are too many to clip with.
+    /// Checks the number of shapes that clip an object.
     ///
     /// # Errors
-    /// E0242, if so.
+    /// E0242 if there are too many.
     pub fn check_clipping(parts: &[Object], source: Span) -> Result<()> {
         if Self::default().around(parts).shapes <= MAX_CLIPPING {
             return Ok(());
@@ -68,10 +68,10 @@ impl Weight {
 }
 
 impl Scene {
-    /// E0242 if the world of this scene would not go into so many bytes.
+    /// Checks whether the world of the scene fits into `memory` bytes.
     ///
     /// # Errors
-    /// E0242, if so.
+    /// E0242 if it does not.
     pub fn check_weight(&self, memory: Option<u64>) -> Result<()> {
         let limit = memory.map_or(MAX_SHAPES, |bytes| (bytes / PER_SHAPE).min(MAX_SHAPES.into()) as u32);
         let mut shapes: u32 = 0;

@@ -1,13 +1,13 @@
-//! The words of all objects and of `global_settings`: what the readers obey and the manual lists.
+//! Words of all objects and of `global_settings`, for the readers and the manual.
 
 use super::object::Flags;
 use super::settings::{Settings, read_gamma};
 use crate::pattern::read_noise_generator;
-use crate::value::Kind::{Block, Color, Flag, Float};
+use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Vocabulary, WordSpec};
 
-/// What stands in an object with braces of its own.
+/// Blocks inside objects.
 const PARTS: &[WordSpec] = &[
     word("pigment", Block, "black", "its colour, as `texture { pigment { … } }` says it too"),
     word("texture", Block, "", "what it looks like; several are layers, the last on top"),
@@ -20,7 +20,7 @@ const PARTS: &[WordSpec] = &[
     word("bounded_by", Block, "", "rays that miss one of these objects see nothing of it; durer needs no such hint"),
 ];
 
-/// The switches of objects; each may be followed by `on` or `off`.
+/// Switches of objects; `on` or `off` may follow each.
 pub(super) const FLAGS: &[Row<Flags>] = &[
     word("no_shadow", Flag, "off", "it casts no shadow").sets(|s, r| set(&mut s.no_shadow, r.flag())),
     word("no_image", Flag, "off", "it is not seen directly, but in mirrors and as a shadow")
@@ -32,7 +32,7 @@ pub(super) const FLAGS: &[Row<Flags>] = &[
         .sets(|s, r| set(&mut s.hollow, r.flag())),
     word("uv_mapping", Flag, "off", "its texture sees the place on the surface, (u, v, 0), instead of the point")
         .sets(|s, r| set(&mut s.uv_mapping, r.flag())),
-    // (Twice is as good as never: measured on POV-Ray 3.7.)
+    // Each `inverse` toggles (quirk: `inverse_toggles`).
     word("inverse", Flag, "off", "inside and outside change places").sets(|s, r| r.flag().map(|on| s.inverse ^= on)),
     word("double_illuminate", Flag, "off", "light on the far side of a surface shows on this side")
         .sets(|s, r| set(&mut s.double_illuminate, r.flag())),
@@ -40,7 +40,7 @@ pub(super) const FLAGS: &[Row<Flags>] = &[
         .sets(|s, r| set(&mut s.cutaway_textures, r.flag())),
 ];
 
-/// What any object takes behind its own words.
+/// Words of any object, after those of its shape.
 pub const MODIFIERS: Vocabulary = Vocabulary {
     block: "object",
     summary: "what any object takes behind the words of its own",
@@ -50,7 +50,7 @@ pub const MODIFIERS: Vocabulary = Vocabulary {
     unsupported: &["photons"],
 };
 
-/// How [`SETTINGS`]'s words are read.
+/// Rows of [`SETTINGS`].
 pub(super) const SETTINGS_ROWS: &[Row<Settings>] = &[
     word(
         "assumed_gamma",
@@ -78,7 +78,7 @@ pub(super) const SETTINGS_ROWS: &[Row<Settings>] = &[
         .sets(|s, r| set(&mut s.ambient_light, r.color().map(|c| c.rgb))),
 ];
 
-/// `global_settings { … }`
+/// Words of `global_settings`.
 pub const SETTINGS: Vocabulary = Vocabulary {
     block: "global_settings",
     summary: "what holds for the whole scene",

@@ -17,7 +17,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, MAX_DEGREE, Range, Ray, Transform, roots_on_line, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, word};
-use crate::value::{Kind, Param, Reader, Spec, WordSpec};
+use crate::value::{Param, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
 /// `cubic { <…> }`
@@ -227,9 +227,9 @@ impl<const FORM: usize> Algebraic<FORM> {
     }
 }
 
-const ORDER: Param = Param { name: "order", kind: Kind::Float, summary: "the highest power, 2 to 35" };
+const ORDER: Param = Param { name: "order", kind: ValueKind::Float, summary: "the highest power, 2 to 35" };
 const COEFFICIENTS: Param =
-    Param { name: "<coefficients>", kind: Kind::Vectors, summary: "a number for each power, in falling order" };
+    Param { name: "<coefficients>", kind: ValueKind::Vectors, summary: "a number for each power, in falling order" };
 
 /// An order from 2 to 35.
 fn read_order(form: &str, r: &mut dyn Reader) -> Result<usize> {
@@ -283,10 +283,10 @@ impl<const FORM: usize> Algebraic<FORM> {
     const TERMS: &'static [Row<Self>; 2] = &[TERM.sets(Self::read_term), STURM.sets(|_, r| r.flag().map(drop))];
 }
 
-const TERM: WordSpec = word("xyz", Kind::Block, "", "`xyz(i, j, k): c` adds c·xⁱ·yʲ·zᵏ");
+const TERM: WordSpec = word("xyz", ValueKind::Block, "", "`xyz(i, j, k): c` adds c·xⁱ·yʲ·zᵏ");
 /// What it chooses in POV-Ray, here is always so.
 pub(super) const STURM: WordSpec =
-    word("sturm", Kind::Flag, "off", "a more exact method in POV-Ray; changes nothing here");
+    word("sturm", ValueKind::Flag, "off", "a more exact method in POV-Ray; changes nothing here");
 
 impl<const FORM: usize> Kernel for Algebraic<FORM> {
     const QUIRKS: Quirks = Quirks { bounding: Bounding::Exact, ..Quirks::NONE };

@@ -19,7 +19,7 @@ use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, solve_between, tolerance};
 use crate::source::Span;
 use crate::value::words::word;
-use crate::value::{Kind, Next, Reader, ReaderExt, Spec};
+use crate::value::{Next, Reader, ReaderExt, Spec, ValueKind};
 use component::Stretches;
 use serde::Serialize;
 use smallvec::SmallVec;
@@ -130,15 +130,15 @@ impl Readable for Blob {
         summary: "fields of balls and rods that flow into each other",
         params: &[],
         words: &[
-            word("threshold", Kind::Float, "1", "how strong the field is on the surface"),
+            word("threshold", ValueKind::Float, "1", "how strong the field is on the surface"),
             word(
                 "sphere",
-                Kind::Block,
+                ValueKind::Block,
                 "",
                 "a ball: centre, radius and strength; it may have a texture and transforms of its own",
             ),
-            word("cylinder", Kind::Block, "", "a rod with round ends: both ends, radius and strength"),
-            word("component", Kind::Float, "", "an older way to write a ball: strength, radius, centre"),
+            word("cylinder", ValueKind::Block, "", "a rod with round ends: both ends, radius and strength"),
+            word("component", ValueKind::Float, "", "an older way to write a ball: strength, radius, centre"),
         ],
     };
 

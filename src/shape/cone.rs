@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
 use crate::value::words::{Row, set, specs};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A cone or frustum.
@@ -37,10 +37,10 @@ impl Readable for Cone {
         name: "cone",
         summary: "a cone, or one with its tip cut off",
         params: &[
-            Param { name: "base_point", kind: Kind::Vector, summary: "the middle of one end" },
-            Param { name: "base_radius", kind: Kind::Float, summary: "the radius there" },
-            Param { name: "cap_point", kind: Kind::Vector, summary: "the middle of the other end" },
-            Param { name: "cap_radius", kind: Kind::Float, summary: "the radius there; 0 makes a tip" },
+            Param { name: "base_point", kind: ValueKind::Vector, summary: "the middle of one end" },
+            Param { name: "base_radius", kind: ValueKind::Float, summary: "the radius there" },
+            Param { name: "cap_point", kind: ValueKind::Vector, summary: "the middle of the other end" },
+            Param { name: "cap_radius", kind: ValueKind::Float, summary: "the radius there; 0 makes a tip" },
         ],
         words: specs!(Self::WORDS),
     };

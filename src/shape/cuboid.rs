@@ -9,7 +9,7 @@
 use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Readable, Shape, finite};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A brick. (`Box` is taken in Rust.)
@@ -60,8 +60,8 @@ impl Readable for Cuboid {
         name: "box",
         summary: "a brick with its faces parallel to the coordinate planes",
         params: &[
-            Param { name: "corner_1", kind: Kind::Vector, summary: "any corner" },
-            Param { name: "corner_2", kind: Kind::Vector, summary: "the corner opposite to it" },
+            Param { name: "corner_1", kind: ValueKind::Vector, summary: "any corner" },
+            Param { name: "corner_2", kind: ValueKind::Vector, summary: "the corner opposite to it" },
         ],
         words: &[],
     };

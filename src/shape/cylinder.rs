@@ -12,7 +12,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
 use crate::value::words::{Row, set, specs};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A round bar or tube.
@@ -32,9 +32,9 @@ impl Readable for Cylinder {
         name: "cylinder",
         summary: "a round bar between two points",
         params: &[
-            Param { name: "base_point", kind: Kind::Vector, summary: "the middle of one end" },
-            Param { name: "cap_point", kind: Kind::Vector, summary: "the middle of the other end" },
-            Param { name: "radius", kind: Kind::Float, summary: "its sign does not matter" },
+            Param { name: "base_point", kind: ValueKind::Vector, summary: "the middle of one end" },
+            Param { name: "cap_point", kind: ValueKind::Vector, summary: "the middle of the other end" },
+            Param { name: "radius", kind: ValueKind::Float, summary: "its sign does not matter" },
         ],
         words: specs!(Self::WORDS),
     };

@@ -10,7 +10,7 @@ use super::{HalfSpaces, Hit, Hits, Kernel, Readable, finite, pov_bounds};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
-use crate::value::{Kind, Next, Param, Reader, Spec};
+use crate::value::{Next, Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A flat ring.
@@ -42,10 +42,14 @@ impl Readable for Disc {
         name: "disc",
         summary: "a flat round plate without thickness",
         params: &[
-            Param { name: "center", kind: Kind::Vector, summary: "its middle" },
-            Param { name: "normal", kind: Kind::Vector, summary: "stands on it, of any length" },
-            Param { name: "radius", kind: Kind::Float, summary: "its sign does not matter" },
-            Param { name: "hole_radius", kind: Kind::Float, summary: "of the hole in its middle; may be left out" },
+            Param { name: "center", kind: ValueKind::Vector, summary: "its middle" },
+            Param { name: "normal", kind: ValueKind::Vector, summary: "stands on it, of any length" },
+            Param { name: "radius", kind: ValueKind::Float, summary: "its sign does not matter" },
+            Param {
+                name: "hole_radius",
+                kind: ValueKind::Float,
+                summary: "of the hole in its middle; may be left out",
+            },
         ],
         words: &[],
     };

@@ -3,7 +3,7 @@
 use super::{Crossing, End, HalfSpaces, Hit, Hits, nearest, pov_bounds};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair, tolerance};
 use crate::value::words::word;
-use crate::value::{Kind, WordSpec};
+use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -288,7 +288,7 @@ impl Frustum {
 }
 
 /// What cylinders and cones are without their ends.
-pub(super) const OPEN: WordSpec = word("open", Kind::Nothing, "", "takes the discs at the ends away");
+pub(super) const OPEN: WordSpec = word("open", ValueKind::Nothing, "", "takes the discs at the ends away");
 
 /// A shape that is a frustum under another name.
 macro_rules! frustum_kernel {

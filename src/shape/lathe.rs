@@ -16,7 +16,7 @@ use super::{Hit, Hits, Kernel, Readable, moved_box, nearest};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::value::words::{Row, joined, specs};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A turned curve.
@@ -54,8 +54,8 @@ impl Readable for Lathe {
         name: "lathe",
         summary: "a curve that turns about the y axis",
         params: &[
-            Param { name: "number_of_points", kind: Kind::Float, summary: "how many follow" },
-            Param { name: "points", kind: Kind::Vectors, summary: "distance from the axis, and height" },
+            Param { name: "number_of_points", kind: ValueKind::Float, summary: "how many follow" },
+            Param { name: "points", kind: ValueKind::Vectors, summary: "distance from the axis, and height" },
         ],
         words: &joined::<5>(&KINDS, specs!(Self::WORDS)),
     };

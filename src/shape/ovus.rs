@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
 use crate::value::words::{Row, specs};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Parts of the surface.
@@ -110,8 +110,8 @@ impl Readable for Ovus {
         name: "ovus",
         summary: "an egg",
         params: &[
-            Param { name: "bottom_radius", kind: Kind::Float, summary: "of the ball around the origin" },
-            Param { name: "top_radius", kind: Kind::Float, summary: "of the ball around the top of that one" },
+            Param { name: "bottom_radius", kind: ValueKind::Float, summary: "of the ball around the origin" },
+            Param { name: "top_radius", kind: ValueKind::Float, summary: "of the ball around the top of that one" },
         ],
         words: specs!(Self::WORDS),
     };

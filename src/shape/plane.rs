@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
-use crate::value::{Kind, Next, Param, Reader, ReaderExt, Spec};
+use crate::value::{Next, Param, Reader, ReaderExt, Spec, ValueKind};
 use serde::Serialize;
 
 /// A half-space.
@@ -76,8 +76,8 @@ impl Readable for Plane {
         name: "plane",
         summary: "everything on one side of an infinite flat surface",
         params: &[
-            Param { name: "normal", kind: Kind::Vector, summary: "points outwards, of any length" },
-            Param { name: "distance", kind: Kind::Float, summary: "from the origin along the normal" },
+            Param { name: "normal", kind: ValueKind::Vector, summary: "points outwards, of any length" },
+            Param { name: "distance", kind: ValueKind::Float, summary: "from the origin along the normal" },
         ],
         words: specs!(Self::WORDS),
     };
@@ -85,14 +85,14 @@ impl Readable for Plane {
     const WORDS: &'static [Row<Self>] = &[
         word(
             "implicit",
-            Kind::Block,
+            ValueKind::Block,
             "",
             "in place of normal and distance: four numbers A, B, C, D of A·x + B·y + C·z + D = 0 (durer)",
         )
         .sets(|_, r| second_form("implicit", r)),
         word(
             "point",
-            Kind::Block,
+            ValueKind::Block,
             "",
             "in place of normal and distance: a point, then `normal n` or `span i, j` (durer)",
         )

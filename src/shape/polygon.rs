@@ -11,7 +11,7 @@ use super::{Hit, Hits, Kernel, Readable, finite, moved_box, pov_bounds};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
-use crate::value::{Kind, Param, Reader, Spec, Value};
+use crate::value::{Param, Reader, Spec, Value, ValueKind};
 use serde::Serialize;
 
 /// Outlines in a plane.
@@ -131,8 +131,8 @@ impl Readable for Polygon {
         name: "polygon",
         summary: "a flat piece with any outline, which may have holes",
         params: &[
-            Param { name: "number_of_points", kind: Kind::Float, summary: "how many follow, at least three" },
-            Param { name: "points", kind: Kind::Vectors, summary: "repeating the first one closes an outline" },
+            Param { name: "number_of_points", kind: ValueKind::Float, summary: "how many follow, at least three" },
+            Param { name: "points", kind: ValueKind::Vectors, summary: "repeating the first one closes an outline" },
         ],
         words: &[],
     };

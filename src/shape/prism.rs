@@ -17,7 +17,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, bernstein_roots};
 use crate::source::Span;
 use crate::value::words::{Row, joined, specs, word};
-use crate::value::{Kind, Param, Reader, ReaderExt, Spec, WordSpec};
+use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
 /// The part of a hit on a lid; other parts are segments of the outline.
@@ -156,12 +156,12 @@ impl Readable for Prism {
         name: "prism",
         summary: "outlines in the x-z plane, swept along y",
         params: &[
-            Param { name: "bottom", kind: Kind::Float, summary: "the height of one end" },
-            Param { name: "top", kind: Kind::Float, summary: "the height of the other end" },
-            Param { name: "number_of_points", kind: Kind::Float, summary: "how many follow" },
+            Param { name: "bottom", kind: ValueKind::Float, summary: "the height of one end" },
+            Param { name: "top", kind: ValueKind::Float, summary: "the height of the other end" },
+            Param { name: "number_of_points", kind: ValueKind::Float, summary: "how many follow" },
             Param {
                 name: "points",
-                kind: Kind::Vectors,
+                kind: ValueKind::Vectors,
                 summary: "x and z; repeating the first one closes an outline",
             },
         ],
@@ -169,7 +169,7 @@ impl Readable for Prism {
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("open", Kind::Nothing, "", "without lids").sets(|prism, _| {
+        word("open", ValueKind::Nothing, "", "without lids").sets(|prism, _| {
             prism.open = true;
             Ok(())
         }),
@@ -211,8 +211,8 @@ impl Readable for Prism {
 }
 
 const SWEEPS: [WordSpec; 2] = [
-    word("linear_sweep", Kind::Nothing, "", "straight walls; so it is without any such word"),
-    word("conic_sweep", Kind::Nothing, "", "walls that run to a tip at the origin"),
+    word("linear_sweep", ValueKind::Nothing, "", "straight walls; so it is without any such word"),
+    word("conic_sweep", ValueKind::Nothing, "", "walls that run to a tip at the origin"),
 ];
 
 impl Kernel for Prism {

@@ -11,7 +11,7 @@ use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, Readable, finite, mo
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, stable_pair};
 use crate::source::Span;
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A line along which the sum bends less than this, in parts of what it could, is left to `hits` and `inside`.
@@ -127,10 +127,10 @@ impl Readable for Quadric {
         name: "quadric",
         summary: "where a polynomial of the second order in x, y and z is 0",
         params: &[
-            Param { name: "<A, B, C>", kind: Kind::Vector, summary: "of x², y² and z²" },
-            Param { name: "<D, E, F>", kind: Kind::Vector, summary: "of x·y, x·z and y·z" },
-            Param { name: "<G, H, I>", kind: Kind::Vector, summary: "of x, y and z" },
-            Param { name: "J", kind: Kind::Float, summary: "added to all that; it is negative inside" },
+            Param { name: "<A, B, C>", kind: ValueKind::Vector, summary: "of x², y² and z²" },
+            Param { name: "<D, E, F>", kind: ValueKind::Vector, summary: "of x·y, x·z and y·z" },
+            Param { name: "<G, H, I>", kind: ValueKind::Vector, summary: "of x, y and z" },
+            Param { name: "J", kind: ValueKind::Float, summary: "added to all that; it is negative inside" },
         ],
         words: &[],
     };

@@ -11,7 +11,7 @@ use super::{Hit, Hits, Kernel, Readable, Triangle, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A triangle with a normal at each corner.
@@ -48,12 +48,12 @@ impl Readable for SmoothTriangle {
         name: "smooth_triangle",
         summary: "a triangle that looks curved",
         params: &[
-            Param { name: "corner_1", kind: Kind::Vector, summary: "first corner" },
-            Param { name: "normal_1", kind: Kind::Vector, summary: "the surface's direction there" },
-            Param { name: "corner_2", kind: Kind::Vector, summary: "second corner" },
-            Param { name: "normal_2", kind: Kind::Vector, summary: "the surface's direction there" },
-            Param { name: "corner_3", kind: Kind::Vector, summary: "third corner" },
-            Param { name: "normal_3", kind: Kind::Vector, summary: "the surface's direction there" },
+            Param { name: "corner_1", kind: ValueKind::Vector, summary: "first corner" },
+            Param { name: "normal_1", kind: ValueKind::Vector, summary: "the surface's direction there" },
+            Param { name: "corner_2", kind: ValueKind::Vector, summary: "second corner" },
+            Param { name: "normal_2", kind: ValueKind::Vector, summary: "the surface's direction there" },
+            Param { name: "corner_3", kind: ValueKind::Vector, summary: "third corner" },
+            Param { name: "normal_3", kind: ValueKind::Vector, summary: "the surface's direction there" },
         ],
         words: &[],
     };

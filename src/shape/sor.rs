@@ -16,7 +16,7 @@ use super::{Hit, Hits, Kernel, Readable, nearest};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp};
 use crate::value::words::{Row, specs, word};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 use smallvec::smallvec;
 
@@ -68,10 +68,10 @@ impl Readable for Sor {
         name: "sor",
         summary: "a surface of revolution: its radius is a smooth function of the height",
         params: &[
-            Param { name: "number_of_points", kind: Kind::Float, summary: "how many follow, at least four" },
+            Param { name: "number_of_points", kind: ValueKind::Float, summary: "how many follow, at least four" },
             Param {
                 name: "points",
-                kind: Kind::Vectors,
+                kind: ValueKind::Vectors,
                 summary: "radius and height; the first and last only give directions",
             },
         ],
@@ -79,7 +79,7 @@ impl Readable for Sor {
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("open", Kind::Nothing, "", "without lids").sets(|sor, _| {
+        word("open", ValueKind::Nothing, "", "without lids").sets(|sor, _| {
             sor.open = true;
             Ok(())
         }),

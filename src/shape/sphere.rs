@@ -8,7 +8,7 @@ use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair};
 use crate::source::Span;
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -26,8 +26,8 @@ impl Readable for Sphere {
         name: "sphere",
         summary: "all points at one distance from a center",
         params: &[
-            Param { name: "center", kind: Kind::Vector, summary: "its middle" },
-            Param { name: "radius", kind: Kind::Float, summary: "the distance; its sign does not matter" },
+            Param { name: "center", kind: ValueKind::Vector, summary: "its middle" },
+            Param { name: "radius", kind: ValueKind::Float, summary: "the distance; its sign does not matter" },
         ],
         words: &[],
     };

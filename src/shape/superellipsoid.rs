@@ -11,7 +11,7 @@ use super::{Hit, Hits, Kernel, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, Range, Ray, Transform, fp, tolerance};
 use crate::source::Span;
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -308,7 +308,7 @@ impl Readable for Superellipsoid {
         summary: "between box, ball and octahedron, from -1 to 1 along each axis",
         params: &[Param {
             name: "<e, n>",
-            kind: Kind::Vector2,
+            kind: ValueKind::Vector2,
             summary: "how round: near 0 square, 1 round, 2 pointed; around z, and towards z",
         }],
         words: &[],

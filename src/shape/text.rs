@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::font::{Curve, Outline};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, solve_quadratic};
 use crate::source::Span;
-use crate::value::{Kind, Next, Param, Reader, Spec};
+use crate::value::{Next, Param, Reader, Spec, ValueKind};
 use rustc_hash::FxHashMap;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -136,12 +136,12 @@ impl Readable for Text {
         params: &[
             Param {
                 name: "ttf \"font.ttf\"",
-                kind: Kind::Text,
+                kind: ValueKind::Text,
                 summary: "a TrueType or OpenType font, or the name of an installed family; `internal` and a number takes one of POV-Ray's",
             },
-            Param { name: "string", kind: Kind::Text, summary: "what is written" },
-            Param { name: "depth", kind: Kind::Float, summary: "how far the letters reach along z" },
-            Param { name: "offset", kind: Kind::Vector, summary: "added between one letter and the next" },
+            Param { name: "string", kind: ValueKind::Text, summary: "what is written" },
+            Param { name: "depth", kind: ValueKind::Float, summary: "how far the letters reach along z" },
+            Param { name: "offset", kind: ValueKind::Vector, summary: "added between one letter and the next" },
         ],
         words: &[],
     };

@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, bernstein_roots, fp, stable_pair, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -122,14 +122,18 @@ impl Readable for Torus {
         name: "torus",
         summary: "a ring around the y axis",
         params: &[
-            Param { name: "major", kind: Kind::Float, summary: "from the middle of the hole to the middle of the rim" },
-            Param { name: "minor", kind: Kind::Float, summary: "the radius of the rim" },
+            Param {
+                name: "major",
+                kind: ValueKind::Float,
+                summary: "from the middle of the hole to the middle of the rim",
+            },
+            Param { name: "minor", kind: ValueKind::Float, summary: "the radius of the rim" },
         ],
         words: specs!(Self::WORDS),
     };
 
     const WORDS: &'static [Row<Self>] =
-        &[word("sturm", Kind::Flag, "off", "a more exact method in POV-Ray; changes nothing here")
+        &[word("sturm", ValueKind::Flag, "off", "a more exact method in POV-Ray; changes nothing here")
             .sets(|_, r| r.flag().map(drop))];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

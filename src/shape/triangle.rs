@@ -8,7 +8,7 @@ use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Three corners.
@@ -83,9 +83,9 @@ impl Readable for Triangle {
         name: "triangle",
         summary: "a flat piece with three corners",
         params: &[
-            Param { name: "corner_1", kind: Kind::Vector, summary: "first corner" },
-            Param { name: "corner_2", kind: Kind::Vector, summary: "second corner" },
-            Param { name: "corner_3", kind: Kind::Vector, summary: "third corner" },
+            Param { name: "corner_1", kind: ValueKind::Vector, summary: "first corner" },
+            Param { name: "corner_2", kind: ValueKind::Vector, summary: "second corner" },
+            Param { name: "corner_3", kind: ValueKind::Vector, summary: "third corner" },
         ],
         words: &[],
     };

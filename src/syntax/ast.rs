@@ -1,50 +1,50 @@
-//! What is written: a sequence of elements, each with its place. Nothing is evaluated; tokens and comments are kept
-//! beside the tree.
+//! The syntax tree: a sequence of elements with their spans. Nothing is evaluated; tokens and comments are kept beside
+//! the tree.
 
 use super::tokens::Tokens;
 use super::word::Word;
 use crate::source::Span;
 use std::sync::Arc;
 
-/// A name that the author gave, or a constant of the language; an index into [`super::Names`].
+/// A name that the author chose, or a constant of the language; an index into [`super::Names`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Symbol(pub u32);
 
-/// A parsed file, or what could be made of one with faults.
+/// A parsed file, possibly with faults.
 #[derive(Debug, Default)]
 pub struct Ast {
     /// Outermost elements.
     pub elements: Vec<Element>,
-    /// Every token and comment of the file: with the blanks between them they are its text.
+    /// All tokens and comments of the file: with the blanks between them they are its text.
     pub tokens: Tokens,
-    /// Brackets that nothing in the rest of the file closes.
+    /// Brackets that are not closed in the rest of the file.
     pub unclosed: Vec<Span>,
 }
 
-/// Something in a file, block, entry, group, directive's body, or macro's argument list.
+/// An element of a file, block, entry, group, directive's body, or macro's argument list.
 #[derive(Clone, Debug)]
 pub struct Element {
-    /// All of it.
+    /// The element's span.
     pub span: Span,
-    /// Does a comma stand behind it?
+    /// True if a comma follows.
     pub comma: bool,
-    /// What it is.
+    /// The kind of element.
     pub kind: ElementKind,
 }
 
 impl Element {
-    /// Without a comma.
+    /// An element without a comma.
     pub fn new(span: Span, kind: ElementKind) -> Self {
         Self { span, comma: false, kind }
     }
 }
 
-/// See the variants.
+/// Kinds of elements.
 #[derive(Clone, Debug)]
 pub enum ElementKind {
     /// A keyword, or the name of a built-in function without arguments.
     Word(&'static Word),
-    /// A number, vector, text, name, call or a combination of them.
+    /// A number, vector, string, name, call or a combination of them.
     Expr(Box<Expr>),
     /// Two or more literal numbers and vectors with commas between them.
     Numbers(Box<NumberList>),
@@ -60,7 +60,7 @@ pub enum ElementKind {
     Directive(Box<Directive>),
     /// `;`
     Semicolon,
-    /// A comma that stands behind no element of its sequence.
+    /// A comma that follows no element of its sequence.
     Comma,
     /// Any other token: an operator without its operands, a bracket without its partner.
     Sign(Sign),
@@ -73,7 +73,7 @@ pub enum Sign {
     Open(Bracket),
     /// A closing one.
     Close(Bracket),
-    /// Between two operands; `<` and `>` may also stand around a vector, `-` and `+` before an operand.
+    /// Between two operands; `<` and `>` may also enclose a vector, `-` and `+` precede an operand.
     Operator(Operator),
     /// `!`
     Not,
@@ -83,11 +83,11 @@ pub enum Sign {
     Question,
     /// `:`
     Colon,
-    /// A character that means nothing.
+    /// A character without meaning in the language.
     Other,
 }
 
-/// Brackets that always are brackets.
+/// Brackets other than `<` and `>`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bracket {
     /// `{ }`
@@ -99,7 +99,7 @@ pub enum Bracket {
 }
 
 impl Bracket {
-    /// Both halves.
+    /// The opening and the closing bracket.
     pub fn text(self) -> [&'static str; 2] {
         match self {
             Bracket::Brace => ["{", "}"],
@@ -109,10 +109,10 @@ impl Bracket {
     }
 }
 
-/// What stands in brackets without a name.
+/// The contents of brackets without a name.
 #[derive(Clone, Debug)]
 pub struct Group {
-    /// Between the brackets.
+    /// The elements between the brackets.
     pub body: Box<[Element]>,
 }
 
@@ -121,16 +121,16 @@ pub struct Group {
 pub struct Block {
     /// The word before the brace.
     pub name: Name,
-    /// What stands between the braces.
+    /// The elements between the braces.
     pub body: Box<[Element]>,
 }
 
-/// A word before a brace: a keyword, or an unknown word (an error that is reported when it is reached).
+/// A word before a brace: a keyword, or an unknown word (an error that is reported when the run reaches it).
 #[derive(Clone, Copy, Debug)]
 pub struct Name {
-    /// The keyword; `None` for a word that is none.
+    /// The keyword; `None` for an unknown word.
     pub word: Option<&'static str>,
-    /// Its place.
+    /// The word's span.
     pub span: Span,
 }
 
@@ -139,32 +139,33 @@ pub struct Name {
 pub struct NumberList {
     /// All numbers of all items.
     pub data: Arc<[f64]>,
-    /// How many numbers each item has.
+    /// Number of components of each item.
     pub widths: Widths,
 }
 
-/// How many numbers each item of a list has; 1 is a plain number.
+/// Number of components of each item of a list; 1 is a plain number.
 #[derive(Clone, Debug)]
 pub enum Widths {
-    /// All the same.
+    /// Equal for all items.
     Uniform(u16),
-    /// One for each item.
+    /// A number for each item.
     Mixed(Arc<[u16]>),
 }
 
 /// An expression.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// All of it.
+    /// The expression's span.
     pub span: Span,
-    /// Is a name called somewhere in it? What that name is, only the run can tell.
+    /// True if a name is called somewhere in it. Only the run decides what the name is.
     pub calls: bool,
-    /// What it is.
+    /// The kind of expression.
     pub kind: ExprKind,
 }
 
 impl Expr {
-    /// Does it compare or choose, outside of its brackets? That has a meaning only in parentheses, conditions and colours.
+    /// True if it compares or chooses, outside of its brackets, which has a meaning only in parentheses, conditions and
+    /// colours.
     pub fn compares(&self) -> bool {
         match &self.kind {
             ExprKind::Chain(chain) => {
@@ -177,12 +178,12 @@ impl Expr {
     }
 }
 
-/// See the variants. Chains of operators are flat, so that no tree is deeper than the text's brackets.
+/// Kinds of expressions. Chains of operators are flat, so that no tree is deeper than the text's brackets.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
     /// A literal.
     Number(f64),
-    /// A literal, escapes resolved.
+    /// A string literal with its escapes resolved.
     Text(Box<str>),
     /// A name or constant.
     Name(Symbol),
@@ -253,8 +254,8 @@ pub enum Operator {
 }
 
 impl Operator {
-    /// How strongly it binds: the higher, the tighter. POV-Ray 3.7 was seen to give `&` and `|` one
-    /// precedence, from left to right: `(1|0&0)` is 0.
+    /// Precedence: a higher number binds more tightly. `&` and `|` have one precedence, from left to right: `(1|0&0)`
+    /// is 0 (quirk: `logical_precedence`).
     pub fn precedence(self) -> u8 {
         use Operator::*;
         match self {
@@ -265,29 +266,29 @@ impl Operator {
         }
     }
 
-    /// The same inside `function { … }`, where `&` binds tighter than `|` (measured on POV-Ray 3.7).
+    /// Precedence inside `function { … }`, where `&` binds more tightly than `|` (quirk: `logical_precedence`).
     pub fn precedence_in_functions(self) -> u8 {
         if self == Operator::And { 2 } else { self.precedence() }
     }
 
-    /// The operator that is typed so.
+    /// The operator with this spelling.
     pub fn of(text: &str) -> Option<Self> {
         use Operator::*;
         let all = [Add, Sub, Mul, Div, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Or];
         all.into_iter().find(|op| op.text() == text)
     }
 
-    /// Is it `*` or `/`?
+    /// True for `*` and `/`.
     pub fn multiplies(self) -> bool {
         matches!(self, Operator::Mul | Operator::Div)
     }
 
-    /// Is it `+` or `-`?
+    /// True for `+` and `-`.
     pub fn adds(self) -> bool {
         matches!(self, Operator::Add | Operator::Sub)
     }
 
-    /// Is it `<`, `=` or the like?
+    /// True for comparisons.
     pub fn compares(self) -> bool {
         self.precedence() == Operator::Equal.precedence()
     }
@@ -323,12 +324,12 @@ pub struct Function {
     pub body: Box<[Element]>,
 }
 
-/// What a `#` begins.
+/// A directive.
 #[derive(Clone, Debug)]
 pub enum Directive {
-    /// `#declare`, `#local`; the value is what the following elements give.
+    /// `#declare`, `#local`; the value is what the following elements evaluate to.
     Declare(Declare),
-    /// The same where more than a name stands before the `=`, or nothing; the flag is `local`.
+    /// `#declare` or `#local` with anything but a plain target before the `=`; the flag is `local`.
     DeclarePieces(bool),
     /// `#if`, `#elseif`, `#else`.
     If(Box<[Branch]>),
@@ -340,11 +341,11 @@ pub enum Directive {
     Switch(Head, Box<[Arm]>),
     /// `#macro`.
     Macro(Macro),
-    /// Any other, by its word: what it takes are the elements that follow.
+    /// Any other directive, by its word: its arguments are the elements that follow.
     Plain(Symbol),
 }
 
-/// What stands in parentheses behind a directive's word.
+/// The parentheses after a directive's word.
 #[derive(Clone, Debug)]
 pub enum Head {
     /// One expression.
@@ -360,37 +361,37 @@ pub struct Declare {
     pub local: bool,
     /// `deprecated "why"`; the flag is `once`.
     pub deprecated: Option<(bool, Box<str>)>,
-    /// The name, its indices and its place.
+    /// The name, its indices and its span.
     pub target: Target,
-    /// The others of `#declare (A, B) = (1, 2);`
+    /// The other targets of `#declare (A, B) = (1, 2);`
     pub others: Box<[Target]>,
 }
 
-/// What a `#declare` gives a value.
+/// The target of a `#declare`.
 #[derive(Clone, Debug)]
 pub struct Target {
     /// The name.
     pub symbol: Symbol,
-    /// Its place, without indices.
+    /// The name's span, without indices.
     pub span: Span,
-    /// A keyword can't be declared: an error when it is reached.
+    /// A keyword can't be declared: an error when the run reaches it.
     pub keyword: Option<&'static str>,
     /// `[i][j]`
     pub indices: Box<[Expr]>,
 }
 
-/// A condition and what happens where it holds.
+/// A condition and the elements that run if it holds.
 #[derive(Clone, Debug)]
 pub struct Branch {
     /// From its directive's word to the next one.
     pub span: Span,
-    /// See the variants.
+    /// The condition.
     pub condition: Condition,
-    /// What happens.
+    /// The elements that run.
     pub body: Box<[Element]>,
 }
 
-/// When a branch is taken.
+/// The condition of a branch.
 #[derive(Clone, Debug)]
 pub enum Condition {
     /// The value is not 0.
@@ -406,16 +407,16 @@ pub enum Condition {
 /// `#for (I, 0, 10, 1)`
 #[derive(Clone, Debug)]
 pub struct For {
-    /// See [`ForHead`].
+    /// The counter and its range.
     pub head: ForHead,
-    /// What is repeated.
+    /// The body.
     pub body: Box<[Element]>,
 }
 
-/// What stands in the parentheses of a `#for`.
+/// The parentheses of a `#for`.
 #[derive(Clone, Debug)]
 pub enum ForHead {
-    /// The counter; first value, last value, perhaps a step.
+    /// The counter; first value, last value, and an optional step.
     Whole(Symbol, Box<[Expr]>),
     /// Anything else; `None` if there are no parentheses.
     Pieces(Option<Box<[Element]>>),
@@ -426,13 +427,13 @@ pub enum ForHead {
 pub struct Arm {
     /// From its directive's word to the next one.
     pub span: Span,
-    /// See the variants.
+    /// The condition.
     pub when: When,
-    /// What happens; it runs on into the next arm without `#break`.
+    /// The elements that run; without `#break` the next arm follows.
     pub body: Box<[Element]>,
 }
 
-/// When an arm is taken.
+/// The condition of an arm.
 #[derive(Clone, Debug)]
 pub enum When {
     /// `#case`.
@@ -448,12 +449,12 @@ pub enum When {
 pub struct Macro {
     /// Its name.
     pub name: Symbol,
-    /// The name's place.
+    /// The name's span.
     pub span: Span,
-    /// What can't be understood in its head: an error when it is reached.
+    /// Span of a faulty part of its head: an error when the run reaches it.
     pub fault: Option<Span>,
     /// Names of its parameters; the flag is `optional`.
     pub parameters: Box<[(Symbol, bool)]>,
-    /// What a call runs.
+    /// The elements that a call runs.
     pub body: Box<[Element]>,
 }

@@ -1,5 +1,5 @@
-//! Which of several openers has no end. The text's last closers have found partners that were not meant: what a block can
-//! hold tells, and how the lines are indented.
+//! Finds the opener that has no end. In such a text, the last closers have closed the wrong openers: the blocks that
+//! can be nested, and the indentation, indicate the right one.
 
 use super::word::{self, SHAPES};
 use crate::diagnostic::{Diagnostic, codes};
@@ -8,25 +8,25 @@ use std::ops::Range;
 
 /// A brace, or a directive with a body.
 struct Opener<'t> {
-    /// The word before the brace, or the directive's.
+    /// The word before the brace, or the directive's word.
     word: &'t str,
     /// Local offset of the brace, or of the `#`.
     at: usize,
-    /// Columns of blanks before the line's first character.
+    /// Indentation of the line, in columns.
     indent: usize,
-    /// Where its line begins.
+    /// Start of its line.
     line: usize,
 }
 
-/// What the scanner finds.
+/// A token that the scanner returns.
 enum Found<'t> {
-    /// `word {` or `{`: the word's place, and the brace's.
+    /// `word {` or `{`: the word, and the offsets of word and brace.
     Open(&'t str, usize, usize),
     Close(usize),
     Directive(&'t str, usize),
 }
 
-/// Passes over comments and strings.
+/// A scanner that skips comments and strings.
 struct Scanner<'t> {
     text: &'t str,
     at: usize,
@@ -95,7 +95,8 @@ impl<'t> Iterator for Scanner<'t> {
     }
 }
 
-/// The start of an offset's line, its indentation, and whether the offset is its first character that is no blank.
+/// The start of an offset's line, its indentation, and whether the offset is the line's first character that is not
+/// blank.
 fn line_of(text: &str, at: usize) -> (usize, usize, bool) {
     let start = text[..at].rfind('\n').map_or(0, |i| i + 1);
     let blanks = text[start..].len() - text[start..].trim_start_matches([' ', '\t']).len();
@@ -103,7 +104,7 @@ fn line_of(text: &str, at: usize) -> (usize, usize, bool) {
     (start, columns, start + blanks == at)
 }
 
-/// The brace that is most likely the one without an end, if anything tells.
+/// The brace that most probably has no end, if there is an indication.
 pub fn open_brace(text: &str, base: usize) -> Option<Diagnostic> {
     let mut stack: Vec<Opener> = vec![];
     let mut blamed = None;
@@ -144,18 +145,18 @@ pub fn open_brace(text: &str, base: usize) -> Option<Diagnostic> {
     })
 }
 
-/// What tells that a block should have ended.
+/// An indication that a block should have ended.
 enum Sign<'t> {
-    /// A block that it can't hold.
+    /// A block that the block can't contain.
     Inner(&'t str, usize),
-    /// A `}` that by its indentation belongs to a block further out.
+    /// A `}` that by its indentation closes an outer block.
     Closer(&'t str, usize),
 }
 
-/// A `}` that ends a block too early, where a later one closes nothing.
+/// A `}` that ends a block too early, so that a later one closes nothing.
 pub fn early_brace(text: &str, base: usize) -> Option<Diagnostic> {
     let (mut stack, mut early): (Vec<Opener>, Option<(usize, &str)>) = (vec![], None);
-    // (What stands in a macro or a branch may end what another opens.)
+    // (The contents of a macro or a branch may close brackets that another opens.)
     let mut bodies = 0usize;
     for found in Scanner::new(text) {
         match found {
@@ -166,7 +167,7 @@ pub fn early_brace(text: &str, base: usize) -> Option<Diagnostic> {
             Found::Close(at) => {
                 let (line, indent, first) = line_of(text, at);
                 match (stack.pop(), early) {
-                    // It stands at the end of a line that is deeper than the block's own.
+                    // The brace is at the end of a line that is deeper than the block's own.
                     _ if bodies > 0 => {}
                     (Some(own), None) if !first && own.line < line && own.indent < indent => {
                         early = Some((at, own.word))
@@ -188,8 +189,8 @@ pub fn early_brace(text: &str, base: usize) -> Option<Diagnostic> {
     None
 }
 
-/// The directive that is most likely the one without `#end`, if anything tells; `outer` is the range of one that is open where the
-/// text ends.
+/// The directive that most probably has no `#end`, if there is an indication; `outer` is the range of one that is open
+/// at the end of the text.
 pub(super) fn open_directive(text: &str, base: usize, outer: Range<usize>) -> Option<Diagnostic> {
     let span = |range: Range<usize>| Span::new(base + range.start, base + range.end);
     if let Some((at, word)) = other_end(text, outer.start) {
@@ -204,7 +205,7 @@ pub(super) fn open_directive(text: &str, base: usize, outer: Range<usize>) -> Op
     Some(Diagnostic::new(codes::UNCLOSED, span(lo..hi), message).help(help))
 }
 
-/// The same by the indentation of the others' `#end`.
+/// The directive without `#end`, by the indentation of the others' `#end`.
 fn outdented_directive(text: &str) -> Option<(usize, usize)> {
     let mut stack: Vec<Opener> = vec![];
     let mut blamed = None;
@@ -229,7 +230,7 @@ fn outdented_directive(text: &str) -> Option<(usize, usize)> {
     blamed.filter(|_| !stack.is_empty())
 }
 
-/// The first `#endif` or the like behind a place.
+/// The first `#endif` or similar word after an offset.
 fn other_end(text: &str, from: usize) -> Option<(usize, &str)> {
     let ends = Scanner::new(text).filter_map(|found| match found {
         Found::Directive(word, at) if at > from && super::fault::is_other_end(word) => Some((at, word)),
@@ -238,7 +239,7 @@ fn other_end(text: &str, from: usize) -> Option<(usize, &str)> {
     ends.into_iter().next()
 }
 
-/// Can a block stand in another directly? Only where it is certain that it can't, the answer is no.
+/// False if a block certainly can't contain another directly.
 fn can_hold(outer: &str, inner: &str) -> bool {
     if word::lookup(inner).is_none() {
         return true;
@@ -265,7 +266,7 @@ fn can_hold(outer: &str, inner: &str) -> bool {
     }
 }
 
-/// Directives that go on to an `#end`.
+/// Directives that continue to an `#end`.
 const BODIES: &[&str] = &["if", "ifdef", "ifndef", "while", "for", "switch", "macro"];
 
 #[cfg(test)]

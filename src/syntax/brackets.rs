@@ -1,14 +1,14 @@
-//! Which bracket belongs to which: a stack of what is open at a place in the text.
+//! Matching of brackets: a stack of the openers that are open at a position of the text.
 //!
-//! Brackets match within one directive's body. What finds no partner there is no error: the other half may come from
-//! a macro, another branch or another file. The grammar then takes it for an element of its own.
+//! Brackets match within one directive's body. A bracket without a partner there is not an error: the other half may
+//! come from a macro, another branch or another file. The grammar then makes it an element of its own.
 
 use super::class;
 
-/// The deepest nesting that is read: the parser recurses on the native stack.
+/// Maximum nesting: the parser recurses on the native stack.
 pub(super) const MAX_DEPTH: usize = 1000;
 
-/// What was opened.
+/// An opening bracket or directive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Opener {
     Brace,
@@ -23,14 +23,14 @@ pub(super) enum Opener {
     Angle,
     /// `?` of a choice.
     Choice,
-    /// Its `:`, whose value goes on to the next comma or bracket: choices in a row nest.
+    /// Its `:`, whose value extends to the next comma or bracket: consecutive choices nest.
     Otherwise,
     /// A directive of this class, with a body.
     Directive(u8),
 }
 
 impl Opener {
-    /// The classes of the two halves where they match.
+    /// The classes of the two halves of a matched pair.
     pub(super) fn classes(self) -> (u8, u8) {
         match self {
             Opener::Brace | Opener::FunctionBrace => (class::BRACE, class::BRACE_END),
@@ -43,13 +43,13 @@ impl Opener {
         }
     }
 
-    /// A `?` and a `<` end where any bracket around them does.
+    /// True for `?` and `<`, which end where any enclosing bracket does.
     fn is_weak(self) -> bool {
         matches!(self, Opener::Angle | Opener::Choice | Opener::Otherwise)
     }
 }
 
-/// The openers around a place, each with the number of its token.
+/// The openers around a position, each with the index of its token.
 #[derive(Default)]
 pub(super) struct Brackets {
     stack: Vec<(Opener, usize)>,
@@ -74,7 +74,7 @@ impl Brackets {
         self.functions > 0
     }
 
-    /// Would a `<` behind an operand compare here?
+    /// True if a `<` after an operand is a comparison here.
     pub(super) fn compares(&self) -> bool {
         let open = self.stack.iter().rev().map(|o| o.0);
         let around = open
@@ -83,7 +83,7 @@ impl Brackets {
         self.in_function() || around == Some(Opener::Paren)
     }
 
-    /// May a list of literals stand here? Between elements, but not inside vectors, parentheses and functions.
+    /// True if a list of literals is allowed here: between elements, but not inside vectors, parentheses and functions.
     pub(super) fn takes_lists(&self) -> bool {
         let top = self.stack.last().map(|o| o.0);
         !self.in_function() && matches!(top, None | Some(Opener::Brace | Opener::Directive(_)))
@@ -101,12 +101,12 @@ impl Brackets {
         }
     }
 
-    /// A closing half of this class: the opener that it belongs to. What was opened in between stays loose.
+    /// Closes the opener of this class, and returns it. Openers in between stay unmatched.
     pub(super) fn close(&mut self, closer: u8) -> Option<(Opener, usize)> {
         let body = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_))).map_or(0, |i| i + 1);
         let weak = matches!(closer, class::VECTOR_END | class::CHOICE_ELSE);
         let own = self.stack[body..].iter().rev();
-        // A `>` or `:` does not reach out of brackets.
+        // A `>` or `:` does not match beyond brackets.
         let passed = |o: Opener| !weak || matches!(o, Opener::Choice | Opener::Otherwise);
         let skipped = own.take_while(|o| o.0.classes().1 != closer && passed(o.0)).count();
         let depth = self.stack.len() - skipped;
@@ -121,14 +121,15 @@ impl Brackets {
         Some(found)
     }
 
-    /// A comma or semicolon: choices end.
+    /// A comma or semicolon: ends choices.
     pub(super) fn separate(&mut self) {
         while matches!(self.stack.last(), Some((Opener::Otherwise, _))) {
             self.pop();
         }
     }
 
-    /// `#else`, `#end` and their kin: ends the body of the innermost directive, whose class is given. It stays open.
+    /// `#else`, `#end` and similar: ends the body of the innermost directive, whose class is returned. The directive
+    /// stays open.
     pub(super) fn end_body(&mut self) -> Option<u8> {
         let depth = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_)))?;
         self.pop_to(depth + 1);
@@ -138,12 +139,12 @@ impl Brackets {
         }
     }
 
-    /// The innermost directive ends.
+    /// Ends the innermost directive.
     pub(super) fn end(&mut self) {
         self.pop();
     }
 
-    /// A directive that is never ended, and all brackets that are open.
+    /// Directives without an end, and all open brackets.
     pub(super) fn unended(&self) -> Vec<usize> {
         self.stack.iter().filter(|o| matches!(o.0, Opener::Directive(_))).map(|o| o.1).collect()
     }

@@ -1,13 +1,12 @@
-//! Classes of tokens: the characters that the grammar reads, their names in `grammar/scene.pest`, and the directives that are
-//! more than a word to it. This is the only table of them; a test holds the grammar against it.
+//! Classes of tokens: the characters that the grammar reads, their names in `grammar/scene.pest`, and the directives
+//! with a structure. This is their only table; a test compares the grammar with it.
 //!
-//! A directive without a body (`#debug`, `#include` …) is a [`PLAIN`] token: which of them there are is known to the
-//! interpreter alone.
+//! A directive without a body (`#debug`, `#include` …) is a [`PLAIN`] token: the interpreter has the list of these.
 
-/// What a directive does to the nesting of bodies.
+/// The effect of a directive on the nesting of bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
-    /// Gives a name to what follows: no body.
+    /// Names the value that follows: no body.
     Declares,
     /// Opens a body that `#end` closes.
     Opens,
@@ -83,7 +82,7 @@ classes! {
 
 const BRANCHES: &[u8] = &[IF, IFDEF, IFNDEF];
 
-/// The directives that the grammar knows.
+/// The directives that the grammar handles.
 const DIRECTIVES: &[(&str, u8, Role)] = &[
     ("declare", DECLARE, Role::Declares),
     ("local", DECLARE, Role::Declares),
@@ -106,22 +105,22 @@ pub(super) fn directive(word: &str) -> Option<(u8, Role)> {
     DIRECTIVES.iter().find(|(name, ..)| *name == word).map(|&(_, class, role)| (class, role))
 }
 
-/// The words behind `#` that open, continue or end a body, and `declare` and `local`.
+/// The words after `#` that open, continue or end a body, and `declare` and `local`.
 pub fn structural_directives() -> impl Iterator<Item = &'static str> {
     DIRECTIVES.iter().map(|(name, ..)| *name)
 }
 
-/// Does the directive of this name open a body? `#end` closes it.
+/// True if the directive of this name opens a body, which `#end` closes.
 pub fn opens(word: &str) -> bool {
     DIRECTIVES.iter().any(|row| row.0 == word && row.2 == Role::Opens)
 }
 
-/// Does the directive of this name stand between one that opens a body and its `#end`?
+/// True if the directive of this name separates bodies between an opening one and its `#end`.
 pub fn continues(word: &str) -> bool {
     DIRECTIVES.iter().any(|row| row.0 == word && matches!(row.2, Role::Continues(_)))
 }
 
-/// Does this directive open a body?
+/// True if a directive of this class opens a body.
 pub(super) fn opens_body(class: u8) -> bool {
     DIRECTIVES.iter().any(|row| row.1 == class && row.2 == Role::Opens)
 }
@@ -141,7 +140,7 @@ mod tests {
             let class = *text.trim_start_matches('\\').as_bytes().first()?;
             name.trim().chars().all(|c| c.is_ascii_uppercase() || c == '_').then(|| (name.trim().to_string(), class))
         };
-        // (The braces stand in quotes: they would end the body too early.)
+        // (The quoted braces would end the body too early.)
         let lines = grammar.lines().map(|line| line.replace("\"{\"", "\"\u{1}\"").replace("\"}\"", "\"\u{2}\""));
         let found = lines.filter_map(|line| rule(&line)).map(|(name, class)| {
             (

@@ -1,4 +1,4 @@
-//! Says what is wrong where the grammar stopped.
+//! Explains the fault where the grammar stopped.
 
 use super::word;
 use crate::diagnostic::{Diagnostic, Severity, codes};
@@ -30,19 +30,19 @@ pub fn explain(text: &str, at: usize, base: usize) -> Diagnostic {
     }
 }
 
-/// Is it a word for `#elseif` in other languages?
+/// True for words of other languages for `#elseif`.
 pub fn is_other_elseif(word: &str) -> bool {
     matches!(word, "elsif" | "elif" | "elsf" | "elseIf" | "ElseIf" | "else_if" | "elsei")
 }
 
-/// `#elsif`, which nobody reads where the branch before it is not run: what follows it is not run either.
+/// `#elsif`, which is never read if the branch before it does not run: the elements that follow it do not run either.
 pub(super) fn lost_branch(word: &str, span: Span) -> Diagnostic {
     let message = format!("there is no directive `#{word}`: what follows it is a part of the branch before");
     let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, span, message).help("write `#elseif`");
     Diagnostic { severity: Severity::Warning, ..d }
 }
 
-/// Is it a word for `#end` in other languages?
+/// True for words of other languages for `#end`.
 pub fn is_other_end(word: &str) -> bool {
     matches!(
         word,
@@ -50,7 +50,7 @@ pub fn is_other_end(word: &str) -> bool {
     )
 }
 
-/// What stands at `at`, for a message.
+/// The text at `at`, for a message.
 fn found(text: &str, at: usize) -> String {
     match token_at(text, at) {
         "" => "the end of the text".into(),
@@ -62,7 +62,7 @@ fn token_span(text: &str, at: usize, base: usize) -> Span {
     Span::new(base + at, base + at + token_at(text, at).len())
 }
 
-/// Would what stands before `at` be the left side of a comparison?
+/// True if the text before `at` could be the left side of a comparison.
 fn follows_operand(text: &str, at: usize) -> bool {
     let before = text[..at].trim_end();
     match last_word(before) {
@@ -89,7 +89,7 @@ fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic
     matches!(directive, "declare" | "local").then(|| d.help(format!("`#{directive} {name} = {value};`")))
 }
 
-/// The directive that a text ends with.
+/// The directive at the end of a text.
 fn directive_at_end(text: &str) -> Option<&str> {
     let word = last_word(text)?;
     text[..text.len() - word.len()].trim_end_matches([' ', '\t']).ends_with('#').then_some(word)
@@ -120,7 +120,7 @@ fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     Some(Diagnostic::new(codes::SYNTAX, span, message).help(format!("`#{word} ({form}) …`")))
 }
 
-/// Has the parenthesis that a text begins with its other half?
+/// True if the parenthesis at the start of the text is closed.
 fn is_closed(text: &str) -> bool {
     let mut depth = 0usize;
     text.chars().any(|c| {
@@ -176,13 +176,13 @@ fn last_word(text: &str) -> Option<&str> {
     word.starts_with(|c: char| c.is_alphabetic() || c == '_').then_some(word)
 }
 
-/// The `<` of a vector that is still open at `at`, as far as one can tell from its line and the one before.
+/// The `<` of a vector that is still open at `at`, judging by its line and the one before.
 fn open_vector(text: &str, at: usize) -> Option<usize> {
     let mut depth = 0;
     for (i, c) in text[..at].char_indices().rev() {
         match c {
             '>' => depth += 1,
-            // In parentheses it compares.
+            // Inside parentheses it compares.
             '<' if depth == 0 && follows_operand(text, i) && in_parentheses(&text[..i]) => {}
             '<' if depth == 0 => return Some(i),
             '<' => depth -= 1,
@@ -193,7 +193,8 @@ fn open_vector(text: &str, at: usize) -> Option<usize> {
     None
 }
 
-/// Does this text end inside `( … )` where `<` would compare: in grouping parentheses, a condition or a function's?
+/// True if this text ends inside `( … )` where `<` compares: grouping parentheses, a condition or a function's
+/// arguments.
 fn in_parentheses(text: &str) -> bool {
     let mut depth = 0;
     for (i, c) in text.char_indices().rev() {

@@ -1,5 +1,5 @@
-//! Text to tokens: what the grammar's characters stand for. One pass over the bytes, which also finds the partner of each
-//! bracket (see [`super::brackets`]) and keeps the comments.
+//! The lexer. One pass over the bytes, which also finds the partner of each bracket (see [`super::brackets`]) and
+//! collects the comments.
 
 use super::Names;
 use super::ast::NumberList;
@@ -17,35 +17,35 @@ use crate::source::Span;
 pub(super) struct Token {
     /// Local offset of its first byte.
     pub(super) start: u32,
-    /// One past its last byte.
+    /// Offset after its last byte.
     pub(super) end: u32,
-    /// A keyword's number, a name's symbol, an index into [`Lexed::numbers`] or [`Lexed::lists`].
+    /// A keyword's number, a name's symbol, or an index into [`Lexed::numbers`] or [`Lexed::lists`].
     pub(super) data: u32,
 }
 
 /// A text in tokens.
 #[derive(Default)]
 pub(super) struct Lexed {
-    /// One ASCII character a token: the grammar's input.
+    /// One ASCII character for each token: the grammar's input.
     pub(super) classes: Vec<u8>,
-    /// As many as there are classes.
+    /// The tokens, as many as classes.
     pub(super) tokens: Vec<Token>,
     /// Values of `NUMBER` tokens.
     pub(super) numbers: Vec<f64>,
-    /// Values of `LITERAL` and `NUMBERS` tokens; the tree takes them.
+    /// Values of `LITERAL` and `NUMBERS` tokens; the tree shares them.
     pub(super) lists: Vec<NumberList>,
-    /// Numbers of tokens at which nothing is open, ascending: there the text can be cut.
+    /// Indices of tokens at which nothing is open, ascending: the text can be cut there.
     pub(super) cuts: Vec<u32>,
     /// All comments, in local offsets.
     pub(super) comments: Vec<(u32, u32)>,
-    /// Numbers of brackets that nothing in the rest of the text closes.
+    /// Indices of brackets that are not closed in the rest of the text.
     pub(super) unclosed: Vec<u32>,
-    /// What can't be read.
+    /// The faults.
     pub(super) faults: Vec<Diagnostic>,
 }
 
-/// Makes tokens of `text`, whose first byte has the global offset `base`; without `lists`, each number and each sign is a
-/// token of its own.
+/// Splits `text`, whose first byte has the global offset `base`, into tokens; without `lists`, each number and each
+/// sign is a token of its own.
 pub(super) fn lex(text: &str, base: usize, names: &Names, lists: bool) -> Lexed {
     let mut lexer = Lexer {
         text,
@@ -62,7 +62,7 @@ pub(super) fn lex(text: &str, base: usize, names: &Names, lists: bool) -> Lexed 
     lexer.out
 }
 
-/// A message tells at most this many faults.
+/// Maximum number of faults that are reported.
 const MAX_FAULTS: usize = 20;
 
 struct Lexer<'t> {
@@ -74,11 +74,11 @@ struct Lexer<'t> {
     out: Lexed,
     brackets: Brackets,
     lists: Option<ListScanner>,
-    /// How many closing brackets had no opener in their body.
+    /// Number of closing brackets without an opener in their body.
     loose_closers: usize,
 }
 
-/// Characters that are passed over wherever they stand: no-break spaces, marks of the byte order, what DEL leaves.
+/// True for characters that are ignored everywhere: no-break spaces, byte-order marks, DEL.
 pub fn is_nothing(c: char) -> bool {
     matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}')
 }
@@ -127,12 +127,12 @@ impl Lexer<'_> {
         self.out.tokens.push(Token { start, end: self.at as u32, data });
     }
 
-    /// The class of the token before; a `;` at the start.
+    /// The class of the previous token; a `;` at the start.
     fn before(&self) -> u8 {
         self.out.classes.last().copied().unwrap_or(class::SEMICOLON)
     }
 
-    /// Does the token before end an operand, so that a sign after it adds?
+    /// True if the previous token ends an operand, so that a sign after it adds.
     fn after_operand(&self) -> bool {
         match self.before() {
             class::NAME | class::NUMBER | class::LITERAL | class::NUMBERS | class::STRING => true,
@@ -181,7 +181,7 @@ impl Lexer<'_> {
         match b {
             b'<' if self.bytes.get(self.at + 1) == Some(&b'=') => self.push(class::LESS_EQUAL, 2, 0),
             b'<' => {
-                // What is no vector after all stays this: the `>` tells.
+                // Stays this class if it is not a vector: the `>` decides.
                 if !(self.brackets.in_function() || self.after_operand() && self.brackets.compares()) {
                     self.brackets.open(Opener::Angle, self.out.tokens.len());
                 }
@@ -202,7 +202,7 @@ impl Lexer<'_> {
     /// A list of literals or a vector of numbers that begins here: its class and its end.
     fn literal(&mut self, b: u8) -> Option<(u8, usize)> {
         let after_operand = self.after_operand();
-        // Lists stand between elements: not inside expressions, vectors or functions.
+        // Lists are allowed between elements: not inside expressions, vectors or functions.
         let goes_on =
             matches!(self.before(), class::FUNCTION | class::DOT | class::NOT | class::CHOICE | class::CHOICE_ELSE)
                 || matches!(
@@ -231,7 +231,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// A bracket is loose until its other half comes.
+    /// Adds an opening bracket, which is unmatched until its other half is found.
     fn open(&mut self, b: u8) {
         let opener = match b {
             b'{' if self.opens_function() => Opener::FunctionBrace,
@@ -270,7 +270,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// The word before a brace that has its partner, so that the grammar need not try whether it opens a block.
+    /// Marks the word before a matched brace, so that the grammar need not try whether it opens a block.
     fn mark_head(&mut self, brace: usize) {
         let Some((word, before)) = self.out.classes[..brace].split_last_mut() else { return };
         let is_word = matches!(*word, class::KEYWORD | class::NAME | class::BUILTIN);
@@ -279,7 +279,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// Is the brace that comes now that of `function (…) {` or `function 20, 20 {`?
+    /// True if the next brace is that of `function (…) {` or `function 20, 20 {`.
     fn opens_function(&self) -> bool {
         let classes = &self.out.classes;
         let mut i = classes.len();
@@ -328,7 +328,7 @@ impl Lexer<'_> {
         self.out.comments.push((start as u32, self.at as u32));
     }
 
-    /// `/* … */`, which may hold others; false if it has no end.
+    /// Skips `/* … */`, which may be nested; false if it has no end.
     fn block_comment(&mut self) -> bool {
         let start = self.at;
         let (mut depth, mut at) = (1, start + 2);
@@ -340,7 +340,7 @@ impl Lexer<'_> {
                 return false;
             };
             let star = at + step;
-            // A `/` that already closed a comment does not open another.
+            // A `/` that has closed a comment does not open another.
             let opens = star > at && self.bytes[star - 1] == b'/';
             at = star + 1;
             if opens {
@@ -360,7 +360,7 @@ impl Lexer<'_> {
         let end = self.word_end(start);
         let word = &self.text[start..end];
         if word.is_empty() {
-            // A lone `#` is passed over, as POV-Ray does.
+            // A lone `#` is ignored, as in POV-Ray.
             self.at += 1;
             return;
         }
@@ -406,7 +406,8 @@ impl Lexer<'_> {
         self.at = end;
     }
 
-    /// At the end of the text: directives without `#end`, of which the innermost three tell enough, and open brackets.
+    /// At the end of the text: reports directives without `#end`, of which the innermost three are enough, and open
+    /// brackets.
     fn unended(&mut self) {
         let opener = self.brackets.unended().first().map(|&token| self.out.tokens[token]);
         let opener = opener.map(|token| token.start as usize..token.end as usize);
@@ -419,7 +420,7 @@ impl Lexer<'_> {
             let help = "add `#end` where it should end";
             self.fault(codes::UNCLOSED, start as usize, end as usize, message, Some(help));
         }
-        // There is a tree all the same.
+        // The tree is built all the same.
         for _ in self.brackets.unended() {
             self.push(class::END, 0, 0);
         }
@@ -428,7 +429,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// A character that stands for nothing in the language: a token, since nobody may ever read it.
+    /// A character without meaning: a token, since the run may never reach it.
     fn other(&mut self) {
         let c = self.text[self.at..].chars().next().unwrap_or(' ');
         let mut len = c.len_utf8();

@@ -1,5 +1,5 @@
-//! What `--warn` looks for: names that are declared and never used, and names that hide others. It looks at the text alone, so it
-//! also sees the branches that do not run.
+//! The lints of `--warn`: names that are declared and never used, and names that hide others. They are found in the
+//! text alone, so that branches that do not run count too.
 
 use super::ast::Symbol;
 use super::class;
@@ -9,23 +9,23 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// What is looked for.
+/// The enabled lints.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lints {
-    /// W0209: declared in the scene's own file, and never used, in no file that was read.
+    /// W0209: declared in the scene's own file, and used in none of the files.
     pub unused: bool,
     /// W0210: a `#local` or a parameter in a macro of the scene's own file hides a name declared outside of macros.
     pub shadow: bool,
-    /// W0420: what POV-Ray 3.7 would refuse, in the scene's own file.
+    /// W0420: text in the scene's own file that POV-Ray 3.7 would reject.
     pub portable: bool,
 }
 
-/// A name where it is declared.
+/// A declaration of a name.
 struct Declaration {
     symbol: Symbol,
     span: Span,
     what: What,
-    /// Inside of so many macros.
+    /// Number of enclosing macros.
     depth: usize,
 }
 
@@ -37,7 +37,7 @@ enum What {
     Parameter,
 }
 
-/// Looks through the first file, which is the scene's own; the others are those that it includes.
+/// Lints the first file, which is the scene's own; the others are its includes.
 pub fn lint(sources: &Sources, names: &Names, files: &[FileId], lints: Lints) -> Vec<Diagnostic> {
     let scans: Vec<Scan> = files.iter().map(|&file| Scan::of(sources, names, file)).collect();
     let Some(own) = scans.first() else { return vec![] };
@@ -60,7 +60,7 @@ fn unused(names: &Names, own: &Scan, all: &[Scan]) -> Vec<Diagnostic> {
     let mut out = vec![];
     for d in own.declarations.iter().filter(|d| d.what != What::Parameter && !used.contains(&d.symbol)) {
         let name = names.text(d.symbol);
-        // A leading `_` says that it is meant so.
+        // A leading `_` marks an intentionally unused name.
         if !name.starts_with('_') && told.insert(d.symbol) {
             let what = if d.what == What::Macro { "the macro " } else { "" };
             let message = format!("{what}`{name}` is declared and never used");
@@ -88,7 +88,7 @@ fn shadows(names: &Names, own: &Scan, all: &[Scan]) -> Vec<Diagnostic> {
     inner.filter_map(hides).collect()
 }
 
-/// The names of one file.
+/// The scanner of one file.
 #[derive(Default)]
 struct Scan {
     declarations: Vec<Declaration>,
@@ -112,7 +112,7 @@ struct Scanner<'t> {
     base: usize,
     lexed: Lexed,
     at: usize,
-    /// The directives that are open; true for macros.
+    /// The open directives; true for macros.
     open: Vec<bool>,
     out: Scan,
 }
@@ -128,7 +128,7 @@ impl Scanner<'_> {
             class::MACRO => self.definition(),
             class if class::opens_body(class) => self.open.push(false),
             class::END => drop(self.open.pop()),
-            // `#undef A` uses nothing.
+            // `#undef A` is not a use.
             class::PLAIN if self.is_undef() && self.class(1) == class::NAME => self.at += 1,
             class::NAME => self.out.uses.push(Symbol(self.lexed.tokens[self.at].data)),
             _ => {}
@@ -141,7 +141,7 @@ impl Scanner<'_> {
         self.text[token.start as usize..token.end as usize].ends_with("undef")
     }
 
-    /// `#declare A =`; of `#declare A[i] =` nothing is new but the element.
+    /// `#declare A =`; `#declare A[i] =` declares an element only.
     fn declaration(&mut self) {
         let token = self.lexed.tokens[self.at];
         let local = self.text[token.start as usize..token.end as usize].ends_with("local");
@@ -177,7 +177,7 @@ impl Scanner<'_> {
         }
     }
 
-    /// The name that stands here.
+    /// Declares the current name.
     fn declare(&mut self, what: What) {
         let token = self.lexed.tokens[self.at];
         let span = Span::new(self.base + token.start as usize, self.base + token.end as usize);

@@ -1,4 +1,4 @@
-//! Text to AST. The only place that knows pest.
+//! Parser: text to syntax tree. No other module uses pest.
 
 pub mod ast;
 pub mod blame;

@@ -1,4 +1,4 @@
-//! Names as numbers.
+//! Interned names.
 
 use super::ast::Symbol;
 use rustc_hash::FxHashMap;
@@ -34,12 +34,12 @@ impl Names {
         &self.texts[symbol.0 as usize]
     }
 
-    /// How many there are.
+    /// Number of names.
     pub fn len(&self) -> usize {
         self.texts.len()
     }
 
-    /// Are there none?
+    /// True if there are no names.
     pub fn is_empty(&self) -> bool {
         self.texts.len() == 0
     }

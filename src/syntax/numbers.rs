@@ -1,9 +1,9 @@
-//! Literal numbers, scanned by hand: a mesh is mostly these.
+//! Literal numbers, scanned by hand: a mesh consists mostly of them.
 
 use super::ast::{NumberList, Widths};
 use crate::source::Span;
 
-/// A number that starts at `at`, without a sign: its value and its end. None if there is none.
+/// A number that starts at `at`, without a sign: its value and its end; `None` without a number.
 pub(super) fn scan_number(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     let (mut mantissa, mut i) = scan_digits(bytes, at, 0);
     let (mut digits, mut scale) = (i - at, 0i32);
@@ -28,20 +28,21 @@ pub(super) fn scan_number(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     Some((text.parse().ok()?, end))
 }
 
-/// Puts all digits from `at` on behind those of `value` (modulo 2⁶⁴); returns where they end. Eight bytes are looked at together, and how many
-/// there are is computed, because no processor foresees it (Muła, SIMD-ized parsing of numbers, 2016, in a word instead of a register).
+/// Appends all digits from `at` on to those of `value` (modulo 2⁶⁴); returns their end. Eight bytes are tested
+/// together, and the number of digits is computed without branches, which would be unpredictable (Muła, SIMD-ized
+/// parsing of numbers, 2016, in a word instead of a register).
 #[inline]
 fn scan_digits(bytes: &[u8], at: usize, mut value: u64) -> (u64, usize) {
     let mut i = at;
     while let Some(&eight) = bytes.get(i..).and_then(|rest| rest.first_chunk::<8>()) {
-        // Digits are below 10 then, and what is none is not; the first character is the lowest byte.
+        // Digits become numbers below 10, all else becomes larger; the first character is the lowest byte.
         let word = u64::from_le_bytes(eight) ^ 0x3030_3030_3030_3030;
         let others = (word.wrapping_add(0x7676_7676_7676_7676) | word) & 0x8080_8080_8080_8080;
         let count = others.trailing_zeros() / 8;
         if count == 0 {
             return (value, i);
         }
-        // Zeros before them make eight digits: neighbours to pairs, pairs to fours, fours to all.
+        // Shift in zeros to get eight digits: then combine neighbours to pairs, pairs to fours, fours to all.
         let ones = word << (64 - 8 * count);
         let pairs = (ones.wrapping_mul(10 << 8 | 1) >> 8) & 0x00ff_00ff_00ff_00ff;
         let fours = (pairs.wrapping_mul(100 << 16 | 1) >> 16) & 0x0000_ffff_0000_ffff;
@@ -66,7 +67,7 @@ fn digit(bytes: &[u8], i: usize) -> Option<u64> {
     bytes.get(i).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10).map(u64::from)
 }
 
-/// `e-5`: its value and end; 0 where there is none.
+/// `e-5`: its value and end; 0 without an exponent.
 fn scan_exponent(bytes: &[u8], at: usize) -> (i32, usize) {
     let none = (0, at);
     if !matches!(bytes.get(at), Some(b'e' | b'E')) {
@@ -91,7 +92,7 @@ const POWERS: [f64; 23] = [
     1e21, 1e22,
 ];
 
-/// Blanks of the language.
+/// True for whitespace of the language.
 pub(super) fn is_blank(b: u8) -> bool {
     b <= b' '
 }
@@ -103,7 +104,7 @@ fn skip_blanks(bytes: &[u8], mut at: usize) -> usize {
     at
 }
 
-/// So many numbers are not copied.
+/// Lists of this length or more are moved instead of copied.
 const LONG: usize = 1 << 12;
 
 /// Scans literal vectors and lists of literals into [`NumberList`]s.
@@ -114,9 +115,9 @@ pub(super) struct ListScanner {
 }
 
 impl ListScanner {
-    /// The longest list of literals that starts at `at`: numbers (with a sign, if `sign` allows one first) and vectors with
-    /// commas between them. An item that an operator continues is not one of them. Returns how many items there are and
-    /// where they end; [`Self::take`] gives them.
+    /// The longest list of literals that starts at `at`: numbers (with a sign, if `sign` allows one first) and vectors
+    /// with commas between them. An item that an operator continues is excluded. Returns the number of items and their
+    /// end; [`Self::take`] returns them.
     pub(super) fn scan(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<(usize, usize)> {
         self.data.clear();
         self.widths = WidthsBuilder::default();
@@ -140,15 +141,15 @@ impl ListScanner {
         end.map(|end| (self.widths.count, end))
     }
 
-    /// How many numbers the first item has.
+    /// Number of components of the first item.
     pub(super) fn first_width(&self) -> usize {
         self.widths.first.map_or(0, usize::from)
     }
 
-    /// What was scanned last.
+    /// The items of the last scan.
     pub(super) fn take(&mut self) -> NumberList {
         let widths = std::mem::take(&mut self.widths).finish();
-        // (A copy of a short one leaves its room for the next.)
+        // (Copying a short list keeps the buffer for the next.)
         let data =
             if self.data.len() < LONG { self.data.as_slice().into() } else { std::mem::take(&mut self.data).into() };
         NumberList { data, widths }
@@ -181,7 +182,7 @@ impl ListScanner {
         Some(end)
     }
 
-    /// `<1, -2 3>`: commas are optional, but a sign without one before it subtracts.
+    /// `<1, -2 3>`: commas are optional, but a sign without a comma before it subtracts.
     fn vector(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         let start = self.data.len();
         let mut i = skip_blanks(bytes, at + 1);
@@ -208,8 +209,8 @@ impl ListScanner {
     }
 }
 
-/// Does something at `at` go on with the literal before it: an operator, component or index? (A comment may: then the
-/// literal is left to the grammar.)
+/// True if the text at `at` continues the literal before it: an operator, component or index. (A comment may: then the
+/// grammar handles the literal.)
 fn is_continued(bytes: &[u8], at: usize) -> bool {
     matches!(
         bytes.get(at),
@@ -245,7 +246,7 @@ impl WidthsBuilder {
 }
 
 impl NumberList {
-    /// How many items there are.
+    /// Number of items.
     pub fn len(&self) -> usize {
         match &self.widths {
             Widths::Uniform(width) => self.data.len() / (*width).max(1) as usize,
@@ -253,18 +254,18 @@ impl NumberList {
         }
     }
 
-    /// Is there none?
+    /// True if the list is empty.
     pub fn is_empty(&self) -> bool {
         self.data.is_empty()
     }
 
-    /// The places of the items of a list that stands at `place` in a file and is written as `text`.
+    /// The spans of the items of a list with the span `place` and the text `text`.
     pub fn spans(text: &str, place: Span) -> impl Iterator<Item = Span> + '_ {
         let mut places = ListPlaces::default();
         (0..).map_while(move |item| places.find(text, place, item))
     }
 
-    /// How many numbers item `i` has.
+    /// Number of components of item `i`.
     pub fn width(&self, i: usize) -> usize {
         match &self.widths {
             Widths::Uniform(width) => *width as usize,
@@ -273,8 +274,8 @@ impl NumberList {
     }
 }
 
-/// Finds the places of a list's items. They are scanned for again: a mesh has millions, and only messages and editors ask. It goes on from
-/// the item that was found last.
+/// Finds the spans of a list's items by scanning again: a mesh has millions, and only messages and editors need them.
+/// Each search continues from the last item found.
 #[derive(Default)]
 pub struct ListPlaces {
     list: Span,
@@ -284,7 +285,7 @@ pub struct ListPlaces {
 }
 
 impl ListPlaces {
-    /// The place of an item of the list that stands at `list` and is written as `text`.
+    /// The span of an item of the list with the span `list` and the text `text`.
     pub fn find(&mut self, text: &str, list: Span, item: usize) -> Option<Span> {
         let bytes = text.as_bytes();
         if self.list != list || item < self.item {

@@ -15,13 +15,13 @@ use std::ops::Range;
 #[grammar = "../grammar/scene.pest"]
 pub(super) struct SceneParser;
 
-/// Pieces are parsed when they have reached this many tokens: few enough that pest's own stay in the cache.
+/// Number of tokens of a piece: few enough that pest's own tokens stay in the cache.
 const PIECE: usize = 8 * 1024;
 
-/// At most this many errors of a file are told.
+/// Maximum number of errors of a file that are reported.
 const MAX_FAULTS: usize = 20;
 
-/// What is parsed.
+/// The text to be parsed.
 pub(super) struct Source<'t> {
     pub(super) text: &'t str,
     /// Global offset of the text's first byte.
@@ -41,13 +41,13 @@ pub enum Granularity {
     Tokens,
 }
 
-/// Parses a file. There is a tree whatever the faults; they are those of the text itself: directives without `#end`, strings and
-/// comments that do not end, brackets that nest too deeply.
+/// Parses a file. A tree is returned for any faults, which are those of the text itself: directives without `#end`,
+/// strings and comments that do not end, brackets that nest too deeply.
 pub fn parse(sources: &Sources, file: FileId, names: &Names, granularity: Granularity) -> (Ast, Vec<Diagnostic>) {
     parse_text(sources.text(file), sources.base(file), names, granularity)
 }
 
-/// Parses a text whose first byte has the global offset `base`: a file, or a piece of one between two places where no
+/// Parses a text whose first byte has the global offset `base`: a file, or a piece between two positions where no
 /// bracket and no directive is open.
 pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granularity) -> (Ast, Vec<Diagnostic>) {
     let single = granularity == Granularity::Tokens;
@@ -58,7 +58,7 @@ pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granulari
     };
     let unclosed = lexed.unclosed.iter().map(span).collect();
     let mut elements = vec![];
-    // Where the nesting is too deep, pest must not follow it.
+    // pest must not follow a nesting that is too deep.
     let source = Source { text, base, names, single };
     let too_deep = faults.iter().any(|fault| fault.code == codes::TOO_DEEP);
     let mut start = 0;
@@ -75,7 +75,7 @@ pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granulari
     (Ast { elements, tokens: Tokens::of(lexed, base), unclosed }, faults)
 }
 
-/// The tokens of a text without its tree, and its faults: those of [`parse_text`], in a fraction of its time.
+/// The tokens of a text without its tree, and the faults of [`parse_text`], in a fraction of its time.
 pub fn tokens_of(text: &str, base: usize) -> (Tokens, Vec<Diagnostic>) {
     let (lexed, faults) = read(text, base, &Names::default(), true);
     (Tokens::of(lexed, base), faults)
@@ -105,7 +105,7 @@ fn parse_piece(
             }
             Ok(())
         }
-        // The grammar takes any row of tokens whose directives balance.
+        // The grammar accepts any sequence of tokens whose directives balance.
         Err(error) => {
             let at = match error.location {
                 pest::error::InputLocation::Pos(at) | pest::error::InputLocation::Span((at, _)) => at,

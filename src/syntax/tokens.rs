@@ -1,14 +1,14 @@
-//! The tokens of a file in a row, for whoever walks the text rather than the tree: a formatter, an editor.
+//! The tokens of a file as a list, for walkers of the text instead of the tree: a formatter, an editor.
 
 use super::lex::{Lexed, Token};
 use crate::source::Span;
 
-/// All tokens and comments of a file, in their order.
+/// All tokens and comments of a file, in order.
 #[derive(Debug, Default)]
 pub struct Tokens {
     /// Ascending.
     tokens: Vec<Token>,
-    /// Places of comments, with their delimiters, ascending.
+    /// Ranges of comments, with their delimiters, ascending.
     comments: Vec<(u32, u32)>,
     /// Global offset of the file's first byte.
     base: usize,
@@ -24,7 +24,7 @@ pub enum Piece {
 }
 
 impl Piece {
-    /// Its place.
+    /// The piece's span.
     pub fn span(self) -> Span {
         match self {
             Piece::Token(span) | Piece::Comment(span) => span,
@@ -37,17 +37,17 @@ impl Tokens {
         Self { tokens: lexed.tokens, comments: lexed.comments, base }
     }
 
-    /// How many tokens there are.
+    /// Number of tokens.
     pub fn len(&self) -> usize {
         self.tokens.len()
     }
 
-    /// Is there none?
+    /// True if there are no tokens.
     pub fn is_empty(&self) -> bool {
         self.tokens.is_empty()
     }
 
-    /// Tokens and comments in the order of the text; between them stand blanks, and signs that mean nothing.
+    /// Tokens and comments in the order of the text; between them are blanks and characters without meaning.
     pub fn pieces(&self) -> impl Iterator<Item = Piece> + '_ {
         let span = |lo: u32, hi: u32| Span::new(self.base + lo as usize, self.base + hi as usize);
         let token = move |t: &Token| Piece::Token(span(t.start, t.end));

@@ -1,16 +1,16 @@
-//! Every word of the language (manual, "Keywords"), and durer's own.
+//! All words of the language (manual, "Keywords"), and durer's own.
 
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
 
-/// What a word is to the grammar.
+/// The category of a word in the grammar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Category {
-    /// Names a block or says something inside one.
+    /// Names a block or a parameter in one.
     Keyword,
     /// Takes arguments in parentheses; without them it is a keyword (`julia_fractal { … sqr }`).
     Function,
-    /// A value that the program sets: `x`, `pi`, `clock`, `on`.
+    /// A built-in value: `x`, `pi`, `clock`, `on`.
     Constant,
     /// durer's own, a word only inside the blocks of [`contextual`]; elsewhere an ordinary name.
     Contextual,
@@ -19,20 +19,20 @@ pub enum Category {
 /// A word of the language.
 #[derive(Debug)]
 pub struct Word {
-    /// As it is typed.
+    /// Its spelling.
     pub name: &'static str,
-    /// What it is to the grammar.
+    /// Its category.
     pub category: Category,
 }
 
 impl Category {
-    /// Is a word of this category never an author's name, nor a value?
+    /// True if a word of this category is never an author's name, nor a value.
     pub(super) fn is_reserved(self) -> bool {
         matches!(self, Category::Keyword | Category::Function)
     }
 }
 
-/// The word as a static string and its category; `None` for names that authors may give.
+/// The word as a static string and its category; `None` for names that authors may declare.
 pub fn lookup(word: &str) -> Option<(&'static str, Category)> {
     lookup_number(word).map(|(number, category)| (by_number(number).name, category))
 }
@@ -42,12 +42,12 @@ pub fn entry(word: &str) -> Option<&'static Word> {
     lookup_number(word).map(|(number, _)| by_number(number))
 }
 
-/// The same with the word's number, which [`by_number`] takes.
+/// The word's number, for [`by_number`], and its category.
 pub(super) fn lookup_number(word: &str) -> Option<(u32, Category)> {
     TABLE.numbers.get(word).map(|&number| (number, TABLE.words[number as usize].category))
 }
 
-/// The word of this number.
+/// The word with this number.
 pub(super) fn by_number(number: u32) -> &'static Word {
     &TABLE.words[number as usize]
 }
@@ -77,7 +77,7 @@ pub fn contextual(block: &str) -> &'static [&'static str] {
 pub const CONTEXTUAL: &[(&str, &[&str])] =
     &[("camera", &["eye", "center", "fov_x", "fov_y"]), ("mesh", &["file"]), ("plane", &["implicit", "point", "span"])];
 
-/// Words of shapes that are made of no others. (For advice about a text alone; what a shape takes, `shape` knows.)
+/// Words of shapes that contain no other objects. (For advice about a text alone; `shape` has the parameters.)
 #[rustfmt::skip]
 pub const SHAPES: &[&str] = &[
     "bicubic_patch", "blob", "box", "cone", "cubic", "cylinder", "disc", "height_field", "isosurface", "julia_fractal", "lathe",
@@ -85,10 +85,10 @@ pub const SHAPES: &[&str] = &[
     "sor", "sphere", "sphere_sweep", "superellipsoid", "text", "torus", "triangle",
 ];
 
-/// Words of objects that are made of others.
+/// Words of objects that contain others.
 pub const GROUPS: &[&str] = &["object", "union", "merge", "intersection", "difference"];
 
-/// Words that name blocks or stand inside them.
+/// Words of blocks and of parameters in them.
 #[rustfmt::skip]
 pub const KEYWORDS: &[&str] = &[
     "aa_level", "aa_threshold", "absorption", "accuracy", "adaptive", "adc_bailout", "agate", "agate_turb",
@@ -140,7 +140,7 @@ pub const KEYWORDS: &[&str] = &[
     "variance", "vertex_vectors", "warp", "water_level", "waves", "width", "wood", "wrinkles", "write", "xyz",
 ];
 
-/// Words that take arguments in parentheses.
+/// Words with arguments in parentheses.
 #[rustfmt::skip]
 pub const FUNCTIONS: &[&str] = &[
     "abs", "acos", "acosh", "asc", "asin", "asinh", "atan", "atan2", "atanh", "bitwise_and", "bitwise_or",
@@ -151,7 +151,7 @@ pub const FUNCTIONS: &[&str] = &[
     "trace", "val", "vaxis_rotate", "vcross", "vdot", "vlength", "vnormalize", "vrotate", "vstr", "vturbulence",
 ];
 
-/// Words that are values, and what the manual says of them.
+/// Words of values, with the manual's description.
 pub const CONSTANTS: &[(&str, &str)] = &[
     ("clock", "the moment of an animation, 0 to 1 unless `--clock` or an INI file says otherwise"),
     ("clock_delta", "from the clock of one frame to that of the next"),

@@ -1,4 +1,4 @@
-//! What patterns choose among or blend: lists for cells, maps for numbers, weights for `average` (manual, "Pigment Maps",
+//! Choices and blends by a pattern: lists for cells, maps for numbers, weights for `average` (manual, "Pigment Maps",
 //! "Normal Maps", "Texture Maps").
 
 use super::Texture;
@@ -10,35 +10,36 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// Things at numbers, in the order in which they were written; between them they are blended.
+/// Values at numbers, in the order in which they were written; between two numbers their values are blended.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Map<T> {
     /// Never empty.
     pub entries: Vec<(f64, T)>,
 }
 
-/// One or two things and how much of each is seen.
+/// One or two values with their weights.
 pub type Shares<'a, T> = SmallVec<[(&'a T, f64); 2]>;
 
 impl<T> Map<T> {
-    /// The entries below and above a number, and how far it is from the one to the other; the last from the last entry's number
-    /// on, the first up to the first's.
+    /// The entries below and above a number, and the number's position between them, from 0 to 1. The last entry from
+    /// its own number on, the first up to its own number.
     pub fn around(&self, v: f64) -> (&T, Option<(&T, f64)>) {
         let (first, last) = (&self.entries[0], &self.entries[self.entries.len() - 1]);
-        // The last goes before the first, also where both have one number; what is no number is the first (measured on POV-Ray 3.7).
+        // The last entry takes precedence over the first, also where both have one number; NaN gives the first (quirk:
+        // map_ends).
         if v >= last.0 {
             return (&last.1, None);
         }
         if v <= first.0 || v.is_nan() {
             return (&first.1, None);
         }
-        // Not by halves: entries may be in any order, and then the first that fits counts (measured on POV-Ray 3.7).
+        // No binary search: entries may be in any order, and the first that fits counts (quirk: map_ends).
         let Some(i) = self.entries.iter().position(|e| e.0 >= v) else { return (&last.1, None) };
         let ((a, below), (b, above)) = (&self.entries[i - 1], &self.entries[i]);
         (below, Some((above, (v - a) / (b - a))))
     }
 
-    /// What is seen at a number.
+    /// The values at a number, with their weights.
     pub fn shares(&self, v: f64) -> Shares<'_, T> {
         match self.around(v) {
             (only, None) => SmallVec::from_slice(&[(only, 1.0)]),
@@ -46,24 +47,24 @@ impl<T> Map<T> {
         }
     }
 
-    /// All of it at once, by the numbers as weights.
+    /// All values, weighted by their numbers.
     pub fn average(&self) -> Shares<'_, T> {
         let sum: f64 = self.entries.iter().map(|(weight, _)| weight).sum();
         self.entries.iter().map(|(weight, entry)| (entry, weight / sum)).collect()
     }
 }
 
-/// What a map or a list holds: pigments, normals, textures, slopes, densities.
+/// Values of a map or list: pigments, normals, textures, slopes, densities.
 pub trait Entry: Clone {
-    /// The block of a map of these: `pigment_map`.
+    /// The block of a map of these values, such as `pigment_map`.
     const MAP: &'static str;
-    /// The block of one: `pigment`; empty if there is none.
+    /// The block of one value, such as `pigment`; empty if it has none.
     const BLOCK: &'static str;
 
-    /// Reads an entry behind its number, or what stands between the braces of its block, on top of the default texture.
+    /// Reads an entry after its number, or the contents of its block, on top of the default texture.
     fn read_entry(r: &mut dyn Reader, defaults: &Texture) -> Result<Self>;
 
-    /// A declared one that comes next.
+    /// Reads a declared value if one comes next.
     fn declared(r: &mut dyn Reader) -> Result<Option<Self>>;
 }
 
@@ -71,8 +72,8 @@ impl<T: Entry> Map<T>
 where
     Map<T>: Thing,
 {
-    /// Reads `{ [0.0 …] [1.0 …] }` after the brace, or a declared map. Behind `average` the numbers are weights, and one that is
-    /// left out is 1, but not before a colour (measured on POV-Ray 3.7).
+    /// Reads `{ [0.0 …] [1.0 …] }` after the brace, or a declared map. With `average` the numbers are weights; a
+    /// missing weight is 1, but a weight must precede a colour (quirk: `average_weights`).
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -109,13 +110,14 @@ where
     }
 }
 
-/// A help line: what an entry looks like.
+/// The text of a help line: an example of an entry.
 fn example<T: Entry>() -> String {
     format!("entries look like `[0.5 {} … ]`", T::BLOCK)
 }
 
-/// Reads the things for the cells of a pattern whose name was just read, in braces or declared, up to as many as it has;
-/// `None` if it was no such name. Those of an object stand inside the object's braces.
+/// Reads the values for the cells of a pattern whose name is already read, in braces or declared, up to the pattern's
+/// count; `None` if the name was not that of a pattern of cells. The values of an object pattern are inside the
+/// object's braces.
 pub fn read_list<T: Entry>(
     r: &mut dyn Reader,
     name: Next,
@@ -146,18 +148,18 @@ pub fn read_list<T: Entry>(
     Ok(Some(Blend::List(list.into())))
 }
 
-/// What a pattern makes of them.
+/// The values that a pattern chooses from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Blend<T> {
-    /// By the pattern's number; all at once with `average`.
+    /// By the pattern's number; all values with `average`.
     Map(Arc<Map<T>>),
     /// One for each cell.
     List(Arc<[T]>),
 }
 
 impl<T> Blend<T> {
-    /// What is seen at a number; `average` sees all.
+    /// The values at a number, with their weights; all with `average`.
     pub fn shares(&self, number: f64, average: bool) -> Shares<'_, T> {
         match self {
             Blend::Map(map) if average => map.average(),
@@ -166,7 +168,7 @@ impl<T> Blend<T> {
         }
     }
 
-    /// The same with others in their places.
+    /// Applies `f` to all values.
     pub fn map<U>(&self, mut f: impl FnMut(&T) -> U) -> Blend<U> {
         match self {
             Blend::Map(map) => {
@@ -177,7 +179,7 @@ impl<T> Blend<T> {
         }
     }
 
-    /// Is it shared with another?
+    /// True if both share one allocation.
     pub(super) fn shares_with(&self, other: &Self) -> bool {
         match (self, other) {
             (Blend::Map(a), Blend::Map(b)) => Arc::ptr_eq(a, b),
@@ -186,7 +188,7 @@ impl<T> Blend<T> {
         }
     }
 
-    /// The same with others in their places; where one is the same as the one before, `f` is asked but once.
+    /// Applies `f` to all values, once for each run of equal neighbours.
     pub fn map_runs<U: Clone>(&self, same: impl Fn(&T, &T) -> bool, mut f: impl FnMut(&T) -> U) -> Blend<U> {
         let mut before: Option<(&T, U)> = None;
         let mut all = self.iter().map(|entry| match &before {
@@ -202,7 +204,7 @@ impl<T> Blend<T> {
         }
     }
 
-    /// All of them.
+    /// All values.
     pub fn iter(&self) -> Box<dyn Iterator<Item = &T> + '_> {
         match self {
             Blend::Map(map) => Box::new(map.entries.iter().map(|(_, entry)| entry)),
@@ -211,7 +213,8 @@ impl<T> Blend<T> {
     }
 }
 
-/// What is seen of a list as if it were a map with its entries at whole numbers: a `frequency` gives others too.
+/// The values of a list at a number, as of a map with its entries at whole numbers: a `frequency` gives numbers between
+/// them.
 fn between<T>(list: &[T], number: f64) -> Shares<'_, T> {
     let (i, t) = (number as usize, number.fract());
     let (Some(below), Some(above)) = (list.get(i).or(list.last()), list.get(i.saturating_add(1)).or(list.last()))
@@ -237,7 +240,7 @@ mod tests {
 
     #[test]
     fn entries_of_one_number_and_out_of_order() {
-        // which entry POV-Ray 3.7 shows
+        // POV-Ray 3.7's choice
         let shown = |numbers: &[f64], v: f64| {
             let map = Map { entries: numbers.iter().copied().enumerate().map(|(i, number)| (number, i)).collect() };
             match map.around(v) {

@@ -20,7 +20,7 @@ impl ColorMap {
         }
     }
 
-    /// What is known of the components (red, green, blue, filter, transmit) where the numbers are known to be so.
+    /// Bounds on the components (red, green, blue, filter, transmit) for numbers with the bounds `near`.
     pub fn bounds_near(&self, near: LocalBounds) -> [LocalBounds; 5] {
         let Interval { lo, hi } = near.range;
         let (first, last) = (self.at(lo).to_array(), self.at(hi).to_array());
@@ -39,7 +39,7 @@ impl ColorMap {
             }
             let ends = from.to_array().into_iter().zip(to.to_array());
             for (one, (from, to)) in all.iter_mut().zip(ends) {
-                // (Also the ends of a piece that reaches out, which does no harm.)
+                // (Includes the ends of a piece that reaches beyond the range, which only widens the bounds.)
                 one.range = one.range.hull(Interval::new(from, to));
                 one.steepest = if from == to { one.steepest } else { one.steepest.max((to - from).abs() / (b - a)) };
             }
@@ -50,8 +50,8 @@ impl ColorMap {
         })
     }
 
-    /// Reads `{ [0.0 color …] [1.0 color …] }`, after the brace; also the old entries of two numbers and two colours, and a
-    /// declared map.
+    /// Reads `{ [0.0 color …] [1.0 color …] }` after the brace; also the old entries of two numbers and two colours,
+    /// and a declared map.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.

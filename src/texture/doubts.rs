@@ -1,4 +1,4 @@
-//! What a texture says that is taken and hardly meant: told, and drawn as it is said.
+//! Warnings about values of a texture that are valid but probably a mistake; they are rendered as written.
 
 use super::blend::Map;
 use crate::color::Color;
@@ -6,13 +6,13 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::source::Span;
 use crate::value::Reader;
 
-/// Brighter paint is hardly meant as such.
+/// Brightness above which paint is suspicious.
 const BRIGHT: f64 = 20.0;
-/// What painting programs count up to.
+/// Largest value of a colour in painting programs.
 const BYTE: f64 = 255.0;
 
-/// W0406: paint in numbers of 0 to 255. Lamps that are painted brightly are told apart by their numbers, which are not whole, or are one
-/// and the same, or larger.
+/// W0406: paint in numbers from 0 to 255. Lamps painted in a bright colour are recognised by numbers that are not
+/// whole, all equal, or larger than 255.
 pub fn tell_bytes(r: &mut dyn Reader, at: Span, color: &Color) {
     let c = color.rgb;
     let whole = [c.x, c.y, c.z].iter().all(|x| (0.0..=BYTE).contains(x) && x.fract() == 0.0);
@@ -26,7 +26,7 @@ pub fn tell_bytes(r: &mut dyn Reader, at: Span, color: &Color) {
     r.report(Diagnostic::new(codes::COLOR_OF_BYTES, at, message).help(help));
 }
 
-/// W0409: a map whose numbers fall.
+/// W0409: a map with descending numbers.
 pub fn tell_falling<T>(r: &mut dyn Reader, at: Span, map: &Map<T>) {
     let falls = map.entries.windows(2).find(|pair| pair[1].0 < pair[0].0 - 1e-6 * pair[0].0.abs().max(1e-3));
     let Some([(before, _), (number, _)]) = falls else { return };

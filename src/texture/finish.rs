@@ -1,4 +1,4 @@
-//! `finish`: how a surface answers to light (manual, "Finish").
+//! `finish`: reflection, highlights and other reactions of a surface to light (manual, "Finish").
 
 use super::words::{FINISH, FINISH_ROWS, IRID, IRID_ROWS, REFLECTION, REFLECTION_ROWS};
 use crate::color::Rgb;
@@ -10,18 +10,18 @@ use crate::value::{Next, Reader, ReaderExt, SharedDefault, StaticDefault, Unsupp
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// All numbers of a finish.
+/// All parameters of a finish.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finish {
-    /// Light that is everywhere, times `global_settings { ambient_light }`.
+    /// Reflected ambient light, times `global_settings { ambient_light }`.
     pub ambient: Rgb,
-    /// Light of its own.
+    /// Emitted light.
     pub emission: Rgb,
-    /// How much of a light is scattered back on its side.
+    /// Fraction of incident light that is scattered on its own side.
     pub diffuse: f64,
-    /// The same for light that falls on the far side.
+    /// Fraction of light on the far side that is scattered through the surface.
     pub diffuse_back: f64,
-    /// `diffuse albedo`: the number is the whole of what is scattered.
+    /// True for `diffuse albedo`: `diffuse` is the total of scattered light.
     pub diffuse_albedo: bool,
     /// Exponent of the cosine.
     pub brilliance: f64,
@@ -29,71 +29,71 @@ pub struct Finish {
     pub phong: f64,
     /// `phong albedo`.
     pub phong_albedo: bool,
-    /// Its exponent.
+    /// Exponent of the Phong highlight.
     pub phong_size: f64,
     /// Strength of the highlight about the half-way vector.
     pub specular: f64,
     /// `specular albedo`.
     pub specular_albedo: bool,
-    /// One over its exponent.
+    /// Inverse of the exponent of the specular highlight.
     pub roughness: f64,
-    /// How much the highlights take the pigment's colour, 0 to 1.
+    /// Share of the pigment's colour in the highlights, 0 to 1.
     pub metallic: f64,
-    /// Grain of the diffuse light.
+    /// Random darkening of the diffuse light.
     pub crand: f64,
     /// Mirror.
     pub reflection: SharedDefault<Reflection>,
-    /// A thin film on top.
+    /// Thin-film interference.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub irid: Option<Box<Irid>>,
-    /// Takes from the light that passes what the mirror gives.
+    /// True if the transmitted light is reduced by the reflected light.
     pub conserve_energy: bool,
-    /// What few finishes say.
+    /// Rare parameters.
     #[serde(flatten)]
     pub uncommon: SharedDefault<Uncommon>,
 }
 
-/// What few finishes say.
+/// Rare parameters of a finish.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Uncommon {
-    /// Of old scenes: the interior's, before what that says itself.
+    /// Index of refraction in old scenes, overridden by the interior's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
-    /// Of old scenes: the interior's, in its own unit.
+    /// Caustics in old scenes, in their old unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub caustics: Option<f64>,
-    /// Of old scenes: factor of the light that passes, if the layer is the topmost.
+    /// Factor of the transmitted light in old scenes, if the layer is the topmost.
     pub refraction: f64,
-    /// What was said and is not drawn yet.
+    /// Parameters that durer reads and does not render yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
 
-/// `irid`: the colours of a thin film (manual, "Iridescence").
+/// `irid`: thin-film interference (manual, "Iridescence").
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Irid {
-    /// How much of it is seen.
+    /// Strength.
     pub amount: f64,
-    /// Of the film, in the units of `irid_wavelength`.
+    /// Thickness of the film, in the units of `irid_wavelength`.
     pub thickness: f64,
-    /// How much the thickness varies.
+    /// Random variation of the thickness.
     pub turbulence: f64,
 }
 
-/// All numbers of a mirror.
+/// All parameters of a mirror.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reflection {
-    /// Seen straight on.
+    /// Reflectance at perpendicular incidence.
     pub min: Rgb,
-    /// Seen at a grazing angle.
+    /// Reflectance at grazing incidence.
     pub max: Rgb,
-    /// By the angle: true dielectric (`fresnel`) or a power.
+    /// True if the reflectance follows Fresnel's equations, false for a power of the cosine.
     pub fresnel: bool,
-    /// That power.
+    /// Exponent of that power.
     pub falloff: f64,
-    /// Of the reflected light.
+    /// Exponent of the reflected light.
     pub exponent: f64,
-    /// How much it takes the pigment's colour, 0 to 1.
+    /// Share of the pigment's colour in the reflection, 0 to 1.
     pub metallic: f64,
 }
 
@@ -136,7 +136,7 @@ impl Default for Reflection {
 }
 
 impl Finish {
-    /// Reads what stands between the braces, on top of `base` (the default finish).
+    /// Reads the contents of the braces, on top of `base` (the default finish).
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -168,8 +168,8 @@ impl Finish {
         }
     }
 
-    /// The same with plain numbers: `albedo` scales each lobe by one over its integral over the half sphere. Whatever is said on top
-    /// of a finish begins with these (both measured on POV-Ray 3.7).
+    /// The finish without `albedo`: each lobe is divided by its integral over the hemisphere instead. A finish on top
+    /// of another begins with these numbers (quirk: `albedo_stays`).
     pub fn without_albedo(&self) -> Self {
         let scaled = |amount: f64, albedo: bool, factor: f64| if albedo { amount * factor } else { amount };
         let diffuse = |amount| scaled(amount, self.diffuse_albedo, (self.brilliance + 1.0) / 2.0);
@@ -186,7 +186,8 @@ impl Finish {
         }
     }
 
-    /// Reads one of the words that stand without braces, if it comes next; before 3.1 they stood in textures too.
+    /// Reads one of the words that need no braces, if it comes next; before version 3.1, textures could contain them
+    /// too.
     pub(super) fn read_word(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
             Next::Word(word) if FINISH.ignores(word) => {
@@ -197,14 +198,15 @@ impl Finish {
         }
     }
 
-    /// `diffuse [albedo] front [back]`. Once said, `albedo` stays (measured on POV-Ray 3.7), here and with the highlights.
+    /// `diffuse [albedo] front [back]`. Once given, `albedo` stays, here and for the highlights (quirk:
+    /// `albedo_stays`).
     pub(super) fn read_diffuse(&mut self, r: &mut dyn Reader) -> Result<()> {
         self.diffuse_albedo |= r.accept("albedo")?;
         self.diffuse = r.float()?;
         set(&mut self.diffuse_back, r.optional_float().map(|x| x.unwrap_or(0.0)))
     }
 
-    /// `reflection colour`, without braces; it ends an earlier one's `fresnel` (measured on POV-Ray 3.7).
+    /// `reflection colour`, without braces; it switches `fresnel` off (quirk: `reflection_again`).
     pub(super) fn read_plain_reflection(&mut self, r: &mut dyn Reader) -> Result<()> {
         let color = r.color()?.rgb;
         let reflection = &mut *self.reflection;
@@ -226,7 +228,8 @@ impl Irid {
         }
     }
 
-    /// The factor for light that falls and is seen under angles of these cosines (fitted on 3.7): 1 + a·cos(2π·path/λ).
+    /// Interference factor for light at these cosines of incidence and view: 1 + a·cos(2π·path/λ) (quirk:
+    /// `irid_formula`).
     pub fn tint(&self, p: DVec3, cosines: f64, wavelength: Rgb, noise: NoiseGenerator) -> Rgb {
         let mut thickness = self.thickness;
         if self.turbulence != 0.0 {
@@ -248,8 +251,8 @@ impl Reflection {
     pub const NONE: Self =
         Self { min: Rgb::ZERO, max: Rgb::ZERO, fresnel: false, falloff: 1.0, exponent: 1.0, metallic: 0.0 };
 
-    /// `reflection { [min,] max … }`. What an earlier one in the same finish says of fresnel, metal, falloff and exponent stays (measured
-    /// on POV-Ray 3.7).
+    /// `reflection { [min,] max … }`. Fresnel, metallic, falloff and exponent of an earlier reflection in the same
+    /// finish stay (quirk: `reflection_again`).
     fn read(r: &mut dyn Reader, before: &Self) -> Result<Self> {
         let first = r.color()?.rgb;
         let mut out = Self { min: Rgb::ZERO, max: first, ..before.clone() };
@@ -265,14 +268,14 @@ impl Reflection {
                 _ => return Err(r.unknown_word("reflection", &REFLECTION.names()).into()),
             }
         }
-        // One colour alone is the same at every angle, but fresnel that is said here starts from none.
+        // One colour is the same at every angle; with `fresnel` in the same block it begins at 0 instead.
         if !(two || said_fresnel && out.fresnel) {
             out.min = out.max;
         }
         Ok(out)
     }
 
-    /// Is there any mirror at all? (Negative amounts are not traced.)
+    /// True without any reflection. (Negative amounts are not traced.)
     pub fn is_none(&self) -> bool {
         self.min.max(self.max).cmple(Rgb::ZERO).all()
     }

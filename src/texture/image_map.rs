@@ -9,26 +9,26 @@ use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 
-/// A picture in space.
+/// A picture that gives colours.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ImageMap {
     /// Its pixels.
     pub texels: Texels,
-    /// Where it lies.
+    /// Projection of the picture.
     pub mapping: Mapping,
-    /// What light passes.
+    /// `filter` and `transmit`.
     #[serde(flatten)]
     pub clearness: Clearness,
 }
 
-/// What `filter` and `transmit` say.
+/// Parameters of `filter` and `transmit`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Clearness {
-    /// Of all colours.
+    /// For all colours.
     pub filter: Option<f64>,
-    /// Of all colours; added to what alpha lets through.
+    /// For all colours; added to the picture's transparency.
     pub transmit: Option<f64>,
-    /// (number in the palette, filter, transmit): what is said of single colours.
+    /// (palette index, filter, transmit): for single colours of the palette.
     pub palette: Vec<(u8, Option<f64>, Option<f64>)>,
 }
 
@@ -52,7 +52,7 @@ impl Clearness {
     }
 }
 
-/// For which color of the palette, if not for all, and how much.
+/// The palette index, or `None` for all, and the amount.
 fn read_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
     if r.accept("all")? {
         return Ok((None, r.float()?));
@@ -61,7 +61,7 @@ fn read_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
 }
 
 impl ImageMap {
-    /// Reads what stands between the braces.
+    /// Reads the contents of the braces.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -82,7 +82,7 @@ impl ImageMap {
         Ok(Self { texels: bitmap.colors(r), mapping: bitmap.mapping, clearness })
     }
 
-    /// The colour at a point; past the edges of a picture that is there `once`, nothing but what is behind.
+    /// The colour at a point; transparent beyond the edges of a picture with `once`.
     pub fn at(&self, p: DVec3) -> Color {
         let Some(place) = self.mapping.place(p) else {
             return Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
@@ -91,7 +91,7 @@ impl ImageMap {
         pixels.iter().fold(Color::BLACK, |sum, (i, weight)| sum.plus(self.pixel(*i), *weight))
     }
 
-    /// Is a point on it?
+    /// True if the point is on the picture.
     pub fn holds(&self, p: DVec3) -> bool {
         self.mapping.place(p).is_some()
     }
@@ -101,7 +101,7 @@ impl ImageMap {
         let index = self.texels.index(i);
         let transmit = match (self.clearness.transmit, index) {
             (None, _) => 1.0 - a,
-            // In a palette it replaces alpha (measured on POV-Ray 3.7).
+            // In a palette, `transmit all` replaces alpha (quirk: image_palette_transmit).
             (Some(all), Some(_)) => all,
             (Some(all), None) => 1.0 - a + all,
         };
@@ -113,21 +113,22 @@ impl ImageMap {
         color
     }
 
-    /// Does no light pass anywhere?
+    /// True if no pixel transmits light.
     pub fn is_opaque(&self) -> bool {
         let none = |amount: Option<f64>| amount.is_none_or(|x| x == 0.0);
         let solid = none(self.clearness.filter) && none(self.clearness.transmit) && self.clearness.palette.is_empty();
         solid && !self.mapping.once && !self.is_clear_somewhere()
     }
 
-    /// Has a pixel alpha? (An alpha channel that is 1 everywhere is none: measured on POV-Ray 3.7.)
+    /// True if some pixel is transparent. An alpha channel that is 1 everywhere does not count (quirk:
+    /// `image_alpha_of_one`).
     fn is_clear_somewhere(&self) -> bool {
         let pixels = self.texels.width() * self.texels.height();
         self.texels.has_alpha() && (0..pixels).any(|i| self.texels.rgba(i)[3] < 1.0)
     }
 
-    /// Does no light pass it as one of several pigments, as POV-Ray 3.7 tells it (measured)? There it looks at the picture's own alpha and
-    /// palette alone, not at `filter`, nor at `transmit all` of a picture that has no palette.
+    /// True if the picture, as one of several pigments, counts as opaque: only its own alpha and palette count, not
+    /// `filter`, nor `transmit all` of a picture without a palette (quirk: `image_seems_opaque`).
     pub fn seems_opaque(&self) -> bool {
         let clear = |i: usize| match self.texels.index(i) {
             Some(_) => self.pixel(i).transmit != 0.0,

@@ -11,7 +11,7 @@ use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// One layer: the light that a see-through one lets pass comes from the layer below.
+/// One layer of a texture; a transparent one shows the layer below.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Layer {
     /// Its colour.
@@ -21,29 +21,29 @@ pub struct Layer {
     pub normal: Option<Arc<Normal>>,
     /// Its answer to light.
     pub finish: Arc<Finish>,
-    /// Other textures, of which a pattern shows now this, now that, in place of all the above.
+    /// Patterned textures, which replace the fields above.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub choice: Option<Box<Choice>>,
 }
 
-/// A pattern and the textures among which it chooses (manual, "Patterned Textures").
+/// A pattern and the textures that it chooses from (manual, "Patterned Textures").
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Choice {
-    /// What tells points apart, and where it lies.
+    /// The pattern.
     pub pattern: Pattern,
     /// The textures.
     pub parts: Blend<Texture>,
 }
 
 impl Choice {
-    /// Is it a `material_map`?
+    /// True for `material_map`.
     pub fn is_material_map(&self) -> bool {
         matches!(self.pattern.kind, Kind::Cells(CellPattern::MaterialMap(_)))
     }
 }
 
 impl Layer {
-    /// Moves the layer after all it has been moved before.
+    /// Appends a transform to those of the layer.
     fn transform(&mut self, by: &Transform) {
         self.pigment.pattern.transform(by);
         if let Some(normal) = &mut self.normal {
@@ -68,18 +68,18 @@ impl Default for Texture {
     }
 }
 
-/// What is known of a texture while it is read.
+/// State of the reader of a texture.
 #[derive(Default)]
 struct Draft {
-    /// Of the textures to choose from.
+    /// Pattern of the textures to choose from.
     pattern: Pattern,
     parts: Option<Blend<Texture>>,
-    /// `uv_mapping` in front of what it is for.
+    /// True if `uv_mapping` precedes the part that it is for.
     uv: bool,
 }
 
 impl Texture {
-    /// Reads what stands between the braces, on top of `base` (the default texture).
+    /// Reads the contents of the braces, on top of `base` (the default texture).
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -142,7 +142,7 @@ impl Texture {
             // A lone number was the texture's grain.
             Next::Value if bare => drop(r.float()?),
             next if self.read_part(r, next, base)? => {}
-            // Before 3.0, what belongs to the pigment could stand here.
+            // Before version 3.0, a texture could contain the pigment's words.
             Next::Word(_) | Next::Value | Next::Block("color_map" | "colour_map") if bare => {
                 self.top().pigment.read_element(r, next, base)?;
             }
@@ -205,7 +205,8 @@ impl Texture {
         Ok(true)
     }
 
-    /// Is it plainly the same as another? What takes long to compare, such as pictures, must be one and the same.
+    /// True if both are certainly equal. Parts that take long to compare, such as pictures, must be the same
+    /// allocation.
     pub fn is_plainly(&self, other: &Self) -> bool {
         let same = |a: &Layer, b: &Layer| {
             let normal = match (&a.normal, &b.normal) {
@@ -221,13 +222,13 @@ impl Texture {
         self.layers.len() == other.layers.len() && self.layers.iter().zip(&other.layers).all(|(a, b)| same(a, b))
     }
 
-    /// Is any of its layers so, or of those of the textures among which it chooses?
+    /// True if `is` holds for any layer, including those of patterned textures.
     pub fn any_layer(&self, is: &dyn Fn(&Layer) -> bool) -> bool {
         let inner = |choice: &Choice| choice.parts.iter().any(|part| part.any_layer(is));
         self.layers.iter().any(|layer| is(layer) || layer.choice.as_deref().is_some_and(inner))
     }
 
-    /// Is any of its patterns so?
+    /// True if `is` holds for any pattern.
     pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
         self.any_layer(&|layer| {
             layer.pigment.any_pattern(is)
@@ -243,7 +244,7 @@ impl Texture {
         }
     }
 
-    /// Every layer sees places on the surface instead of points.
+    /// Makes every layer receive (u, v, 0) instead of points.
     pub fn set_uv(&mut self) {
         for layer in &mut self.layers {
             layer.pigment.pattern.framed = !layer.pigment.pattern.uv;
@@ -284,7 +285,7 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Resu
         }
     }
     list.resize(2, base.clone());
-    // The second is at the origin (measured on POV-Ray 3.7).
+    // The second texture is at the origin (quirk: tiles_order).
     list.swap(0, 1);
     pattern.kind = Kind::Cells(CellPattern::Checker(crate::pattern::Checker {}));
     Ok(Blend::List(list.into()))
@@ -315,7 +316,7 @@ impl Entry for Texture {
     const MAP: &'static str = "texture_map";
     const BLOCK: &'static str = "texture";
 
-    /// One layer without its braces, or several with them.
+    /// Reads one layer without braces, or several with them.
     fn read_entry(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut out: Option<Texture> = None;
         while r.next()? == Next::Block("texture") {

@@ -35,9 +35,9 @@ macro_rules! things {
 things! { Finish "finish" ColorMap "color_map" Pigment "pigment" Texture "texture"
 Normal "normal" SlopeMap "slope_map" PigmentMap "pigment_map" NormalMap "normal_map" TextureMap "texture_map" }
 
-/// Pigments at numbers.
+/// A map of pigments.
 pub type PigmentMap = Map<Pigment>;
-/// Normals at numbers.
+/// A map of normals.
 pub type NormalMap = Map<Normal>;
-/// Textures at numbers.
+/// A map of textures.
 pub type TextureMap = Map<Texture>;

@@ -1,4 +1,4 @@
-//! `normal`: bumps that only light sees (manual, "Normal").
+//! `normal`: bumps that change the shading normal only (manual, "Normal").
 
 use super::Texture;
 use super::blend::{self, Blend, Entry, Map};
@@ -11,47 +11,49 @@ use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A height and a slope, as a `slope_map` has them.
+/// A height and a slope of a `slope_map`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Slope {
-    /// How high the surface seems to be.
+    /// Apparent height of the surface.
     pub height: f64,
-    /// How fast it rises.
+    /// Derivative of the height.
     pub slope: f64,
 }
 
-/// Heights and slopes at numbers.
+/// A map of heights and slopes.
 pub type SlopeMap = Map<Slope>;
 
-/// What makes the bumps.
+/// Source of the bumps.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Relief {
     /// The pattern's number is the height.
     #[default]
     Own,
-    /// A map from the pattern's numbers to heights.
+    /// A map from the pattern's numbers to heights and slopes.
     Slopes(Arc<SlopeMap>),
-    /// Other normals, which move along.
+    /// Other normals, with their transforms.
     Normals(Blend<Normal>),
 }
 
-/// A normal in its own space.
+/// Bumps in their own space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Normal {
-    /// What tells points apart, and where it lies.
+    /// The pattern.
     pub pattern: Pattern,
-    /// What makes the bumps.
+    /// Source of the bumps.
     pub relief: Relief,
-    /// `bump_size`, or the number behind the pattern's name: how deep the bumps seem.
+    /// `bump_size`, or the number after the pattern's name: apparent depth of the bumps.
     pub amount: f64,
-    /// Half the distance of the points that are compared.
+    /// Half the distance between the sampled points.
     pub accuracy: f64,
-    /// `uv_mapping` stands in the normal itself: then bumps do not turn with the object (measured on POV-Ray 3.7).
+    /// True if `uv_mapping` is in the normal itself: bumps then ignore the object's rotation (quirk:
+    /// `uv_normal_stays`).
     pub stays: bool,
-    /// `uv_mapping` stands in the texture: then the pigment sees bumps in the texture's space, as within a map (measured on POV-Ray 3.7).
+    /// True if `uv_mapping` is in the texture: the pigment then receives the bumped normal in the texture's space, as
+    /// within a map (quirk: `uv_normal_stays`).
     pub framed: bool,
-    /// `no_bump_scale` switches it off: bumps that are scaled get deeper too.
+    /// False for `no_bump_scale`: scaling a normal then does not change the depth of its bumps.
     pub bump_scale: bool,
 }
 
@@ -70,7 +72,7 @@ impl Default for Normal {
 }
 
 impl Normal {
-    /// Reads what stands between the braces, on top of `base`; normals inside of it begin with the default one.
+    /// Reads the contents of the braces, on top of `base`; nested normals begin with the default one.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -95,7 +97,7 @@ impl Normal {
         Ok(out)
     }
 
-    /// A normal that was mapped by uv, as the surface and the only entry of its map.
+    /// A normal that was mapped by uv, as the only entry of a map with the pattern `Surface`.
     fn opened(mut self) -> Self {
         match self.pattern.take_around() {
             Some(pattern) => Self {
@@ -107,7 +109,7 @@ impl Normal {
         }
     }
 
-    /// Undoes [`Self::opened`], if nobody has named another pattern or map. (What else is said of the surface does not show.)
+    /// Undoes [`Self::opened`] if no other pattern or map was named. (Other parameters of the surface have no effect.)
     fn closed(self) -> Self {
         match &self.relief {
             Relief::Normals(Blend::Map(map)) if self.pattern.kind == Kind::Surface && map.entries.len() == 1 => {
@@ -126,11 +128,12 @@ impl Normal {
             if Pattern::is_named_by(next) {
                 self.read_amount(r)?;
             }
-            // Cells without a list make bumps of their own, where their numbers jump.
+            // Cells without a list make bumps where their numbers jump.
             let listed = matches!(r.next()?, Next::Block(Self::BLOCK) | Next::Thing(Self::BLOCK));
             let list = blend::read_list(r, next, &self.pattern, defaults, &|_, _| Normal::default())?;
             if let Some(list) = list {
-                // The accuracy of a default or declared normal ends there (measured on POV-Ray 3.7; it stays with other patterns).
+                // The accuracy of a default or declared normal ends there; it stays with other patterns (quirk:
+                // cells_reset_accuracy).
                 self.accuracy = Self::default().accuracy;
                 self.relief = if listed { Relief::Normals(list) } else { Relief::Own };
             }
@@ -169,7 +172,8 @@ impl Normal {
         Ok(())
     }
 
-    /// The number behind the pattern's name. (A map of the default or declared normal stays, as was measured on POV-Ray 3.7.)
+    /// Reads the number after the pattern's name. (A map of the default or declared normal stays; quirk:
+    /// `declared_slope_map_stays`.)
     fn read_amount(&mut self, r: &mut dyn Reader) -> Result<()> {
         if let Some(amount) = r.optional_float()? {
             self.amount = amount;
@@ -177,20 +181,20 @@ impl Normal {
         Ok(())
     }
 
-    /// Is any of its patterns so?
+    /// True if `is` holds for any pattern.
     pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
         let inner = matches!(&self.relief, Relief::Normals(parts) if parts.iter().any(|part| part.any_pattern(is)));
         is(&self.pattern) || inner
     }
 
-    /// As [`Texture::is_plainly`].
+    /// True if both are certainly equal, see [`Texture::is_plainly`].
     pub fn is_plainly(&self, other: &Self) -> bool {
         let large = matches!(&self.relief, Relief::Normals(_))
             || matches!(&self.pattern.kind, Kind::Field(FieldPattern::ImagePattern(_) | FieldPattern::DensityFile(_)));
         !large && self == other
     }
 
-    /// Does it change no normal at all?
+    /// True if the normal changes nothing.
     pub fn is_flat(&self) -> bool {
         match &self.relief {
             Relief::Normals(parts) => parts.iter().all(Normal::is_flat),

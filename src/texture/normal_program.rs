@@ -1,4 +1,4 @@
-//! Normals as a ray needs them: what turns the normal of a surface into that which light sees.
+//! Normals in the form that rays evaluate: functions from the geometric normal to the shading normal.
 
 use super::blend::Blend;
 use super::normal::{Normal, Relief, Slope, SlopeMap};
@@ -12,22 +12,22 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Serialize)]
 pub struct NormalProgram {
     pattern: PatternProgram,
-    /// Where the pattern lies: normals go another way than points.
+    /// Space of the pattern: normals are transformed differently from points.
     space: Space,
     relief: ReliefProgram,
-    /// How deep the bumps seem.
+    /// Apparent depth of the bumps.
     amount: f64,
-    /// Half the distance of the points that are compared.
+    /// Half the distance between the sampled points.
     accuracy: f64,
-    /// Bumps do not turn with the object.
+    /// See [`Normal::stays`].
     pub stays: bool,
-    /// The pigment sees them in the texture's space.
+    /// See [`Normal::framed`].
     pub framed: bool,
-    /// Bumps that are scaled get deeper too.
+    /// See [`Normal::bump_scale`].
     bump_scale: bool,
 }
 
-/// What makes the bumps; see [`Relief`].
+/// Source of the bumps; see [`Relief`].
 #[derive(Clone, Debug, Serialize)]
 enum ReliefProgram {
     Own,
@@ -36,7 +36,7 @@ enum ReliefProgram {
 }
 
 impl Slope {
-    /// The curve to another height, by both slopes (cubic Hermite spline).
+    /// The height at `t` on the cubic Hermite spline from this entry to another.
     fn curve_to(&self, other: &Slope, t: f64) -> f64 {
         let (t2, t3) = (t * t, t * t * t);
         (2.0 * t3 - 3.0 * t2 + 1.0) * self.height
@@ -46,7 +46,7 @@ impl Slope {
     }
 }
 
-/// The corners of a regular tetrahedron, of length 1.
+/// Corners of a regular tetrahedron, as unit vectors.
 const TETRAHEDRON: [DVec3; 4] = [
     DVec3::new(2.0 * SQRT_2 / 3.0, -1.0 / 3.0, 0.0),
     DVec3::new(0.0, 1.0, 0.0),
@@ -67,18 +67,19 @@ impl NormalProgram {
         Self { pattern, space, relief, amount, accuracy, stays, framed, bump_scale }
     }
 
-    /// The normal with its bumps, at a point in the space around; `n` in the same space, of any length. Each space turns it by
-    /// the transpose of its matrix, so that what is stretched gets flatter bumps (all measured on POV-Ray 3.7).
+    /// The normal with bumps, at a point in the outer space; `n` is in the same space, of any length. Each space
+    /// transforms the normal by the transpose of its matrix, so that stretching flattens bumps (quirk:
+    /// `normals_by_transpose`).
     pub fn perturb(&self, ctx: &TextureContext, n: DVec3) -> DVec3 {
         self.perturb_as(ctx, n, !self.bump_scale)
     }
 
-    /// `no_bump_scale`: what it makes of a normal has a length of its own.
+    /// True for `no_bump_scale`: the resulting normal has a length of its own.
     pub fn keeps_length(&self) -> bool {
         !self.bump_scale && !matches!(self.relief, ReliefProgram::Normals(_))
     }
 
-    /// `keep_length` is `no_bump_scale`, of this normal or of one around it.
+    /// [`Self::perturb`]; `keep_length` is true if this normal or one around it has `no_bump_scale`.
     fn perturb_as(&self, ctx: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
         let space = &self.space;
         let inside = space.normal_inside(n);
@@ -94,8 +95,8 @@ impl NormalProgram {
         space.normal_outside(bumped)
     }
 
-    /// What the entries make of it together. The patterns of an entry see what the entry before made of the normal, and the upper
-    /// of two goes first; only `slope` and `aoi` show it (measured on POV-Ray 3.7).
+    /// Blends the normals of several entries. The patterns of an entry receive the normal that the entry before has
+    /// bumped, and the upper of two is first, which only `slope` and `aoi` show (quirk: `blended_normals`).
     fn blended(&self, parts: &Blend<NormalProgram>, inner: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
         let average = self.pattern.averages();
         let number = if average { 0.0 } else { self.pattern.number(inner) };
@@ -113,11 +114,11 @@ impl NormalProgram {
             }
             sum += share * one;
         }
-        // What is between two entries has length 1, even of `no_bump_scale` (measured on POV-Ray 3.7).
+        // The blend of two entries has length 1, even with `no_bump_scale` (quirk: blended_normals).
         if average { sum } else { sum.normalize_or(sum) }
     }
 
-    /// How heights slant around a point: they are compared at the corners of a tetrahedron around it.
+    /// Gradient of the height: the heights at the corners of a tetrahedron around the point are compared.
     fn slant(&self, inner: &TextureContext) -> DVec3 {
         if self.pattern.is_plain() || self.pattern.averages() {
             return DVec3::ZERO;
@@ -127,7 +128,7 @@ impl NormalProgram {
         sum * (-self.amount * 0.1 / h)
     }
 
-    /// The height of the surface as it seems.
+    /// Apparent height of the surface.
     fn height(&self, inner: &TextureContext) -> f64 {
         let number = self.pattern.number(inner);
         match &self.relief {

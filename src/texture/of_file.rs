@@ -1,4 +1,4 @@
-//! The materials of meshes' files as textures.
+//! Textures from the materials of mesh files.
 
 use super::{ImageMap, Paint, Pigment, Texture};
 use crate::color::{Color, Rgb};
@@ -9,7 +9,7 @@ use crate::value::Reader;
 use std::sync::Arc;
 
 impl Texture {
-    /// What a file's material looks like: the default texture with its colour or picture, and its highlight.
+    /// The texture of a file's material: the default texture with the material's colour or picture, and its highlight.
     pub fn of_file(look: &Look, picture: Option<&Arc<Picture>>, r: &dyn Reader, defaults: &Texture) -> Self {
         let mut layer = defaults.layers[0].clone();
         let transmit = 1.0 - look.opacity;

@@ -12,28 +12,28 @@ use crate::value::{Next, Reader, ReaderExt, SharedDefault};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// What gives the colour.
+/// Source of the colour.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Paint {
-    /// The same everywhere, where there is no pattern; else what the pattern shows by itself.
+    /// Constant where there is no pattern; else the pattern's default colours.
     Solid(Color),
     /// By the pattern's number.
     Colors(Arc<ColorMap>),
-    /// Other pigments, which move along.
+    /// Other pigments, with their transforms.
     Pigments(Blend<Pigment>),
     /// A picture.
     Image(Arc<ImageMap>),
 }
 
-/// Paint in its own space.
+/// Colours in their own space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pigment {
-    /// What tells points apart, and where it lies.
+    /// The pattern.
     pub pattern: SharedDefault<Pattern>,
-    /// What gives the colour.
+    /// Source of the colour.
     pub paint: Paint,
-    /// `quick_color`: shown with quality 5 and below.
+    /// `quick_color`: the colour at quality 5 and below.
     pub quick_color: Option<Box<Color>>,
 }
 
@@ -44,12 +44,12 @@ impl Default for Pigment {
 }
 
 impl Pigment {
-    /// One colour everywhere.
+    /// A constant colour.
     pub fn solid(color: Color) -> Self {
         Self { pattern: SharedDefault::DEFAULT, paint: Paint::Solid(color), quick_color: None }
     }
 
-    /// What is mapped by the surface's own coordinates.
+    /// Paint that is mapped by surface coordinates.
     pub fn by_uv(paint: Paint) -> Self {
         let mut pigment = Self { paint, ..Self::default() };
         pigment.pattern.uv = true;
@@ -57,7 +57,7 @@ impl Pigment {
         pigment
     }
 
-    /// Reads what stands between the braces, on top of `base`; pigments inside of it begin with the default one.
+    /// Reads the contents of the braces, on top of `base`; nested pigments begin with the default one.
     ///
     /// # Errors
     /// With the place of what is not understood, and what was expected there.
@@ -78,21 +78,21 @@ impl Pigment {
             after_name = false;
         }
         if uv == Some(true) && base.pattern.around.is_none() && base.quick_color.is_some() {
-            // What is said here is said of what lies on the surface, which the default one hides, unless that does too (measured on
-            // POV-Ray 3.7).
+            // Parameters here apply to the surface around the mapping; a default one hides them unless it has
+            // `uv_mapping` too (quirk: uv_mapping_pigments).
             pigment.quick_color = base.quick_color.clone();
         }
         pigment = pigment.closed();
         pigment.finish();
-        // (A pattern that nobody gave takes no room.)
+        // (A default pattern takes no memory.)
         if pigment.pattern.uv {
             pigment.pattern.end();
         }
         Ok(pigment)
     }
 
-    /// A pigment that was mapped by uv, as the surface and the only entry of its map. Its quick colour is the entry's, and lost with it
-    /// (measured on POV-Ray 3.7).
+    /// A pigment that was mapped by uv, as the only entry of a map with the pattern `Surface`. Its quick colour belongs
+    /// to the entry, and is lost with it (quirk: `uv_mapping_pigments`).
     fn opened(mut self) -> Self {
         if self.pattern.around.is_none() {
             return self;
@@ -106,7 +106,7 @@ impl Pigment {
         }
     }
 
-    /// Undoes [`Self::opened`], if nobody has named another pattern or map.
+    /// Undoes [`Self::opened`] if no other pattern or map was named.
     fn closed(self) -> Self {
         match &self.paint {
             Paint::Pigments(Blend::Map(map)) if self.pattern.kind == Kind::Surface && map.entries.len() == 1 => {
@@ -119,7 +119,7 @@ impl Pigment {
         }
     }
 
-    /// Behind a declared pigment's name, `uv_mapping` begins a pigment of its own, which is black (measured on POV-Ray 3.7).
+    /// After the name of a declared pigment, `uv_mapping` begins a new, black pigment (quirk: `uv_mapping_pigments`).
     fn lose_to_uv_mapping(&mut self, r: &mut dyn Reader) -> Result<()> {
         let at = r.take()?;
         r.flag()?;
@@ -130,7 +130,7 @@ impl Pigment {
         Ok(())
     }
 
-    /// Reads one element of a pigment: of its pattern, a map, a list, a colour.
+    /// Reads one element of a pigment: a word of its pattern, a map, a list, a colour.
     pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
         if Pattern::is_named_by(next) && self.shows_defaults() {
             self.paint = Paint::Solid(Color::BLACK);
@@ -163,7 +163,7 @@ impl Pigment {
                 r.take()?;
                 self.paint = Paint::Image(Arc::new(ImageMap::read(r)?));
                 self.forget_pattern();
-                // A pattern that is named over it later begins still (measured on POV-Ray 3.7).
+                // A pattern named later begins with frequency 0 (quirk: uv_mapping_pigments).
                 self.pattern.modifiers.frequency = Some(0.0);
                 r.leave()
             }
@@ -198,7 +198,7 @@ impl Pigment {
         }
     }
 
-    /// Has it no colours but those that its pattern brings along, or a picture, which another pattern takes away?
+    /// True if the pigment has only its pattern's default colours, or a picture, which another pattern replaces.
     fn shows_defaults(&self) -> bool {
         match (&self.pattern.kind, &self.paint) {
             (_, Paint::Image(_)) => true,
@@ -207,14 +207,14 @@ impl Pigment {
         }
     }
 
-    /// A pattern of numbers without a map shows colours of its own.
+    /// Gives a pattern of numbers without a map its default colours.
     pub(super) fn finish(&mut self) {
         if let (Kind::Field(field), Paint::Solid(_)) = (&self.pattern.kind, &self.paint) {
             self.paint = Paint::Colors(Arc::new(Map { entries: field.default_colors() }));
         }
     }
 
-    /// As it is drawn at low quality, if that is another: `quick_color` stands for it and for the pigments inside of it.
+    /// The pigment at low quality, if it differs: `quick_color` replaces the pigment or those nested in it.
     pub fn quick(&self) -> Option<Pigment> {
         if let Some(color) = &self.quick_color {
             return Some(Self::solid(**color));
@@ -227,7 +227,7 @@ impl Pigment {
         Some(Self { paint: Paint::Pigments(parts), ..self.clone() })
     }
 
-    /// Is it the same everywhere?
+    /// The colour, if it is constant.
     pub fn as_solid(&self) -> Option<Color> {
         match &self.paint {
             Paint::Solid(color) => Some(*color),
@@ -235,7 +235,7 @@ impl Pigment {
         }
     }
 
-    /// As [`Texture::is_plainly`].
+    /// True if both are certainly equal, see [`Texture::is_plainly`].
     pub(super) fn is_plainly(&self, other: &Self) -> bool {
         let paint = match (&self.paint, &other.paint) {
             (Paint::Solid(a), Paint::Solid(b)) => a == b,
@@ -247,18 +247,18 @@ impl Pigment {
         paint && self.pattern.shares_with(&other.pattern) && self.quick_color == other.quick_color
     }
 
-    /// Is any of its patterns so?
+    /// True if `is` holds for any pattern.
     pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
         let inner = matches!(&self.paint, Paint::Pigments(parts) if parts.iter().any(|part| part.any_pattern(is)));
         is(&self.pattern) || inner
     }
 
-    /// Does no light pass anywhere?
+    /// True if no point transmits light.
     pub fn is_opaque(&self) -> bool {
         self.is_opaque_if(&ImageMap::is_opaque)
     }
 
-    /// Does its surface cast whole shadows, as POV-Ray 3.7 tells it (see [`ImageMap::seems_opaque`])?
+    /// True if the surface counts as opaque for shadows (see [`ImageMap::seems_opaque`]).
     pub fn seems_opaque(&self) -> bool {
         match &self.paint {
             Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::seems_opaque)),
@@ -277,12 +277,13 @@ impl Pigment {
     }
 }
 
-/// The largest of a colour's three numbers.
+/// The largest of red, green and blue.
 fn brightness(color: &Color) -> f64 {
     color.rgb.max_element()
 }
 
-/// `uv_mapping`, which may stand before a declared pigment, normal or texture too, once or more: is it said, and on?
+/// Reads `uv_mapping`, once or more, which may precede a declared pigment, normal or texture: `None` if absent, else
+/// its value.
 pub(super) fn read_uv_mapping(r: &mut dyn Reader) -> Result<Option<bool>> {
     let mut uv = None;
     while r.accept("uv_mapping")? {
@@ -299,7 +300,7 @@ impl Entry for Pigment {
         Self::read(r, &defaults.layers[0].pigment, defaults)
     }
 
-    /// A colour will do.
+    /// Reads a pigment; a colour is one too.
     fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(match r.thing::<Pigment>()? {
             Some(pigment) => Some((*pigment).clone()),

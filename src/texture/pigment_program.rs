@@ -1,4 +1,4 @@
-//! Pigments as a ray needs them: a row of nodes in place of a tree.
+//! Pigments in the form that rays evaluate: a list of nodes instead of a tree.
 
 use super::{Blend, ColorMap, ImageMap, Paint, Pigment};
 use crate::color::{Color, gray};
@@ -7,29 +7,29 @@ use crate::pattern::{Kind, Pattern, PatternProgram, PigmentBrightness, TextureCo
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A lowered pigment: the one way in which colours of an author's [`Pigment`] are seen.
+/// A lowered [`Pigment`].
 #[derive(Clone, Debug, Serialize)]
 pub struct PigmentProgram {
-    /// That of the whole pigment is the last: each stands behind those it is made of.
+    /// Each node follows the nodes that it refers to; the last one is the whole pigment.
     nodes: Box<[PigmentNode]>,
-    /// It is mapped by uv because all of its texture is.
+    /// True if the whole texture has `uv_mapping`.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     framed: bool,
 }
 
-/// A pigment within a pigment.
+/// A pigment nested in a pigment.
 #[derive(Clone, Debug, Serialize)]
 struct PigmentNode {
     pattern: PatternProgram,
     shows: Shows,
 }
 
-/// What is seen.
+/// Source of the colour.
 #[derive(Clone, Debug, Serialize)]
 enum Shows {
     Solid(Color),
     Colors(Arc<ColorMap>),
-    /// Nodes.
+    /// Indices of nodes.
     Pigments(Blend<u32>),
     Image(Arc<ImageMap>),
 }
@@ -42,17 +42,17 @@ impl PigmentProgram {
         Self { nodes: nodes.into(), framed: pigment.pattern.framed }
     }
 
-    /// The colour at a point of the space around it.
+    /// The colour at a point of the outer space.
     pub fn at(&self, ctx: &TextureContext) -> Color {
         self.node(self.nodes.len() - 1, ctx)
     }
 
-    /// Is there no colour at a point, because it lies outside of pictures that are there `once`?
+    /// True if the point has no colour because it is outside of pictures with `once`.
     pub fn is_nothing(&self, ctx: &TextureContext) -> bool {
         self.has_nothing(self.nodes.len() - 1, ctx, self.framed)
     }
 
-    /// (What is averaged, or has a `uv_mapping` of its own, always is something: measured on POV-Ray 3.7.)
+    /// (False for an average and for a pigment with a `uv_mapping` of its own; quirk: `pictures_once`.)
     fn has_nothing(&self, i: usize, ctx: &TextureContext, framed: bool) -> bool {
         let PigmentNode { pattern, shows } = &self.nodes[i];
         match shows {
@@ -66,17 +66,17 @@ impl PigmentProgram {
         }
     }
 
-    /// What the pattern gives at a point, without its map: the number of the cell, or what the wave makes of the number.
+    /// The pattern's number at a point, without the map: the index of the cell, or the number after the wave.
     pub fn number_at(&self, ctx: &TextureContext) -> f64 {
         self.nodes.last().map_or(0.0, |node| node.pattern.number_at(ctx))
     }
 
-    /// What is known of [`Self::number_at`] no farther from a point than a radius.
+    /// Bounds on [`Self::number_at`] within a radius of a point.
     pub fn bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
         self.nodes.last().map_or(LocalBounds::UNKNOWN, |node| node.pattern.bounds_near(ctx, radius))
     }
 
-    /// The same of what [`Self::at`] gives: red, green, blue, filter, transmit.
+    /// Bounds on the components of [`Self::at`] (red, green, blue, filter, transmit) within a radius of a point.
     pub fn colors_near(&self, ctx: &TextureContext, radius: f64) -> [LocalBounds; 5] {
         match self.nodes.last() {
             Some(PigmentNode { shows: Shows::Solid(color), .. }) => color.to_array().map(LocalBounds::constant),
@@ -97,7 +97,7 @@ impl PigmentProgram {
                 let (number, inner) = pattern.see(ctx);
                 match parts.shares(number, pattern.averages())[..] {
                     [(i, 1.0)] => self.node(*i as usize, &inner),
-                    // Between two that are the same.
+                    // Both neighbours are the same node.
                     [(i, _), (j, _)] if i == j && !pattern.averages() => self.node(*i as usize, &inner),
                     ref shares => shares
                         .iter()
@@ -108,7 +108,7 @@ impl PigmentProgram {
     }
 }
 
-/// What `pigment_pattern { … }` sees of a pigment.
+/// Brightness of a pigment, for `pigment_pattern { … }`.
 #[derive(Debug)]
 pub struct Brightness {
     pigment: PigmentProgram,
@@ -124,7 +124,7 @@ impl Brightness {
 
 impl PigmentBrightness for Brightness {
     fn brightness(&self, at: &TextureContext) -> f64 {
-        // Where it has no colour it is dark, though its colour is a clear white there (measured on POV-Ray 3.7).
+        // Points without a colour are dark, although their colour is a clear white (quirk: pictures_once).
         if self.pigment.is_nothing(at) { 0.0 } else { gray(self.pigment.at(at).rgb) }
     }
 
@@ -133,10 +133,10 @@ impl PigmentBrightness for Brightness {
     }
 }
 
-/// Appends the nodes of a pigment; the number of its own.
+/// Appends the nodes of a pigment; returns the index of its own node.
 fn push(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
     let shows = match &pigment.paint {
-        // A map without a pattern is black (measured on POV-Ray 3.7).
+        // A map without a pattern is black (quirk: map_without_pattern).
         Paint::Colors(_) | Paint::Pigments(Blend::Map(_)) if matches!(pigment.pattern.kind, Kind::Plain) => {
             Shows::Solid(Color::BLACK)
         }

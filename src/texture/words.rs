@@ -1,15 +1,15 @@
-//! The words of `pigment`, `finish` and `texture`: what the readers obey and the manual lists.
+//! The keywords of `pigment`, `finish` and `texture`, for readers and manual.
 
 use super::finish::{Finish, Irid, Reflection};
 use super::image_map::Clearness;
 use super::normal::Normal;
 use super::pigment::Pigment;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers};
-use crate::value::Kind::{Block, Color, Flag, Float};
+use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{ReaderExt, Spec, Vocabulary, WordSpec};
 
-/// What stands in a `pigment` with braces of its own.
+/// The contents of a `pigment` with braces of its own.
 const PIGMENT_PARTS: &[WordSpec] = &[
     word(
         "color_map",
@@ -22,7 +22,7 @@ const PIGMENT_PARTS: &[WordSpec] = &[
     word("image_map", Block, "", "a picture"),
 ];
 
-/// How [`PIGMENT`]'s other words are read.
+/// The readers of [`PIGMENT`]'s other words.
 pub(super) const PIGMENT_ROWS: &[Row<Pigment>] = &[
     word("quick_color", Color, "", "drawn in its place with `--quality 5` and less")
         .sets(|s, r| set(&mut s.quick_color, r.color().map(|c| Some(Box::new(c))))),
@@ -30,7 +30,7 @@ pub(super) const PIGMENT_ROWS: &[Row<Pigment>] = &[
         .sets(|s, r| set(&mut s.quick_color, r.color().map(|c| Some(Box::new(c))))),
 ];
 
-/// `pigment { … }`, beside colours, patterns and [`Modifiers::WORDS`].
+/// `pigment { … }`, except colours, patterns and [`Modifiers::WORDS`].
 pub const PIGMENT: Vocabulary = Vocabulary {
     block: "pigment",
     summary: "the colour of every point: one colour, or a pattern with its colours",
@@ -40,7 +40,7 @@ pub const PIGMENT: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// How [`IMAGE_MAP`]'s words are read.
+/// The readers of [`IMAGE_MAP`]'s words.
 pub(super) const IMAGE_MAP_ROWS: &[Row<Clearness>] = &[
     word("filter", Float, "0", "`filter all A` or, for one colour of a palette, `filter N, A`")
         .sets(Clearness::read_filter),
@@ -48,7 +48,7 @@ pub(super) const IMAGE_MAP_ROWS: &[Row<Clearness>] = &[
         .sets(Clearness::read_transmit),
 ];
 
-/// `image_map { … }`, beside the words of all pictures ([`bitmap::WORDS`](crate::pattern::bitmap::WORDS)).
+/// `image_map { … }`, except the words of all pictures ([`bitmap::WORDS`](crate::pattern::bitmap::WORDS)).
 pub const IMAGE_MAP: Vocabulary = Vocabulary {
     block: "image_map",
     summary: "a picture as the colours of a surface",
@@ -58,7 +58,7 @@ pub const IMAGE_MAP: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// All words of a pigment, those of colours and patterns among them.
+/// All words of a pigment, including those of colours and patterns.
 pub fn pigment_names() -> Vec<&'static str> {
     let colors = ["color", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "red", "green", "blue", "filter", "transmit"];
     let specs = || CellPattern::SPECS.iter().chain(FieldPattern::SPECS);
@@ -86,14 +86,14 @@ pub const TEXTURE: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// What stands in a `normal` with braces of its own.
+/// The contents of a `normal` with braces of its own.
 const NORMAL_PARTS: &[WordSpec] = &[
     word("slope_map", Block, "", "`[number <height, slope>]` entries: the form of the bumps"),
     word("bump_map", Block, "", "a picture whose brightness is the height"),
     word("normal_map", Block, "", "`[number normal]` entries: which bumps each number of the pattern gets"),
 ];
 
-/// How [`NORMAL`]'s other words are read.
+/// The readers of [`NORMAL`]'s other words.
 pub(super) const NORMAL_ROWS: &[Row<Normal>] = &[
     word("bump_size", Float, "0.5", "how deep the bumps seem; also as a number behind the pattern's name")
         .sets(|s, r| set(&mut s.amount, r.float())),
@@ -108,7 +108,7 @@ pub(super) const NORMAL_ROWS: &[Row<Normal>] = &[
         .sets(|s, r| set(&mut s.bump_scale, r.flag().map(|on| !on))),
 ];
 
-/// `normal { … }`, beside patterns and their words.
+/// `normal { … }`, except patterns and their words.
 pub const NORMAL: Vocabulary = Vocabulary {
     block: "normal",
     summary: "bumps that only light sees: a pattern and how deep it seems, `normal { bumps 0.5 }`",
@@ -118,7 +118,7 @@ pub const NORMAL: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// How [`FINISH`]'s words are read.
+/// The readers of [`FINISH`]'s words.
 pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
     word("ambient", Color, "0.1", "light that comes from everywhere, times `ambient_light` of `global_settings`")
         .sets(|s, r| set(&mut s.ambient, r.color().map(|c| c.rgb))),
@@ -185,7 +185,7 @@ pub const FINISH: Vocabulary = Vocabulary {
     unsupported: &["subsurface"],
 };
 
-/// How [`IRID`]'s words are read.
+/// The readers of [`IRID`]'s words.
 pub(super) const IRID_ROWS: &[Row<Irid>] = &[
     word("thickness", Float, "0", "of the film, in the units of `irid_wavelength`")
         .sets(|s, r| set(&mut s.thickness, r.float())),
@@ -202,7 +202,7 @@ pub const IRID: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// How [`REFLECTION`]'s words are read.
+/// The readers of [`REFLECTION`]'s words.
 pub(super) const REFLECTION_ROWS: &[Row<Reflection>] = &[
     word("fresnel", Flag, "off", "the angle counts as for glass and water, by the `ior` of the interior")
         .sets(|s, r| set(&mut s.fresnel, r.flag())),

@@ -15,6 +15,6 @@ pub use given::parse_value;
 pub use kinds::{Thing, Value, VecN, downcast};
 pub use reader::{BuildMesh, FloatOrColor, Language, Next, Reader, ReaderExt, SizedFunction, Solid};
 pub use shared_default::{SharedDefault, StaticDefault};
-pub use spec::{Kind, Param, Spec, WordSpec};
+pub use spec::{Param, Spec, ValueKind, WordSpec};
 pub use unsupported::Unsupported;
 pub use words::Vocabulary;

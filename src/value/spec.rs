@@ -20,7 +20,7 @@ pub struct Param {
     /// Name in the manual.
     pub name: &'static str,
     /// Type of the value.
-    pub kind: Kind,
+    pub kind: ValueKind,
     /// Summary for the manual.
     pub summary: &'static str,
 }
@@ -31,7 +31,7 @@ pub struct WordSpec {
     /// Name.
     pub name: &'static str,
     /// Type of the value after the word.
-    pub kind: Kind,
+    pub kind: ValueKind,
     /// Default value as typed; empty without a default.
     pub default: &'static str,
     /// Summary for the manual.
@@ -40,7 +40,7 @@ pub struct WordSpec {
 
 /// Type of a parameter or of the value after a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum ValueKind {
     /// No value: the word itself is a switch.
     Nothing,
     /// Nothing, `on`, `off` or a number.

@@ -1,7 +1,7 @@
 //! Tables of the words of blocks that belong to no family: `finish`, `camera`, `light_source`. They feed the reader,
 //! the messages and the manual.
 
-use super::{Kind, Next, Reader, WordSpec};
+use super::{Next, Reader, ValueKind, WordSpec};
 use crate::diagnostic::Result;
 
 /// Words of a block.
@@ -40,14 +40,14 @@ impl Vocabulary {
     /// All words, in the order in which messages list them. Messages show a dozen, so that transforms come early.
     pub fn names(&self) -> Vec<&'static str> {
         let (first, rest) = self.words.split_at(self.words.len().min(6));
-        let moves = TRANSFORMS.iter().filter(|_| self.has_transforms);
-        let words = first.iter().chain(moves).chain(rest).map(|w| w.name);
+        let transforms = TRANSFORMS.iter().filter(|_| self.has_transforms);
+        let words = first.iter().chain(transforms).chain(rest).map(|w| w.name);
         words.chain(self.ignored.iter().copied()).chain(self.unsupported.iter().copied()).collect()
     }
 }
 
 /// A row of a table of words.
-pub const fn word(name: &'static str, kind: Kind, default: &'static str, summary: &'static str) -> WordSpec {
+pub const fn word(name: &'static str, kind: ValueKind, default: &'static str, summary: &'static str) -> WordSpec {
     WordSpec { name, kind, default, summary }
 }
 
@@ -96,7 +96,7 @@ pub fn set<T>(field: &mut T, read: Result<T>) -> Result<()> {
 }
 
 /// Filler of arrays under construction.
-const NO_WORD: WordSpec = word(EMPTY, Kind::Nothing, EMPTY, EMPTY);
+const NO_WORD: WordSpec = word(EMPTY, ValueKind::Nothing, EMPTY, EMPTY);
 const EMPTY: &str = "";
 
 /// The word descriptions of a table of rows; the macro `specs!` calls it.
@@ -131,13 +131,18 @@ pub(crate) use specs;
 
 /// Words of transforms, which apply in the order of the text.
 pub const TRANSFORMS: &[WordSpec] = &[
-    word("translate", Kind::Vector, "", "moves by this vector"),
-    word("rotate", Kind::Vector, "", "turns about the x axis, then y, then z, by these angles in degrees; left-handed"),
-    word("scale", Kind::Vector, "", "stretches along the axes; one number is for all three"),
-    word("matrix", Kind::Block, "", "twelve numbers: where the three axes and the origin go to"),
+    word("translate", ValueKind::Vector, "", "moves by this vector"),
+    word(
+        "rotate",
+        ValueKind::Vector,
+        "",
+        "turns about the x axis, then y, then z, by these angles in degrees; left-handed",
+    ),
+    word("scale", ValueKind::Vector, "", "stretches along the axes; one number is for all three"),
+    word("matrix", ValueKind::Block, "", "twelve numbers: where the three axes and the origin go to"),
     word(
         "transform",
-        Kind::Block,
+        ValueKind::Block,
         "",
         "several of these in braces, or a declared one; `inverse` among them undoes those before it",
     ),
@@ -149,7 +154,7 @@ mod tests {
 
     #[test]
     fn names_are_in_the_order_of_the_table() {
-        const WORDS: &[WordSpec] = &[word("radius", Kind::Float, "1", "")];
+        const WORDS: &[WordSpec] = &[word("radius", ValueKind::Float, "1", "")];
         let table = Vocabulary {
             block: "thing",
             summary: "",

@@ -1,24 +1,24 @@
-//! A hierarchy over the children of one node, for a solid that is made of many.
+//! A bounding volume hierarchy over the children of one solid node that has many.
 
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use std::ops::ControlFlow;
 
-/// With fewer children, asking each one is faster.
+/// Minimum number of children for a hierarchy; below it, testing each child is faster.
 const MANY: usize = 8;
 
-/// Which children a ray or a point has to do with.
+/// Finds the children whose boxes a ray or a point meets.
 #[derive(Clone, Debug)]
 pub struct ChildBvh {
     bvh: Bvh,
-    /// The numbers of the children in the hierarchy, in its order.
+    /// Numbers of the children in the hierarchy, in its order.
     order: Vec<u32>,
-    /// The others, which always have to be asked.
+    /// Numbers of the children with infinite boxes, which are always visited.
     rest: Vec<u32>,
 }
 
 impl ChildBvh {
-    /// Over the children's boxes; `None` if there are too few to be worth it.
+    /// Builds a hierarchy over the children's boxes; `None` if there are too few children.
     pub fn over(boxes: &[Aabb]) -> Option<Box<ChildBvh>> {
         let (inner, rest): (Vec<u32>, Vec<u32>) = (0..boxes.len() as u32).partition(|&i| bvh::fits(&boxes[i as usize]));
         if inner.len() < MANY {
@@ -29,7 +29,7 @@ impl ChildBvh {
         Some(Box::new(ChildBvh { bvh, order, rest }))
     }
 
-    /// Hands the children that the ray may meet to `visit`, which returns where hits count from now on.
+    /// Calls `visit` with each child whose box the ray meets; `visit` returns the range that is still of interest.
     pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> Range) {
         let mut range = range;
         for &child in &self.rest {
@@ -40,7 +40,7 @@ impl ChildBvh {
         });
     }
 
-    /// Hands the children whose boxes may hold the point to `visit`, until it breaks off.
+    /// Calls `visit` with each child whose box contains the point, until it returns `Break`.
     pub fn around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) -> ControlFlow<()> {
         self.rest.iter().try_for_each(|&child| visit(child as usize))?;
         let mut flow = ControlFlow::Continue(());

@@ -1,4 +1,5 @@
-//! Which of the hits on a solid's parts are hits of the solid: told along the ray, where that is safe.
+//! Decides from intervals along a ray which hits on the parts of a solid are hits of the solid, where rounding makes
+//! that safe.
 
 use super::leaf::{Intersection, Intersections, Leaf};
 use super::node::{SolidKind, SolidNode};
@@ -6,25 +7,25 @@ use crate::math::{Range, Ray};
 use crate::shape::{Crossing, End, Kernel};
 use smallvec::SmallVec;
 
-/// So near to where a convex part begins or ends, in units of its own space, its `inside` is asked: what lies in one surface with
-/// another is settled there. Far above rounding and above what `inside` tolerates.
+/// Distance from the end of an interval, in units of the part's own space, below which the part's `inside` decides, so
+/// that coinciding surfaces are treated alike. Far above rounding and above the tolerance of `inside`.
 const SLACK: f64 = 1e-6;
 
-/// The interval of a ray that lies inside a part, or all that does not.
+/// The interval of a ray inside a convex part, or its complement.
 #[derive(Clone, Copy, Debug)]
 struct ConvexInterval {
-    /// Where it begins and ends; at an infinite t where it does not, the first behind the second where there is none.
+    /// Ends of the interval, infinite where it has no end; the first is after the second if the interval is empty.
     ends: [End; 2],
-    /// The part is what lies outside of that.
+    /// True if the part is the complement of the interval.
     inverse: bool,
-    /// In units of t.
+    /// [`SLACK`] in units of `t`.
     slack: f64,
 }
 
 impl ConvexInterval {
     const NONE: [End; 2] = [End { t: f64::INFINITY, part: 0 }, End { t: f64::NEG_INFINITY, part: 0 }];
 
-    /// That of a ray with a leaf, if it is known.
+    /// The interval of a ray in a leaf; `None` if the leaf does not know it.
     #[inline]
     fn of(leaf: &Leaf, ray: &Ray) -> Option<Self> {
         let local = leaf.local(ray);
@@ -35,12 +36,12 @@ impl ConvexInterval {
             Crossing::Around(ends) => (ends, true),
             Crossing::Stays => (Self::NONE, true),
         };
-        // (At most the length of the direction, and no root.)
+        // (An upper bound of the direction's length, without a root.)
         let slack = SLACK / local.dir.abs().element_sum();
         Some(Self { ends, inverse: leaf.inverse != around, slack })
     }
 
-    /// What of the range can count if only what lies inside does.
+    /// Returns the part of the range in which the interval can contain points.
     fn reach(&self, range: Range) -> Range {
         if self.inverse {
             return range;
@@ -48,7 +49,7 @@ impl ConvexInterval {
         range.and(Range { min: self.ends[0].t - self.slack, max: self.ends[1].t + self.slack })
     }
 
-    /// Is the point at `t` inside the part? `None` where that is for the part itself to say.
+    /// Returns whether the point at `t` is inside the part; `None` if the part itself must decide.
     fn holds(&self, t: f64) -> Option<bool> {
         let [min, max] = self.ends.map(|end| end.t);
         let near = (t - min).abs() < self.slack || (t - max).abs() < self.slack;
@@ -56,7 +57,7 @@ impl ConvexInterval {
     }
 }
 
-/// What of the range can count if only what lies inside the solid does; all of it, if that is not known.
+/// Returns the part of the range in which the ray can be inside the solid; the whole range if the solid does not know.
 pub(super) fn within(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
     match solid.kind() {
         SolidKind::Leaf(leaf) if !(leaf.inverse && leaf.shape.is_convex()) => {
@@ -66,11 +67,11 @@ pub(super) fn within(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
     }
 }
 
-/// A part that can't tell where a ray is inside it.
+/// A part does not know where a ray is inside it.
 pub(super) struct Unknown;
 
-/// The nearest hit of an intersection, or if `merged` of a merge, whose children all know their crossings, and the shape that it is on.
-/// `shows` says of a hit at t whether nothing clips it.
+/// Returns the nearest hit of an intersection, or of a merge if `merged`, with the shape that is hit, where all
+/// children know their intervals. `shows` returns true for a hit at `t` that no clipping solid removes.
 pub(super) fn nearest<'a>(
     children: &'a [SolidNode],
     merged: bool,
@@ -99,7 +100,7 @@ pub(super) fn nearest<'a>(
             };
             let is_kept = || parts.iter().enumerate().all(|(j, (other, _))| j == i || inside(j, other) != merged);
             if range.contains(end.t) && is_kept() && shows(end.t) {
-                // (Of several in one place the last part shows, as in POV-Ray 3.7.)
+                // quirk: last_part_wins
                 range.max = end.t.next_up();
                 best = Some((end, leaf));
             }
@@ -108,29 +109,29 @@ pub(super) fn nearest<'a>(
     Ok(best)
 }
 
-/// What a ray finds on the children of an intersection or a merge.
+/// The hits of a ray on the children of an intersection or a merge.
 pub(super) struct Gathered<'a> {
-    /// Outside of it nothing counts.
+    /// Range in which hits are of interest.
     range: Range,
-    /// The hits, and the number of the child that each is on.
+    /// Each hit with the number of its child.
     pub(super) hits: SmallVec<[(Intersection<'a>, u32); 4]>,
-    /// Where the ray is inside the children, so far as that is known.
+    /// Intervals of the ray inside the children; `None` where a child does not know.
     intervals: SmallVec<[Option<ConvexInterval>; 4]>,
 }
 
 impl<'a> Gathered<'a> {
-    /// Nothing. (It is large: it stays where it is made.)
+    /// No hits. (The struct is large and therefore built in place.)
     pub(super) fn new() -> Self {
         Self { range: Range::ALL, hits: SmallVec::new(), intervals: SmallVec::new() }
     }
 
-    /// Makes place for so many children.
+    /// Reserves space for the intervals of all children.
     pub(super) fn expect(&mut self, children: usize) {
         self.intervals.resize(children, None);
     }
 
-    /// Looks where the ray is inside a child. If only what lies inside counts, then that is all of the range from now on, which is
-    /// returned.
+    /// Finds the interval of a child. If only hits inside the child are of interest (`only_inside`), shrinks the range
+    /// to it. Returns the range.
     pub(super) fn look(&mut self, i: usize, child: &SolidNode, ray: &Ray, range: Range, only_inside: bool) -> Range {
         self.range = self.range.and(range);
         if let SolidKind::Leaf(leaf) = child.kind()
@@ -145,7 +146,7 @@ impl<'a> Gathered<'a> {
         self.range
     }
 
-    /// Adds the hits of a child in what is left of the range.
+    /// Adds the hits of a child within the range.
     pub(super) fn add(&mut self, i: usize, child: &'a SolidNode, ray: &Ray) {
         if self.range.is_empty() {
             return;
@@ -165,7 +166,7 @@ impl<'a> Gathered<'a> {
         }
     }
 
-    /// Is the ray at `t` inside child `i`?
+    /// True if the ray at `t` is inside child `i`.
     pub(super) fn inside(&self, i: usize, child: &SolidNode, ray: &Ray, t: f64) -> bool {
         self.intervals[i].and_then(|interval| interval.holds(t)).unwrap_or_else(|| child.inside(ray.at(t)))
     }

@@ -1,4 +1,4 @@
-//! Everything that a ray can hit.
+//! All objects that rays can hit.
 
 use super::instance::Instance;
 use super::leaf::{Intersection, Intersections, Leaf};
@@ -8,40 +8,40 @@ use crate::math::{Aabb, DVec3, Range, Ray};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// All objects of the world, and the hierarchy over those of finite size.
+/// All objects, and a bounding volume hierarchy over the finite ones.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Geometry {
-    /// First the finite ones, in the hierarchy's order.
+    /// The finite objects first, in the order of the hierarchy.
     items: Vec<Item>,
     finite: usize,
-    /// Finite ones whose inside reaches beyond their box, as that of an inverted sphere.
+    /// Numbers of finite items whose inside extends beyond their box, such as an inverted sphere.
     unbounded: Vec<u32>,
     #[serde(skip)]
     bvh: Bvh,
 }
 
-/// What the hierarchy holds.
+/// An element of the hierarchy.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 enum Item {
     Solid(SolidNode),
-    /// Several solids that many objects share; all rays that see one of them see the others.
+    /// Solids that many objects share; visible to the same kinds of rays.
     Instance(Instance),
 }
 
-/// What was in the way of a ray.
+/// The item that occluded a shadow ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Blocker(usize);
 
-/// A solid where it stands.
+/// A solid with its instance.
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedSolid<'a> {
-    /// In the space of `copied`, if it is a part of that.
+    /// In the space of `copied` if the solid is a part of an instance.
     node: &'a SolidNode,
     copied: Option<&'a Instance>,
 }
 
-/// Objects before there is a hierarchy over them.
+/// Collects objects before the hierarchy is built.
 #[derive(Debug, Default)]
 pub(super) struct GeometryBuilder {
     finite: Vec<Item>,
@@ -49,8 +49,8 @@ pub(super) struct GeometryBuilder {
 }
 
 impl GeometryBuilder {
-    /// Adds an object. Unions that keep all surfaces of their children are taken apart, so that each child has its own place
-    /// in the hierarchy: what holds for the union as a whole must be said of each child.
+    /// Adds an object. A union without clipping is split, so that each child has its own place in the hierarchy: what
+    /// applies to the union must be stated for each child.
     pub fn add(&mut self, object: SolidNode) {
         match object.into_parts() {
             NodeParts::Many(children) => children.into_iter().for_each(|child| self.add(child)),
@@ -63,7 +63,7 @@ impl GeometryBuilder {
         }
     }
 
-    /// Adds what shares its parts with others, whose box [`bvh::fits`].
+    /// Adds an instance, whose box must satisfy [`bvh::fits`].
     pub fn add_copied(&mut self, copied: Instance) {
         self.finite.push(Item::Instance(copied));
     }
@@ -88,26 +88,26 @@ impl From<GeometryBuilder> for Geometry {
 }
 
 impl Geometry {
-    /// Over these objects; unions among them are taken apart.
+    /// Builds the hierarchy; unions are split.
     pub fn new(roots: Vec<SolidNode>) -> Self {
         let mut builder = GeometryBuilder::default();
         builder.extend(roots);
         builder.into()
     }
 
-    /// Is there nothing?
+    /// True without any object.
     pub fn is_empty(&self) -> bool {
         self.items.is_empty()
     }
 
-    /// All objects, in no particular order.
+    /// Returns all objects, in no particular order.
     pub fn items(&self) -> impl Iterator<Item = PlacedSolid<'_>> {
         self.items.iter().flat_map(|item| {
             let (solid, copied) = match item {
                 Item::Solid(node) => (Some(PlacedSolid { node, copied: None }), None),
                 Item::Instance(copied) => (None, Some(copied)),
             };
-            // (What is shared holds no copies itself.)
+            // (The shared geometry of an instance contains no instances.)
             let shared = copied
                 .into_iter()
                 .flat_map(|copied| copied.shared().solids().map(|node| PlacedSolid { node, copied: Some(copied) }));
@@ -115,7 +115,7 @@ impl Geometry {
         })
     }
 
-    /// Those that are no copies.
+    /// Returns the objects that are not instances.
     pub(super) fn solids(&self) -> impl Iterator<Item = &SolidNode> {
         self.items.iter().filter_map(|item| match item {
             Item::Solid(node) => Some(node),
@@ -123,13 +123,13 @@ impl Geometry {
         })
     }
 
-    /// Is everything, surfaces and insides, in boxes that [`bvh::fits`]?
+    /// True if all surfaces and insides are in boxes that satisfy [`bvh::fits`].
     pub(super) fn is_finite(&self) -> bool {
         self.finite == self.items.len() && self.unbounded.is_empty()
     }
 
-    /// The nearest hit in the range of an object that `accept` takes by its number. Of several in one place that of an infinite
-    /// object is seen, then that of the object that was declared first (as in POV-Ray 3.7, where its hierarchy does not decide).
+    /// Returns the closest hit in the range among objects for which `accept` returns true. Of several hits at one
+    /// point, an infinite object wins, then the object that was declared first (quirk: `first_object_wins`).
     #[inline]
     pub fn closest(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> Option<Intersection<'_>> {
         let mut range = range;
@@ -155,13 +155,13 @@ impl Geometry {
         finite.or(infinite)
     }
 
-    /// Is there any hit in the range of an object that `accept` takes by its number?
+    /// True if the ray hits any object in the range for which `accept` returns true.
     pub fn any(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> bool {
         self.any_after(ray, range, accept, &mut None)
     }
 
-    /// The same; what was in the way of the ray before, which mostly begins next to this one, is asked first, and what is in the way of
-    /// this one is kept.
+    /// The same; tests `last` first, the occluder of a ray that usually starts nearby, and stores the new occluder
+    /// there.
     pub fn any_after(
         &self,
         ray: &Ray,
@@ -186,7 +186,7 @@ impl Geometry {
         before.is_some()
     }
 
-    /// Hands all hits in the range of objects that `accept` takes to `visit`, in no particular order, until it breaks off.
+    /// Calls `visit` with each hit in the range on accepted objects, in no particular order, until it returns `Break`.
     pub fn visit<'a>(
         &'a self,
         ray: &Ray,
@@ -208,8 +208,8 @@ impl Geometry {
         flow
     }
 
-    /// Hands every shape that the ray meets in the range to `visit` with the object that it is a part of, whether or not the object
-    /// keeps its surface there.
+    /// Calls `visit` with each shape that the ray hits in the range and the object that contains the shape, even if the
+    /// hit is not on the object's surface.
     pub fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(PlacedSolid<'a>, Intersection<'a>)) {
         self.meet(ray, range, |i, range| {
             match &self.items[i] {
@@ -224,7 +224,7 @@ impl Geometry {
         });
     }
 
-    /// Tells `visit` every object that the point is inside of, in no particular order.
+    /// Calls `visit` with each object that contains the point, in no particular order.
     pub fn containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
         let mut ask = |item: &'a Item| match item {
             Item::Solid(node) if node.inside(p) => visit(PlacedSolid { node, copied: None }),
@@ -243,7 +243,8 @@ impl Geometry {
         });
     }
 
-    /// Hands the place of every object whose box the ray meets to `visit`, which returns how far hits still count.
+    /// Calls `visit` with the position of each object whose box the ray meets; `visit` returns the distance up to which
+    /// hits are still of interest.
     #[inline]
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> ControlFlow<(), f64>) {
         let mut max = range.max;
@@ -258,7 +259,7 @@ impl Geometry {
 }
 
 impl Item {
-    /// A number that stands for the object.
+    /// Number of the object, or of the first object of an instance.
     fn object(&self) -> u32 {
         match self {
             Self::Solid(node) => node.object,
@@ -301,27 +302,27 @@ impl Item {
 }
 
 impl<'a> PlacedSolid<'a> {
-    /// The caller's number for the object.
+    /// Number that lowering gave to the object.
     pub fn object(&self) -> u32 {
         self.copied.map_or(self.node.object, |copied| copied.object_of(self.node))
     }
 
-    /// Its shape, or what it is made of, in a space of its own.
+    /// The solid, in object space or, for an instance, in the instance's space.
     pub fn node(&self) -> &'a SolidNode {
         self.node
     }
 
-    /// The box around all its hits.
+    /// Box around all hits, in world space.
     pub fn bounds(&self) -> Aabb {
         self.copied.map_or_else(|| self.node.bounds(), |copied| copied.bounds_of(self.node))
     }
 
-    /// Is the point inside?
+    /// True if the point is inside.
     pub fn inside(&self, p: DVec3) -> bool {
         self.node.inside(self.copied.map_or(p, |copied| copied.local_point(p)))
     }
 
-    /// Name and [`super::World::parts`] of its first shape, which stands for it.
+    /// Name of the first shape of the solid, and its number in [`super::World::parts`].
     pub fn first_shape(&self) -> Option<(&'static str, u32)> {
         let leaf = first_leaf(self.node)?;
         Some((leaf.shape.spec().name, self.copied.map_or(leaf.id, |copied| copied.part_of(leaf))))
@@ -337,10 +338,10 @@ fn first_leaf(node: &SolidNode) -> Option<&Leaf> {
     }
 }
 
-/// Puts at each place the item whose number `order` has there, without room for a second row of items.
+/// Permutes the items in place: position `i` receives item `order[i]`.
 fn put_in_order<T>(items: &mut [T], mut order: Vec<u32>) {
     for start in 0..items.len() {
-        // Around the cycle that begins here; a place that is done has its own number.
+        // Follow the cycle of the permutation that starts here; finished positions hold their own number.
         let mut place = start;
         loop {
             let from = std::mem::replace(&mut order[place], place as u32) as usize;

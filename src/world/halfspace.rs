@@ -1,22 +1,22 @@
-//! Half-spaces, and the box around what they share: so an intersection of slanted planes gets a box of its own.
+//! Intersections of half-spaces, and boxes around them: bounds for intersections of slanted planes.
 //!
-//! A box is cut by one half-space after the other, as a convex polyhedron (Sutherland and Hodgman, Reentrant polygon
-//! clipping, 1974, face by face). Everything is rounded outwards: the half-spaces by a margin, the box by its own.
+//! A box is clipped by one half-space after the other, as a convex polyhedron (Sutherland and Hodgman, Reentrant
+//! polygon clipping, 1974, face by face). All rounding is outwards: the half-spaces by a margin, the box by its own.
 
 use crate::math::{Aabb, DVec3, Transform, tolerance};
 use crate::shape::{Kernel, Shape};
 use smallvec::SmallVec;
 
-/// More of them are not looked at.
+/// Maximum number of half-spaces that are used.
 const MOST: usize = 64;
-/// An unbounded box begins as one that reaches so many times as far as any of the half-spaces is away.
+/// Size of the start box for an unbounded intersection, as a multiple of the largest distance of a half-space.
 const FAR: f64 = 1e4;
-/// With numbers beyond this nothing is cut.
+/// Largest coordinate for which boxes are clipped.
 const FARTHEST: f64 = 1e100;
-/// How far each half-space is moved outwards, relative to the box's largest coordinate.
+/// Distance by which each half-space is moved outwards, relative to the box's largest coordinate.
 const MARGIN: f64 = 1e-10;
 
-/// Points with normal·p ≤ distance.
+/// All points p with normal·p ≤ distance.
 #[derive(Clone, Copy, Debug)]
 pub struct HalfSpace {
     /// Length 1.
@@ -24,11 +24,11 @@ pub struct HalfSpace {
     distance: f64,
 }
 
-/// Half-spaces that something lies in.
+/// Half-spaces whose intersection contains a solid.
 pub type HalfSpaces = SmallVec<[HalfSpace; 16]>;
 
 impl HalfSpace {
-    /// normal·p ≤ distance in the object's space, seen from the world; `None` where that is not a plane of numbers.
+    /// Transforms the half-space normal·p ≤ distance from object to world space; `None` if the result is not finite.
     fn under(m: &Transform, normal: DVec3, distance: f64) -> Option<Self> {
         // n·(M⁻¹·p) ≤ d, where M⁻¹·p = A·p + b: (Aᵀ·n)·p ≤ d - n·b
         let n = m.inv.matrix3.transpose() * normal;
@@ -42,7 +42,7 @@ impl HalfSpace {
     }
 }
 
-/// Appends half-spaces that a shape's inside and surface lie in, if it has flat faces or round walls.
+/// Appends half-spaces that contain the inside and surface of a shape with flat faces or round walls.
 pub fn push_shape(shape: &Shape, m: &Transform, inverse: bool, out: &mut HalfSpaces) {
     let turned = || shape.as_half_space().into_iter().map(|(normal, distance)| (-normal, -distance)).collect();
     let planes = if inverse { turned() } else { shape.half_spaces() };
@@ -51,9 +51,9 @@ pub fn push_shape(shape: &Shape, m: &Transform, inverse: bool, out: &mut HalfSpa
     out.extend(placed.filter_map(|(normal, distance)| HalfSpace::under(m, normal, distance + 2.0 * tolerance::INSIDE)));
 }
 
-/// A box around what all the half-spaces share of `start`.
+/// Returns a box around the intersection of `start` with all half-spaces.
 pub fn cut(start: Aabb, planes: &[HalfSpace]) -> Aabb {
-    // The axis' own planes are in the boxes already.
+    // Axis-parallel planes are in the boxes already.
     if start.is_empty() || !planes.iter().any(HalfSpace::is_slanted) {
         return start;
     }
@@ -66,7 +66,7 @@ pub fn cut(start: Aabb, planes: &[HalfSpace]) -> Aabb {
         return start;
     }
     let mut bounds = start.intersection(Aabb::from_corners(DVec3::splat(-far), DVec3::splat(far)));
-    // From a box that is much too large the first cuts are coarse; the next ones start from what they left.
+    // Clipping a box that is much too large is inexact; repeat from the result.
     for _ in 0..3 {
         let before = bounds;
         let margin = MARGIN * size(&before);
@@ -75,7 +75,7 @@ pub fn cut(start: Aabb, planes: &[HalfSpace]) -> Aabb {
             return Aabb::EMPTY;
         }
         let found = found.grown(tolerance::BOUNDS * size(&found).max(margin)).intersection(before);
-        // What reaches the end of the world goes on there, perhaps in all directions.
+        // A box that reaches the end of the start box is unbounded, perhaps in all directions.
         if found.min.min_element() < -0.99 * far || found.max.max_element() > 0.99 * far {
             return start;
         }
@@ -87,10 +87,10 @@ pub fn cut(start: Aabb, planes: &[HalfSpace]) -> Aabb {
     bounds
 }
 
-/// A side of a face, from corner to corner.
+/// An edge of a face, from corner to corner.
 type Edge = [DVec3; 2];
 
-/// A convex polyhedron: faces, each the list of its edges in no particular order.
+/// A convex polyhedron: each face is a list of edges in no particular order.
 struct Polyhedron {
     faces: Vec<SmallVec<[Edge; 8]>>,
 }
@@ -98,7 +98,7 @@ struct Polyhedron {
 impl Polyhedron {
     fn cuboid(b: &Aabb) -> Self {
         let corners = b.corners();
-        // Bit i of a corner's number says at which end of axis i it lies.
+        // Bit i of a corner's number selects the end of axis i.
         let face = |axis: usize, end: usize| {
             let (u, v) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
             let at = [0, u, u | v, v].map(|rest| corners[(end << axis) | rest]);
@@ -107,11 +107,11 @@ impl Polyhedron {
         Self { faces: (0..6).map(|i| face(i / 2, i % 2)).collect() }
     }
 
-    /// What of it lies in all the half-spaces, each moved outwards by `margin`.
+    /// Clips the polyhedron by all half-spaces, each moved outwards by `margin`.
     fn cut(mut self, planes: &[HalfSpace], margin: f64) -> Self {
         for plane in planes {
             let height = |p: DVec3| plane.normal.dot(p) - plane.distance - margin;
-            // The new face, of the lines along which the others are cut.
+            // The new face consists of the edges along which the other faces are clipped.
             let mut lid = SmallVec::new();
             for face in &mut self.faces {
                 lid.extend(cut_face(face, &height));
@@ -129,7 +129,7 @@ impl Polyhedron {
     }
 }
 
-/// Keeps what of a face lies below, closes it along the cut, and returns that line.
+/// Clips a face to negative `height`, closes it along the cut, and returns the new edge.
 fn cut_face(face: &mut SmallVec<[Edge; 8]>, height: &impl Fn(DVec3) -> f64) -> Option<Edge> {
     let mut ends: SmallVec<[DVec3; 2]> = SmallVec::new();
     face.retain(|edge| {
@@ -137,7 +137,7 @@ fn cut_face(face: &mut SmallVec<[Edge; 8]>, height: &impl Fn(DVec3) -> f64) -> O
         if a > 0.0 && b > 0.0 {
             return false;
         }
-        // Always from the lower end: so both faces of an edge get the same point.
+        // Interpolate from the lower end, so that both faces of an edge get the same point.
         let between =
             |low: DVec3, at_low: f64, high: DVec3, at_high: f64| low + (high - low) * (at_low / (at_low - at_high));
         if a > 0.0 {
@@ -149,7 +149,7 @@ fn cut_face(face: &mut SmallVec<[Edge; 8]>, height: &impl Fn(DVec3) -> f64) -> O
         }
         true
     });
-    // A convex face is cut at two edges; where rounding made more of them, the farthest two are its line.
+    // A convex face is cut at two edges; if rounding found more, take the two farthest points.
     let pairs = (0..ends.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
     let line = pairs
         .map(|(i, j)| [ends[i], ends[j]])
@@ -181,7 +181,7 @@ mod tests {
         // Far away from the origin, and of any size.
         let far = Transform::scale(DVec3::splat(0.01)).unwrap().then(&Transform::translate(DVec3::splat(900.0)));
         assert!(near(cut(Aabb::INFINITE, &octahedron(&far)), far.aabb(&unit)));
-        // Four faces have no end; seven still have, as the missing one's neighbours meet above it.
+        // Four faces are unbounded; seven are bounded, as the neighbours of the missing face meet above it.
         let open = octahedron(&Transform::IDENTITY);
         assert_eq!(cut(Aabb::INFINITE, &open[4..]), Aabb::INFINITE);
         assert!(near(cut(Aabb::INFINITE, &open[1..]), unit));

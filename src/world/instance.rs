@@ -1,5 +1,5 @@
-//! Objects of which there are many that differ in nothing but their place and what they look like: their shapes are kept once. A scene
-//! of a million trees has no room for each one's leaves.
+//! Instancing: objects that differ only in transform and appearance share their shapes, so that a scene of a million
+//! trees stores the leaves of one.
 
 use super::geometry::Geometry;
 use super::leaf::{Intersection, Intersections, Leaf, loosened};
@@ -13,13 +13,13 @@ use std::sync::Arc;
 /// One of many objects that share their shapes.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Instance {
-    /// The shapes, whose numbers begin at 0, in the space of this object.
+    /// The shapes, numbered from 0, in the space of the instance.
     shared: Arc<Geometry>,
-    /// World from this space; `None` is the identity.
+    /// World from instance space; `None` for the identity.
     place: Option<Arc<Transform>>,
-    /// What is added to [`Leaf::id`].
+    /// Offset of [`Leaf::id`].
     first_part: u32,
-    /// What is added to [`SolidNode::object`].
+    /// Offset of [`SolidNode::object`].
     first_object: u32,
 }
 
@@ -32,22 +32,22 @@ impl Instance {
         &self.shared
     }
 
-    /// A number that stands for all of its objects.
+    /// Number of the instance's first object.
     pub fn object(&self) -> u32 {
         self.first_object
     }
 
-    /// The number of an object in it.
+    /// Number of one of the shared solids in this instance.
     pub fn object_of(&self, node: &SolidNode) -> u32 {
         self.first_object + node.object
     }
 
-    /// The number of a shape in it.
+    /// Number of one of the shared shapes in this instance.
     pub fn part_of(&self, leaf: &Leaf) -> u32 {
         self.first_part + leaf.id
     }
 
-    /// World from this space.
+    /// World from instance space; `None` for the identity.
     pub fn place(&self) -> Option<&Transform> {
         self.place.as_deref()
     }
@@ -62,12 +62,12 @@ impl Instance {
         self.place().map_or(p, |m| m.inverse_point(p))
     }
 
-    /// What was found on the shapes, as found on this object.
+    /// Converts a hit on the shared shapes to a hit on this instance.
     pub fn own<'a>(&'a self, found: Intersection<'a>) -> Intersection<'a> {
         Intersection { object: self.first_object + found.object, copied: Some(self), ..found }
     }
 
-    /// The nearest hit in the range.
+    /// The closest hit in the range.
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         self.shared.closest(&self.local(ray), range, |_| true).map(|found| self.own(found))
     }
@@ -80,12 +80,12 @@ impl Instance {
         });
     }
 
-    /// The box around all its hits.
+    /// Box around all hits.
     pub fn bounds(&self) -> Aabb {
         self.shared.solids().map(|node| self.bounds_of(node)).fold(Aabb::EMPTY, Aabb::union)
     }
 
-    /// The box around all hits of one of its solids.
+    /// Box around all hits of one of the shared solids.
     pub fn bounds_of(&self, node: &SolidNode) -> Aabb {
         let Some(m) = self.place() else { return node.bounds() };
         match node.kind() {

@@ -1,4 +1,4 @@
-//! A shape in the world, and the hits that are found on it.
+//! A shape with its transform, and hits on it.
 
 use super::instance::Instance;
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform, tolerance};
@@ -8,43 +8,43 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// A shape and where it stands.
+/// A shape in the world.
 #[derive(Clone, Debug, Serialize)]
 pub struct Leaf {
-    /// In its own space; shared between copies.
+    /// The shape in object space; instances share it.
     pub shape: Shape,
-    /// World from object; `None` is the identity.
+    /// World from object; `None` for the identity.
     place: Option<Arc<Transform>>,
-    /// Turned inside out.
+    /// True if the inside is the outside.
     pub inverse: bool,
-    /// The caller's number for its material and source.
+    /// Number of the shape's part in [`super::World::parts`], before the offset of an instance.
     pub id: u32,
 }
 
-/// A hit and whose it is.
+/// A hit on a shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Intersection<'a> {
-    /// In the leaf's object space, except for `t`.
+    /// In object space, except for `t`.
     pub hit: Hit,
-    /// The shape that was hit; its number is [`Intersection::part`].
+    /// The shape that was hit.
     pub leaf: &'a Leaf,
-    /// [`super::SolidNode::object`] of the outermost node that was asked.
+    /// [`super::SolidNode::object`] of the outermost node.
     pub object: u32,
-    /// What the shape is a part of, if that is a copy.
+    /// The instance that contains the shape.
     pub(super) copied: Option<&'a Instance>,
 }
 
-/// Hits of a tree.
+/// Hits of a solid.
 pub type Intersections<'a> = SmallVec<[Intersection<'a>; 8]>;
 
-/// The place of a hit.
+/// Point and normal of a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
-    /// In world space.
+    /// Point in world space.
     pub point: DVec3,
-    /// In world space, length 1, out of the solid.
+    /// Outward normal in world space, length 1.
     pub normal: DVec3,
-    /// In object space.
+    /// Point in object space.
     pub object_point: DVec3,
 }
 
@@ -54,7 +54,7 @@ impl Leaf {
         Self::placed(shape, &SharedDefault::new(*transform), id)
     }
 
-    /// The same under a transform that is shared with others.
+    /// The shape under a transform that is shared with others.
     pub(super) fn placed(shape: Shape, transform: &SharedDefault<Transform>, id: u32) -> Self {
         Self { shape, place: place(transform), inverse: false, id }
     }
@@ -64,7 +64,7 @@ impl Leaf {
         self.place.as_deref().copied().unwrap_or(Transform::IDENTITY)
     }
 
-    /// Turned inside out, unless it has no inside.
+    /// Exchanges inside and outside; an open surface stays as it is.
     pub(super) fn inverted(self) -> Self {
         let inverse = if self.shape.is_open() { self.inverse } else { !self.inverse };
         Self { inverse, ..self }
@@ -95,7 +95,7 @@ impl Leaf {
         self.shape.hits(&self.local(ray), range, out);
     }
 
-    /// The same where it is a part of others, or clipped.
+    /// Appends the hits of a shape that is a part of a CSG object or clipped; see [`Kernel::hits_in_csg`].
     pub(super) fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.shape.hits_in_csg(&self.local(ray), range, out);
     }
@@ -106,14 +106,14 @@ impl Leaf {
         !self.shape.is_open() && self.shape.inside(local) != self.inverse
     }
 
-    /// What is not positive on its surface and inside, in the world, of shapes of the second order.
+    /// The quadratic form that is not positive inside, in world space; `None` for a shape that is not a quadric.
     pub(super) fn quadratic(&self) -> Option<Quadratic> {
         let own = self.shape.quadratic()?;
         let upright = if self.inverse { own.negated() } else { own };
         Some(self.place.as_ref().map_or(upright, |m| upright.under(m)))
     }
 
-    /// All its hits are in the first box, all points inside it in the second.
+    /// Returns a box around all hits and a box around all inside points.
     pub(super) fn bounds(&self) -> (Aabb, Aabb) {
         let surface = loosened(match &self.place {
             Some(m) => self.shape.bounds_under(m),
@@ -133,13 +133,13 @@ impl Leaf {
     }
 }
 
-/// A transform that moves anything.
+/// Returns a transform other than the identity.
 pub(super) fn place(transform: &SharedDefault<Transform>) -> Option<Arc<Transform>> {
     transform.explicit().filter(|transform| !transform.is_identity()).cloned()
 }
 
 impl<'a> Intersection<'a> {
-    /// On a shape of the node that was asked.
+    /// A hit on a shape of the node `object`.
     pub(super) fn new(hit: Hit, leaf: &'a Leaf, object: u32) -> Self {
         Self { hit, leaf, object, copied: None }
     }
@@ -151,17 +151,17 @@ impl Intersection<'_> {
         self.hit.t
     }
 
-    /// Its number in [`super::World::parts`].
+    /// Number in [`super::World::parts`].
     pub fn part(&self) -> u32 {
         self.copied.map_or(self.leaf.id, |copied| copied.part_of(self.leaf))
     }
 
-    /// Is it seen instead of `other`? It is nearer, or in the same place and declared earlier.
+    /// True if this hit is shown instead of `other`: closer, or at the same point and declared earlier.
     pub(super) fn goes_before(&self, other: &Intersection) -> bool {
         self.hit.t < other.hit.t || (self.hit.t == other.hit.t && self.part() < other.part())
     }
 
-    /// Was the leaf turned inside out on its way?
+    /// True if the shape is inverted.
     pub fn inverted(&self) -> bool {
         self.leaf.inverse
     }
@@ -171,18 +171,19 @@ impl Intersection<'_> {
         self.leaf.inverse && self.leaf.shape.quirks().keeps_texture_sides
     }
 
-    /// The shape's own coordinates on its surface, at `object_point` of [`Intersection::surface`].
+    /// Surface coordinates at `object_point` of [`Intersection::surface`].
     pub fn uv(&self, object_point: DVec3) -> DVec2 {
         self.leaf.shape.uv(object_point, &self.hit)
     }
 
-    /// What `uv_mapping` sees: shapes without a mapping of their own show the x and y of the point in the world.
+    /// Coordinates for `uv_mapping`: surface coordinates, or x and y in world space for a shape without a mapping
+    /// (quirk: `uv_of_world_point`).
     pub fn mapped_uv(&self, surface: &Surface) -> DVec2 {
         if self.leaf.shape.has_uv_mapping() { self.uv(surface.object_point) } else { surface.point.truncate() }
     }
 
-    /// Point and normal of this hit of `ray`, in world space (lecture, "Ray – transformed object
-    /// intersection": points by M, normals by M⁻ᵀ).
+    /// Returns point and normal of this hit of `ray` (lecture, "Ray – transformed object intersection": points by M,
+    /// normals by M⁻ᵀ).
     pub fn surface(&self, ray: &Ray) -> Surface {
         let Leaf { shape, place, inverse, .. } = self.leaf;
         let local = self.copied.map_or(*ray, |copied| copied.local(ray));
@@ -196,7 +197,7 @@ impl Intersection<'_> {
     }
 }
 
-/// The box a little larger, so that rounding never puts a hit outside.
+/// Grows a box slightly, so that rounding never puts a hit outside.
 pub(super) fn loosened(b: Aabb) -> Aabb {
     if b.is_empty() {
         return Aabb::EMPTY;

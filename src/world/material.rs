@@ -1,4 +1,4 @@
-//! Textures as a ray needs them: layers with all constants worked out.
+//! Lowered textures: layers with all constants computed.
 
 use crate::color::{Color, Rgb};
 use crate::pattern::{Pattern, PatternProgram, Space, TextureContext};
@@ -11,39 +11,40 @@ use std::sync::Arc;
 /// A lowered texture.
 #[derive(Clone, Debug, Serialize)]
 pub struct Material {
-    /// From the topmost to the lowest; never empty.
+    /// Layers from the topmost to the lowest; never empty.
     pub layers: Box<[Layer]>,
-    /// Does no light pass anywhere?
+    /// True if no point transmits light.
     pub opaque: bool,
-    /// Is every layer the same everywhere? Then it needs no point.
+    /// True if every layer is the same everywhere, so that no point needs to be computed.
     pub solid: bool,
-    /// What passes it, where it is the same everywhere.
+    /// Transmittance of all layers, if `solid`.
     pub pass: Rgb,
-    /// Does it ask where the point lies on its shape?
+    /// True if a pattern depends on surface coordinates.
     pub uv: bool,
-    /// Is it seen as often as it is looked at? Then two shares of it are not one: light goes on from each, or the second sees the bumps of
-    /// the first.
+    /// True if two shares of this material cannot be merged into one: each reflects and transmits by itself, or the
+    /// second uses the normal that the first left.
     repeats: bool,
 }
 
 /// A pattern and the materials among which it chooses.
 #[derive(Clone, Debug, Serialize)]
 pub struct Choice {
-    /// What tells points apart.
+    /// The pattern.
     pub pattern: PatternProgram,
-    /// Where it lies: normals go another way than points.
+    /// Space of the pattern, for the transformation of normals.
     pub space: Space,
-    /// The materials.
+    /// The materials by the pattern's value.
     pub parts: Blend<Arc<Material>>,
 }
 
 impl Choice {
-    /// Does it show all of them at once?
+    /// True if all materials are shown at once (`average`).
     pub fn averages(&self) -> bool {
         self.pattern.averages()
     }
 
-    /// What is seen at a number; between two entries that are the same it is one.
+    /// Returns the materials at a pattern value, with their shares; two equal neighbours are merged where that is
+    /// possible.
     pub fn shares(&self, number: f64) -> Shares<'_, Arc<Material>> {
         let shares = self.parts.shares(number, self.averages());
         match shares[..] {
@@ -58,15 +59,15 @@ impl Choice {
 /// A lowered layer.
 #[derive(Clone, Debug, Serialize)]
 pub struct Layer {
-    /// Other materials in its place.
+    /// Other materials in place of this layer.
     pub choice: Option<Box<Choice>>,
-    /// Its bumps.
+    /// Perturbation of the normal.
     pub normal: Option<Arc<NormalProgram>>,
-    /// Its colour.
+    /// Colour of the pigment.
     pub pigment: LayerColor,
-    /// Its colour where quality is low (`quick_color`), if that is another.
+    /// `quick_color` for low qualities, if it differs from the pigment.
     pub quick: Option<Box<LayerColor>>,
-    /// Its answer to light; layers of one finish share it.
+    /// Reflection of light; layers with the same finish share it.
     #[serde(flatten)]
     pub finish: Arc<LoweredFinish>,
 }
@@ -78,63 +79,63 @@ pub struct LoweredFinish {
     pub ambient: Rgb,
     /// `emission`: light that the surface sends in any case.
     pub emission: Rgb,
-    /// Scattered on the side of the light.
+    /// Diffuse reflection on the side of the light.
     pub diffuse: f64,
-    /// Scattered on the other side.
+    /// Diffuse transmission: light from the other side.
     pub diffuse_back: f64,
-    /// Exponent of the cosine.
+    /// Exponent of the cosine in diffuse reflection.
     pub brilliance: f64,
-    /// The highlight about the mirrored ray.
+    /// Highlight about the mirror direction.
     pub phong: Lobe,
-    /// The highlight about the half-way vector.
+    /// Highlight about the half-way vector.
     pub specular: Lobe,
-    /// How much highlights take the pigment's colour.
+    /// Share of the pigment's colour in highlights.
     pub metallic: f64,
-    /// Grain of the diffuse light.
+    /// Amplitude of random grain in diffuse light.
     pub crand: f64,
-    /// A thin film on top.
+    /// Thin film on top.
     pub irid: Option<Box<Irid>>,
-    /// What it mirrors, if anything.
+    /// Reflection; `None` for a layer that does not reflect.
     pub mirror: Option<Box<Reflection>>,
-    /// Factor of the light that passes, if it is the topmost layer.
+    /// Factor of transmitted light, if this is the topmost layer.
     pub refraction: f64,
-    /// Takes from the light that passes what the mirror gives.
+    /// True if reflected light is subtracted from transmitted light.
     pub conserve_energy: bool,
 }
 
-/// What gives a layer its colour. Most layers have but one.
+/// Colour of a layer. Most layers have only one.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LayerColor {
-    /// The same everywhere.
+    /// The same colour everywhere.
     Solid(Color),
-    /// Another one at each point.
+    /// A colour for each point.
     PigmentProgram(Box<PigmentProgram>),
 }
 
-/// strength · cosⁿ
+/// A highlight: strength · cosⁿ.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Lobe {
-    /// At its middle.
+    /// Strength at its centre.
     pub strength: f64,
-    /// n.
+    /// Exponent n.
     pub exponent: f64,
 }
 
-/// Lowers what several textures have in common.
+/// Lowers what several textures share.
 pub trait SharedParts {
-    /// A finish.
+    /// Lowers a finish.
     fn finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish>;
-    /// A normal.
+    /// Lowers a normal.
     fn normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram>;
 }
 
 impl Material {
-    /// Lowers a texture; what it has in common with others is lowered once.
+    /// Lowers a texture; shared finishes and normals are lowered once.
     pub fn new(texture: &Texture, shared: &mut dyn SharedParts) -> Self {
         let layers: Box<[Layer]> = texture.layers.iter().rev().map(|l| Layer::new(l, shared)).collect();
         Self {
-            // One layer that lets nothing pass is enough.
+            // One opaque layer is enough.
             opaque: texture.layers.iter().any(seems_opaque),
             solid: layers
                 .iter()
@@ -150,8 +151,7 @@ impl Material {
     }
 }
 
-/// As POV-Ray 3.7 tells it (measured): of pigments in a `pigment_map` it does not see all that light passes, but it asks each
-/// texture of a `texture_map` at the place.
+/// True if a layer counts as opaque (quirk: `opaque_pigment_map`).
 fn seems_opaque(layer: &texture::Layer) -> bool {
     match &layer.choice {
         Some(choice) if choice.is_material_map() => {
@@ -169,7 +169,7 @@ fn is_opaque(layer: &texture::Layer) -> bool {
     }
 }
 
-/// Does it mirror, or is it of another brightness each time?
+/// True if the layer reflects or has random grain, so that two evaluations differ.
 fn sends_light_on(layer: &texture::Layer) -> bool {
     !layer.finish.reflection.is_none() || layer.finish.crand != 0.0
 }
@@ -192,7 +192,7 @@ impl Layer {
         }
     }
 
-    /// Its colour at a point in the texture's space; `quick` as the lower qualities show it.
+    /// Returns the colour at a point of the texture's space; `quick` selects `quick_color`.
     pub fn color(&self, ctx: &TextureContext, quick: bool) -> Color {
         match self.shown(quick) {
             LayerColor::Solid(color) => *color,
@@ -200,7 +200,7 @@ impl Layer {
         }
     }
 
-    /// Does it show no colour at all there?
+    /// True if the pigment has no colour at all at a point, such as beside a picture shown `once`.
     pub fn is_nothing(&self, ctx: &TextureContext, quick: bool) -> bool {
         match self.shown(quick) {
             LayerColor::Solid(_) => false,
@@ -214,9 +214,9 @@ impl Layer {
 }
 
 impl LoweredFinish {
-    /// Lowers a finish under the scene's `ambient_light`.
+    /// Lowers a finish; `ambient_light` is the scene's factor of `ambient`.
     pub fn new(f: &Finish, ambient_light: Rgb) -> Self {
-        // What is negative counts as none (measured on POV-Ray 3.7).
+        // Negative strengths count as 0 (quirk: `negative_highlights`).
         let plain = f.without_albedo();
         let [diffuse, diffuse_back, phong, specular] =
             [plain.diffuse, plain.diffuse_back, plain.phong, plain.specular].map(|amount| amount.max(0.0));
@@ -227,7 +227,7 @@ impl LoweredFinish {
             diffuse_back,
             brilliance: f.brilliance,
             phong: Lobe { strength: phong, exponent: f.phong_size },
-            // (A roughness of 0 is as dull as can be, in POV-Ray 3.7 too.)
+            // A roughness of 0 is the dullest, as in POV-Ray.
             specular: Lobe { strength: specular, exponent: if f.roughness == 0.0 { 0.0 } else { 1.0 / f.roughness } },
             metallic: f.metallic.max(0.0),
             crand: f.crand,

@@ -1,4 +1,5 @@
-//! What a ray needs: every object with M and M⁻¹; no names, versions, degrees or nested blocks.
+//! The lowered scene: what rays need. Every object has M and M⁻¹; there are no names, versions, degrees or nested
+//! blocks.
 
 mod child_bvh;
 mod convex_interval;
@@ -37,156 +38,158 @@ use std::sync::Arc;
 /// The lowered scene.
 #[derive(Debug, Serialize)]
 pub struct World {
-    /// Where rays begin.
+    /// The camera.
     pub eye: LoweredCamera,
-    /// The text of the camera; none of the one that stands for a missing one.
+    /// Text of the camera; none for the default camera.
     #[serde(skip)]
     pub camera_source: Span,
     /// All objects.
     pub geometry: Geometry,
-    /// Nearer to where they begin, rays meet nothing.
+    /// Minimum distances of hits.
     pub epsilon: RayEpsilon,
-    /// By [`Intersection::part`].
+    /// Properties of shapes, by [`Intersection::part`].
     pub parts: Vec<Part>,
-    /// By [`SolidNode::object`].
+    /// Properties of objects, by [`SolidNode::object`].
     pub objects: Vec<ObjectInfo>,
-    /// By [`UncommonPart::cut`]: what can be cut. At a point, all that hold it are seen in equal parts, and [`Part::outside`] where none does.
+    /// Solids for `cutaway_textures`, by [`UncommonPart::cut`]: a point on a cutting shape shows the materials of all
+    /// solids that contain it in equal shares, or [`Part::outside`] if none does.
     pub cuts: Vec<Vec<(SolidNode, PlacedMaterial)>>,
-    /// By [`PlacedMaterial::material`].
+    /// Materials, by [`PlacedMaterial::material`].
     pub materials: Vec<Material>,
-    /// What fills objects, by number of the interior.
+    /// Interiors, by [`Part::interior`].
     pub interiors: Vec<Arc<Interior>>,
-    /// The noise of patterns that do not say which.
+    /// Noise generator of patterns that do not name one.
     pub noise: NoiseGenerator,
-    /// How many sources `ripples` and `waves` have.
+    /// Number of wave sources of `ripples` and `waves` (`number_of_waves`).
     pub waves: usize,
-    /// By number of the interior: does it keep fog out?
+    /// By number of the interior: true if the interior is not hollow and keeps fog out.
     pub filled: Vec<bool>,
     /// All lights.
     pub lights: Vec<LightSource>,
-    /// By [`UncommonPart::lights`]: which lights shine on it.
+    /// Numbers of the lights that illuminate a part, by [`UncommonPart::lights`].
     pub lit_by: Vec<Box<[u32]>>,
-    /// What rays see that hit nothing.
+    /// Sky sphere and background.
     pub sky: Sky,
-    /// All fogs that show.
+    /// All fogs with an effect.
     pub fogs: Vec<Fog>,
     /// All rainbows.
     pub rainbows: Vec<Rainbow>,
-    /// From the numbers of the scene to light.
+    /// Conversion from the numbers of the scene to light.
     pub gamma: Gamma,
-    /// How often a ray may be reflected and bent.
+    /// Maximum depth of the ray tree.
     pub max_trace_level: u32,
-    /// Rays that count for no more than this are not followed.
+    /// Minimum weight of a ray.
     pub adc_bailout: f64,
-    /// As in [`crate::scene::Settings`].
+    /// See [`crate::scene::Settings::opacity_by_color`].
     pub opacity_by_color: bool,
-    /// Does light pass through any object?
+    /// True if any object transmits light.
     pub see_through: bool,
-    /// Is light bent anywhere?
+    /// True if any interior refracts light.
     pub bends: bool,
-    /// Does any interior split light into its colours?
+    /// True if any interior disperses light.
     pub disperses: bool,
-    /// Does light change on its way through any interior, other than by bending?
+    /// True if any interior attenuates light or makes caustics.
     pub colors_light: bool,
-    /// Of the light that `irid` is worked out for.
+    /// Wavelengths of red, green and blue for `irid`.
     pub irid_wavelength: Rgb,
 }
 
-/// What belongs to a leaf.
+/// Properties of a shape.
 #[derive(Clone, Debug, Serialize)]
 pub struct Part {
-    /// Seen from outside.
+    /// Material of the outside.
     pub outside: PlacedMaterial,
-    /// What few of them have.
+    /// Properties that few shapes have.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncommon: Option<Box<UncommonPart>>,
-    /// Number of what fills it.
+    /// Number of the interior.
     pub interior: u32,
-    /// Light from behind counts as light from the front.
+    /// True if light from behind counts as light from the front.
     pub double_illuminate: bool,
-    /// Its textures see places on the surface, (u, v, 0), instead of points (`uv_mapping` of the object).
+    /// True if textures are evaluated at surface coordinates (u, v, 0) in place of the point (`uv_mapping` of the
+    /// object).
     pub uv: bool,
-    /// `no_shadow` of its own or of a block around it; an object that it is a part of may cast its shadow all the same.
+    /// `no_shadow` of the shape or of a block around it. The object that contains the shape can still cast its shadow.
     #[serde(skip)]
     pub no_shadow: bool,
-    /// The text that made it.
+    /// Text of the object.
     pub source: Span,
 }
 
-/// What else may be seen of a leaf than its own materials.
+/// Properties of a shape that are uncommon.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct UncommonPart {
-    /// Seen from inside, if that differs.
+    /// Material of the inside, if it differs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inside: Option<PlacedMaterial>,
-    /// The textures that the shape carries itself; number 1 is the first.
+    /// Embedded textures of the shape; number 1 is the first.
     pub embedded: Box<[PlacedMaterial]>,
-    /// Number of the set of lights that shine on it; 0: those of no group.
+    /// Number of the set of lights that illuminate the shape; 0 for the lights of no group.
     pub lights: u32,
-    /// Of a shape that cuts (`cutaway_textures`): number of what it cuts, which is seen in place of `outside`.
+    /// For a shape that cuts (`cutaway_textures`): number of the solids that are shown in place of `outside`.
     pub cut: Option<u32>,
 }
 
-/// A material where it lies.
+/// A material with its transform.
 #[derive(Clone, Debug, Serialize)]
 pub struct PlacedMaterial {
     /// Number of the material.
     pub material: u32,
-    /// World from texture; `None` where both are the same or it does not matter.
+    /// World from texture; `None` for the identity, or if the transform has no effect.
     pub place: Option<Arc<Transform>>,
 }
 
 impl Part {
-    /// Number of the set of lights that shine on it.
+    /// Number of the set of lights that illuminate the shape.
     pub fn lights(&self) -> u32 {
         self.uncommon.as_ref().map_or(0, |uncommon| uncommon.lights)
     }
 }
 
 impl PlacedMaterial {
-    /// A point of the world in the texture's space.
+    /// Transforms a point from world space to the texture's space.
     pub fn local(&self, p: DVec3) -> DVec3 {
         self.place.as_ref().map_or(p, |m| m.inverse_point(p))
     }
 }
 
-/// What belongs to an object as a whole.
+/// Properties of an object as a whole.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ObjectInfo {
-    /// Does it cast shadows?
+    /// True if the object casts shadows.
     pub shadow: bool,
-    /// Does the camera see it?
+    /// True if camera rays hit the object.
     pub image: bool,
-    /// Does it see it through others?
+    /// True if camera rays hit the object after a transparent surface.
     pub through: bool,
-    /// Do mirrors show it?
+    /// True if reflected rays hit the object.
     pub reflection: bool,
-    /// Does no light pass anywhere?
+    /// True if no point transmits light.
     pub opaque: bool,
-    /// Number of what fills it, or [`Self::VIEW`].
+    /// Number of the interior, or [`Self::VIEW`].
     pub interior: u32,
 }
 
 impl ObjectInfo {
-    /// In place of an interior: it is but another object as some rays see it, which has been counted.
+    /// In place of an interior: the object is another view of an object that is counted already.
     pub const VIEW: u32 = u32::MAX;
 }
 
-/// A light in its place.
+/// A light in the world.
 #[derive(Clone, Debug, Serialize)]
 pub struct LightSource {
-    /// Where it stands in [`World::lights`].
+    /// Index in [`World::lights`].
     #[serde(skip)]
     pub number: usize,
-    /// How it shines.
+    /// The light's emission.
     pub emitter: LoweredLight,
-    /// Only what passes this shines, and nothing between the two is in the way (`projected_through`).
+    /// The object that light must pass (`projected_through`); objects between it and the light do not occlude.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub through: Option<Box<Geometry>>,
 }
 
 impl World {
-    /// Must rays know what they are in?
+    /// True if rays must keep a list of the interiors around them.
     pub fn asks_inside(&self) -> bool {
         self.bends || self.colors_light || !self.fogs.is_empty() || !self.rainbows.is_empty()
     }

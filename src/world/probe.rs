@@ -1,4 +1,4 @@
-//! Questions that scripts ask of objects while the text is still running: `trace` and `inside`.
+//! Geometric queries while the text is evaluated: `trace` and `inside`.
 
 use super::Geometry;
 use super::lower::lower_alone;
@@ -13,20 +13,20 @@ impl Solid for Probe {
     }
 }
 
-/// One declared object, ready for rays.
+/// A declared object that rays can hit.
 #[derive(Debug)]
 pub struct Probe(Geometry);
 
 impl Probe {
-    /// Lowers an object by itself.
+    /// Lowers one object.
     ///
     /// # Errors
-    /// As for a whole scene: numbers that are not finite, transforms that flatten space.
+    /// As for a whole scene: numbers that are not finite, singular transforms.
     pub fn new(object: &Object) -> Result<Self> {
         Ok(Self(lower_alone(object)?))
     }
 
-    /// Where a ray first meets the object, and the normal there, of length 1 and out of the object.
+    /// Returns the first hit of a ray and the outward normal there, of length 1.
     pub fn trace(&self, from: DVec3, direction: DVec3) -> Option<(DVec3, DVec3)> {
         let direction = direction.try_normalize()?;
         let ray = Ray { origin: from, dir: direction };
@@ -35,12 +35,12 @@ impl Probe {
         Some((surface.point, surface.normal))
     }
 
-    /// The box around all of its surfaces; empty where there is none.
+    /// Box around all surfaces; empty without any.
     pub fn bounds(&self) -> Aabb {
         self.0.items().map(|item| item.bounds()).fold(Aabb::EMPTY, Aabb::union)
     }
 
-    /// Is the point in the object?
+    /// True if the point is inside the object.
     pub fn inside(&self, p: DVec3) -> bool {
         let mut inside = false;
         self.0.containing(p, &mut |_| inside = true);

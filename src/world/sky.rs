@@ -1,4 +1,4 @@
-//! What lies behind everything: asked by direction.
+//! Sky sphere and background, by direction.
 
 use super::LayerColor;
 use crate::atmosphere::{Background, Segment, SkySphere, ViewKind};
@@ -9,26 +9,26 @@ use crate::pattern::TextureContext;
 use crate::scene::Scene;
 use serde::Serialize;
 
-/// Sky and background.
+/// Sky sphere and background.
 #[derive(Clone, Debug, Serialize)]
 pub struct Sky {
-    /// Behind the sky sphere.
+    /// Colour behind the sky sphere.
     background: Background,
-    /// From the lowest to the topmost.
+    /// Layers of the sky sphere, from the lowest to the topmost.
     layers: Vec<SkyLayer>,
     /// Factor of the light of all layers.
     emission: Rgb,
     /// World from the space of the pigments.
     place: Transform,
-    /// Does a layer let those below through by how much of its filter there is, whatever its colour, and is none of it in a picture
-    /// that keeps alpha (before 3.7)?
+    /// True for scenes before version 3.7: layers are mixed by shares, and pictures with alpha show no sky (quirk:
+    /// `sky_by_share`).
     by_share: bool,
 }
 
 #[derive(Clone, Debug, Serialize)]
 struct SkyLayer {
     color: LayerColor,
-    /// Where quality is low, if that is another.
+    /// `quick_color` for low qualities, if it differs.
     #[serde(skip_serializing_if = "Option::is_none")]
     quick: Option<LayerColor>,
 }
@@ -47,12 +47,12 @@ impl Sky {
         Self { background, layers: layers.collect(), emission: *emission, place: *transform, by_share }
     }
 
-    /// Is none of it in a picture that keeps alpha, but in mirrors?
+    /// True if pictures with alpha show the sky in reflections only.
     pub fn leaves_alpha(&self) -> bool {
         self.by_share
     }
 
-    /// Its light from a direction of length 1, and what transmittance of what is behind the picture.
+    /// Returns the light from a direction of length 1, and the transmittance for what is behind the picture.
     pub fn toward(&self, dir: DVec3, beholder: ViewKind, quick: bool, noise: NoiseGenerator, waves: usize) -> Segment {
         let behind = self.background.seen_by(beholder);
         if self.layers.is_empty() {
@@ -69,7 +69,7 @@ impl Sky {
         if self.by_share { self.by_share(colors, behind) } else { self.layered(colors, behind) }
     }
 
-    /// Each layer, from the topmost on, over what lies below it.
+    /// Composites each layer, from the topmost on, over the layers below.
     fn layered(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let veil = |color: Color| Segment {
             radiance: self.emission * color.rgb * (1.0 - color.filter - color.transmit),
@@ -78,8 +78,8 @@ impl Sky {
         colors.fold(Segment::NONE, |above, color| above.in_front_of(veil(color))).in_front_of(behind)
     }
 
-    /// As before 3.7: each by its share; what transmittance them all takes the colour of all at once (measured on POV-Ray 3.7 with
-    /// `#version 3.6`).
+    /// Mixes layers as before version 3.7: each by its share; light that passes all layers takes their product colour
+    /// (quirk: `sky_by_share`).
     fn by_share(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let (mut light, mut share) = (Rgb::ZERO, 1.0);
         let (mut transmit, mut filter, mut tint) = (1.0, 1.0, Rgb::ONE);

@@ -1,9 +1,9 @@
-//! Bad input of every kind ends in a message with a place and the right exit code: never in a panic, a signal, a hang,
-//! without bound in time or memory, or with a file half written.
+//! Bad input of every kind ends in a message with a span and the right exit code: without a panic, a signal, a hang,
+//! unbounded time or memory, or a partly written file.
 //!
-//! Three parts: a table of hostile input for the command, seeded mutations of all our scenes for the library, and every
-//! file of POV-Ray's distribution where it is installed. `DURER_FUZZ=100000 cargo test --test cases hostile::fuzz` mutates longer,
-//! `DURER_SEED=N` repeats one.
+//! Three parts: a table of hostile input for the command, seeded mutations of all our scenes for the library, and all
+//! files of POV-Ray's distribution where it is installed. `DURER_FUZZ=100000 cargo test --test cases hostile::fuzz`
+//! tests more mutants, `DURER_SEED=N` repeats one.
 
 mod command_line;
 mod format;

@@ -1,10 +1,10 @@
-//! The built-in include files: they declare what the manual lists, and give what POV-Ray printed with its own.
+//! The built-in include files declare the names that the manual lists, and give POV-Ray's values.
 //!
-//! The sections of `tests/library/*.scene` have the form of `tests/cases/lang.rs`; numbers may differ by rounding. A section with
-//! `//~` is a known difference, and what stands there is what durer's file gives. One with `//?` waits for a part of durer
-//! that is not there yet, and has to be unmarked as soon as it is.
+//! The sections of `tests/library/*.scene` have the form of `tests/cases/lang.rs`; numbers may differ by rounding. A
+//! section with `//~` is a known difference, with durer's values. A section with `//?` needs a missing feature of
+//! durer, and must be unmarked as soon as it passes.
 //!
-//! The scenes of `tests/library/pictures` are drawn with them, and compared with what POV-Ray drew with its own.
+//! The scenes of `tests/library/pictures` are rendered with the built-in files, and compared with POV-Ray's pictures.
 
 use crate::Group;
 use durer::color::{Rgb, transfer::srgb_encode_rgb};
@@ -15,13 +15,13 @@ use durer::source::{Sandbox, SearchPath, Sources};
 use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 
-/// Of the pictures, in pixels.
+/// Size of the pictures, in pixels.
 const SIZE: (usize, usize) = (48, 36);
 
-/// The mean difference of the channels, in numbers of the file from 0 to 1.
+/// Maximum mean difference of the channels, in numbers of the file from 0 to 1.
 const MEAN: f64 = 0.002;
 
-/// So many of the pixels may differ by more than `FAR`: edges, which fall here or there by rounding.
+/// Maximum fraction of pixels that differ by more than `FAR`: edges, by rounding.
 const MOST: f64 = 0.01;
 const FAR: f64 = 0.01;
 
@@ -48,10 +48,10 @@ pub fn group() -> Group {
     Group { tests: trials, at_least: 240 }
 }
 
-/// As on a machine without POV-Ray.
+/// Options as on a machine without POV-Ray.
 fn options() -> Options {
     Options {
-        // What a scene has written is found in the current folder.
+        // Files that a scene has written are in the current folder.
         search: SearchPath { folders: vec![".".into()], fonts: vec![] },
         sandbox: Sandbox { read: vec![".".into()], write: vec![".".into()] },
         size: SIZE,
@@ -59,7 +59,7 @@ fn options() -> Options {
     }
 }
 
-/// What a scene prints, and its messages, on a machine without POV-Ray.
+/// A scene's output and messages, on a machine without POV-Ray.
 fn run(text: &str) -> (String, Vec<String>) {
     let options = options();
     let mut printed = String::new();
@@ -76,7 +76,7 @@ fn run(text: &str) -> (String, Vec<String>) {
     (printed, told)
 }
 
-/// A section's lines against what it says after `//=`.
+/// Compares a section's output with its `//=` comments.
 fn compare(preamble: &str, section: &str) -> Result<(), Failed> {
     let (printed, told) = run(&format!("{preamble}// {section}"));
     let wanted =
@@ -97,7 +97,7 @@ fn compare(preamble: &str, section: &str) -> Result<(), Failed> {
     }
 }
 
-/// Equal words, and numbers that are equal but for rounding.
+/// True for equal words, and numbers that are equal except for rounding.
 fn agree(wanted: &str, found: &str) -> bool {
     let words = |text: &str| text.split([',', ' ', '<', '>']).map(str::to_string).collect::<Vec<_>>();
     let (wanted, found) = (words(wanted), words(found));
@@ -108,7 +108,7 @@ fn agree(wanted: &str, found: &str) -> bool {
         })
 }
 
-/// The table of names.txt: each file, and what it declares.
+/// The table of names.txt: each file, and its names.
 fn declared_names(folder: &Path) -> Vec<(String, Vec<String>)> {
     let text = std::fs::read_to_string(folder.join("names.txt")).unwrap_or_default();
     let mut files: Vec<(String, Vec<String>)> = vec![];
@@ -131,7 +131,8 @@ fn every_name_is_there(file: &str, names: &[String]) -> Result<(), Failed> {
     Err(format!("{} names; not declared:\n{printed}messages: {told:#?}", names.len()).into())
 }
 
-/// colors.inc, shapes.inc and functions.inc are read in some 5 ms; the bound is wide, for slow machines and plain builds.
+/// colors.inc, shapes.inc and functions.inc are read in about 5 ms; the bound allows slow machines and unoptimised
+/// builds.
 fn quick() -> Result<(), Failed> {
     let start = std::time::Instant::now();
     let (_, told) =
@@ -147,7 +148,7 @@ fn pictures(folder: &Path) -> Vec<PathBuf> {
     scenes
 }
 
-/// A scene beside POV-Ray's picture of it.
+/// Compares a scene with POV-Ray's picture of it.
 fn looks_alike(path: &Path) -> Result<(), Failed> {
     let found = durer::on_big_stack(|| draw(path))?;
     let wanted =

@@ -1,5 +1,5 @@
-//! Tests that are found in folders and tables: each file of `tests/ui`, each section of `tests/lang`, each row of a table is a
-//! test of its own. One binary, since each links the whole program. `cargo test --test cases ui::` runs those of one kind.
+//! Tests found in folders and tables: each file of `tests/ui`, each section of `tests/lang`, each row of a table is a
+//! test. One binary, since each links the whole program. `cargo test --test cases ui::` runs those of one kind.
 
 #![allow(clippy::unwrap_used)]
 
@@ -22,7 +22,7 @@ struct Group {
 }
 
 fn main() {
-    // Files that scenes write go to the current folder.
+    // Scenes write their files to the current folder.
     std::env::set_current_dir(env!("CARGO_TARGET_TMPDIR")).unwrap();
     let groups = [
         hostile::group(),

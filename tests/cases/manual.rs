@@ -1,14 +1,15 @@
-//! The manual says what is so. Its reference pages are those that durer's tables give; every example is run, every picture is
-//! drawn, every command line is understood. `UPDATE_DOCS=1 cargo test --test cases manual::` writes pages and pictures anew.
+//! The manual is correct. Its reference pages equal those generated from durer's tables; every example runs, every
+//! picture is rendered, every command line parses. `UPDATE_DOCS=1 cargo test --test cases manual::` regenerates pages
+//! and pictures.
 //!
-//! What stands behind the three backticks of an example:
+//! Flags after the three backticks of an example:
 //!
 //! ```text
-//! pov                    runs without an error or a warning; `<!-- prints -->` and a block of text behind it: what it prints
+//! pov                    runs without an error or a warning; `<!-- prints -->` and a following block: its output
 //! pov,error=E0203        gives this error
 //! pov,warns=W0103+W0209  gives these warnings
-//! pov,drawn,warns=W0401  is drawn too, small, and what is to be said of the picture counts
-//! pov,picture=name       is drawn, and looks like `pictures/name.png`, which the chapter shows
+//! pov,drawn,warns=W0401  is rendered too, small, and warnings about the picture count
+//! pov,picture=name       is rendered, and equals `pictures/name.png`, which the chapter shows
 //! pov,file=name.inc      is the file `examples/name.inc`
 //! sh                     lines that begin with `durer` are command lines
 //! ```
@@ -30,7 +31,7 @@ use std::path::{Path, PathBuf};
 
 const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
 const SIZE: (usize, usize) = (240, 180);
-/// What stands before an example in the code.
+/// Text before an example in the code.
 const STAGE: &str = "#include \"stage.inc\"\n";
 
 pub fn group() -> Group {
@@ -64,7 +65,7 @@ pub fn group() -> Group {
     Group { tests: trials, at_least: 320 }
 }
 
-/// A page of the reference is what the tables give, with an example and its picture for each entry.
+/// A reference page equals the generated one, with an example and its picture for each entry.
 fn reference(source: &Path, file: &str, text: &str) -> Result<(), Failed> {
     let page = illustrate::illustrated(file, text, source, &examples_in_code())?;
     durer::on_big_stack(|| {
@@ -76,7 +77,7 @@ fn reference(source: &Path, file: &str, text: &str) -> Result<(), Failed> {
     same_file(&source.join("reference").join(file), &page.text)
 }
 
-/// README's list of what is drawn is the table of shapes.
+/// README's list of shapes equals the table of shapes.
 fn readme(text: &str) -> Result<(), Failed> {
     let drawn = text.split("## What is drawn today").nth(1).and_then(|rest| rest.split("\n## ").next()).unwrap_or("");
     let listed = drawn.split('`').nth(1).ok_or("README.md lists no shapes")?;
@@ -90,7 +91,7 @@ fn readme(text: &str) -> Result<(), Failed> {
     Ok(())
 }
 
-/// A page that nobody lists, nobody finds.
+/// Every page is in the summary.
 fn in_summary(source: &Path) -> Result<(), Failed> {
     let summary = std::fs::read_to_string(source.join("SUMMARY.md"))?;
     let names = chapters(source).into_iter().filter_map(|p| Some(p.strip_prefix(source).ok()?.display().to_string()));
@@ -99,7 +100,7 @@ fn in_summary(source: &Path) -> Result<(), Failed> {
     missing.map_or(Ok(()), |name| Err(format!("{name} is not in SUMMARY.md").into()))
 }
 
-/// Words of a table in the code that no page but the index prints in a row.
+/// All words of tables in the code are in a row of a page other than the index.
 fn every_tabled_word() -> Result<(), Failed> {
     let pages = durer::cli::manual::pages();
     let printed = |word: &str| {
@@ -109,13 +110,13 @@ fn every_tabled_word() -> Result<(), Failed> {
     all_found(tabled_words(), 150, &printed)
 }
 
-/// What stands in tables of words can be written: the lexer knows it, or it is a word in its block.
+/// All words of tables are accepted: by the lexer, or in their block.
 fn every_tabled_word_is_known() -> Result<(), Failed> {
     let in_block = |word: &str| word::CONTEXTUAL.iter().any(|(_, words)| words.contains(&word));
     all_found(tabled_words(), 150, &|word| word::lookup(word).is_some() || in_block(word))
 }
 
-/// The words of all rows of all tables, as they stand in the source.
+/// The words of all rows of all tables in the source.
 fn tabled_words() -> Vec<String> {
     let mut words = vec![];
     for text in sources() {
@@ -130,7 +131,7 @@ fn tabled_words() -> Vec<String> {
     words
 }
 
-/// Words that a reader asks for by name, and the index does not know where.
+/// All words that readers ask for by name are in the index.
 fn every_read_word() -> Result<(), Failed> {
     let pages = durer::cli::manual::pages();
     let index = pages.iter().find(|page| page.file == "words.md").map(|page| page.text.as_str()).unwrap_or_default();
@@ -142,12 +143,12 @@ fn every_read_word() -> Result<(), Failed> {
             words.extend(lists.flat_map(|list| list.split('"').skip(1).step_by(2)).map(str::to_string));
         }
     }
-    // It belongs to what is not drawn yet.
+    // It belongs to an unsupported feature.
     words.retain(|word| word != "ttf");
     all_found(words, 45, &told)
 }
 
-/// Are there as many words as there must be, and is each of them found?
+/// Checks that there are at least `least` words, and that each of them is found.
 fn all_found(words: Vec<String>, least: usize, found: &dyn Fn(&str) -> bool) -> Result<(), Failed> {
     let words: std::collections::BTreeSet<String> = words.into_iter().collect();
     let missing: Vec<_> = words.iter().filter(|word| !found(word)).collect();
@@ -157,7 +158,7 @@ fn all_found(words: Vec<String>, least: usize, found: &dyn Fn(&str) -> bool) -> 
     }
 }
 
-/// The code without its tests and without what concerns no scene.
+/// The source without tests, and without modules that do not concern scenes.
 fn sources() -> Vec<String> {
     fn collect(folder: &Path, out: &mut Vec<String>) {
         for path in std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()) {
@@ -227,14 +228,14 @@ fn examples_in_code() -> Vec<(String, Block)> {
     out
 }
 
-/// What stands between two rows of backticks.
+/// A fenced code block.
 struct Block {
-    /// Behind the first row.
+    /// Flags after the opening fence.
     flags: Vec<String>,
     text: String,
-    /// What has to be printed.
+    /// The expected output.
     prints: Option<String>,
-    /// Where it begins.
+    /// Line of its beginning.
     line: usize,
 }
 
@@ -280,7 +281,7 @@ impl Block {
         durer::on_big_stack(|| self.run_scene(source, chapter))
     }
 
-    /// An example in the code: it gives no message, and something is to be seen beside the stage.
+    /// Renders an example in the code: it gives no message, and differs from the stage alone.
     fn draw(&self, source: &Path) -> Result<(), Failed> {
         self.run_scene(source, "")?;
         match thumbnail(source, &self.text)? == thumbnail(source, STAGE)? {
@@ -329,7 +330,7 @@ fn thumbnail(source: &Path, text: &str) -> Result<Frame, Failed> {
     Ok(render::render(&world, &drawing(32, 24), &render::Unwatched).map_err(|e| format!("{e:?}"))?.0)
 }
 
-/// A scene of the manual, for a picture of a size.
+/// The world of a scene of the manual, for a size of the picture.
 fn world_of(source: &Path, text: &str, size: (usize, usize)) -> Result<World, Failed> {
     let folder = source.join("examples");
     let sources = Sources::default();
@@ -365,7 +366,7 @@ fn drawing(width: usize, height: usize) -> render::Options {
     }
 }
 
-/// What there is to say of a scene's picture.
+/// Warnings about a scene's picture.
 fn of_picture(world: &durer::world::World) -> Result<Vec<Diagnostic>, Failed> {
     let drawing = drawing(160, 120);
     let (frame, _) = render::render(world, &drawing, &render::Unwatched).map_err(|e| format!("{e:?}"))?;
@@ -374,7 +375,7 @@ fn of_picture(world: &durer::world::World) -> Result<Vec<Diagnostic>, Failed> {
     Ok(durer::advice::of_picture(world, &drawing, circumstances))
 }
 
-/// A picture is as it is stored, and stored when the manual is updated.
+/// A picture equals the stored one, which is stored when the manual is updated.
 fn picture(source: &Path, name: &str, world: &World, (width, height): (usize, usize)) -> Result<(), Failed> {
     let (drawn, _) =
         render::render(world, &drawing(width, height), &render::Unwatched).map_err(|e| format!("{e:?}"))?;
@@ -392,7 +393,7 @@ fn picture(source: &Path, name: &str, world: &World, (width, height): (usize, us
     Err(format!("pictures/{name}.png: {comparison:?} (UPDATE_DOCS=1 takes it)").into())
 }
 
-/// Are these command lines of durer's?
+/// Checks that durer's command lines parse.
 fn commands(text: &str) -> Result<(), Failed> {
     for line in text.lines().map(|line| line.split(" #").next().unwrap_or_default().trim()) {
         let words: Vec<&str> =
@@ -405,7 +406,7 @@ fn commands(text: &str) -> Result<(), Failed> {
     Ok(())
 }
 
-/// Does what a chapter links to exist?
+/// Checks that the targets of a chapter's links exist.
 fn links(path: &Path, text: &str, source: &Path) -> Result<(), Failed> {
     let folder = path.parent().unwrap_or(source);
     let targets = text.match_indices("](").filter_map(|(i, _)| text[i + 2..].split(')').next());
@@ -417,7 +418,7 @@ fn links(path: &Path, text: &str, source: &Path) -> Result<(), Failed> {
     missing.map_or(Ok(()), |target| Err(format!("there is no {target}").into()))
 }
 
-/// The names of a page's headings, as mdBook makes them.
+/// The anchors of a page's headings, as mdBook generates them.
 fn anchors(text: &str) -> impl Iterator<Item = String> {
     let name = |line: &str| {
         let words = line.trim_start_matches('#').trim().to_lowercase();

@@ -1,4 +1,4 @@
-//! Patterns against what the real POV-Ray prints and draws: the tables of `tests/patterns/`, which `regenerate.py` there writes.
+//! Patterns compared with POV-Ray's output: the tables of `tests/patterns/`, which `regenerate.py` there writes.
 
 use crate::Group;
 use durer::interpreter::{Options, interpret};
@@ -7,10 +7,10 @@ use durer::source::{Sandbox, SearchPath, Sources};
 use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 
-/// How far numbers may be from POV-Ray's, in units of the larger of the number and 1: doubles, and colours in single precision.
+/// Tolerances, relative to the larger of the number and 1: for doubles, and for colours in single precision.
 const TOLERANCE: f64 = 1e-9;
 const TOLERANCE_SINGLE: f64 = 1e-6;
-/// As `regenerate.py` draws pictures.
+/// Size of the pictures of `regenerate.py`.
 const SIZE: (usize, usize) = (40, 30);
 const STAGE: &str = "camera { location <0, 0, -6> look_at 0 angle 50 } light_source { <-4, 6, -9>, 1 }";
 
@@ -58,7 +58,7 @@ fn settings(text: &str) -> impl Iterator<Item = &str> {
     text.split("# ").skip(1).filter_map(|table| table.lines().next())
 }
 
-/// Points at which arithmetic goes wrong may give any number: none of them ends the program. Pictures never ask about them.
+/// Extreme points may give any number, but must not end the program. Pictures never use them.
 fn extremes(setting: &str) -> Result<(), Failed> {
     if setting.starts_with("picture ") {
         return Ok(());
@@ -74,7 +74,7 @@ fn extremes(setting: &str) -> Result<(), Failed> {
     if printed == [1.0] { Ok(()) } else { Err("it did not come to its end".into()) }
 }
 
-/// A setting's table: `x y z value` in each line, or `column row value` of a picture.
+/// Compares a setting with its table: lines `x y z value`, or `column row value` for a picture.
 fn compare(setting: &str, rows: &str) -> Result<(), Failed> {
     let rows: Vec<Vec<f64>> = rows.lines().map(|l| l.split(' ').filter_map(|w| w.parse().ok()).collect()).collect();
     let (ours, tolerance) = match setting.strip_prefix("picture ") {
@@ -105,7 +105,7 @@ fn compare(setting: &str, rows: &str) -> Result<(), Failed> {
     if wrong.is_empty() && !rows.is_empty() { Ok(()) } else { Err(summary.into()) }
 }
 
-/// Global settings, what is in the braces of a function, and what of its result is asked.
+/// Global settings, the body of a function, and the component of its result.
 fn function(setting: &str) -> (&str, String, &'static str) {
     if let Some(pigment) = setting.strip_prefix("pigment ") {
         return ("", format!("pigment {{ {pigment} }}"), ".red");
@@ -114,12 +114,12 @@ fn function(setting: &str) -> (&str, String, &'static str) {
     (settings, format!("pattern {{ {pattern} }}"), "")
 }
 
-/// The function F.
+/// The declaration of the function F.
 fn declared(settings: &str, function: &str) -> String {
     format!("#version 3.7;\nglobal_settings {{ assumed_gamma 1 {settings} }}\n#declare F = function {{ {function} }}\n")
 }
 
-/// A scene that prints the numbers of a function of this body, or a part of what it gives.
+/// A scene that prints a component of a function's values at all points.
 fn scene(settings: &str, function: &str, part: &str, rows: &[Vec<f64>]) -> String {
     let call = |row: &Vec<f64>| {
         format!("#debug concat(str(F({:?}, {:?}, {:?}){part}, 0, 17), \"\\n\")\n", row[0], row[1], row[2])

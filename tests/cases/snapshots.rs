@@ -1,5 +1,5 @@
-//! Every scene below `scenes/` that has a snapshot still looks like it. `durer test scenes --report DIR` shows what differs,
-//! `durer test scenes --accept` takes it.
+//! Every scene below `scenes/` with a snapshot still matches it. `durer test scenes --report DIR` shows the
+//! differences, `durer test scenes --accept` updates the snapshots.
 
 use crate::Group;
 use durer::cli::{Exit, test};

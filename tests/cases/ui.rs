@@ -1,14 +1,11 @@
-//! What a person sees: each `tests/ui/NAME.scene` (or `.pov`) is given to `durer check` in that folder, and what comes on
-//! stderr, followed by the exit code, is compared with `NAME.stderr`. Another command stands in the file's first line, with `{}`
-//! for its name: `// $ durer pick {} 1000,0`. `UPDATE_UI=1 cargo test --test cases ui::` writes the `.stderr` files anew.
+//! Messages on stderr: runs `durer check` on each `tests/ui/NAME.scene` (or `.pov`) in that folder, and compares stderr
+//! and the exit code with `NAME.stderr`. The file's first line may name another command, with `{}` for the file: `// $
+//! durer pick {} 1000,0`. `UPDATE_UI=1 cargo test --test cases ui::` updates the `.stderr` files.
 
 use crate::Group;
 use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-
-/// Must each code have a case? To be switched on when all layers tell their errors.
-const EVERY_CODE: bool = true;
 
 pub fn group() -> Group {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
@@ -18,7 +15,7 @@ pub fn group() -> Group {
     let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let mut trials: Vec<_> =
         scenes.into_iter().map(|path| Trial::test(format!("ui::{}", name(&path)), move || run(&path))).collect();
-    trials.push(Trial::test("ui::every_code_has_a_case", move || every_code(&folder)).with_ignored_flag(!EVERY_CODE));
+    trials.push(Trial::test("ui::every_code_has_a_case", move || every_code(&folder)));
     Group { tests: trials, at_least: 190 }
 }
 
@@ -26,7 +23,7 @@ fn is_scene(path: &Path) -> bool {
     path.extension().is_some_and(|e| e == "scene" || e == "pov")
 }
 
-/// The words of the command for this file.
+/// The arguments of the command for this file.
 fn command(scene: &Path) -> Result<Vec<String>, Failed> {
     let bytes = std::fs::read(scene)?;
     let name = scene.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -58,14 +55,14 @@ fn run(scene: &Path) -> Result<(), Failed> {
 }
 
 fn every_code(folder: &Path) -> Result<(), Failed> {
-    let mut told = String::new();
+    let mut reported = String::new();
     for entry in std::fs::read_dir(folder)? {
         let path = entry?.path();
         if path.extension().is_some_and(|e| e == "stderr") {
-            told += &std::fs::read_to_string(path)?;
+            reported += &std::fs::read_to_string(path)?;
         }
     }
     let codes = durer::diagnostic::codes::ALL.iter().map(|e| e.code.0);
-    let missing: Vec<_> = codes.filter(|code| !told.contains(&format!("[{code}]"))).collect();
+    let missing: Vec<_> = codes.filter(|code| !reported.contains(&format!("[{code}]"))).collect();
     if missing.is_empty() { Ok(()) } else { Err(format!("no case in tests/ui for {}", missing.join(", ")).into()) }
 }

@@ -1,4 +1,4 @@
-//! INI files and animations as a user meets them. What is expected was seen in POV-Ray 3.7.
+//! INI files and animations on the command line, compared with POV-Ray 3.7's output.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -29,7 +29,7 @@ impl Scratch {
         self.0.path()
     }
 
-    /// Runs and demands an exit code; returns stdout and stderr together.
+    /// Runs durer and asserts its exit code; returns stdout and stderr together.
     #[track_caller]
     fn exits(&self, code: i32, line: &str) -> String {
         let mut command = Command::new(env!("CARGO_BIN_EXE_durer"));
@@ -40,7 +40,7 @@ impl Scratch {
         text
     }
 
-    /// What the scene prints, line by line.
+    /// The lines that the scene prints.
     #[track_caller]
     fn prints(&self, line: &str) -> Vec<String> {
         self.exits(0, line).lines().map(String::from).collect()
@@ -59,7 +59,7 @@ const ANIM: &str =
     "; twelve frames\nInput_File_Name=\"q.pov\"\n+W4 +H3 -A\nFinal_Frame=12\n[low]\nWidth=2\n[Really Low]\n+W1 +H1\n";
 
 #[test]
-fn a_still_picture_has_no_time() {
+fn still_pictures_have_clock_0() {
     let scratch = Scratch::new(&[]);
     let none = "c=0.000000000 n=0 of 0-0 in 0.00000-0.00000 d=0.000000000 on=0 640x480 q.pov";
     assert_eq!(scratch.prints("check q.pov"), [none]);
@@ -96,7 +96,7 @@ fn an_ini_file_is_drawn() {
 }
 
 #[test]
-fn the_later_option_counts_and_ours_count_most() {
+fn later_options_override_and_command_line_wins() {
     let scratch = Scratch::new(&[("a.ini", "+W4 +H3 Declare=Speed=2.5\nInput_File_Name=q.pov\n")]);
     let size = |line: &str| scratch.prints(line)[0].split(' ').rev().nth(1).unwrap().to_string();
     assert_eq!(size("+W7 a.ini -F"), "4x3");
@@ -132,7 +132,7 @@ fn files_beside_the_ini_file_are_found() {
 }
 
 #[test]
-fn mistakes_are_told() {
+fn mistakes_are_reported() {
     let scratch =
         Scratch::new(&[("a.ini", "Input_File_Name=q.pov\nFinal_Frame=9\n"), ("b.ini", "Widht=4\n\nHeight=x\n")]);
     assert!(scratch.exits(2, "render a.ini --frame 10").contains("the animation goes from 1 to 9"));
@@ -148,7 +148,7 @@ fn mistakes_are_told() {
     assert!(scratch.exits(5, "check a.ini no.pov").contains("there is no file `no.pov`"));
 }
 
-/// What a scene writes, its next frame may include.
+/// The next frame includes a file that the scene has written.
 #[test]
 fn a_file_that_changes_between_frames_is_read_again() {
     let scene = "#if (file_exists(\"n.inc\")) #include \"n.inc\" #else #declare N = 0; #end\n#debug concat(str(N, 0, 0), \"\\n\")\n\
@@ -158,14 +158,14 @@ fn a_file_that_changes_between_frames_is_read_again() {
 }
 
 #[test]
-fn warnings_are_told_once() {
+fn warnings_are_printed_once() {
     let scratch = Scratch::new(&[("w.pov", "#warning \"look\"\ncamera { location z }")]);
     let text = scratch.exits(0, "render w.pov --frames 1-4 --size 1x1");
     assert_eq!(text.matches("W0202").count(), 1, "{text}");
 }
 
 #[test]
-fn warnings_for_programs() {
+fn warnings_as_json() {
     let scratch =
         Scratch::new(&[("w.pov", "#declare A = 1;\n#macro M() 1 / 0 #end\n#declare B = M();\ncamera { location z }")]);
     let text = scratch.exits(0, "check w.pov --warn unused --format json");

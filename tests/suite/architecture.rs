@@ -1,5 +1,5 @@
-//! The layers of the program, and who may use what. A module uses only modules with a smaller number; siblings of one number do
-//! not know each other.
+//! The layers of the program. A module uses only modules with a smaller number; modules with equal numbers do not use
+//! each other.
 
 use std::path::{Path, PathBuf};
 
@@ -37,10 +37,10 @@ const LAYERS: &[(&str, u32)] = &[
     ("cli", 15),
 ];
 
-/// Layer of what `lib.rs` itself offers: only front ends may use it.
+/// Layer of the functions in `lib.rs` itself: only front ends may use it.
 const ROOT: u32 = 13;
 
-/// Words that only some files may hold, as paths below `src/` begin.
+/// Words that only some files may contain, by the beginnings of their paths below `src/`.
 const RESERVED: &[(&str, &[&str])] = &[
     ("pest::", &["syntax/"]),
     ("pest_derive", &["syntax/"]),
@@ -58,7 +58,7 @@ const RESERVED: &[(&str, &[&str])] = &[
     ("image::", &["image_io/", "quirks/"]),
     ("exr::", &["image_io/"]),
     ("ttf_parser", &["font/"]),
-    // What is read, written or timed is given by the caller: see DESIGN, law 5.
+    // The caller provides input, output and time: see DESIGN, law 5.
     ("std::fs", OUTSIDE_WORLD),
     ("std::env", &["source/", "cli/", "lsp/", "preview/", "main.rs"]),
     ("std::net", &["preview/"]),
@@ -91,7 +91,7 @@ const STATE: &[&str] = &["Mutex", "RwLock", "OnceLock", "OnceCell", "Atomic"];
 /// Files that may have such a `static`: signals belong to the whole process, and the manual's folder never changes.
 const STATE_HOLDERS: &[&str] = &["cli/interrupt.rs", "lsp/manual.rs"];
 
-/// In each of these folders at most one file may hold the word.
+/// In each of these folders at most one file may contain the word.
 const ONE_FILE: &[(&str, &str)] = &[("rayon", "render/"), ("rayon", "world/")];
 
 fn layer(module: &str) -> Option<u32> {
@@ -102,7 +102,7 @@ fn is_word(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
-/// Without comments; a `//` after a colon is a link in a text.
+/// The source without comments; a `//` after a colon is a link in a text.
 fn code(source: &str) -> String {
     let line = |line: &str| match line.match_indices("//").find(|(i, _)| !line[..*i].ends_with(':')) {
         Some((i, _)) => line[..i].to_string(),
@@ -111,14 +111,15 @@ fn code(source: &str) -> String {
     source.lines().map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// Does the text hold the word, not as a part of a longer one?
+/// True if the text contains the word, not as a part of a longer one.
 fn holds(source: &str, word: &str) -> bool {
     let begins = |i: usize| !word.starts_with(is_word) || !source[..i].ends_with(is_word);
     let ends = |i: usize| !word.ends_with(is_word) || !source[i + word.len()..].starts_with(is_word);
     source.match_indices(word).any(|(i, _)| begins(i) && ends(i))
 }
 
-/// The names that stand directly under the crate's root: `crate::a`, `crate::{a, b::c}`, and `super::a` where that is the root.
+/// The modules directly under the crate's root that a file uses: `crate::a`, `crate::{a, b::c}`, and `super::a` at
+/// depth 1.
 fn root_names(source: &str, depth: usize) -> Vec<String> {
     let up = "super::".repeat(depth);
     let mut names = Vec::new();
@@ -135,7 +136,7 @@ fn root_names(source: &str, depth: usize) -> Vec<String> {
     names
 }
 
-/// The first names of a path or of a group of paths.
+/// The first segments of a path or of a group of paths.
 fn heads(rest: &str) -> Vec<String> {
     let word = |text: &str| text.trim_start().chars().take_while(|c| is_word(*c)).collect::<String>();
     let Some(group) = rest.strip_prefix('{') else {
@@ -170,7 +171,7 @@ fn shapes() -> &'static [String] {
     &SHAPES
 }
 
-/// What is wrong with one file, whose path begins below `src/`.
+/// Violations in one file, whose path is relative to `src/`.
 fn faults(path: &str, source: &str) -> Vec<String> {
     let source = code(source);
     let mut faults = Vec::new();
@@ -193,7 +194,7 @@ fn faults(path: &str, source: &str) -> Vec<String> {
         return faults;
     };
     if own > layer("shape").unwrap() {
-        // `Shape::Sphere` and `shape::{Kernel, Sphere}` alike
+        // both `Shape::Sphere` and `shape::{Kernel, Sphere}`
         let named = source.match_indices("hape::").flat_map(|(i, found)| heads(&source[i + found.len()..]));
         let single = named.filter(|name| shapes().contains(name));
         faults.extend(single.map(|name| format!("{path}: what is special of `{name}` is asked of its kernel")));
@@ -242,7 +243,7 @@ fn modules_use_only_lower_layers_and_words_stay_in_their_files() {
 }
 
 #[test]
-fn the_scanner_sees_what_is_wrong() {
+fn scanner_finds_violations() {
     let bad = |path: &str, source: &str| assert_eq!(faults(path, source).len(), 1, "{path}: {source}");
     bad("math/ray.rs", "use crate::render::Options;");
     bad("shape/sphere.rs", "use crate::{math::{Ray, Aabb}, pattern, value};");
@@ -267,7 +268,7 @@ fn the_scanner_sees_what_is_wrong() {
 }
 
 #[test]
-fn the_scanner_sees_nothing_where_nothing_is_wrong() {
+fn scanner_accepts_valid_files() {
     let good = |path: &str, source: &str| assert_eq!(faults(path, source), [""; 0], "{path}: {source}");
     good("shape/sphere.rs", "use crate::{math::{Ray, Aabb}, value};\nuse crate::shape::Kernel;\nuse super::Hit;");
     good("shape/sphere.rs", "// use crate::render;\n/// As [`crate::world::World`] says.");

@@ -13,7 +13,7 @@ fn view(kind: Kind, angle: Option<f64>) -> View {
         .view(SIZE.0, SIZE.1)
 }
 
-/// The ray through a place of the picture, from (0, 0) at the lower left to (1, 1).
+/// The ray through a position in the picture, from (0, 0) at the lower left to (1, 1).
 fn at(view: &View, x: f64, y: f64) -> Option<Ray> {
     view.ray(x * SIZE.0 as f64, (1.0 - y) * SIZE.1 as f64)
 }
@@ -30,7 +30,7 @@ fn begins(view: &View, (x, y): (f64, f64), place: DVec3) {
     assert!(ray.origin.distance(place) < 1e-12, "{}", ray.origin);
 }
 
-/// A direction so many degrees to the right and up, on a globe.
+/// A direction at these angles to the right and upwards, in degrees.
 fn globe(right: f64, up: f64) -> DVec3 {
     let ((sin_x, cos_x), (sin_y, cos_y)) = (fp::sin_cos(right.to_radians()), fp::sin_cos(up.to_radians()));
     DVec3::new(sin_x * cos_y, sin_y, cos_x * cos_y)
@@ -50,7 +50,7 @@ const KINDS: [Kind; 10] = [
 ];
 
 #[test]
-fn all_look_ahead_in_the_middle_and_have_unit_rays() {
+fn central_rays_point_ahead_and_have_length_1() {
     for kind in KINDS {
         let view = view(kind, Some(100.0));
         looks(&view, (0.5, 0.5), DVec3::Z);
@@ -74,7 +74,7 @@ fn perspective() {
 
 #[test]
 fn orthographic() {
-    // as large as what a perspective camera sees in the distance of what it looks at
+    // the size of a perspective camera's field of view at the distance of `look_at`
     let camera = PovrayCamera {
         kind: Kind::Orthographic,
         angle: Some(90.0),
@@ -93,7 +93,7 @@ fn orthographic() {
 #[test]
 fn fisheye() {
     let half = view(Kind::Fisheye, Some(180.0));
-    // The disc touches the upper and the lower side, where up is 1 long.
+    // The disc touches the upper and the lower side, where up has length 1.
     looks(&half, (0.5, 1.0), DVec3::Y);
     looks(&half, (0.5 + 0.375, 0.5), DVec3::X);
     looks(&half, (0.5, 0.75), globe(0.0, 45.0));
@@ -115,7 +115,7 @@ fn ultra_wide_angle() {
 #[test]
 fn omnimax() {
     let view = view(Kind::Omnimax, None);
-    // The upper edge lies a quarter turn above the axis, the lowest row an eighth below it.
+    // The upper edge is a quarter turn above the axis, the lowest row an eighth below it.
     let top = at(&view, 0.5, 1.0).unwrap().dir;
     assert!((fp::acos(top.z).to_degrees() - 90.0).abs() < 0.2 && top.y > 0.0, "{top}");
     let bottom = at(&view, 0.5, 1e-6).unwrap().dir;
@@ -158,12 +158,12 @@ fn spherical() {
     }
     looks(&all, (0.3, 1.0), DVec3::Y);
     looks(&all, (0.3, 0.0), DVec3::NEG_Y);
-    // half as much upright as across, unless it is said
+    // the vertical angle is half the horizontal one, unless it is given
     looks(&view(Kind::Spherical, Some(90.0)), (1.0, 1.0), globe(45.0, 22.5));
 }
 
 #[test]
-fn the_lecture_s() {
+fn lecture_camera() {
     let camera = LectureCamera {
         eye: DVec3::Z * 4.0,
         center: DVec3::ZERO,

@@ -1,5 +1,4 @@
-//! The command as a user meets it: exit codes, what goes to stdout and what to stderr, and files that are written whole or not
-//! at all.
+//! The command line: exit codes, stdout and stderr, and files that are written whole or not at all.
 
 use crate::scratch::{SCENE, Scratch};
 use std::io::Write;
@@ -7,7 +6,7 @@ use std::path::Path;
 use std::process::Stdio;
 
 #[test]
-fn a_scene_becomes_a_picture_beside_us() {
+fn render_writes_to_the_current_folder() {
     let scratch = Scratch::new();
     let (out, err) = scratch.exits(0, "render ball.scene --size 8x6");
     assert_eq!((out.as_str(), err.as_str()), ("", ""));
@@ -48,7 +47,7 @@ fn standard_output_and_input() {
 }
 
 #[test]
-fn a_closed_pipe_is_no_accident() {
+fn closed_pipes_are_not_errors() {
     let scratch = Scratch::new();
     for line in ["explain", "completions bash", "render ball.scene -o - --size 8x6"] {
         let mut child = scratch.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -105,7 +104,7 @@ fn exit_codes() {
 }
 
 #[test]
-fn a_picture_that_fails_leaves_the_old_one() {
+fn failed_renders_keep_the_old_picture() {
     let scratch = Scratch::new();
     scratch.put("ball.png", "old");
     scratch.exits(4, "render ball.scene --max-time 0");
@@ -114,11 +113,11 @@ fn a_picture_that_fails_leaves_the_old_one() {
 }
 
 #[test]
-fn missing_files_are_guessed() {
+fn missing_files_get_suggestions() {
     let scratch = Scratch::new();
     let (out, err) = scratch.exits(5, "render bal.scene");
     assert!(out.is_empty() && err.contains("E0002") && err.contains("did you mean `ball.scene`?"), "{err}");
-    // As with POV-Ray, the ending may be left out.
+    // As with POV-Ray, the file's ending may be left out.
     scratch.exits(0, "check ball");
     scratch.put("anim.ini", "Input_File_Name=ball.scene");
     let (_, err) = scratch.exits(2, "test anim.ini");
@@ -126,7 +125,7 @@ fn missing_files_are_guessed() {
 }
 
 #[test]
-fn messages_for_programs() {
+fn messages_as_json() {
     let scratch = Scratch::new();
     scratch.put("picture.scene", b"\x89PNG\r\n\x1a\n\0");
     let (out, err) = scratch.exits(1, "check --format json ball.scene picture.scene missing.scene");
@@ -138,7 +137,7 @@ fn messages_for_programs() {
 }
 
 #[test]
-fn quiet_hides_warnings_and_counts_what_is_told() {
+fn quiet_hides_warnings_and_counts_messages() {
     let scratch = Scratch::new();
     scratch.put("two.scene", "#warning \"careful\"\nboxx { }\nspere { }\n");
     let (_, err) = scratch.exits(1, "check two.scene");
@@ -157,7 +156,7 @@ fn many_frames_are_numbered() {
 }
 
 #[test]
-fn stats_are_one_object() {
+fn stats_are_one_json_object() {
     let (out, _) = Scratch::new().exits(0, "render ball.scene --size 4x3 --stats json --threads 1");
     let stats: serde_json::Value = serde_json::from_str(&out).unwrap();
     for time in ["parse", "build", "trace", "encode", "total"] {
@@ -168,7 +167,7 @@ fn stats_are_one_object() {
 }
 
 #[test]
-fn dumps_are_json_and_draw_nothing() {
+fn dumps_are_json_without_rendering() {
     let scratch = Scratch::new();
     for stage in ["scene", "world"] {
         let (out, _) = scratch.exits(0, &format!("render ball.scene --dump {stage}"));
@@ -190,7 +189,7 @@ fn pov_rays_command_line() {
 }
 
 #[test]
-fn the_version_of_the_language_is_taken_from_options() {
+fn language_version_by_option() {
     let scratch = Scratch::new();
     scratch
         .put("v.pov", "#debug str(version, 0, 2)\n#version 3.6;\n#debug str(version, 0, 2)\ncamera { location -z }\n");
@@ -215,9 +214,9 @@ fn the_version_of_the_language_is_taken_from_options() {
     }
 }
 
-/// Measured on POV-Ray 3.7: a half of the largest number is rounded up.
+/// POV-Ray 3.7 rounds a half of the largest number up.
 #[test]
-fn halves_are_rounded_up() {
+fn halves_are_rounded_up_in_png() {
     let scratch = Scratch::new();
     for (red, code) in [("0.1", 26), ("0.5", 128), ("0.7", 179), ("0.9", 230)] {
         scratch.put("b.pov", format!("camera {{ location -z }} background {{ rgb {red} }}"));
@@ -240,7 +239,7 @@ fn explanations_and_completions() {
 }
 
 #[test]
-fn snapshots_are_made_kept_and_compared() {
+fn snapshots_are_accepted_and_compared() {
     let scratch = Scratch::new();
     scratch.put("ball.scene", format!("//! test: --size 8x6 --aa off\n{SCENE}"));
     let (out, _) = scratch.exits(3, "test ball.scene");
@@ -249,7 +248,7 @@ fn snapshots_are_made_kept_and_compared() {
     let (out, _) = scratch.exits(0, "test --accept ball.scene");
     assert!(out.contains("accepted") && scratch.names() == ["ball.scene", "ball.snapshot.png"], "{out}");
     let accepted = scratch.read("ball.snapshot.png");
-    // Drawing the scene leaves it alone.
+    // Rendering the scene does not change the snapshot.
     scratch.exits(0, "render ball.scene --size 8x6 --aa off --declare Size=2");
     scratch.exits(2, "render ball.scene --size 8x6 -o ball.snapshot.png");
     scratch.exits(2, "+Iball.scene +W8 +H6 +Oball.snapshot.png");
@@ -284,7 +283,7 @@ fn snapshots_are_made_kept_and_compared() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn devices_are_written_to_and_full_disks_are_told() {
+fn devices_and_full_disks() {
     let scratch = Scratch::new();
     scratch.exits(0, "render ball.scene --size 4x3 -o /dev/null --format png");
     assert!(!Path::new("/dev/null").is_file());
@@ -295,10 +294,10 @@ fn devices_are_written_to_and_full_disks_are_told() {
 }
 
 #[test]
-fn fonts_of_the_system_are_found_by_their_families() {
+fn system_fonts_are_found_by_family() {
     let scratch = Scratch::new();
     std::fs::create_dir_all(scratch.path().join("fonts/deep")).unwrap();
-    // A font that calls itself otherwise: durer brings Roboto along.
+    // The built-in Roboto under another name.
     let mut font = include_bytes!("../../scenes/gallery/Roboto-Regular.ttf").to_vec();
     let [from, to] =
         ["Roboto", "Durero"].map(|name| name.encode_utf16().flat_map(u16::to_be_bytes).collect::<Vec<_>>());

@@ -1,4 +1,4 @@
-//! What the commands take, and what they say where they can't: several scenes, POV-Ray's words, frames, values, codes.
+//! Arguments of the commands and their messages: several scenes, POV-Ray's options, frames, values, codes.
 
 use crate::scratch::{SCENE, Scratch};
 use serde_json::Value;
@@ -12,7 +12,7 @@ fn size(png: &[u8]) -> (u32, u32) {
 }
 
 #[test]
-fn options_stand_in_groups() {
+fn help_groups_options() {
     let scratch = Scratch::new();
     let (help, _) = scratch.exits(0, "render --help");
     for heading in ["Scene:", "Picture:", "Files:", "Limits:", "Output:"] {
@@ -24,7 +24,7 @@ fn options_stand_in_groups() {
 }
 
 #[test]
-fn every_help_is_short() {
+fn help_pages_are_short() {
     use clap::CommandFactory;
     for command in durer::cli::Cli::command().get_subcommands().filter(|c| c.get_name() != "test") {
         for option in command.get_arguments().filter(|a| !a.is_hide_set()) {
@@ -35,15 +35,15 @@ fn every_help_is_short() {
     }
 }
 
-/// `script` gives its command a terminal.
+/// Runs the command in a terminal, by `script`.
 #[cfg(target_os = "linux")]
 #[test]
-fn a_picture_is_not_written_to_a_terminal() {
+fn pictures_are_not_written_to_a_terminal() {
     let scratch = Scratch::new();
     let line = format!("{} render ball.scene --size 4x3 -o -", env!("CARGO_BIN_EXE_durer"));
     let output =
         std::process::Command::new("script").args(["-qec", &line, "/dev/null"]).current_dir(scratch.path()).output();
-    // Not every machine has it.
+    // Not every machine has `script`.
     let Ok(output) = output else { return };
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.contains("durer render ball.scene -o - > picture.png"), "{text}");
@@ -51,7 +51,7 @@ fn a_picture_is_not_written_to_a_terminal() {
 }
 
 #[test]
-fn pov_rays_words_behind_ours() {
+fn povray_options_after_commands() {
     let scratch = Scratch::new();
     for (line, expected) in [
         ("render ball.scene +W32 +H20 -o a.png", (32, 20)),
@@ -90,9 +90,9 @@ fn pov_rays_words_behind_ours() {
     }
 }
 
-/// Behind `render`, our defaults stand: anti-aliasing is on unless `-A` switches it off.
+/// After `render`, durer's defaults apply: anti-aliasing is on unless `-A` switches it off.
 #[test]
-fn anti_aliasing_is_that_of_the_manner() {
+fn anti_aliasing_default_depends_on_the_command() {
     let scratch = Scratch::new();
     let bytes = |line: &str| {
         scratch.exits(0, &format!("{line} +W16 +H12 -o a.ppm"));
@@ -110,7 +110,7 @@ fn anti_aliasing_is_that_of_the_manner() {
 }
 
 #[test]
-fn codes_are_found_as_they_are_typed() {
+fn explain_accepts_codes_in_any_case() {
     let scratch = Scratch::new();
     for word in ["203", "0203"] {
         let (out, _) = scratch.exits(0, &format!("explain {word}"));
@@ -131,7 +131,7 @@ fn codes_are_found_as_they_are_typed() {
 }
 
 #[test]
-fn commands_that_do_not_exist() {
+fn unknown_commands() {
     let scratch = Scratch::new();
     for (line, says) in [
         ("rendr ball.scene", "did you mean `durer render ball.scene`?"),
@@ -150,7 +150,7 @@ fn commands_that_do_not_exist() {
         assert!(out.is_empty() && err.contains(says), "{line}\n{err}");
     }
     assert_eq!(scratch.names(), ["ball.scene"]);
-    // Files and scenes are no commands, whatever they are called.
+    // Files and scenes are not taken for commands, whatever their names.
     scratch.put("format.pov", SCENE);
     scratch.exits(0, "format +W4 +H3");
     scratch.put("rendr", SCENE);
@@ -160,7 +160,7 @@ fn commands_that_do_not_exist() {
 const FILM: &str = "camera { location -z }\n#debug concat(str(frame_number, 0, 0), \" \", str(clock, 0, 3), \" \", str(final_frame, 0, 0), \"\\n\")\n";
 
 #[test]
-fn one_frame_of_a_film_without_an_ini_file() {
+fn one_frame_without_an_ini_file() {
     let scratch = Scratch::new();
     scratch.put("film.scene", FILM);
     let prints = |line: &str| scratch.exits(0, &format!("render film.scene --size 2x2 {line}")).1;
@@ -181,7 +181,7 @@ fn one_frame_of_a_film_without_an_ini_file() {
 }
 
 #[test]
-fn a_film_goes_to_standard_output() {
+fn animations_on_standard_output() {
     let scratch = Scratch::new();
     scratch.put("film.ini", "Input_File_Name=ball.scene\nFinal_Frame=2\n");
     for (line, frames) in [("ball.scene --frames 1-3", 3), ("film.ini", 2), ("ball.scene --frames 1-3 --frame 2", 1)] {
@@ -217,7 +217,7 @@ fn several_scenes_are_checked() {
 }
 
 #[test]
-fn several_scenes_are_drawn() {
+fn several_scenes_are_rendered() {
     let scratch = Scratch::new();
     std::fs::create_dir_all(scratch.path().join("d")).unwrap();
     std::fs::create_dir_all(scratch.path().join("out")).unwrap();
@@ -232,7 +232,7 @@ fn several_scenes_are_drawn() {
     assert_eq!(String::from_utf8(scratch.read("s.json")).unwrap().lines().count(), 6);
     scratch.exits(0, "ball.scene d/cube.pov --size 4x3");
     assert_eq!(size(&scratch.read("cube.png")), (4, 3));
-    // POV-Ray draws the last one.
+    // POV-Ray renders the last one.
     scratch.exits(0, "ball.scene d/cube.pov +W5 +H3 -o last.png");
     scratch.put("d/ball.scene", SCENE);
     for (line, says) in [
@@ -250,7 +250,7 @@ fn several_scenes_are_drawn() {
 }
 
 #[test]
-fn vectors_and_colours_are_declared() {
+fn declare_options_for_vectors_and_colours() {
     let scratch = Scratch::new();
     let scene =
         "camera { location -z }\n#debug concat(vstr(3, P, \",\", 0, 1), \" \", vstr(5, C, \",\", 0, 1), \" \", S)\n";
@@ -290,7 +290,7 @@ fn messages_for_editors() {
 }
 
 #[test]
-fn picking_tells_the_way() {
+fn pick_lists_the_hits() {
     let scratch = Scratch::new();
     scratch.put(
         "beads.inc",
@@ -324,7 +324,7 @@ fn picking_tells_the_way() {
 }
 
 #[test]
-fn dumps_are_for_people_too() {
+fn dumps_are_indented() {
     let scratch = Scratch::new();
     let (out, _) = scratch.exits(0, "render ball.scene --dump scene");
     assert!(out.lines().count() > 20 && out.lines().all(|line| line.len() < 200), "{out}");
@@ -334,27 +334,28 @@ fn dumps_are_for_people_too() {
     assert_eq!(serde_json::from_str::<Value>(&out).unwrap()["parts"][0]["source"], "ball.scene:2:1");
 }
 
-/// What is said to be needed is what is used, to 15 % and the few megabytes of the program itself: `--stats` tells the peak.
+/// The estimated memory is the used memory, to 15 % and the few megabytes of the program itself; `--stats` reports the
+/// peak.
 #[cfg(target_os = "linux")]
 #[test]
-fn the_estimate_of_memory_is_true() {
+fn memory_estimate_matches_usage() {
     let scratch = Scratch::new();
     let peak = |render: &str| {
         let (out, _) = scratch.exits(0, &format!("{render} --stats json -j 1"));
         let stats: Value = serde_json::from_str(&out).unwrap();
         stats["peak_memory"].as_f64().unwrap() / 1e6
     };
-    // (Two threads would let rows wait for the one before them, as many as the machine's other work decides.)
-    // What the program takes without a picture worth the name.
+    // (With two threads, rows wait for earlier ones, and their number depends on the machine's other work.)
+    // Memory of the program with a tiny picture.
     let program = peak("render ball.scene -o ball.png --size 16x12");
-    // Rows of png leave memory as they are done; exr keeps them, 16 bytes a pixel.
+    // Rows of png leave memory when they are finished; exr keeps them, 16 bytes a pixel.
     for (format, megabytes) in [("png", 25.0), ("exr", 73.0)] {
         let render = format!("render ball.scene -o ball.{format} --size 2000x1500");
         let (_, err) = scratch.exits(4, &format!("{render} --max-memory 20M"));
         let said = format!("a picture of 2000x1500 takes {megabytes:.0} MB of memory");
         assert!(err.contains(&said), "{err}");
         let taken = peak(&render) - program;
-        // (The allocator keeps up to 9 MB that are free.)
+        // (The allocator keeps up to 9 MB of free memory.)
         assert!((taken - megabytes).abs() < 0.15 * megabytes + 8.0, "{format}: {taken} MB, not {megabytes} MB");
     }
 }

@@ -1,4 +1,4 @@
-//! What CSG makes of shapes, against closed forms and against what POV-Ray was seen to do.
+//! CSG, compared with closed forms and with POV-Ray's output.
 
 use durer::math::{DVec2, DVec3, Range, Ray, Transform};
 use durer::shape::*;
@@ -16,7 +16,7 @@ fn half_space(normal: DVec3) -> SolidNode {
     leaf(Shape::from(Plane::new(normal, 0.0).unwrap()), 9)
 }
 
-/// All hits, t and leaf, in order.
+/// t and leaf of all hits, ascending.
 fn ids(node: &SolidNode, ray: &Ray) -> Vec<(f64, u32)> {
     let mut all = Intersections::new();
     node.hits(ray, Range::ALL, &mut all);
@@ -28,7 +28,7 @@ fn ids(node: &SolidNode, ray: &Ray) -> Vec<(f64, u32)> {
 const ALONG: Ray = Ray { origin: DVec3 { x: -5.0, y: 0.0, z: 0.0 }, dir: DVec3::X };
 
 #[test]
-fn the_right_surfaces_are_kept() {
+fn operations_keep_the_right_surfaces() {
     let two = || vec![sphere(0.0, 1.0, 1), sphere(1.0, 1.0, 2)];
     assert_eq!(ids(&SolidNode::union(two(), 0), &ALONG), [(4.0, 1), (5.0, 2), (6.0, 1), (7.0, 2)]);
     assert_eq!(ids(&SolidNode::merge(two(), 0), &ALONG), [(4.0, 1), (7.0, 2)]);
@@ -39,7 +39,7 @@ fn the_right_surfaces_are_kept() {
 }
 
 #[test]
-fn infinite_and_open_shapes_take_part() {
+fn infinite_and_open_shapes() {
     let half = SolidNode::intersection(vec![sphere(0.0, 1.0, 1), half_space(DVec3::X)], 0);
     assert_eq!(ids(&half, &ALONG), [(4.0, 1), (5.0, 9)]);
     assert!(half.bounds().is_finite());
@@ -49,7 +49,7 @@ fn infinite_and_open_shapes_take_part() {
 }
 
 #[test]
-fn cut_surfaces_face_into_what_was_cut_away() {
+fn subtracted_surfaces_face_inwards() {
     let shell = SolidNode::difference(vec![sphere(0.0, 1.0, 1), sphere(0.0, 0.5, 2)], 7);
     let ray = Ray::new(DVec3::ZERO, DVec3::Z);
     let found = shell.closest(&ray, Range::FORWARD).unwrap();
@@ -58,20 +58,20 @@ fn cut_surfaces_face_into_what_was_cut_away() {
 }
 
 #[test]
-fn inverse_goes_down_to_the_leaves() {
+fn inverse_applies_to_leaves() {
     let ball = || sphere(0.0, 10.0, 3);
     let two = || vec![sphere(0.0, 1.0, 1), sphere(1.0, 1.0, 2)];
-    // Seen in POV-Ray: what is cut away by a union has no surfaces within the union …
+    // As in POV-Ray: a union that is subtracted has no surfaces inside the union …
     let cut = SolidNode::difference(vec![ball(), SolidNode::union(two(), 0)], 0);
     assert_eq!(ids(&cut, &ALONG), [(-5.0, 3), (4.0, 1), (7.0, 2), (15.0, 3)]);
-    // … and what is left of an intersection has none outside it.
+    // … and a subtracted intersection has none outside the intersection.
     let cut = SolidNode::difference(vec![ball(), SolidNode::intersection(two(), 0)], 0);
     assert_eq!(ids(&cut, &ALONG), [(-5.0, 3), (5.0, 2), (6.0, 1), (15.0, 3)]);
 }
 
 #[test]
 fn clipping_survives_inverse() {
-    // Each row was asked of POV-Ray's inside(): kept half, cut half, outside below, outside above.
+    // Each row is POV-Ray's inside() at: kept half, cut half, outside below, outside above.
     let at = |node: &SolidNode| [-0.5, 0.5, -5.0, 5.0].map(|y| node.inside(DVec3::Y * y));
     let clipped = || sphere(0.0, 1.0, 1).clipped(vec![half_space(DVec3::Y)]);
     assert_eq!(at(&clipped()), [true, false, false, false]);
@@ -86,7 +86,7 @@ fn clipping_survives_inverse() {
 
 #[test]
 fn patches_have_no_inside_even_inverted() {
-    // Seen in POV-Ray: a triangle that is subtracted stays as a surface, and the solid's own surface goes.
+    // As in POV-Ray: a subtracted triangle remains as a surface, and the solid's own surface vanishes.
     let t = Triangle::new(DVec3::new(0.2, -2.0, -2.0), DVec3::new(0.2, 2.0, -2.0), DVec3::new(0.2, 0.0, 4.0));
     let pair = || vec![sphere(0.0, 1.0, 1), leaf(Shape::from(t), 5)];
     assert_eq!(ids(&SolidNode::difference(pair(), 0), &ALONG), [(5.2, 5)]);
@@ -95,8 +95,8 @@ fn patches_have_no_inside_even_inverted() {
 }
 
 #[test]
-fn a_disc_cuts_to_a_half_space() {
-    // (Rays that miss its box see nothing in POV-Ray: tests/light_cases/csg_disc_halves.)
+fn subtracted_discs_act_as_half_spaces() {
+    // (In POV-Ray, rays that miss its box do not hit it: tests/light_cases/csg_disc_halves.)
     let disc = |inverse: bool| {
         let disc = leaf(Shape::from(Disc::new(DVec3::ZERO, DVec3::new(0.0, 1.0, -1.0), 0.5, 0.0)), 5);
         SolidNode::intersection(vec![sphere(0.0, 1.0, 1), if inverse { disc.inverted() } else { disc }], 0)
@@ -135,7 +135,7 @@ fn transformed_object() {
 }
 
 #[test]
-fn a_point_knows_what_it_is_in() {
+fn containing_objects_of_a_point() {
     let geometry = Geometry::new(vec![
         SolidNode::union(vec![sphere(0.0, 1.0, 1), sphere(0.5, 1.0, 2), sphere(5.0, 1.0, 3)], 0),
         half_space(DVec3::Y),
@@ -153,18 +153,18 @@ fn a_point_knows_what_it_is_in() {
 }
 
 #[test]
-fn bounds_hide_what_rays_miss() {
+fn bounds_hide_surfaces_from_rays_that_miss_them() {
     let seen = |node: &SolidNode, from: DVec3, to: DVec3| ids(node, &Ray::new(from, to)).len();
     let two = || SolidNode::union(vec![sphere(0.0, 1.0, 1), sphere(3.0, 1.0, 2)], 0);
     let half = leaf(Shape::from(Cuboid::new(DVec3::new(-2.0, 0.0, -2.0), DVec3::new(0.0, 2.0, 2.0))), 9);
     let bounded = two().bounded([half.clone()]);
-    // Met, missed, begun in, met but on the way back only (as POV-Ray's trace() has it).
+    // A ray that hits the bounds, misses them, begins inside, has them behind it (as in POV-Ray's trace()).
     assert_eq!(seen(&bounded, DVec3::new(-5.0, 0.1, 0.0), DVec3::X), 4);
     assert_eq!(seen(&bounded, DVec3::new(-5.0, -0.1, 0.0), DVec3::X), 0);
     assert_eq!(seen(&bounded, DVec3::new(-0.1, 0.1, 0.0), -DVec3::Y), 2);
     assert_eq!(seen(&bounded, DVec3::new(9.0, 0.1, 0.0), DVec3::X), 0);
     assert!(bounded.inside(DVec3::Y * -0.5), "a point asks for no bounds");
-    // Taken apart, each part keeps them; what holds all of it shows nowhere.
+    // Split into parts, each part keeps its bounds; those of the whole have no effect.
     let apart = Geometry::new(vec![bounded]);
     let meets = |geometry: &Geometry, y: f64| {
         geometry.closest(&Ray::new(DVec3::new(-5.0, y, 0.0), DVec3::X), Range::FORWARD, |_| true).is_some()
@@ -172,13 +172,13 @@ fn bounds_hide_what_rays_miss() {
     assert!(meets(&apart, 0.1) && !meets(&apart, -0.1));
     let around = Geometry::new(vec![two().bounded([sphere(0.0, 9.0, 9)])]);
     assert!(meets(&around, -0.1));
-    // A part of a difference that is bounded loses its own surface only.
+    // A bounded part of a difference loses its own surface only.
     let part = SolidNode::intersection(vec![sphere(0.0, 1.0, 1).bounded([half]), half_space(DVec3::X)], 0);
     assert_eq!(ids(&part, &Ray::new(DVec3::new(-5.0, -0.1, 0.0), DVec3::X)), [(5.0, 9)]);
 }
 
 #[test]
-fn cut_quadrics_end_on_all_sides() {
+fn cut_quadrics_have_finite_boxes() {
     let neck = Quadric::new(DVec3::new(1.0, -1.0, 1.0), DVec3::ZERO, DVec3::ZERO, -1.0);
     let turned = Leaf::new(Shape::from(neck), &Transform::rotate(DVec3::Y * 33.0), 1);
     let cut = |side: f64| leaf(Shape::from(Plane::new(DVec3::Y * side, 2.0).unwrap()), 2);

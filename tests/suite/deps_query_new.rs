@@ -1,4 +1,4 @@
-//! What durer tells of scenes and of files: `--deps`, `durer query`; and the scene that `durer new` writes.
+//! Information about scenes and files: `--deps`, `durer query`; and the scene of `durer new`.
 
 use crate::scratch::Scratch;
 use serde_json::Value;
@@ -15,7 +15,7 @@ fn including() -> Scratch {
 }
 
 #[test]
-fn all_files_stand_in_a_rule_for_make() {
+fn deps_as_a_rule_for_make() {
     let scratch = including();
     scratch.exits(0, "render main.scene -o out.png --size 4x3 --deps out.d");
     let text = String::from_utf8(scratch.read("out.d")).unwrap();
@@ -26,7 +26,7 @@ fn all_files_stand_in_a_rule_for_make() {
 }
 
 #[test]
-fn files_as_json_and_of_what_fails() {
+fn deps_as_json_and_of_failed_runs() {
     let scratch = including();
     scratch.put("bad.ini", "Input_File_Name=bad.pov\nWidth=4\nHeight=3\n");
     scratch.put("bad.pov", "#include \"a b.inc\"\nspere { }\n");
@@ -39,7 +39,7 @@ fn files_as_json_and_of_what_fails() {
 }
 
 #[test]
-fn the_first_scene_is_without_fault() {
+fn new_scenes_have_no_faults() {
     let scratch = Scratch::new();
     let (_, err) = scratch.exits(0, "new table");
     assert!(err.contains("durer render table.scene"), "{err}");
@@ -62,7 +62,7 @@ difference { sphere { 0, 1 } box { -2, 2 } }
 ";
 
 #[test]
-fn what_is_in_a_scene() {
+fn query_lists_objects_and_settings() {
     let scratch = Scratch::new();
     scratch.put("hall.scene", HALL);
     let (out, _) = scratch.exits(0, "query hall.scene --quiet");
@@ -89,7 +89,7 @@ fn what_is_in_a_scene() {
 }
 
 #[test]
-fn what_cannot_be_asked() {
+fn query_errors() {
     let scratch = Scratch::new();
     scratch.put("bad.scene", "spere { }");
     let (out, err) = scratch.exits(1, "query bad.scene");

@@ -1,5 +1,5 @@
-//! What editors colour are the words that durer reads: the grammars in `editors/` are those that durer's tables give.
-//! `UPDATE_EDITORS=1 cargo test --test suite editors::` writes them anew. `tests/editor/` tries them in the editors themselves.
+//! The editors' grammars equal those generated from durer's tables. `UPDATE_EDITORS=1 cargo test --test suite
+//! editors::` regenerates them. `tests/editor/` tests them in the editors themselves.
 
 mod emacs;
 mod neovim;
@@ -11,7 +11,7 @@ use durer::syntax::word::KEYWORDS;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// Below `editors/`: a file's name and its text.
+/// Name below `editors/`, and contents.
 type File = (&'static str, String);
 
 const GENERATED: &str = "Made of durer's tables by `UPDATE_EDITORS=1 cargo test --test suite editors::`: change those.";
@@ -27,12 +27,12 @@ fn files() -> Vec<File> {
     .concat()
 }
 
-/// The INI names of POV-Ray's options, in the order of the alphabet.
+/// The INI names of POV-Ray's options, sorted.
 fn options() -> Vec<&'static str> {
     durer::cli::ini_names().collect::<BTreeSet<_>>().into_iter().collect()
 }
 
-/// Several lines of words, none much longer than 100 characters.
+/// Words in several lines, none much longer than 100 characters.
 fn lines(words: &[&str], separator: &str) -> Vec<String> {
     let mut out = vec![String::new()];
     for word in words {
@@ -48,7 +48,7 @@ fn lines(words: &[&str], separator: &str) -> Vec<String> {
 }
 
 #[test]
-fn grammars_are_what_the_tables_give() {
+fn grammars_equal_the_generated_ones() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("editors");
     for (name, text) in files() {
         let path = folder.join(name);
@@ -61,9 +61,9 @@ fn grammars_are_what_the_tables_give() {
     }
 }
 
-/// Each word is of one sort, and none is left out.
+/// Each word has one category, and none is missing.
 #[test]
-fn every_word_is_of_one_sort() {
+fn every_word_has_one_category() {
     let sorts = sorts();
     let all = [&sorts.objects, &sorts.blocks, &sorts.functions, &sorts.constants, &sorts.words];
     let known: BTreeSet<_> = all.iter().flat_map(|words| words.iter()).collect();

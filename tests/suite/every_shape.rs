@@ -1,4 +1,4 @@
-//! Properties that every shape of the table has, over random ones that are written in the scene language: a shape that has no writer
+//! Properties of every shape in the table, on random shapes written in the scene language. A shape without a writer
 //! here fails the tests.
 
 use durer::math::{DVec3, Range, Ray, Transform, rng::Stream};
@@ -7,10 +7,10 @@ use durer::world::{Geometry, Leaf, SolidKind, SolidNode};
 use durer::{interpreter, render, source};
 use std::fmt::Write;
 
-/// How many of each kind.
+/// Number of shapes of each kind.
 const COUNT: u64 = 40;
 
-/// Numbers that follow from a seed, and the words of shapes that are `size` times as large.
+/// Seeded random numbers, and the text of shapes that are `size` times as large.
 struct Dice {
     stream: Stream,
     size: f64,
@@ -29,12 +29,12 @@ impl Dice {
         DVec3::new(self.between(-size, size), self.between(-size, size), self.between(-size, size))
     }
 
-    /// A length as it is written.
+    /// A length as text.
     fn length(&mut self, lo: f64, hi: f64) -> String {
         format!("{:e}", self.size * self.between(lo, hi))
     }
 
-    /// A point as it is written.
+    /// A point as text.
     fn point(&mut self) -> String {
         let p = self.vector(1.0);
         self.written(p)
@@ -48,13 +48,13 @@ impl Dice {
         format!("<{:e}, {:e}>", x * self.size, y * self.size)
     }
 
-    /// Of a shape whose own size is fixed.
+    /// Transform of a shape with a fixed size.
     fn scaled(&self) -> String {
         format!("scale {:e}", self.size)
     }
 
-    /// Coefficients of a polynomial of this order, largest powers of x first, for lengths `size` times as long; they begin with
-    /// `first` and are random from then on.
+    /// Coefficients of a polynomial of this order, highest powers of x first, for lengths `size` times as long; they
+    /// begin with `first` and continue at random.
     fn polynomial(&mut self, order: i32, first: &[f64]) -> String {
         let mut terms = vec![];
         for i in (0..=order).rev() {
@@ -69,7 +69,7 @@ impl Dice {
         format!("<{}>", terms.join(", "))
     }
 
-    /// Corners around the middle, at rising angles, closed.
+    /// Corners around the centre, at ascending angles, closed.
     fn outline(&mut self, count: usize, aside: f64) -> String {
         let mut corners: Vec<String> = (0..count)
             .map(|k| {
@@ -82,7 +82,7 @@ impl Dice {
         format!("{}, {}", corners.len(), corners.join(", "))
     }
 
-    /// A closed mesh of eight triangles: corner points, and three numbers for each triangle.
+    /// A closed mesh of eight triangles: corner points, and three indices for each triangle.
     fn octahedron(&mut self) -> (Vec<String>, Vec<[usize; 3]>) {
         let corners: Vec<String> = (0..6)
             .map(|k| {
@@ -96,22 +96,22 @@ impl Dice {
     }
 }
 
-/// What is expected of a kind.
+/// Properties that are expected of a kind of shape.
 #[derive(Clone, Copy, PartialEq)]
 enum Is {
-    /// Every line goes in as often as out.
+    /// Every line enters as often as it leaves.
     Solid,
-    /// It may have no inside.
+    /// May have no inside.
     Surface,
-    /// Solid; but its normals are made up, or by steps of a size of their own.
+    /// A solid whose normals are approximate or artificial.
     Bumpy,
-    /// The same of surfaces.
+    /// A surface whose normals are approximate or artificial.
     BumpySurface,
 }
 
 type Writer = fn(&mut Dice) -> String;
 
-/// Every kind, and what stands in its braces.
+/// Every kind, and a writer of its parameters.
 const WRITERS: &[(&str, Is, Writer)] = &[
     ("sphere", Is::Solid, |d| format!("{}, {}", d.point(), d.length(0.2, 1.0))),
     ("box", Is::Solid, |d| format!("{}, {}", d.point(), d.point())),
@@ -198,7 +198,7 @@ const WRITERS: &[(&str, Is, Writer)] = &[
     }),
     ("isosurface", Is::Bumpy, |d| {
         let (k, a, s) = (d.between(1.0, 9.0), d.between(0.0, 0.3), d.size);
-        // (`accuracy` is in units of the ray, which grows with it.)
+        // (`accuracy` is in units of the ray, which grows with the shape.)
         let inside = format!("(x*x + y*y + 1.3*z*z)/{:e} + {a}*sin({k}*x/{s:e})*sin({k}*y/{s:e})", s * s);
         format!(
             "function {{ {inside} - 0.6 }} contained_by {{ box {{ -{s:e}, {:e} }} }} accuracy 1e-5 all_intersections",
@@ -241,7 +241,7 @@ fn written(count: u64, size: f64) -> String {
     text
 }
 
-/// All shapes of the text, where they lie, by the order of the text.
+/// All shapes of the text with their transforms, in the order of the text.
 fn leaves(count: u64, size: f64) -> Vec<SolidNode> {
     let sources = source::Sources::default();
     let file = durer::load_bytes(&sources, "shapes.scene", written(count, size).into_bytes()).unwrap();
@@ -251,7 +251,7 @@ fn leaves(count: u64, size: f64) -> Vec<SolidNode> {
     };
     let mut items: Vec<SolidNode> = world.geometry.items().map(|item| item.node().clone()).collect();
     items.sort_by_key(|item| item.object);
-    // (Hardly any has no surface.)
+    // (Nearly all have a surface.)
     assert!(items.len() * 100 >= WRITERS.len() * count as usize * 99);
     items
 }
@@ -293,7 +293,7 @@ fn every_shape_has_a_writer() {
 }
 
 #[test]
-fn hits_lie_in_bounds_and_are_found_by_every_question() {
+fn hits_are_in_bounds_and_all_queries_agree() {
     let mut met = std::collections::BTreeMap::new();
     for (i, (name, _, shape)) in shapes().enumerate() {
         let bounds = shape.bounds().grown(1e-9);
@@ -324,10 +324,10 @@ fn hits_lie_in_bounds_and_are_found_by_every_question() {
     assert!(met.len() == WRITERS.len() && met.values().all(|count| *count > 100), "{met:?}");
 }
 
-/// Where a line goes into a solid or out of it there is a hit, and nowhere else; the normal is that of the plane through three hits
-/// next to each other.
+/// Hits are exactly where a line enters or leaves a solid; the normal is that of the plane through three neighbouring
+/// hits.
 #[test]
-fn hits_are_where_the_inside_ends() {
+fn hits_are_at_the_boundary_of_the_inside() {
     for (i, (name, is, shape)) in shapes().enumerate() {
         if !matches!(is, Is::Solid | Is::Bumpy) {
             continue;
@@ -346,7 +346,7 @@ fn hits_are_where_the_inside_ends() {
     }
 }
 
-/// The hit of a ray beside another one, on the same part.
+/// The hit of a parallel ray on the same part.
 fn beside(shape: &Shape, ray: &Ray, hit: &Hit, by: DVec3) -> Option<DVec3> {
     let moved = Ray::new(ray.origin + by, ray.dir);
     let near =
@@ -357,7 +357,7 @@ fn beside(shape: &Shape, ray: &Ray, hit: &Hit, by: DVec3) -> Option<DVec3> {
 }
 
 #[test]
-fn normals_are_those_of_planes_through_three_hits() {
+fn normals_match_planes_through_three_hits() {
     let mut tested = std::collections::BTreeMap::new();
     for (i, (name, is, shape)) in shapes().enumerate() {
         if matches!(is, Is::Bumpy | Is::BumpySurface) {
@@ -374,7 +374,7 @@ fn normals_are_those_of_planes_through_three_hits() {
                     Some((a.0 - a.1).cross(b.0 - b.1).normalize())
                 };
                 let Some((fine, coarse)) = plane(1e-5).zip(plane(2e-5)) else { continue };
-                // (An edge, or a very crooked place.)
+                // (An edge, or a strongly curved point.)
                 if fine.dot(coarse).abs() < 1.0 - 1e-8 {
                     continue;
                 }
@@ -395,13 +395,13 @@ fn nested(dice: &mut Dice) -> Transform {
     })
 }
 
-/// Moved, a shape is hit where its own space says; its normal stays across what lies in its surface.
+/// A transformed shape is hit where it is in its own space; its normal is perpendicular to its tangents.
 #[test]
-fn nested_transforms_carry_hits_along() {
+fn hits_follow_nested_transforms() {
     for (i, (name, is, shape)) in shapes().enumerate() {
         let mut dice = Dice { stream: Stream::new(&[i as u64, 2]), size: 1.0 };
         let m = nested(&mut dice);
-        // (What remembers its moves, and what is made anew by them, is another shape there.)
+        // (A shape that stores its transform, or is rebuilt for it, is another shape in the outer space.)
         let there = shape.under(&m).into_owned();
         let node = SolidNode::leaf(Leaf::new(there, &m, 3), 3);
         let world = Geometry::new(vec![node.clone()]);
@@ -429,9 +429,9 @@ fn nested_transforms_carry_hits_along() {
     }
 }
 
-/// What is written a million times smaller or larger is hit in the same places.
+/// A shape a million times smaller or larger has the same hits.
 #[test]
-fn size_does_not_matter() {
+fn hits_are_scale_invariant() {
     let normal = leaves(30, 1.0);
     for size in [1e-6, 1e6] {
         for (i, (node, other)) in normal.iter().zip(&leaves(30, size)).enumerate() {
@@ -447,7 +447,7 @@ fn size_does_not_matter() {
     }
 }
 
-/// A picture of a shape on a mirror beside its shadow, all of it `size` times as large.
+/// A picture of a shape on a mirror with its shadow, all `size` times as large.
 fn picture(name: &str, words: &str, size: f64) -> Vec<[f32; 4]> {
     let text = format!(
         "#version 3.7; global_settings {{ assumed_gamma 1 max_trace_level 4 }}
@@ -462,13 +462,13 @@ fn picture(name: &str, words: &str, size: f64) -> Vec<[f32; 4]> {
     render::render(&world, &render::Options::new(32, 24), &render::Unwatched).unwrap().0.pixels
 }
 
-/// The same scene a million times smaller or larger is the same picture. (Planes end at 1e7, as in POV-Ray; and scenes of a size between
-/// 0.0001 and 0.1 show that hits nearer than 0.0001 and shadows nearer than 0.001 do not count, as there.)
+/// A scene a million times smaller or larger gives the same picture. (Planes end at 1e7, as in POV-Ray; and in scenes
+/// of a size between 0.0001 and 0.1 the minimum distances of hits, 0.0001, and of shadows, 0.001, have an effect.)
 #[test]
-fn scenes_of_all_sizes_are_drawn_alike() {
+fn pictures_are_scale_invariant() {
     for (name, _, writer) in WRITERS {
         let written = |size| writer(&mut Dice { stream: Stream::new(&[7]), size });
-        // (`accuracy` is a length in the world, whatever the scale.)
+        // (`accuracy` is a length in world space, whatever the scale.)
         let scaled = |size: f64| match *name {
             "isosurface" => format!("{} accuracy {:e}", written(size), 1e-5 * size),
             _ => format!("{} scale {size:e}", written(1.0)),

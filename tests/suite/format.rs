@@ -1,4 +1,4 @@
-//! `durer fmt`: tokens and comments stay, twice is once, and what it makes is looked at in `tests/format`.
+//! `durer fmt` keeps tokens and comments, and is idempotent; `tests/format` has expected results.
 
 use crate::mutate;
 use durer::format::{WIDTH, decode, format};
@@ -15,7 +15,7 @@ fn gather(folder: &Path, out: &mut Vec<PathBuf>) {
     }
 }
 
-/// Those of the repository, in an order that is the same everywhere.
+/// The repository's texts, sorted.
 fn own_texts() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut files = vec![];
@@ -39,18 +39,18 @@ fn texts() -> Vec<PathBuf> {
     own_texts().into_iter().chain(files.into_iter().step_by(step)).collect()
 }
 
-/// Every number and sign a token of its own; blanks behind comments are nothing.
+/// The tokens and comments, with each number and sign as a token of its own, without blanks after comments.
 fn pieces(text: &str) -> Vec<String> {
     let (ast, _) = parse_text(text, 0, &Names::default(), Granularity::Tokens);
     let read = |piece: Piece| {
         text[piece.span().lo as usize..piece.span().hi as usize].trim_end_matches(|c| c <= ' ').to_string()
     };
-    // Blanks between `#` and its word are none of ours.
+    // Blanks between `#` and its word are dropped.
     ast.tokens.pieces().map(read).collect()
 }
 
 fn check(text: &str, width: usize) -> Result<(), String> {
-    // A text with faults is left alone.
+    // A text with faults stays unchanged.
     let Ok(once) = format(text, 0, width) else { return Ok(()) };
     let (old, new) = (pieces(text), pieces(&once));
     if let Some(i) = (0..old.len().max(new.len())).find(|i| old.get(*i) != new.get(*i)) {
@@ -76,18 +76,19 @@ fn hold(texts: impl IntoIterator<Item = (String, String)> + Send, widths: &[usiz
 }
 
 #[test]
-fn tokens_stay_and_twice_is_once() {
+fn tokens_are_kept_and_formatting_is_idempotent() {
     let read = |path: PathBuf| {
         let text = decode(std::fs::read(&path).ok()?).ok()?.text;
-        // Half a megabyte of numbers is like another.
+        // Skip huge lists of numbers.
         (text.len() < 500_000).then(|| (path.display().to_string(), text))
     };
     hold(texts().into_iter().filter_map(read), &[WIDTH, 40]);
 }
 
-/// `DURER_FUZZ=100000 cargo test --test suite format::mutants` takes more, `DURER_SEED=N DURER_FUZZ=1` keeps one as a file.
+/// `DURER_FUZZ=100000 cargo test --test suite format::mutants` tests more, `DURER_SEED=N DURER_FUZZ=1` keeps one as a
+/// file.
 #[test]
-fn mutants_are_formatted_too() {
+fn mutants_are_formatted() {
     let read = |path: &PathBuf| decode(std::fs::read(path).ok()?).ok().map(|text| text.text);
     let texts: Vec<String> = own_texts().iter().filter_map(read).filter(|text| text.len() < 20_000).collect();
     let number = |name, or| std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(or);
@@ -101,13 +102,13 @@ fn mutants_are_formatted_too() {
         }
         (format!("seed {seed}"), mutant)
     });
-    // (With a NUL it is binary data, which is refused.)
+    // (A text with a NUL is binary, and rejected.)
     let mutants = mutants.filter(|(_, mutant)| !mutant.contains('\0'));
     hold(mutants, &[WIDTH]);
 }
 
 #[test]
-fn the_pairs_look_as_they_should() {
+fn expected_results() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/format");
     let mut count = 0;
     for path in std::fs::read_dir(&folder).unwrap().map(|e| e.unwrap().path()) {

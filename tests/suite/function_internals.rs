@@ -1,4 +1,5 @@
-//! The functions behind functions.inc against POV-Ray 3.7: `tests/internals/values.txt`, which `regenerate.py` beside it makes.
+//! The functions of functions.inc, compared with POV-Ray 3.7: `regenerate.py` beside `tests/internals/values.txt`
+//! writes the values.
 
 use durer::function::Interval;
 use durer::function::internal::{self, Internal, TABLE};
@@ -20,7 +21,7 @@ fn named(name: &str) -> &'static Internal {
 }
 
 #[test]
-fn values_are_pov_rays() {
+fn values_match_povray() {
     let mut wrong = Vec::new();
     let mut worst: f64 = 0.0;
     for (name, arguments, value) in rows() {
@@ -49,7 +50,7 @@ fn every_row_is_tested_and_takes_its_parameters() {
 }
 
 #[test]
-fn strange_numbers_do_not_panic() {
+fn extreme_arguments_do_not_panic() {
     let strange = [f64::NAN, f64::INFINITY, -f64::INFINITY, f64::MAX, 0.0, -0.0, -1e300, 1e-300];
     for row in TABLE {
         for (i, first) in strange.iter().enumerate() {
@@ -62,7 +63,7 @@ fn strange_numbers_do_not_panic() {
 
 proptest! {
     #[test]
-    fn values_lie_in_bounds(
+    fn values_are_in_bounds(
         corner in prop::collection::vec(-2.0..2.0f64, 13),
         size in prop::collection::vec(0.0..1.0f64, 13),
         inside in prop::collection::vec(prop::collection::vec(0.0..=1.0f64, 13), 4),

@@ -1,4 +1,4 @@
-//! Properties of shapes, of what CSG makes of them, and of the hierarchy, over random scenes.
+//! Properties of shapes, CSG and the hierarchy, on random scenes.
 
 mod dice;
 
@@ -23,7 +23,7 @@ fn node_hits<'a>(node: &'a SolidNode, ray: &Ray, range: Range) -> Intersections<
     all
 }
 
-/// Is the solid locally flat around the point: full on one side of the plane across n, empty on the other?
+/// True if the solid is locally flat around the point: full on one side of the plane across n, empty on the other.
 fn is_flat_at(shape: &Shape, p: DVec3, n: DVec3, step: f64) -> bool {
     let (e1, e2) = n.any_orthonormal_pair();
     let around = [e1, -e1, e2, -e2, e1 + e2, e1 - e2].map(|e| p + e * (2.0 * step));
@@ -32,7 +32,7 @@ fn is_flat_at(shape: &Shape, p: DVec3, n: DVec3, step: f64) -> bool {
     above != below && around.iter().all(|q| side(q, 1.0) == above && side(q, -1.0) == below)
 }
 
-/// Does the inside end within a billionth of a point?
+/// True if the inside ends within a billionth of a point.
 fn on_surface(inside: &dyn Fn(DVec3) -> bool, p: DVec3) -> bool {
     let here = inside(p);
     DVec3::AXES.iter().any(|axis| [1e-9, -1e-9].iter().any(|step| inside(p + *axis * *step) != here))
@@ -42,7 +42,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn hits_lie_in_bounds_and_have_normals(seed: u64) {
+    fn hits_are_in_bounds_and_have_normals(seed: u64) {
         let mut dice = Dice::new(seed);
         let (shape, m) = (dice.shape(), dice.transform());
         let node = SolidNode::leaf(Leaf::new(shape.clone(), &m, 1), 1);
@@ -77,7 +77,7 @@ proptest! {
             let middle = -ray.origin.dot(ray.dir) / (size * size);
             for k in -30..30 {
                 let t = middle + f64::from(k) * 0.0987 / size;
-                // (A ray may graze a flat side all along.)
+                // (A ray may graze a flat side.)
                 if on_surface(&|p| shape.inside(p), ray.at(t)) || all.iter().any(|h| (h.t - t).abs() * size < 1e-6) {
                     continue;
                 }
@@ -85,11 +85,11 @@ proptest! {
                 prop_assert_eq!(shape.inside(ray.at(t)), behind % 2 == 1, "{:?} {:?} {} {:?}", shape, ray, t, all);
             }
             for hit in &all {
-                // The normal points out: a step along it leaves the solid, one back is inside. Not at edges.
+                // The normal points outwards: a step along it leaves the solid, a step back is inside. Except at edges.
                 let (p, step) = (ray.at(hit.t), 1e-5);
                 let n = shape.normal(p, hit).normalize();
                 let out = !shape.inside(p + n * step) && shape.inside(p - n * step);
-                // (The direction of the curve tells which way the normals of these point.)
+                // (The direction of the curve decides the side of these normals.)
                 let by_curve = matches!(shape, Shape::Lathe(_) | Shape::Prism(_));
                 let out = out || by_curve && shape.inside(p + n * step) && !shape.inside(p - n * step);
                 prop_assert!(out || !is_flat_at(&shape, p, n, step), "{shape:?} {ray:?} {hit:?}");
@@ -98,7 +98,7 @@ proptest! {
     }
 
     #[test]
-    fn closest_is_the_first_of_all(seed: u64) {
+    fn closest_hit_is_the_first_of_all_hits(seed: u64) {
         let mut dice = Dice::new(seed);
         let (shape, node) = (dice.shape(), dice.tree(3));
         for _ in 0..20 {
@@ -113,11 +113,11 @@ proptest! {
     }
 
     #[test]
-    fn transforms_undo_themselves(seed: u64) {
+    fn transforms_and_inverses_cancel(seed: u64) {
         let mut dice = Dice::new(seed);
         let m = (0..4).fold(Transform::IDENTITY, |m, _| m.then(&dice.transform()));
         let (p, v) = (dice.vector(5.0), dice.vector(5.0));
-        // Rounding is magnified by how unevenly M stretches.
+        // An anisotropic M magnifies rounding errors.
         let stretch = DVec3::AXES.map(|e| m.vector(e).length()).iter().sum::<f64>();
         let shrink = DVec3::AXES.map(|e| m.inverse_vector(e).length()).iter().sum::<f64>();
         let tolerance = 1e-13 * (1.0 + stretch) * (1.0 + shrink) * 100.0;
@@ -129,10 +129,10 @@ proptest! {
         prop_assert!(cosine.abs() < tolerance, "{cosine}");
     }
 
-    /// A fractal's surface is where its inside begins and ends, and no hit is lost or found elsewhere. (Of pieces thinner than
-    /// 1/`precision`, which ones are met depends on where a ray starts: hence the greatest, which nearly no ray shows.)
+    /// A fractal has hits exactly where its inside begins and ends. (Which parts thinner than 1/`precision` are hit
+    /// depends on the ray's origin: hence the largest precision, which avoids nearly all such parts.)
     #[test]
-    fn fractals_have_a_surface_where_their_inside_ends(seed: u64) {
+    fn fractal_hits_are_at_the_boundary_of_the_inside(seed: u64) {
         let mut dice = Dice::new(seed);
         let mut fractal = JuliaFractal::new(std::array::from_fn(|_| dice.between(-0.7, 0.7)));
         fractal.algebra = [Algebra::Quaternion, Algebra::Hypercomplex][dice.below(2)];
@@ -157,9 +157,9 @@ proptest! {
         }
     }
 
-    /// Where the inside of a tree of closed solids begins or ends along a ray, there is a hit, and only there.
+    /// Along a ray, a tree of closed solids has hits exactly where its inside begins or ends.
     #[test]
-    fn trees_have_a_surface_where_their_inside_ends(seed: u64) {
+    fn tree_hits_are_at_the_boundary_of_the_inside(seed: u64) {
         let mut dice = Dice::new(seed);
         let tree = dice.tree_of(3, 6, Dice::solid);
         for _ in 0..10 {
@@ -179,14 +179,14 @@ proptest! {
         }
     }
 
-    /// Intersections of slanted planes and walls: all that is hit lies in their box, and so does all that is inside.
+    /// Intersections of slanted planes and walls: all hits and all inside points are in their box.
     #[test]
-    fn what_planes_share_lies_in_its_box(seed: u64) {
+    fn intersections_of_planes_are_in_their_box(seed: u64) {
         let mut dice = Dice::new(seed);
         let m = dice.transform();
         let count = 1 + dice.below(9);
         let plane = |dice: &mut Dice| {
-            // Outwards from near the middle, mostly; sometimes through it, or along an axis.
+            // Mostly outwards from near the centre; sometimes through it, or along an axis.
             let normal = if dice.below(6) == 0 { DVec3::AXES[dice.below(3)] } else { dice.vector(1.0) };
             Shape::from(Plane::new(normal, dice.between(-0.2, 1.0).max(0.0)).unwrap())
         };
@@ -203,7 +203,7 @@ proptest! {
             1 => SolidNode::intersection(vec![SolidNode::intersection(parts, 0), SolidNode::difference(more, 0)], 0),
             _ => SolidNode::union(more, 0).clipped(parts),
         };
-        // The same without its box: asked child by child.
+        // The inside without bounding boxes, child by child.
         fn inside(node: &SolidNode, p: DVec3) -> bool {
             use durer::world::SolidKind;
             match node.kind() {
@@ -236,13 +236,13 @@ proptest! {
     }
 }
 
-// Each case asks many trees with many rays.
+// Each case tests many trees with many rays.
 proptest! {
     #![proptest_config(ProptestConfig { cases: 120, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// A node with many children has a hierarchy of its own; a chain of pairs has none.
+    /// A node with many children has a hierarchy of its own; a chain of pairs has none. Both have the same hits.
     #[test]
-    fn many_children_are_like_few(seed: u64) {
+    fn hierarchies_of_children_match_chains_of_pairs(seed: u64) {
         let mut dice = Dice::new(seed);
         let parts: Vec<SolidNode> = (0..40).map(|_| dice.tree_of(seed as usize % 2, 6, Dice::solid)).collect();
         let big = |dice: &mut Dice| Shape::from(Sphere { center: dice.vector(1.0), radius: dice.between(2.0, 3.0) });
@@ -274,7 +274,7 @@ proptest! {
     }
 
     #[test]
-    fn hierarchy_is_brute_force(seed: u64, count in prop_oneof![0usize..8, 20usize..60]) {
+    fn hierarchy_matches_brute_force(seed: u64, count in prop_oneof![0usize..8, 20usize..60]) {
         let mut dice = Dice::new(seed);
         let nodes: Vec<SolidNode> = (0..count).map(|_| dice.tree(2)).collect();
         let geometry = Geometry::new(nodes.clone());
@@ -306,7 +306,7 @@ proptest! {
             let p = dice.vector(3.0);
             let mut inside = vec![];
             geometry.containing(p, &mut |item| inside.push(item.object()));
-            // Of a disc, or a ball that is solid all around, whether points beyond its box count is left open.
+            // For a disc, or a ball that is solid outside, points beyond the box are unspecified.
             let plate = |n: &PlacedSolid| matches!(n.node().kind(), durer::world::SolidKind::Leaf(l) if l.shape.is_solid_unbounded());
             let all = |n: &PlacedSolid| n.inside(p) && !plate(n);
             let mut want: Vec<u32> = geometry.items().filter(all).map(|n| n.object()).collect();

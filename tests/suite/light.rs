@@ -1,4 +1,4 @@
-//! The light model against closed forms (POV-Ray's manual, "Finish", "Interior"; details measured on 3.7).
+//! The light model, compared with closed forms (POV-Ray's manual, "Finish", "Interior") and with POV-Ray 3.7's output.
 
 use crate::scene_builder::*;
 use durer::atmosphere::Background;
@@ -10,7 +10,7 @@ use durer::render::Options;
 use durer::scene::Scene;
 use durer::texture::{Finish, Pigment, Reflection};
 
-/// A wall at z = 0, seen straight on.
+/// A wall at z = 0, seen perpendicularly.
 fn wall(color: Color, finish: Finish, others: Vec<durer::scene::Object>) -> Scene {
     let wall = plane(-Z, 0.0).painted(color, finish);
     scene(-5.0 * Z, Z, [vec![wall], others].concat())
@@ -73,7 +73,7 @@ fn highlights() {
     assert_gray(&lit(Finish { phong: 0.5, phong_size: 10.0, phong_albedo: true, ..dull() }), phong * 5.5);
     let specular = 0.5 * 15f64.to_radians().cos().powi(20);
     assert_gray(&lit(Finish { specular: 0.5, ..dull() }), specular);
-    // straight on, metal has the colour of its pigment, but for F(0) = 0
+    // seen perpendicularly, metal has the colour of its pigment, apart from F(0) = 0
     let straight = wall(rgb(0.2, 0.4, 0.6), Finish { phong: 0.5, metallic: 1.0, ..dull() }, vec![lamp(-3.0 * Z, 1.0)]);
     assert_near(look(&straight), [0.1, 0.2, 0.3]);
     let mut shadowless = lit(Finish { specular: 0.5, ..dull() });
@@ -101,7 +101,7 @@ fn fading_and_negative_lights() {
 
 #[test]
 fn filter_and_transmit() {
-    // a pane before a glowing wall: what is its own, and what passes
+    // a pane before a glowing wall: its own light, and the transmitted light
     let pane = disc(-2.0 * Z, Z, 1.0).painted(rgbft([0.2, 0.4, 0.6, 0.5, 0.25]), glowing());
     let seen = look(&wall(rgb(1.0, 0.5, 0.25), glowing(), vec![pane]));
     let expected = |p: f64, behind: f64| 0.25 * p + (0.5 * p + 0.25) * behind;
@@ -113,7 +113,7 @@ fn shadows_through_layers() {
     let tint = rgbft([0.9, 0.6, 0.3, 0.5, 0.4]);
     let pass = DVec3::new(0.5 * 0.9 + 0.4, 0.5 * 0.6 + 0.4, 0.5 * 0.3 + 0.4);
     for layers in 0..5 {
-        // discs across the way from the lamp, off the way of the eye
+        // discs across the line to the lamp, beside the line of sight
         let to_lamp = v(0.0, 1.0, -1.0);
         let mut things = vec![lamp(to_lamp * 10.0, 1.0)];
         things.extend((0..layers).map(|i| disc(to_lamp * (3.0 + f64::from(i)), to_lamp, 1.0).painted(tint, dull())));
@@ -121,7 +121,7 @@ fn shadows_through_layers() {
         let cos = 0.5f64.sqrt();
         assert_near(look(&scene), pass.to_array().map(|p| cos * p.powi(layers)));
     }
-    // a solid has two surfaces; what is opaque, and what has no shadow
+    // a solid has two surfaces; opaque ones, and ones without shadow
     let with = |ball: durer::scene::Object| {
         wall(rgb(1.0, 1.0, 1.0), Finish { diffuse: 1.0, ..dull() }, vec![lamp(v(0.0, 8.0, -8.0), 1.0), ball])
     };
@@ -139,7 +139,7 @@ fn mirrors() {
     assert_near(look(&scene), [0.2, 0.08, 0.4]);
     scene.objects[1].uncommon.flags.no_reflection = true;
     assert_gray(&scene, 0.0);
-    // an exponent bends what is reflected
+    // an exponent changes the reflected light
     let mut finish = mirror(0.4);
     finish.reflection.exponent = 2.0;
     let scene = wall(rgb(1.0, 1.0, 1.0), finish, vec![plane(Z, -9.0).painted(rgb(0.25, 0.25, 0.25), glowing())]);
@@ -159,7 +159,7 @@ fn fresnel_mirror() {
 
 #[test]
 fn levels_of_mirrors() {
-    // two facing mirrors that glow: g·(1 + r + r² + …) as often as the level allows
+    // two facing mirrors that glow: g·(1 + r + r² + …) with as many terms as the level allows
     let finish = Finish { ambient: Rgb::splat(0.3), ..mirror(0.5) };
     for level in [1, 2, 5, 9] {
         let faces = [plane(Z, 1.0), plane(-Z, 1.0)].map(|p| p.painted(rgb(1.0, 1.0, 1.0), finish.clone()));
@@ -172,7 +172,7 @@ fn levels_of_mirrors() {
 }
 
 #[test]
-fn rays_that_count_for_little_are_dropped() {
+fn adc_bailout_drops_rays() {
     let seen = |amount: f64, bailout: f64| {
         let mut scene =
             wall(rgb(1.0, 1.0, 1.0), mirror(amount), vec![plane(Z, -9.0).painted(rgb(1.0, 1.0, 1.0), glowing())]);
@@ -180,7 +180,7 @@ fn rays_that_count_for_little_are_dropped() {
         look(&scene)[0]
     };
     assert_near([seen(0.31, 0.3), seen(0.29, 0.3), seen(0.5, 0.5)], [0.31, 0.0, 0.0]);
-    // a mirror that depends on the angle counts by its larger number: nothing is mirrored here, but the ray is cast
+    // a mirror that depends on the angle counts by its larger number: its reflectance is 0 here, but the ray is cast
     let finish = |max: f64| {
         let reflection = Reflection { max: Rgb::splat(max), ..Reflection::default() };
         Finish { reflection: reflection.into(), ..dull() }
@@ -194,8 +194,8 @@ fn rays_that_count_for_little_are_dropped() {
 }
 
 #[test]
-fn straight_on_is_no_new_level() {
-    // ten panes that do not bend, with a level of 2
+fn unrefracted_rays_keep_their_level() {
+    // ten panes without refraction, with a level of 2
     let mut panes: Vec<_> = (0..10).map(|i| plane(Z, f64::from(i)).painted(CLEAR, dull())).collect();
     panes.push(plane(Z, 20.0).painted(rgb(0.5, 0.5, 0.5), glowing()));
     let mut scene = scene(-5.0 * Z, Z, panes);
@@ -228,10 +228,10 @@ fn snell() {
     let mut scene = scene(v(0.0, 50.0, 0.0) - dir * 3.0, dir, vec![slab, ruler()]);
     let inner = (angle.sin() / n).asin();
     assert_near(look(&scene), [(50.0 + 2.0 * inner.tan() + 8.0 * angle.tan()) / 100.0; 3]);
-    // without bending
+    // without refraction
     scene.objects[0].uncommon.interior = None;
     assert_near(look(&scene), [(50.0 + 10.0 * angle.tan()) / 100.0; 3]);
-    // begun in the glass
+    // starting inside the glass
     let inside = crate::scene_builder::scene(v(0.0, 50.0, 1.0), dir, {
         let slab = cuboid(v(-99.0, -99.0, 0.0), v(99.0, 199.0, 2.0)).painted(CLEAR, dull()).filled(1.2);
         vec![slab, ruler()]
@@ -242,28 +242,28 @@ fn snell() {
 
 #[test]
 fn total_reflection() {
-    // a prism: in through z = 0 straight on, off the slope inside at 45°, out through the bottom
+    // a prism: perpendicularly through z = 0, reflected at the slope inside at 45°, out through the bottom
     let prism = |ior: f64| {
         let solid = csg(
             durer::scene::CsgOp::Intersection,
             vec![cuboid(DVec3::splat(-1.0), DVec3::splat(1.0)), plane(v(0.0, 1.0, 1.0), 0.5)],
         );
-        // what is dark by half still sends all of it on: total reflection takes nothing
+        // total reflection loses nothing, even at a surface that transmits half
         let pane = rgbft([1.0, 1.0, 1.0, 0.0, 0.5]);
         let prism = solid.painted(pane, dull()).filled(ior);
         let floor = plane(Y, -5.0).painted(rgb(0.8, 0.8, 0.8), glowing());
         let wall = plane(-Z, -9.0).painted(rgb(0.2, 0.2, 0.2), glowing());
         crate::scene_builder::scene(-5.0 * Z, Z, vec![prism, floor, wall])
     };
-    // the pane's half on the way in and on the way out
+    // the pane transmits half on the way in and on the way out
     assert_gray(&prism(1.5), 0.25 * 0.8);
     assert_gray(&prism(1.0), 0.25 * 0.2);
 }
 
 #[test]
 fn layered_textures() {
-    // measured on POV-Ray 3.7: what is below counts with its highlights for what the top lets pass, its mirror fully, and with
-    // both mirrors or none for `adc_bailout`
+    // As in POV-Ray 3.7, the lower layer's light and highlights count for the transmittance of the top layer, its
+    // reflection counts fully, and `adc_bailout` applies to both reflections together.
     let below = (
         Pigment::solid(rgb(0.5, 0.25, 0.1)),
         Finish { ambient: Rgb::splat(0.1), diffuse: 0.4, phong: 0.2, phong_size: 1.0, ..dull() },
@@ -285,7 +285,7 @@ fn layered_textures() {
     assert_gray(&both, 0.3);
     both.settings.adc_bailout = 0.15;
     assert_gray(&both, 0.0);
-    // both let light pass
+    // both layers transmit light
     let panes = [rgbft([0.5, 0.25, 0.1, 0.0, 0.5]), rgbft([0.2, 0.4, 0.6, 0.5, 0.0])];
     let glass =
         wall(panes.map(|c| (Pigment::solid(c), dull())), plane(-Z, -5.0).painted(rgb(1.0, 1.0, 1.0), glowing()));
@@ -303,7 +303,7 @@ fn gammas() {
     let decoded = ((0.5f64 + 0.055) / 1.055).powf(2.4);
     assert_near([seen(Gamma::Srgb, 0.5), seen(Gamma::Raw, 0.5)], [decoded, decoded]);
     assert_near([seen(Gamma::Power(2.2), -0.5)], [0.0]);
-    // the middle is computed in the numbers of the scene: half through glass, then squared
+    // the blend is computed in the numbers of the scene: half through glass, then squared
     let pane = disc(-2.0 * Z, Z, 1.0).painted(rgbft([0.0, 0.0, 0.0, 0.0, 0.5]), dull());
     let mut scene = wall(rgb(1.0, 1.0, 1.0), glowing(), vec![pane]);
     scene.settings.gamma = Some(Gamma::Power(2.0));
@@ -325,15 +325,15 @@ fn alpha() {
     let mut half = empty;
     half.background = Some(Background { color: rgbft([0.4, 0.4, 0.4, 0.0, 0.25]), by_picture: false });
     assert_near(look_with(&half, |_| {}), [0.3, 0.3, 0.3, 1.0]);
-    // Mirrors see all of it where the picture keeps alpha (measured on POV-Ray 3.7).
+    // Mirrors reflect the background fully where the picture keeps alpha, as in POV-Ray 3.7.
     half.objects = vec![plane(Z, 0.0).painted(rgb(0.0, 0.0, 0.0), mirror(0.5))];
     assert_near(look_with(&half, |o| o.alpha = true), [0.2, 0.2, 0.2, 1.0]);
     assert_near(look_with(&half, |_| {}), [0.15, 0.15, 0.15, 1.0]);
 }
 
 #[test]
-fn what_fades_inside_is_less_see_through() {
-    // half of the light at the length of the way through: 1/(1 + (2/2)³) (measured on POV-Ray 3.7: alpha 0.5, and 0.8 before a
+fn attenuation_lowers_alpha() {
+    // half of the light after the length of the path: 1/(1 + (2/2)³) (POV-Ray 3.7: alpha 0.5, and 0.8 before a
     // background of transmit 0.4)
     let interior = Interior { fade_distance: 2.0, fade_power: 3.0, ..Interior::default() };
     let mut glass = sphere(DVec3::ZERO, 1.0).painted(CLEAR, dull());
@@ -351,7 +351,7 @@ fn qualities() {
     let back = plane(Z, -9.0).painted(rgb(1.0, 1.0, 1.0), glowing());
     let scene = wall(rgb(1.0, 1.0, 1.0), glowing(), vec![pane, back]);
     let at = |q| look_with(&scene, |o| o.quality = q)[0];
-    // the pigment; what it sends; and what it lets pass; and what it mirrors
+    // the pigment; the diffuse light; the transmitted light; the reflected light
     let through = 0.5 * 0.5 * 0.2 + 0.5;
     assert_near([at(1), at(3), at(7), at(9)], [0.5, 0.05, through, through + 0.5]);
     let dark = wall(rgb(1.0, 1.0, 1.0), Finish::default(), vec![lamp(-8.0 * Z, 1.0), sphere(-7.0 * Z, 0.5)]);
@@ -360,7 +360,7 @@ fn qualities() {
 }
 
 #[test]
-fn what_passes_counts_by_its_largest_channel_and_each_surface_by_its_gray() {
+fn adc_bailout_uses_largest_channel_and_gray() {
     let seen = |panes: &[[f64; 3]], bailout: f64| {
         let pane = |(i, c): (usize, &[f64; 3])| {
             disc(-(2.0 + i as f64) * Z, Z, 1.0).painted(rgbft([c[0], c[1], c[2], 1.0, 0.0]), dull())
@@ -380,8 +380,8 @@ fn what_passes_counts_by_its_largest_channel_and_each_surface_by_its_gray() {
 }
 
 #[test]
-fn grain_darkens_what_else_shines() {
-    // POV-Ray's mean over many pixels is 0.5488, its darkest 0.1
+fn crand_darkens_other_terms() {
+    // POV-Ray's mean over many pixels is 0.5488, its minimum 0.1
     let finish = Finish { ambient: Rgb::splat(0.5), diffuse: 0.5, crand: 0.9, ..dull() };
     let (picture, _) = draw(&wall(rgb(1.0, 1.0, 1.0), finish, vec![lamp(-5.0 * Z, 1.0)]), &Options::new(40, 40));
     let mean = picture.pixels.iter().map(|p| f64::from(p[0])).sum::<f64>() / 1600.0;
@@ -390,8 +390,8 @@ fn grain_darkens_what_else_shines() {
 }
 
 #[test]
-fn grain_of_thin_layers_is_as_strong() {
-    // 0.3 - 0.4·u, cut at 0: POV-Ray's mean over many pixels is 0.1123, and 0.249 of them are black
+fn crand_ignores_opacity() {
+    // 0.3 - 0.4·u, clamped at 0: POV-Ray's mean over many pixels is 0.1123, and a share of 0.249 is black
     let finish = Finish { ambient: Rgb::splat(0.1), diffuse: 0.5, crand: 0.4, ..dull() };
     let glass = rgbft([1.0, 1.0, 1.0, 0.0, 0.5]);
     let (picture, _) = draw(&wall(glass, finish, vec![lamp(-5.0 * Z, 1.0)]), &Options::new(40, 40));

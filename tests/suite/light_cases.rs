@@ -1,5 +1,5 @@
-//! Whole scenes against POV-Ray 3.7: every pixel of `tests/light_cases/*.pov`, as linear light, beside what povray made of
-//! the same file (see the README there).
+//! Whole scenes compared with POV-Ray 3.7: every pixel of `tests/light_cases/*.pov`, as linear light, and povray's
+//! picture of the same file (see the README there).
 
 use durer::color::transfer::srgb_encode;
 use durer::interpreter;
@@ -15,7 +15,7 @@ struct Expected {
     rgb: [f64; 3],
 }
 
-/// What povray's picture is kept as.
+/// Formats of povray's pictures.
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum Kept {
@@ -40,12 +40,12 @@ impl Kept {
     }
 }
 
-/// The values are rounded to 1/65535, and kept with six digits.
+/// The values are rounded to 1/65535, and stored with six digits.
 const TOLERANCE: f64 = 1.0 / 65535.0;
 
 const SIZE: (usize, usize) = (16, 12);
 
-/// Those that still differ, and why.
+/// Cases that still differ, with the reason.
 const DIFFERS: &[(&str, &str)] = &[];
 
 #[test]
@@ -59,7 +59,7 @@ fn all_cases() {
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }
 
-/// What is wrong with one case.
+/// The deviation of one case.
 fn compare(path: &Path) -> Option<String> {
     let name = path.file_stem().unwrap().to_string_lossy().into_owned();
     let kept: Kept = serde_json::from_str(&std::fs::read_to_string(path.with_extension("json")).unwrap()).unwrap();
@@ -68,12 +68,12 @@ fn compare(path: &Path) -> Option<String> {
         Ok(frame) => frame,
         Err(message) => return Some(format!("{name}: {message}")),
     };
-    // Without gamma handling povray wrote the numbers of the scene themselves.
+    // Without gamma handling povray writes the numbers of the scene unchanged.
     let raw = name == "no_version";
     let differences = expected.iter().map(|e| {
         let found = frame.pixels[e.y * SIZE.0 + e.x].map(|c| f64::from(c).clamp(0.0, 1.0));
         let found = if raw { found.map(srgb_encode) } else { found };
-        // (The larger of a number and NaN is the number: NaN must not pass for it.)
+        // (`max` ignores NaN, which must not pass.)
         let apart = |c: usize| if found[c].is_nan() { 1.0 } else { (found[c] - e.rgb[c]).abs() };
         let worst = (0..3).map(apart).fold(0.0, f64::max);
         (worst, e)
@@ -88,7 +88,7 @@ fn compare(path: &Path) -> Option<String> {
     }
 }
 
-/// `NAME_qN` is drawn with `--quality N`.
+/// `NAME_qN` is rendered with `--quality N`.
 fn quality(name: &str) -> u8 {
     name.rsplit_once("_q").and_then(|(_, n)| n.parse().ok()).unwrap_or(9)
 }

@@ -1,5 +1,5 @@
-//! Nothing is lost between text and tree: tokens and comments with what stands between them are the file, every node of the
-//! tree has a place, and a piece of the text alone gives the same elements.
+//! The syntax tree loses nothing: tokens, comments and the blanks between them are the file, every node of the tree has
+//! a valid span, and a part of the text alone gives the same elements.
 
 use durer::source::{Sources, Span};
 use durer::syntax::ast::*;
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 const BOTH: [Granularity; 2] = [Granularity::Whole, Granularity::Tokens];
 
-/// All texts below a folder that are in the language.
+/// All texts in the language below a folder.
 fn gather(folder: &Path, out: &mut Vec<PathBuf>) {
     for path in std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path()) {
         if path.is_dir() && !path.is_symlink() {
@@ -36,11 +36,11 @@ fn texts() -> Vec<(PathBuf, String)> {
     files.extend(povrays.into_iter().step_by(step));
     files.sort();
     let read = |path: PathBuf| durer::source::read_text(&durer::source::Disk, &path).ok().map(|text| (path, text));
-    // Half a megabyte of numbers is like another.
+    // Skip huge lists of numbers.
     files.into_iter().filter_map(read).filter(|(_, text)| text.len() < 500_000).collect()
 }
 
-/// Does something for each text; what is wrong is told with its path.
+/// Applies a check to each text, and reports failures with their paths.
 fn each(check: impl Fn(&str) -> Result<(), String> + Sync) {
     let wrong: Vec<String> = durer::on_big_stack(|| {
         let told = |(path, text): (PathBuf, String)| check(&text).err().map(|why| format!("{}: {why}", path.display()));
@@ -51,7 +51,7 @@ fn each(check: impl Fn(&str) -> Result<(), String> + Sync) {
 
 // ---------------------------------------------------------------- tokens
 
-/// Tokens and faults are the same without the tree, in a whole text and in one that is cut off or lacks a part in its middle.
+/// Tokens and faults are the same without the tree, in a whole text and in one that is truncated or lacks its middle.
 fn without_tree(text: &str) -> Result<(), String> {
     let place = |of: usize| text.floor_char_boundary(text.len() * of / 13);
     let (a, b) = (place(5), place(7));
@@ -70,18 +70,18 @@ fn without_tree(text: &str) -> Result<(), String> {
 }
 
 #[test]
-fn faults_are_those_of_the_tokens() {
+fn lexer_and_parser_report_the_same_faults() {
     each(without_tree);
 }
 
-/// Is this passed over? (A text with faults may hold more of it.)
+/// True for text that the lexer ignores. (A text with faults may contain more of it.)
 fn means_nothing(between: &str) -> bool {
     between.chars().all(|c| c <= ' ' || matches!(c, '#' | '\u{A0}' | '\u{FEFF}' | '\u{7F}'))
 }
 
 fn joined(text: &str, granularity: Granularity) -> Result<(), String> {
     let sources = Sources::default();
-    // Another file before it, so that it does not begin at the first byte.
+    // A file before it, so that its spans do not begin at 0.
     sources.add("before", None, "sphere { 0, 1 }".into()).unwrap();
     let file = sources.add("text", None, text.into()).unwrap();
     let (ast, faults) = parse(&sources, file, &Names::default(), granularity);
@@ -109,7 +109,7 @@ fn joined(text: &str, granularity: Granularity) -> Result<(), String> {
 }
 
 #[test]
-fn tokens_joined_are_the_file() {
+fn tokens_and_comments_make_up_the_file() {
     for granularity in BOTH {
         each(|text| joined(text, granularity));
     }
@@ -117,7 +117,7 @@ fn tokens_joined_are_the_file() {
 
 // ---------------------------------------------------------------- places
 
-/// Walks a tree and looks at every place.
+/// Walks a tree and checks every span.
 struct Places<'t> {
     starts: FxHashSet<u32>,
     ends: FxHashSet<u32>,
@@ -141,7 +141,7 @@ impl Places<'_> {
         self.wrong.push(format!("{what} `{}` in `{}`: {why}", snippet(span), snippet(around)));
     }
 
-    /// Elements in a row: each in its parent, and behind the one before.
+    /// Consecutive elements: each in its parent, and after the one before.
     fn elements(&mut self, elements: &[Element], around: Span) {
         let mut at = around.lo;
         for e in elements {
@@ -163,7 +163,7 @@ impl Places<'_> {
         }
     }
 
-    /// Literals with commas between them: what stands at the place of each is that item.
+    /// Literals with commas between them: the text of each span is that item.
     fn items(&mut self, list: &NumberList, span: Span) {
         let text = self.text;
         let at = |place: usize| place - self.base;
@@ -323,7 +323,7 @@ fn placed(text: &str, granularity: Granularity) -> Result<(), String> {
 }
 
 #[test]
-fn every_place_is_of_whole_tokens_inside_its_parent() {
+fn spans_cover_whole_tokens_inside_their_parent() {
     for granularity in BOTH {
         each(|text| placed(text, granularity));
     }
@@ -331,7 +331,7 @@ fn every_place_is_of_whole_tokens_inside_its_parent() {
 
 // ---------------------------------------------------------------- pieces
 
-/// Where the text can be cut: behind elements that end a statement, while no bracket is open.
+/// Positions where the text can be cut: after elements that end a statement, while no bracket is open.
 fn cuts(elements: &[Element]) -> Vec<usize> {
     let (mut open, mut cuts) = (0_i64, vec![0]);
     for (i, e) in elements.iter().enumerate() {
@@ -379,7 +379,7 @@ fn alone(text: &str, granularity: Granularity) -> Result<(), String> {
 }
 
 #[test]
-fn a_piece_alone_is_the_same() {
+fn parts_of_a_text_parse_the_same() {
     for granularity in BOTH {
         each(|text| alone(text, granularity));
     }

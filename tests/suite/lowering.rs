@@ -1,4 +1,4 @@
-//! What becomes of nested blocks; pictures that do not depend on threads, tiles or regions.
+//! Lowering of nested blocks; pictures that do not depend on threads, tiles or regions.
 
 use crate::scene_builder::*;
 use durer::atmosphere::Background;
@@ -25,12 +25,12 @@ fn checker(a: Color, b: Color) -> Pigment {
 
 #[test]
 fn nested_transforms() {
-    // a unit ball at x = 1, scaled by 2 in a union, moved by 3 in another, turned about z in the last
+    // a unit ball at x = 1, scaled by 2 in a union, moved by 3 in another, turned about z in the last one
     let ball = sphere(DVec3::ZERO, 1.0).moved(Transform::translate(X));
     let inner = csg(CsgOp::Union, vec![ball]).moved(scaled(2.0, 2.0, 2.0));
     let middle = csg(CsgOp::Merge, vec![inner]).moved(Transform::translate(3.0 * X));
     let outer = csg(CsgOp::Union, vec![middle]).moved(Transform::rotate(90.0 * Z));
-    // its middle is at (0, 5, 0) and its radius 2
+    // its centre is at (0, 5, 0) and its radius 2
     let scene = scene(v(0.0, 5.0, -10.0), Z, vec![outer]);
     let seen = pick(&lower(&scene).unwrap(), &Options::new(1, 1), 0, 0).unwrap();
     assert_eq!(seen.shape, "sphere");
@@ -50,7 +50,7 @@ fn normals_under_uneven_scaling() {
     assert_near(seen.normal, v(0.25, 0.0, z).normalize().to_array());
 }
 
-/// 49 of them side by side, each turned another way and of another size.
+/// 49 copies side by side, each with another rotation and size.
 fn rows(thing: impl Fn() -> Object) -> Scene {
     let place = |i: i32| v(f64::from(i % 7 - 3) * 1.2, f64::from(i / 7 - 3) * 1.1, 0.0);
     let mut objects = vec![lamp(v(-20.0, 30.0, -40.0), 1.0)];
@@ -68,7 +68,7 @@ fn rows(thing: impl Fn() -> Object) -> Scene {
 }
 
 #[test]
-fn copies_look_like_what_stands_by_itself() {
+fn instances_look_like_single_objects() {
     let ball = |x: f64| sphere(v(x, 0.0, 0.0), 0.7);
     let squares = || texture([(checker(rgb(1.0, 0.0, 0.0), rgb(0.0, 1.0, 0.0)), glowing())]);
     let block = || cuboid(v(-0.5, -0.5, -0.5), v(0.5, 0.2, 0.5)).moved(Transform::rotate(30.0 * Z)).textured(squares());
@@ -100,7 +100,7 @@ fn copies_look_like_what_stands_by_itself() {
 }
 
 #[test]
-fn a_pick_tells_the_place_in_the_text() {
+fn picks_return_the_source_span() {
     let mut ball = sphere(DVec3::ZERO, 1.0);
     ball.source = Span::new(7, 12);
     let scene = scene(-5.0 * Z, Z, vec![ball]);
@@ -122,12 +122,12 @@ fn textures_move_with_their_blocks() {
     let wall = || plane(-Z, 0.5).textured(squares());
     assert_near(looks(wall(), 0.5), green);
     assert_near(looks(wall(), 1.5), red);
-    // moved after it was painted, by itself and with its group
+    // moved after the texture was set, by itself and with its group
     assert_near(looks(wall().moved(Transform::translate(X)), 0.5), red);
     let group = |o: Object| csg(CsgOp::Union, vec![o]);
     assert_near(looks(group(wall()).moved(Transform::translate(X)), 0.5), red);
     assert_near(looks(group(wall().moved(Transform::translate(X))).moved(Transform::translate(X)), 0.5), green);
-    // the group's texture holds for a part without one, in the group's space
+    // the group's texture applies to a part without one, in the group's space
     let plain = || plane(-Z, 0.5).moved(Transform::translate(7.0 * X));
     assert_near(looks(group(plain()).textured(squares()), 0.5), green);
     assert_near(looks(group(group(plain())).textured(squares()).moved(Transform::translate(X)), 0.5), red);
@@ -136,7 +136,7 @@ fn textures_move_with_their_blocks() {
 }
 
 #[test]
-fn what_a_group_says_holds_for_its_parts() {
+fn group_modifiers_apply_to_parts() {
     let mut group = csg(CsgOp::Union, vec![sphere(DVec3::ZERO, 1.0)]);
     group.uncommon.flags.no_image = true;
     assert_gray(&scene(-5.0 * Z, Z, vec![group.painted(rgb(1.0, 1.0, 1.0), glowing())]), 0.0);
@@ -164,7 +164,7 @@ fn inverse_and_inside_textures() {
 #[test]
 fn clipped_objects() {
     let mut ball = sphere(DVec3::ZERO, 1.0);
-    // only what is behind z = 0; and what clips moves along
+    // only the part beyond z = 0; and the clipping object moves along
     ball.uncommon.clipped_by = Some([plane(-Z, 0.0)].into());
     let at = |o: Object| pick(&lower(&scene(-5.0 * Z, Z, vec![o])).unwrap(), &Options::new(1, 1), 0, 0).unwrap().t;
     assert_near([at(ball.clone()), at(ball.moved(Transform::translate(2.0 * Z)))], [6.0, 8.0]);
@@ -178,18 +178,18 @@ fn lights_move_with_their_group() {
 }
 
 #[test]
-fn what_is_not_a_number_is_told() {
+fn non_finite_numbers_are_reported() {
     let mut ball = sphere(DVec3::ZERO, 1.0).moved(Transform::translate(v(f64::INFINITY, 0.0, 0.0)));
     ball.source = Span::new(3, 5);
     let fault = lower(&scene(-5.0 * Z, Z, vec![ball])).unwrap_err();
     assert_eq!((fault.code, fault.span()), (codes::NOT_FINITE, Span::new(3, 5)));
     let fault = lower(&scene(-5.0 * Z, Z, vec![lamp(v(f64::NAN, 0.0, 0.0), 1.0)])).unwrap_err();
     assert_eq!(fault.code, codes::NOT_FINITE);
-    // each of these has an inverse, all together don't
+    // each of these has an inverse, their product has none
     let tiny = scaled(1e-150, 1e-150, 1e-150);
     let nested = csg(CsgOp::Union, vec![csg(CsgOp::Union, vec![sphere(DVec3::ZERO, 1.0).moved(tiny)]).moved(tiny)]);
     assert_eq!(lower(&scene(-5.0 * Z, Z, vec![nested.moved(tiny)])).unwrap_err().code, codes::SINGULAR);
-    // colours that are not numbers make a black pixel
+    // colours that are not numbers give a black pixel
     let odd = wall_of(rgb(f64::NAN, f64::INFINITY, 0.5));
     let seen = look(&odd);
     assert!(seen[0] == 0.0 && !seen[1].is_nan() && seen[2] == 0.5, "{seen:?}");
@@ -252,7 +252,7 @@ fn methods() -> impl Iterator<Item = Options> {
 }
 
 #[test]
-fn any_number_of_threads_makes_the_same_bytes() {
+fn thread_count_does_not_change_bytes() {
     for (scene, mut options) in [busy(), filtering()].iter().flat_map(|scene| methods().map(move |m| (scene, m))) {
         let (one, rays) = draw(scene, &options);
         for threads in [2, 5, 0] {
@@ -261,14 +261,14 @@ fn any_number_of_threads_makes_the_same_bytes() {
             assert!(one.pixels.iter().zip(&many.pixels).all(|(a, b)| a.map(f32::to_bits) == b.map(f32::to_bits)));
             assert_eq!(rays, counted);
         }
-        // another frame has other grain
+        // another frame has different grain
         options.frame = 1;
         assert!(draw(scene, &options).0 != one);
     }
 }
 
 #[test]
-fn a_region_is_cut_out_of_the_whole() {
+fn regions_equal_parts_of_the_whole() {
     for (scene, mut options) in [busy(), filtering()].iter().flat_map(|scene| methods().map(move |m| (scene, m))) {
         let (whole, _) = draw(scene, &options);
         for region in [Region { x: 13, y: 7, width: 40, height: 21 }, Region { x: 60, y: 33, width: 99, height: 99 }] {
@@ -301,9 +301,9 @@ fn anti_aliasing_averages_edges() {
     let (smooth, rays) = draw(&scene, &options);
     assert_eq!([plain.pixels[3][0], plain.pixels[4][0], plain.pixels[5][0]], [1.0, 0.0, 0.0]);
     assert_eq!(smooth.pixels[5][0], 0.0);
-    // Half of it, less the one in the middle.
+    // Half of the samples, except the one in the middle.
     assert!((0.35..0.55).contains(&smooth.pixels[4][0]), "{:?}", smooth.pixels[4]);
-    // Of the six beside the edge three are crossed by it, and get all ten.
+    // The edge crosses three of the six pixels beside it, which get all ten samples.
     assert_eq!(rays.camera, 9 + 3 * 9 + 3 * 4);
 }
 
@@ -336,12 +336,12 @@ fn progress_and_cancelling() {
 }
 
 #[test]
-fn many_see_through_surfaces_do_not_overflow_the_stack() {
+fn many_transparent_surfaces_do_not_overflow_the_stack() {
     let pane = |i: i32| plane(Z, f64::from(i) * 0.01).painted(rgbft([1.0, 1.0, 1.0, 0.0, 1.0]), dull());
     let mut panes: Vec<Object> = (0..3000).map(pane).collect();
     panes.push(plane(Z, 50.0).painted(rgb(0.5, 0.5, 0.5), glowing()));
     assert_gray(&scene(-5.0 * Z, Z, panes), 0.5);
-    // and a hall of mirrors at the highest level
+    // and two facing mirrors at the highest level
     let mut finish = dull();
     finish.reflection.min = Rgb::ONE;
     finish.reflection.max = Rgb::ONE;

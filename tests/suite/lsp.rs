@@ -1,4 +1,4 @@
-//! The language server over the wire, as an editor speaks with it.
+//! The language server over its protocol.
 
 mod editor;
 mod help;
@@ -34,10 +34,10 @@ fn hall() -> (Editor, String) {
 }
 
 #[test]
-fn faults_are_told_at_once_and_what_a_run_finds_a_little_later() {
+fn diagnostics_of_text_first_and_of_runs_later() {
     let (mut editor, uri) = hall();
     editor.until(&uri, <[Value]>::is_empty);
-    // A word that is no block, and a string that is not closed.
+    // An unknown block, and a string without an end.
     editor.change(&uri, 2, [13, 0, 13, 6], "spere");
     let told = editor.until(&uri, |told| codes(told).contains(&"E0204"));
     assert_eq!(told[0]["range"], json!({"start": {"line": 13, "character": 0}, "end": {"line": 13, "character": 5}}));
@@ -47,7 +47,7 @@ fn faults_are_told_at_once_and_what_a_run_finds_a_little_later() {
         json!({"textDocument": {"uri": uri}, "range": told[0]["range"], "context": {"diagnostics": told}}),
     );
     assert_eq!(actions[0]["edit"]["changes"][&uri][0]["newText"], "sphere");
-    // Lines above move what was found.
+    // Inserted lines move the diagnostics.
     editor.change(&uri, 3, [0, 0, 0, 0], "// two\n// lines\n");
     let told = editor.until(&uri, |told| told.first().is_some_and(|one| one["range"]["start"]["line"] == 15));
     assert_eq!(codes(&told), ["E0204"]);
@@ -60,7 +60,7 @@ fn faults_are_told_at_once_and_what_a_run_finds_a_little_later() {
 }
 
 #[test]
-fn names_that_nobody_uses_are_faint() {
+fn unused_names_are_faded() {
     let (mut editor, uri) = hall();
     editor.change(&uri, 2, [2, 0, 2, 0], "#declare Nobody = 1;\n");
     let told = editor.until(&uri, |told| codes(told) == ["W0209"]);
@@ -69,7 +69,7 @@ fn names_that_nobody_uses_are_faint() {
 }
 
 #[test]
-fn a_run_that_never_ends_is_stopped_by_the_next_key() {
+fn endless_runs_are_stopped_by_the_next_key() {
     let mut editor = Editor::new();
     let uri = editor.open("loop.pov", "#while (1) #end\n");
     std::thread::sleep(Duration::from_millis(600));
@@ -81,7 +81,7 @@ fn a_run_that_never_ends_is_stopped_by_the_next_key() {
 }
 
 #[test]
-fn includes_are_seen_as_they_are_typed() {
+fn unsaved_includes_are_used() {
     let (mut editor, uri) = hall();
     editor.until(&uri, <[Value]>::is_empty);
     let parts = editor.open("parts.inc", PARTS);
@@ -89,7 +89,7 @@ fn includes_are_seen_as_they_are_typed() {
     editor.until(&uri, |told| codes(told).contains(&"E0203"));
     editor.change(&parts, 3, [0, 9, 0, 13], "Ball");
     editor.until(&uri, <[Value]>::is_empty);
-    // What a run finds in a file that is included is told there.
+    // Faults that a run finds in an included file are reported there.
     editor.change(&parts, 4, [1, 0, 1, 0], "#declare A = 1 + Nowhere;\n");
     editor.until(&parts, |told| codes(told).contains(&"E0203"));
     editor.bye();
@@ -135,7 +135,7 @@ fn labels(list: &Value) -> Vec<&str> {
 }
 
 #[test]
-fn what_may_be_typed() {
+fn completion() {
     let (mut editor, uri) = hall();
     let outside = editor.ask("textDocument/completion", at(&uri, 12, 0));
     for word in ["sphere", "camera", "Ball", "Row", "Gap", "sin", "pi"] {
@@ -159,7 +159,7 @@ fn what_may_be_typed() {
 }
 
 #[test]
-fn what_words_and_names_are() {
+fn hover() {
     let (mut editor, uri) = hall();
     let mut about = |line, character| {
         editor.ask("textDocument/hover", at(&uri, line, character))["contents"]["value"]
@@ -184,7 +184,7 @@ fn what_words_and_names_are() {
 }
 
 #[test]
-fn the_shape_of_a_text() {
+fn symbols_folding_and_selection() {
     let (mut editor, uri) = hall();
     let document = json!({"textDocument": {"uri": uri}});
     let symbols = editor.ask("textDocument/documentSymbol", document.clone());
@@ -249,7 +249,7 @@ fn texts_are_formatted() {
 }
 
 #[test]
-fn the_manual_is_linked_where_it_lies() {
+fn links_to_a_local_manual() {
     let mut editor = Editor::new();
     let uri = editor.open("a.pov", "spere { 0, 1 }\nsphere { 0, 1 }\n");
     let told = editor.until(&uri, |told| !told.is_empty());
@@ -262,7 +262,7 @@ fn the_manual_is_linked_where_it_lies() {
 }
 
 #[test]
-fn what_does_not_run_is_faint() {
+fn branches_that_do_not_run_are_faded() {
     let mut editor = Editor::new();
     let text = "#version 3.7;\ncamera { location -5*z look_at 0 }\n#declare Big = false;\n#if (Big)\n  sphere { 0, 2 }\n#else\n  sphere { 0, 1 }\n#end\n\
                 #for (I, 0, 1) #if (I = 1) sphere { I, 1 } #else box { I, 1 } #end #end\n";
@@ -282,7 +282,7 @@ fn what_does_not_run_is_faint() {
 }
 
 #[test]
-fn scenes_are_drawn_and_watched() {
+fn render_and_watch_commands() {
     let mut editor = Editor::new();
     let text =
         "// A ball.\n#version 3.7;\ncamera { location -5*z look_at 0 }\nlight_source { -9*z, 1 }\nsphere { 0, 1 }\n";
@@ -306,7 +306,7 @@ fn scenes_are_drawn_and_watched() {
     run(&mut editor, &lenses[1]);
     let first = editor.shown();
     assert!(first.starts_with("http://127.0.0.1:"), "{first}");
-    // A scene has one page, and it ends with the server.
+    // A scene has one preview page, which ends with the server.
     run(&mut editor, &lenses[1]);
     assert_eq!(editor.shown(), first);
     let host = first["http://".len()..].split('/').next().unwrap().to_string();
@@ -316,7 +316,7 @@ fn scenes_are_drawn_and_watched() {
 }
 
 #[test]
-fn what_is_not_understood() {
+fn unsupported_requests() {
     let mut editor = Editor::new();
     let nowhere = editor.uri("nowhere.pov");
     assert!(editor.answer("textDocument/hover", json!({"wrong": 1}))["error"]["code"].is_i64());
@@ -327,7 +327,7 @@ fn what_is_not_understood() {
     let deep = "union{".repeat(20_000);
     let uri = editor.open("deep.pov", &deep);
     editor.until(&uri, |told| codes(told).contains(&"E0104"));
-    // A text that lies nowhere.
+    // A text without a file.
     let document = json!({"uri": "untitled:Untitled-1", "languageId": "povray", "version": 1, "text": "spere { }"});
     editor.say("textDocument/didOpen", json!({"textDocument": document}));
     editor.until("untitled:Untitled-1", |told| codes(told).contains(&"E0204"));

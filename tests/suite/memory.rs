@@ -1,10 +1,10 @@
-//! A hundred thousand objects take no more memory than POV-Ray 3.7 needs for them.
+//! A hundred thousand objects take no more memory than in POV-Ray 3.7.
 
 use durer::{pattern, scene, texture, world};
 use std::process::Command;
 
-/// A name, what POV-Ray 3.7 takes for the whole scene in MiB (the largest resident set of `povray +W160 +H120 +WT1 -GA`,
-/// measured on Linux), and what the scene has a hundred thousand times. `P` is a point at random.
+/// A name, POV-Ray 3.7's memory for the whole scene in MiB (the largest resident set of `povray +W160 +H120 +WT1 -GA`
+/// on Linux), and the statement that the scene repeats a hundred thousand times. `P` is a random point.
 const SCENES: &[(&str, u64, &str)] = &[
     ("macro", 114, "Ball(P * 4, 0.01, P)"),
     ("turned", 165, "box { -0.01, 0.01 pigment { rgb P } finish { phong 0.5 } rotate P * 360 translate P * 4 }"),
@@ -29,7 +29,7 @@ fn text(each: &str) -> String {
     )
 }
 
-/// The most memory that drawing the scene took, in bytes; `None` where the system does not tell.
+/// Peak memory of rendering the scene, in bytes; `None` where the system does not report it.
 fn peak(name: &str, each: &str) -> Option<u64> {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join(format!("{name}.scene"));
@@ -45,7 +45,7 @@ fn peak(name: &str, each: &str) -> Option<u64> {
 }
 
 #[test]
-fn no_more_than_povray() {
+fn memory_is_at_most_that_of_povray() {
     for (name, bound, each) in SCENES {
         let mib = peak(name, each).map_or(0, |bytes| bytes >> 20);
         println!("{name}: {mib} MiB of {bound}");
@@ -53,9 +53,9 @@ fn no_more_than_povray() {
     }
 }
 
-/// There is one of each of these for every object of a scene: what few objects need goes behind a pointer.
+/// Maximum sizes of types with one value for each object of a scene: fields that few objects need are behind a pointer.
 #[test]
-fn things_that_are_many_are_small() {
+fn types_of_many_values_are_small() {
     let sizes = [
         ("scene::Object", size_of::<scene::Object>(), 32),
         ("scene::ObjectBody", size_of::<scene::ObjectBody>(), 72),

@@ -1,4 +1,4 @@
-//! Noise against what the real POV-Ray prints: tests/noise/measure.py wrote the tables.
+//! Noise compared with POV-Ray's output; tests/noise/measure.py wrote the tables.
 
 use durer::math::DVec3;
 use durer::math::noise::{NoiseGenerator, Turbulence, noise, noise_vector, turbulence, vturbulence};
@@ -17,7 +17,7 @@ fn assert_near(name: &str, p: DVec3, ours: f64, theirs: f64, tolerance: f64) {
 }
 
 #[test]
-fn noise_is_pov_rays() {
+fn noise_matches_povray() {
     for [x, y, z, g1, g2, g3, vx, vy, vz] in rows(include_str!("../noise/points.txt")) {
         let p = DVec3::new(x, y, z);
         for (generator, theirs) in GENERATORS.into_iter().zip([g1, g2, g3]) {
@@ -30,7 +30,7 @@ fn noise_is_pov_rays() {
 }
 
 #[test]
-fn turbulence_is_pov_rays() {
+fn turbulence_matches_povray() {
     for [x, y, z, lambda, omega, octaves, vx, vy, vz, patterns @ ..] in
         rows::<18>(include_str!("../noise/turbulence.txt"))
     {
@@ -50,19 +50,19 @@ fn turbulence_is_pov_rays() {
     }
 }
 
-/// Shows the scalar turbulence: a sine of it and of z.
+/// The number of `agate`: a sine of z and scalar turbulence.
 fn agate(p: DVec3, words: Turbulence, generator: NoiseGenerator) -> f64 {
     let angle = TAU * (1.3 * turbulence(p, words, generator) + 1.1 * p.z);
     (0.5 * (angle.sin() + 1.0)).powf(0.77)
 }
 
-/// How far each octave lies from the middle.
+/// The number of `granite`: distances of octaves from their mean.
 fn granite(p: DVec3, generator: NoiseGenerator) -> f64 {
     let octave = |i| 0.5f64.powi(i) * (0.5 - first_octave(p * 4.0 * 2f64.powi(i), generator)).abs();
     (0..6).map(octave).sum::<f64>().min(1.0)
 }
 
-/// Ten octaves, each cut at 0 and 1.
+/// The number of `wrinkles`: ten octaves, each clamped to [0, 1].
 fn wrinkles(p: DVec3, generator: NoiseGenerator) -> f64 {
     (0..10).map(|i| 0.5f64.powi(i + 1) * first_octave(p * 2f64.powi(i), generator)).sum()
 }

@@ -1,5 +1,5 @@
-//! `durer pick` against calculation by hand, to 1e-9 relative: the text goes the whole way, the expectation comes from
-//! the lecture's formulas written out here.
+//! `durer pick` compared with calculation by hand, to 1e-9 relative: from the text of a scene, with expectations by the
+//! lecture's formulas.
 
 use durer::math::DVec3;
 use durer::render::{self, Picked};
@@ -8,7 +8,7 @@ use durer::source::Sources;
 const WIDTH: usize = 64;
 const HEIGHT: usize = 48;
 
-/// What is seen through a pixel of a scene with the lecture's camera at (0, 0, 10), looking at the origin.
+/// The pick through a pixel of a scene with the lecture's camera at (0, 0, 10), looking at the origin.
 fn pick(objects: &str, x: usize, y: usize) -> Option<Picked> {
     let camera = "camera { eye <0, 0, 10> center 0 up y fov_x 60 fov_y 45 } light_source { 9, 1 } ";
     let text = format!("#version 3.7; global_settings {{ assumed_gamma 1 }} {camera}\n{objects}");
@@ -62,7 +62,7 @@ fn sphere() {
 }
 
 #[test]
-fn a_plane_in_its_four_forms() {
+fn plane_in_its_four_forms() {
     let (p, v) = ray(10, 40);
     // z = -3: t = -(C·p_z + D) / (C·v_z)
     let t = (-3.0 - p.z) / v.z;
@@ -94,7 +94,8 @@ fn triangle() {
 
 #[test]
 fn concave_polygon() {
-    // A square with a notch from the right: the middle pixel looks into the notch, the one to its left does not.
+    // A square with a notch from the right: the ray of the middle pixel passes the notch, that of the pixel to its left
+    // does not.
     let notched = "polygon { 8, <-3,-3>, <3,-3>, <3,-1>, <-1,0>, <3,1>, <3,3>, <-3,3>, <-3,-3> pigment { rgb 1 } }";
     assert_eq!(pick(notched, 36, 24), None);
     let (p, v) = ray(24, 24);
@@ -116,7 +117,7 @@ fn axis_aligned_box() {
 fn transformed_object() {
     let (x, y) = (35, 20);
     let (p, v) = ray(x, y);
-    // M = T·R·S: an ellipsoid, turned and moved. A point q of it satisfies |S⁻¹·R⁻¹·(q - d)| = 1.
+    // M = T·R·S: an ellipsoid, rotated and translated. A point q of it satisfies |S⁻¹·R⁻¹·(q - d)| = 1.
     let (sin, cos) = 30f64.to_radians().sin_cos();
     let d = DVec3::new(0.5, 0.0, -1.0);
     let unturn = |q: DVec3| DVec3::new(cos * q.x + sin * q.y, -sin * q.x + cos * q.y, q.z);
@@ -135,7 +136,7 @@ fn transformed_object() {
 }
 
 #[test]
-fn the_same_through_nested_blocks() {
+fn nested_blocks() {
     let flat = "sphere { 0, 1 scale <3, 1, 2> rotate 30*z translate <0.5, 0, -1> pigment { rgb 1 } }";
     let nested = "union { object { sphere { 0, 1 scale <3, 1, 2> } rotate 30*z } transform { translate <1, 0, -2> scale 1 } \
                   translate <-0.5, 0, 1> pigment { rgb 1 } }";

@@ -22,7 +22,7 @@ fn sources(folder: &Path, found: &mut Vec<(PathBuf, String)>) {
     }
 }
 
-/// Every source file of the program but the tables themselves.
+/// Every source file of the program except the tables.
 fn code() -> Vec<(PathBuf, String)> {
     let mut found = vec![];
     sources(&Path::new(ROOT).join("src"), &mut found);

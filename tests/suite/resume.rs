@@ -1,4 +1,5 @@
-//! A render is never lost: killed at any moment, `--resume` goes on and gives the same bytes. (`DURER_KILLS=20` tries more moments.)
+//! No render is lost: after a kill at any moment, `--resume` continues and gives the same bytes. (`DURER_KILLS=20`
+//! tries more moments.)
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -36,7 +37,7 @@ impl Scratch {
         self.durer(words).output().unwrap()
     }
 
-    /// What is in the folder beside the scene, with contents.
+    /// The files in the folder, with contents.
     fn pictures(&self) -> Vec<(String, Vec<u8>)> {
         let entries = std::fs::read_dir(&self.0).unwrap().map(|entry| entry.unwrap().path());
         let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
@@ -55,7 +56,7 @@ fn err(out: &Output) -> String {
     String::from_utf8_lossy(&out.stderr).into_owned()
 }
 
-/// Kills it at moments that are spread over the time it takes, goes on until it is done, and compares everything.
+/// Kills the command at moments spread over its running time, resumes until it is done, and compares all files.
 fn kill_and_resume(words: &str, short: usize) {
     let whole = Scratch::new();
     let start = Instant::now();
@@ -69,7 +70,8 @@ fn kill_and_resume(words: &str, short: usize) {
         for threads in [1, 2, 7].iter().cycle().skip(moment).take(2) {
             let mut durer = scratch.durer(&format!("{words} --resume --threads {threads}")).spawn().unwrap();
             std::thread::sleep(time.mul_f64((moment as f64 + 0.5) / moments as f64 * 0.8));
-            // On a machine that has become busier since the whole one was drawn, the last moment waits for something to go on with.
+            // If the machine has become slower since the reference render, the last kill waits until there is a
+            // journal.
             while moment + 1 == moments && !scratch.is_unfinished() && durer.try_wait().unwrap().is_none() {
                 std::thread::sleep(Duration::from_millis(1));
             }
@@ -85,22 +87,22 @@ fn kill_and_resume(words: &str, short: usize) {
 }
 
 #[test]
-fn a_still() {
+fn resuming_a_still() {
     kill_and_resume("--size 100x75 --aa 0.1 -o a.png", 4);
 }
 
 #[test]
-fn a_region_by_povrays_second_method() {
+fn resuming_a_region_with_antialiasing_method_2() {
     kill_and_resume("--size 120x90 --aa 0.1 --aa-method corners --region 30,20,75,60 -o a.exr", 2);
 }
 
 #[test]
-fn an_animation() {
+fn resuming_an_animation() {
     kill_and_resume("--size 52x39 --aa 0.1 --frames 1-4 -o a.png", 3);
 }
 
 #[test]
-fn what_is_stale_or_damaged_is_told_and_not_used() {
+fn stale_or_damaged_journals_are_reported_and_ignored() {
     let scratch = Scratch::new();
     let words = "--size 200x150 --aa 0.1 -o a.png";
     let stopped = scratch.run(&format!("{words} --max-time 0.3"));
@@ -125,7 +127,7 @@ fn what_is_stale_or_damaged_is_told_and_not_used() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
+fn journals_are_kept_when_the_folder_is_missing() {
     let scratch = Scratch::new();
     std::fs::create_dir(scratch.at("out")).unwrap();
     let mut durer = scratch.durer("--size 300x225 --aa 0.1 --threads 1 -o out/a.png").spawn().unwrap();
@@ -146,12 +148,13 @@ fn what_was_drawn_is_kept_when_the_picture_has_no_place() {
     assert_eq!(stats["rays"]["camera"], 0);
 }
 
-/// A disk with room for half of the picture: no file may grow longer, which is an error like any other where the signal for it is not heard.
+/// A full disk: no file may grow beyond half of the picture, and the signal for that is ignored, so that writing
+/// returns an error.
 #[cfg(target_os = "linux")]
 #[test]
-fn what_was_drawn_is_kept_when_the_disk_is_full() {
+fn journals_are_kept_when_the_disk_is_full() {
     let (scratch, whole) = (Scratch::new(), Scratch::new());
-    // 44 KB as a bmp; the journal ends in the middle of a tile
+    // 44 KB as a bmp; the journal ends in the middle of a tile.
     let words = "--size 140x105 --aa off -o a.bmp";
     let mut small = Command::new("sh");
     // (Blocks of 512 bytes)

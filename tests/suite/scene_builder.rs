@@ -1,4 +1,4 @@
-//! Scenes built by hand, for tests of what a ray brings home.
+//! Scenes built in code, for tests of the light model.
 
 use durer::camera::{Camera, PovrayCamera};
 use durer::color::{Color, Rgb};
@@ -73,12 +73,12 @@ pub fn texture(layers: impl IntoIterator<Item = (Pigment, Finish)>) -> Painted {
     Painted::new(Arc::new(Texture { layers }), &Transform::IDENTITY)
 }
 
-/// Neither ambient nor diffuse.
+/// A finish without ambient and diffuse light.
 pub fn dull() -> Finish {
     Finish { ambient: Rgb::ZERO, diffuse: 0.0, ..Finish::default() }
 }
 
-/// Shows its pigment.
+/// A finish that shows the pigment itself.
 pub fn glowing() -> Finish {
     Finish { ambient: Rgb::ONE, ..dull() }
 }
@@ -111,9 +111,9 @@ impl Looks for Object {
     }
 }
 
-/// A camera at `eye` whose rays are all but parallel to `dir`.
+/// A camera at `eye` with nearly parallel rays along `dir`.
 pub fn scene(eye: DVec3, dir: DVec3, objects: Vec<Object>) -> Scene {
-    // `right` across the way, whichever way that is
+    // any `right` perpendicular to `dir`
     let right = dir.any_orthonormal_vector();
     let (direction, up) = (dir.normalize() * 1e6, dir.normalize().cross(right));
     let camera = Camera::Povray(PovrayCamera { location: eye, direction, right, up, ..PovrayCamera::default() });
@@ -124,7 +124,7 @@ pub fn draw(scene: &Scene, options: &Options) -> (Frame, RayCounts) {
     render(&lower(scene).unwrap(), options, &Unwatched).unwrap()
 }
 
-/// Red, green, blue, alpha of the one pixel of a picture.
+/// Red, green, blue, alpha of the only pixel of a picture.
 pub fn look_with(scene: &Scene, change: impl Fn(&mut Options)) -> [f64; 4] {
     let mut options = Options::new(1, 1);
     change(&mut options);

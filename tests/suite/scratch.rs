@@ -44,7 +44,7 @@ impl Scratch {
         self.command(line).output().unwrap()
     }
 
-    /// Runs and demands an exit code; returns stdout and stderr.
+    /// Runs durer and asserts its exit code; returns stdout and stderr.
     #[track_caller]
     pub fn exits(&self, code: i32, line: &str) -> (String, String) {
         let output = self.run(line);

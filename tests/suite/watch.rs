@@ -1,4 +1,4 @@
-//! `durer watch`: what goes over the wire, without a browser (`tests/preview/browser.py` has one).
+//! `durer watch` over HTTP, without a browser (`tests/preview/browser.py` uses one).
 
 use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::Value;
@@ -17,7 +17,7 @@ sphere { <clock, 0, 0>, 1 pigment { rgb Colour } }
 plane { y, -1 pigment { checker rgb 0.8 rgb 0.6 } }
 ";
 
-/// One `durer watch`, killed at the end.
+/// A running `durer watch`, killed when dropped.
 struct Watch {
     folder: tempfile::TempDir,
     durer: Child,
@@ -44,7 +44,7 @@ impl Watch {
         std::fs::write(self.at(name), text).unwrap();
     }
 
-    /// Waits for a line on stderr that holds a word.
+    /// Waits for a line on stderr that contains a word.
     fn line(&mut self, word: &str) -> String {
         let mut line = String::new();
         while !line.contains(word) {
@@ -54,7 +54,7 @@ impl Watch {
         line
     }
 
-    /// What `durer render` makes of the scene now.
+    /// The picture of `durer render` for the current scene.
     fn rendered(&self, words: &str) -> image::RgbaImage {
         self.rendered_as("72x54", words)
     }
@@ -123,7 +123,7 @@ impl Page {
     }
 }
 
-/// What the page's script does.
+/// State of the page's script.
 struct Events {
     lines: BufReader<TcpStream>,
     picture: image::RgbaImage,
@@ -134,7 +134,7 @@ struct Events {
 }
 
 impl Events {
-    /// Takes events until something is so.
+    /// Consumes events until a condition holds.
     fn until(&mut self, so: impl Fn(&Self) -> bool) {
         let start = Instant::now();
         while !so(self) {
@@ -166,7 +166,7 @@ impl Events {
         }
     }
 
-    /// Until the last picture is whole.
+    /// Consumes events until the last picture is complete.
     fn settle(&mut self) {
         self.until(|page| page.done && page.run[0] == page.run[1] && page.state["status"] == "done");
     }
@@ -183,13 +183,13 @@ fn same(a: &image::RgbaImage, b: &image::RgbaImage) {
 }
 
 #[test]
-fn the_page_shows_what_render_draws() {
+fn page_shows_the_rendered_picture() {
     let mut watch = Watch::start("");
     let page = Page::of(&watch.line("http://"));
     let mut events = page.events();
     events.settle();
     same(&events.picture, &watch.rendered(""));
-    // An included file is saved, in the way of careful editors.
+    // An editor replaces an included file by renaming a new one.
     watch.write("colour.new", "#declare Colour = <0, 0, 1>;\n");
     std::fs::rename(watch.at("colour.new"), watch.at("colour.inc")).unwrap();
     let run = events.run[0];
@@ -197,7 +197,7 @@ fn the_page_shows_what_render_draws() {
     events.settle();
     let blue = watch.rendered("");
     same(&events.picture, &blue);
-    // A page that comes later sees all of it, and what was there before.
+    // A page that connects later receives the current state.
     let mut late = page.events();
     late.settle();
     same(&late.picture, &blue);
@@ -207,7 +207,7 @@ fn the_page_shows_what_render_draws() {
     events.until(|page| page.state["settings"]["quality"] == 3);
     events.settle();
     same(&events.picture, &watch.rendered("--clock 0.5 --aa off --quality 3"));
-    // A part of it, twice as large.
+    // A region, twice as large.
     page.post("change", r#"{"zoom": [0.25, 0.25, 0.5, 0.5]}"#);
     events.until(|page| page.state["settings"]["zoom"].is_array());
     events.settle();
@@ -241,13 +241,13 @@ fn broken_scenes_are_reported_and_repaired_ones_rendered() {
     watch.write("colour.inc", "#declare Colour = <1, 0, 0>;\n");
     events.until(|page| page.count("error") == 0 && page.state["status"] == "done" && page.run[0] > run && page.done);
     same(&events.picture, &first);
-    // What a scene would write is not written, nor anything else.
+    // A scene must not write files in a preview …
     watch.write("ball.scene", &format!("{SCENE}#fopen F \"out.txt\" write\n"));
     events.until(|page| page.state["status"] == "broken");
     let mut names: Vec<_> = std::fs::read_dir(&watch.folder).unwrap().map(|e| e.unwrap().file_name()).collect();
     names.sort();
     assert_eq!(names, ["ball.scene", "colour.inc"]);
-    // Unless its author says so.
+    // … unless the user allows it.
     watch.write("ball.scene", SCENE);
     events.settle();
     assert_eq!(page.post("save", "{}").1, r#"{"text":"ball.png"}"#);
@@ -255,7 +255,7 @@ fn broken_scenes_are_reported_and_repaired_ones_rendered() {
 }
 
 #[test]
-fn nobody_else_is_answered() {
+fn foreign_requests_are_rejected() {
     let mut watch = Watch::start("");
     let page = Page::of(&watch.line("http://"));
     let (host, path) = (&page.host, &page.path);
@@ -278,14 +278,14 @@ fn nobody_else_is_answered() {
     assert_eq!(page.post("change", "[").0, 400);
     assert_eq!(page.post("change", r#"{"output": "/etc/passwd"}"#).0, 400);
     assert_eq!(page.post("open", r#"{"file": "/etc/passwd", "line": 1, "column": 1}"#).0, 400);
-    // What is no HTTP ends without harm.
+    // A request that is not HTTP does no harm.
     let mut stream = page.send("\0\u{1}\u{2} nonsense\r\n\r\n");
     let _ = stream.read_to_end(&mut vec![]);
     assert_eq!(page.get("page.js").0, 200);
 }
 
 #[test]
-fn without_a_page_the_file_is_written_again() {
+fn no_page_mode_rewrites_the_file() {
     let mut watch = Watch::start("--no-page -o out.png");
     watch.line("waiting for the next change");
     let red = image::open(watch.at("out.png")).unwrap().to_rgba8();

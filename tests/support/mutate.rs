@@ -18,7 +18,7 @@ impl Rng {
         z ^ (z >> 31)
     }
 
-    /// Less than `n`; 0 for 0.
+    /// A number below `n`; 0 for 0.
     pub fn below(&mut self, n: usize) -> usize {
         (self.next() % n.max(1) as u64) as usize
     }
@@ -28,7 +28,7 @@ impl Rng {
     }
 }
 
-/// What stands in texts besides words.
+/// Punctuation of scenes.
 #[rustfmt::skip]
 const MARKS: &[&str] = &[
     "{", "}", "(", ")", "[", "]", "<", ">", ",", ";", "+", "-", "*", "/", "=", "!=", "<=", ">=", "!", "?", ":", "&", "|",
@@ -43,7 +43,7 @@ const DIRECTIVES: &[&str] = &[
     "M(", "A", "I", "function {", "array[2]", "array {", "object { A }", "union {", "transform {", "texture {", "pigment {",
 ];
 
-/// What breaks arithmetic.
+/// Numbers at which arithmetic fails.
 const NUMBERS: &[&str] = &[
     "0",
     "-1",
@@ -88,7 +88,7 @@ fn step(text: &str, other: &str, rng: &mut Rng) -> String {
     let (a, b) = (at(), at());
     let (a, b) = (a.min(b), a.max(b));
     let start = |i: usize| spans.get(i).map_or(text.len(), |s| s.0);
-    // Mostly few tokens, so that much of the text stays sound.
+    // Mostly few tokens, so that much of the text stays valid.
     let few = a + rng.below(8).min(b - a);
     let (lo, hi, far) = (start(a), start(few), start(b));
     match rng.below(12) {
@@ -114,7 +114,7 @@ fn step(text: &str, other: &str, rng: &mut Rng) -> String {
     }
 }
 
-/// The text with something else in a range.
+/// The text with a range replaced.
 fn cut(text: &str, lo: usize, hi: usize, new: &str) -> String {
     [&text[..lo], new, &text[hi..]].concat()
 }

@@ -7,7 +7,7 @@ mod language;
 mod quirks;
 mod words;
 
-use crate::value::{Kind, Vocabulary, WordSpec};
+use crate::value::{ValueKind, Vocabulary, WordSpec};
 
 /// A page of the manual.
 #[derive(Debug)]
@@ -66,17 +66,17 @@ fn list(words: impl IntoIterator<Item = impl AsRef<str>>) -> String {
 }
 
 /// Describes the value that a word takes.
-fn kind(kind: Kind) -> &'static str {
+fn kind(kind: ValueKind) -> &'static str {
     match kind {
-        Kind::Nothing => "",
-        Kind::Flag => "nothing, `on` or `off`",
-        Kind::Float => "number",
-        Kind::Vector2 => "vector of two",
-        Kind::Vector => "vector",
-        Kind::Vectors => "vectors",
-        Kind::Color => "colour",
-        Kind::Text => "text",
-        Kind::Block => "block",
+        ValueKind::Nothing => "",
+        ValueKind::Flag => "nothing, `on` or `off`",
+        ValueKind::Float => "number",
+        ValueKind::Vector2 => "vector of two",
+        ValueKind::Vector => "vector",
+        ValueKind::Vectors => "vectors",
+        ValueKind::Color => "colour",
+        ValueKind::Text => "text",
+        ValueKind::Block => "block",
     }
 }
 

@@ -1,4 +1,4 @@
-//! Directives and expressions: what no body holds as an item of its own.
+//! Directives and expressions: parts of items.
 
 use super::Gatherer;
 use crate::format::atoms::flag::*;
@@ -54,9 +54,9 @@ impl Gatherer<'_> {
         Item::Bodies
     }
 
-    /// `#end` belongs to no arm.
+    /// `#end` is in no arm.
     fn finish_arms(&mut self, start: usize, mut arms: Vec<Arm>, span: Span) {
-        // Whatever stands before it belongs to the last one.
+        // Everything before it is in the last arm.
         while let Some(piece) = self.pieces.next
             && piece.span().hi < span.hi
         {
@@ -137,7 +137,7 @@ impl Gatherer<'_> {
 
     // ------------------------------------------------------------ expressions
 
-    /// Elements that are no items of a body: arguments.
+    /// Elements that are not items of a body: arguments.
     fn loose(&mut self, elements: &[Element]) {
         for e in elements {
             self.before(e.span);
@@ -183,7 +183,7 @@ impl Gatherer<'_> {
         }
         match &e.kind {
             ExprKind::Vector(parts) => self.vector(e.span, parts),
-            // One of numbers between which a comment stands.
+            // A vector of numbers with a comment between them.
             ExprKind::Literal(_) if self.next_token() == Some("<") => self.vector(e.span, &[]),
             ExprKind::Call(_, parts) => {
                 self.token();

@@ -1,4 +1,4 @@
-//! Makes the row of atoms: walks the tree and the tokens side by side.
+//! Makes the list of atoms from the tree and the tokens.
 
 mod inside;
 
@@ -8,7 +8,7 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::{Piece, Tokens, is_nothing};
 
-/// Lists longer than this many bytes keep each vector as one atom.
+/// In lists longer than this many bytes, each vector is one atom.
 const LONG_LIST: usize = 100_000;
 
 /// The atoms of a text whose first byte has the global offset `base`.
@@ -37,7 +37,7 @@ impl<'a> Pieces<'a> {
     }
 }
 
-/// Would two tokens that touch become others with a blank between them? `0.5.6` is no number, but `0.5 .6` are two.
+/// True if a blank between two adjacent tokens would change them: `0.5.6` is not a number, but `0.5 .6` are two.
 fn holds(before: u8, first: u8) -> bool {
     let numeric = |byte: u8| byte.is_ascii_digit() || byte == b'.';
     numeric(before) && numeric(first) || before == b'>' && first == b'='
@@ -48,11 +48,11 @@ struct Gatherer<'a> {
     base: usize,
     pieces: Pieces<'a>,
     out: Atoms,
-    /// Local offset behind the last atom.
+    /// Local offset after the last atom.
     at: usize,
-    /// For the next token.
+    /// Flags for the next token.
     pending: u16,
-    /// The name of the innermost block.
+    /// Name of the innermost block.
     block: &'a str,
 }
 
@@ -105,7 +105,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// Characters that mean nothing stand between tokens: they stay.
+    /// Keeps characters without meaning between tokens.
     fn between(&mut self, end: usize) {
         let text = self.text;
         let skipped = |c: char| c <= ' ' || is_nothing(c);
@@ -163,7 +163,7 @@ impl<'a> Gatherer<'a> {
         self.at = hi;
     }
 
-    /// Does the point before a local offset choose a part of what stands before it?
+    /// True if the point before a local offset selects a component of the expression before it.
     fn is_access(&self, hi: usize) -> bool {
         let word = |byte: Option<&u8>| byte.is_some_and(|b| b.is_ascii_alphabetic() || *b == b'_');
         let first = self.out.row.last().and_then(|atom| self.text.as_bytes().get(atom.lo as usize));
@@ -171,7 +171,7 @@ impl<'a> Gatherer<'a> {
             && (word(first) || matches!(first, Some(b')' | b']')))
     }
 
-    /// A token that holds several numbers and vectors.
+    /// Splits a token that contains several numbers and vectors.
     fn list(&mut self, lo: usize, hi: usize) {
         let (bytes, packed) = (self.text.as_bytes(), hi - lo > LONG_LIST);
         let mut at = lo;
@@ -202,7 +202,7 @@ impl<'a> Gatherer<'a> {
     // ------------------------------------------------------------ bodies
 
     fn body(&mut self, elements: &[Element]) {
-        // Where a declaration ends, and the textures that follow it.
+        // End of a declaration, and the textures that follow it.
         let mut layers = vec![];
         for e in elements {
             self.before(e.span);
@@ -227,7 +227,7 @@ impl<'a> Gatherer<'a> {
         self.layer(&layers);
     }
 
-    /// Several textures of one declaration begin lines if one of them does.
+    /// If one of several textures of a declaration begins a line, all do.
     fn layer(&mut self, starts: &[usize]) {
         let [_, first, rest @ ..] = starts else { return };
         if rest.is_empty() {
@@ -247,7 +247,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// The comma behind an element.
+    /// Takes the comma after an element.
     fn comma(&mut self, e: &Element) {
         if e.comma {
             self.pending = 0;
@@ -255,7 +255,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// Tells what begins at an atom and ends with the last one.
+    /// Marks the item from an atom to the last one.
     fn mark(&mut self, start: usize, item: Item) {
         let end = self.len() as u32;
         let text = self.text;
@@ -266,7 +266,7 @@ impl<'a> Gatherer<'a> {
         let Some(last) = before.last().filter(|a| a.flags & COMMENT == 0) else { return };
         let after = read(last);
         if item == Item::Entry && (after == "array" || after == "]" && last.flags & LOOSE == 0 && first.lines == 0) {
-            // The sizes of an array: nothing else has entries that follow a word or each other so.
+            // The sizes of an array: no other construct has entries directly after a word or after each other.
             let chained = after == "array" || first.lo == last.hi;
             first.flags |= if chained { GLUE } else { 0 };
         }
@@ -276,7 +276,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// Each item of a list is one of the body.
+    /// Makes each item of a list an item of the body.
     fn split(&mut self, start: usize) {
         let (end, mut from, mut depth) = (self.len(), start, 0);
         for i in start..end {
@@ -328,7 +328,7 @@ impl<'a> Gatherer<'a> {
         item
     }
 
-    /// What stands behind the bracket that was just taken, up to the end of its element.
+    /// Takes the contents after the bracket that was just taken, up to the end of its element.
     fn enclosed(&mut self, start: usize, span: Span, body: &[Element]) {
         let open = self.len() - 1;
         self.body(body);

@@ -1,5 +1,5 @@
-//! Algebraic surfaces: a polynomial, times the field strength, cut at ±10. The surfaces are classical; unless said otherwise
-//! the equation is MathWorld's under that name. Signs and parameters were measured.
+//! Algebraic surfaces: a polynomial, times the field strength, clamped to ±10. The surfaces are classical; unless noted
+//! otherwise the equation is MathWorld's under that name (signs and parameters; quirk: `internal_functions`).
 
 use super::field;
 use std::f64::consts::SQRT_2;
@@ -51,8 +51,8 @@ pub fn devils_curve([x, y, z, strength]: [f64; 4]) -> f64 {
     field(strength, y2 * y2 - 0.25 * y2 - q * q + 0.36 * x2)
 }
 
-/// The inversion of a torus, displaced by d and e, in a sphere of radius k: Dupin's cyclide. With s = x² + y² + z² it is
-/// s² times [`torus2`] at k² p / s - (d, ∓e, 0), where e counts with the other sign in one of the terms.
+/// The inversion of a torus, displaced by d and e, in a sphere of radius k: Dupin's cyclide. With s = x² + y² + z² it
+/// is s² times [`torus2`] at k² p / s - (d, ∓e, 0), where e has the opposite sign in one of the terms.
 pub fn dupin_cyclid([x, y, z, strength, major, minor, d, e, radius]: [f64; 9]) -> f64 {
     let (k, s) = (radius * radius, x * x + y * y + z * z);
     let square = k * k - 2.0 * k * (d * x + e * y) + (d * d + e * e) * s;
@@ -62,8 +62,8 @@ pub fn dupin_cyclid([x, y, z, strength, major, minor, d, e, radius]: [f64; 9]) -
     field(strength, rest - square * square)
 }
 
-/// ((y² - x²) / 2z + 2 z² / 9)³ = 6 ((y² - x²) / 4z)²: Enneper's surface (A. Gray, 1993, "Enneper's Surface") without its
-/// constants, where a z below 0.2 in absolute value is 0.2 in the denominators.
+/// ((y² - x²) / 2z + 2 z² / 9)³ = 6 ((y² - x²) / 4z)²: Enneper's surface (A. Gray, 1993, "Enneper's Surface") without
+/// its constants; a z below 0.2 in absolute value is replaced by 0.2 in the denominators.
 pub fn enneper([x, y, z, strength]: [f64; 4]) -> f64 {
     let w = if z.abs() < 0.2 { 0.2 } else { z };
     let a = (y * y - x * x) / (2.0 * w);
@@ -96,12 +96,12 @@ pub fn hunt_surface([x, y, z, strength]: [f64; 4]) -> f64 {
     field(strength, -4.0 * a * a * a - 27.0 * b * b)
 }
 
-/// [`torus2`] with -z² in the place of z².
+/// [`torus2`] with -z² instead of z².
 pub fn hyperbolic_torus([x, y, z, strength, major, minor]: [f64; 6]) -> f64 {
     field(strength, ring(x * x - z * z, y * y, 2.0, major, minor))
 }
 
-/// [`torus2`] with -z in the place of z², and half as much of the linear terms.
+/// [`torus2`] with -z instead of z², and half the linear terms.
 pub fn parabolic_torus([x, y, z, strength, major, minor]: [f64; 6]) -> f64 {
     field(strength, ring(x * x - z, y * y, 1.0, major, minor))
 }

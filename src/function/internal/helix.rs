@@ -1,5 +1,5 @@
-//! Tubes that wind: helices, the spiral and the torus with windings. Each is the distance, in the tube's cross section, from
-//! a curve (A. Gray, "Modern Differential Geometry of Curves and Surfaces", 1993, "Helix"), where the cross section is a
+//! Helical tubes: helices, the spiral and the torus with windings. Each is the distance, in the tube's cross section,
+//! from a curve (A. Gray, "Modern Differential Geometry of Curves and Surfaces", 1993, "Helix"); the cross section is a
 //! superellipse of exponent 2 / type (manual, "Cross Section Type").
 
 use crate::math::fp;
@@ -16,28 +16,28 @@ fn cross_section(a: f64, b: f64, kind: f64) -> f64 {
     }
 }
 
-/// Turned by an angle with this sine and cosine.
+/// Rotates by an angle with this sine and cosine.
 fn turned(a: f64, b: f64, (sin, cos): (f64, f64)) -> (f64, f64) {
     (a * cos - b * sin, a * sin + b * cos)
 }
 
-/// How far x is from the middle of its period, for any sign of both.
+/// Distance of x from the middle of its period, for any sign of both.
 fn from_middle(x: f64, period: f64) -> f64 {
     x - period * (x / period).floor() - period / 2.0
 }
 
-/// The tube's cross section is spanned by the distance from the cylinder of the major radius, and along y. It is never
-/// farther than the opposite side of that cylinder.
+/// The tube's cross section is spanned by the distance from the cylinder of the major radius, and by y. The distance
+/// never exceeds that to the cylinder's opposite side.
 pub fn helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [f64; 10]) -> f64 {
     let q = (x * x + z * z).sqrt();
     let pitch = TAU / (number * period);
     let along = from_middle(y - fp::atan2(-z, x) / period, pitch);
     let (a, b) = turned(q - major, along / shape, fp::sin_cos(degrees.to_radians()));
-    // `min` also drops what is undefined where there is no helix.
+    // `min` also drops NaN where there is no helix.
     cross_section(a, b, kind).min(q + major) - minor
 }
 
-/// A cylinder whose horizontal cross section turns around the y axis while its centre does.
+/// A cylinder whose horizontal cross section turns around the y axis together with its centre.
 pub fn helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 {
     let (sin, cos) = fp::sin_cos(period * y);
     let (a, b) = turned(x - major * cos, z - major * sin, (-sin, cos));
@@ -55,7 +55,7 @@ pub fn spiral([x, y, z, winding, thickness, radius, _, _, kind]: [f64; 9]) -> f6
     tube.max(r - radius)
 }
 
-/// A torus of major radius P0; P1 windings around it that turn P2 times. P5 is the radius on which they lie.
+/// A torus of major radius P0; P1 windings around it that turn P2 times. P5 is the radius of the windings' centres.
 pub fn helical_torus(
     [x, y, z, major, loops, twist, fatness, threshold, minor, flatness, period, amplitude, phase]: [f64; 13],
 ) -> f64 {
@@ -64,7 +64,7 @@ pub fn helical_torus(
     let from_circle = (across * across + y * y).sqrt();
     let azimuth = fp::atan2(x, z);
 
-    // How far around the tube the next winding is, and the distance from it.
+    // Angle around the tube to the next winding, and the distance from it.
     let turn = loops * azimuth + twist * fp::atan2(across, y);
     let away = turn - TAU * (turn / TAU).floor() - PI;
     let deep = from_circle - minor;
@@ -75,7 +75,7 @@ pub fn helical_torus(
     }
     let distance = square.sqrt().min(from_circle + minor);
 
-    // Grooves lie around the winding.
+    // Grooves surround the winding.
     let groove = if fatness == 0.0 {
         0.0
     } else {

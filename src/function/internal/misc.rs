@@ -1,5 +1,5 @@
-//! Blobs and ellipsoids of Gaussians, lattices, and surfaces of their own kind. The formulas follow the manual's words;
-//! constants and signs were measured.
+//! Blobs and ellipsoids of Gaussians, lattices, and single surfaces. The formulas follow the manual's words (constants
+//! and signs; quirk: `internal_functions`).
 
 use super::super::Interval;
 use crate::math::fp;
@@ -70,7 +70,7 @@ pub fn comma([x, y, z, s]: [f64; 4]) -> f64 {
     head.min(tail.max(-z))
 }
 
-/// Hexagonal cylinders along z: the distance from the middle of the nearest, measured across the hexagon.
+/// Hexagonal cylinders along z: the distance from the axis of the nearest, along the hexagon's normals.
 pub fn hex_x([x, y, _, _]: [f64; 4]) -> f64 {
     let fold = |u: f64, period: f64| (u - period * (u / period).round()).abs();
     let (x, y) = (fold(x, 2.0 * COS_30), fold(y, 3.0));
@@ -78,14 +78,14 @@ pub fn hex_x([x, y, _, _]: [f64; 4]) -> f64 {
     across(x, y).min(across(COS_30 - x, (1.5 - y).abs()))
 }
 
-/// The distance in the plane from the nearest of three families of parallels, 1.5 apart and turned by 60°.
+/// The distance in the plane from the nearest line of three families of parallels, 1.5 apart and turned by 60°.
 pub fn hex_y([x, y, _, _]: [f64; 4]) -> f64 {
     let fold = |u: f64| (u - 1.5 * (u / 1.5).round()).abs();
     fold(y).min(fold(COS_30 * x + 0.5 * y)).min(fold(COS_30 * x - 0.5 * y))
 }
 
-/// Woven threads: those along z at multiples of P0, those along x at multiples of P1, each a wave that rises where its
-/// neighbours and the threads across sink. What POV-Ray does with negative distances is not known.
+/// Woven threads: along z at multiples of P0, along x at multiples of P1, each a wave that is high where its neighbours
+/// and the crossing threads are low. POV-Ray's result for negative distances is unknown.
 pub fn mesh1([x, y, z, dx, dz, flat, amplitude, high]: [f64; 8]) -> f64 {
     let nearest = |across: f64, along: f64, side: f64, period: f64, sign: f64| {
         let first = (across / period).floor();
@@ -104,13 +104,13 @@ fn polynomial(y: f64, [a, b, c, d, e]: [f64; 5]) -> f64 {
     a + y * (b + y * (c + y * (d + y * e)))
 }
 
-/// √(x² + z²) less the polynomial in y, or less -5 where it is below.
+/// √(x² + z²) minus the polynomial in y, or minus -5 where the polynomial is less.
 pub fn poly4([x, y, z, a, b, c, d, e]: [f64; 8]) -> f64 {
     (x * x + z * z).sqrt() - polynomial(y, [a, b, c, d, e]).max(-5.0)
 }
 
-/// The horizontal distance from the nearest of the tubes around the y axis, which are as far from it as the polynomial says;
-/// at most 10000. For a number with a fraction one of the gaps is wider.
+/// The horizontal distance from the nearest of the tubes around the y axis, whose distance from the axis is the
+/// polynomial; at most 10000. For a number with a fraction one of the gaps is wider.
 pub fn polytubes([x, y, z, number, a, b, c, d, e]: [f64; 9]) -> f64 {
     if number.is_nan() || number < 1.0 {
         return 1e4;
@@ -122,7 +122,7 @@ pub fn polytubes([x, y, z, number, a, b, c, d, e]: [f64; 9]) -> f64 {
         across * across + 4.0 * q * radius.abs() * half * half
     };
 
-    // The nearest tube is before the point or behind it; behind the last one is the first.
+    // The nearest tube precedes or follows the point; the first follows the last.
     let angle = if radius < 0.0 { fp::atan2(-x, -z) } else { fp::atan2(x, z) }.rem_euclid(TAU);
     let nearest = (angle / step).round().min(last) * step;
     from_tube(angle - nearest).min(from_tube(angle)).sqrt().min(1e4)
@@ -136,7 +136,7 @@ pub fn quantum([x, y, z, _]: [f64; 4]) -> f64 {
     1.2 - 1.6 * harmonic * harmonic * fp::exp(-1.333_333_32 * (q + y2).sqrt())
 }
 
-/// Where [`poly4`] lies.
+/// Bounds of [`poly4`].
 pub fn poly4_bounds(i: &[Interval]) -> Interval {
     let &[x, y, z, a, b, c, d, e] = i else { return Interval::ALL };
     let radius = [d, c, b, a].iter().fold(e, |sum, k| sum * y + *k).growing(|u| u.max(-5.0));

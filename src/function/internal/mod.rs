@@ -1,5 +1,6 @@
-//! The functions behind `functions.inc`: `function { internal(N) }` (manual, "functions.inc"). Formulas are those of
-//! published surfaces, with what was measured on POV-Ray 3.7.0.10; `tests/suite/function_internals.rs` compares each with it.
+//! The functions of `functions.inc`: `function { internal(N) }` (manual, "functions.inc"). Formulas are those of
+//! published surfaces, with POV-Ray's constants (quirk: `internal_functions`); `tests/suite/function_internals.rs`
+//! compares each with POV-Ray.
 
 mod algebraic;
 mod helix;
@@ -14,23 +15,23 @@ pub use table::TABLE;
 use super::Interval;
 use std::fmt;
 
-/// One of them.
+/// An internal function.
 pub struct Internal {
-    /// What `internal( )` takes.
+    /// Argument of `internal( )`.
     pub number: u32,
-    /// As `functions.inc` calls it.
+    /// Name in `functions.inc`.
     pub name: &'static str,
-    /// What it is, for the manual.
+    /// Summary for the manual.
     pub summary: &'static str,
-    /// What each number beside x, y and z means, for the manual.
+    /// Meaning of each parameter after x, y and z, for the manual.
     pub parameters: &'static [&'static str],
-    /// x, y, z and the parameters; NaN for another count.
+    /// The function of x, y, z and the parameters; NaN for a wrong number of arguments.
     pub compute: fn(&[f64]) -> f64,
-    /// Between which numbers it lies while the arguments lie in these intervals.
+    /// Bounds of the function while the arguments are in these intervals.
     pub bounds: Option<fn(&[Interval]) -> Interval>,
-    /// No shorter than its gradient anywhere, for the numbers beside x, y and z.
+    /// Upper bound of the gradient's length, for the parameters after x, y and z.
     pub steepest: Option<fn(&[f64]) -> f64>,
-    /// By no more than this does its gradient change along a way of length 1, where its numbers lie strictly between 0 and 1.
+    /// Upper bound of the gradient's change per unit of length, where the numbers are strictly between 0 and 1.
     pub bend: Option<fn(&[f64]) -> f64>,
 }
 
@@ -40,10 +41,10 @@ impl fmt::Debug for Internal {
     }
 }
 
-/// `f_noise3d`: which noise it is, the scene says.
+/// Number of `f_noise3d`, whose generator is set by the scene.
 pub const SCENE_NOISE: u32 = 76;
 
-/// The function of this number.
+/// The function with this number.
 pub fn find(number: u32) -> Option<&'static Internal> {
     TABLE.iter().find(|row| row.number == number)
 }
@@ -54,19 +55,19 @@ fn call<const N: usize>(arguments: &[f64], function: fn([f64; N]) -> f64) -> f64
     arguments.try_into().map_or(f64::NAN, function)
 }
 
-/// A polynomial times its field strength, as far as POV-Ray follows it.
+/// A polynomial times its field strength, clamped to POV-Ray's limit.
 #[inline]
 fn field(strength: f64, value: f64) -> f64 {
     (strength * value).clamp(-10.0, 10.0)
 }
 
-/// A value and the field limit.
+/// Clamps a value to ±limit.
 #[inline]
 fn clamped(value: f64, limit: f64) -> f64 {
     value.max(-limit).min(limit)
 }
 
-/// Where [`field`] lies.
+/// Bounds of [`field`].
 fn field_bounds(_: &[Interval]) -> Interval {
     Interval { lo: -10.0, hi: 10.0 }
 }

@@ -1,15 +1,16 @@
-//! Sums of noise: K. Musgrave's multifractals ("Texturing and Modeling: A Procedural Approach", 1994, chapter "Procedural
-//! Fractal Terrains") and the ridged turbulence, over [`crate::math::noise`]. POV-Ray keeps the powers of frequencies from
-//! one call to the next, and so gives wrong numbers where calls of several parameters take turns; here they are always right.
+//! Sums of noise: K. Musgrave's multifractals ("Texturing and Modeling: A Procedural Approach", 1994, chapter
+//! "Procedural Fractal Terrains") and the ridged turbulence, over [`crate::math::noise`]. POV-Ray keeps the powers of
+//! frequencies from one call to the next, and so gives wrong numbers where calls with different parameters alternate;
+//! durer always computes the right ones.
 
 use super::super::Interval;
 use crate::math::noise::{NoiseGenerator, noise};
 use crate::math::{DVec3, fp};
 
-/// More octaves than these only add rounding errors, and would take for ever.
+/// Maximum number of octaves: more would only add rounding errors, and take too long.
 const MOST_OCTAVES: f64 = 64.0;
 
-/// Noise from 0 to 1 by the generator that scenes use unless they say otherwise.
+/// Noise from 0 to 1 by the default generator.
 pub fn noise3d([x, y, z]: [f64; 3]) -> f64 {
     noise(DVec3::new(x, y, z), NoiseGenerator::default())
 }
@@ -24,7 +25,7 @@ fn signed(p: DVec3, generator: NoiseGenerator) -> f64 {
     2.0 * noise(p, generator) - 1.0
 }
 
-/// Musgrave's `Hetero_Terrain`. The heterogeneity t, without its fraction, is the power of the altitude that scales the next
+/// Musgrave's `Hetero_Terrain`. The heterogeneity t, truncated, is the power of the altitude that scales the next
 /// octave.
 pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 9]) -> f64 {
     let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
@@ -42,7 +43,7 @@ pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 
         i += 1.0;
     }
 
-    // What is left of the octaves, as Musgrave has it.
+    // The remaining fraction of an octave, as in Musgrave's function.
     let rest = octaves - octaves.floor();
     if rest > 0.0 { value + rest * increment() * value } else { value }
 }
@@ -67,8 +68,8 @@ pub fn ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f6
     sum
 }
 
-/// The mean of octaves of |noise - ridge|, less the offset; both differences are divided by the larger part of the range from
-/// 0 to 1 that they cut it into.
+/// The mean of octaves of |noise - ridge|, minus the offset; both differences are divided by the larger of the two
+/// parts into which the ridge divides the range from 0 to 1.
 pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 9]) -> f64 {
     let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
@@ -86,7 +87,7 @@ pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 
         i += 1.0;
     }
 
-    // The fraction of an octave counts so much less.
+    // The fraction of an octave has that weight.
     let rest = octaves - octaves.floor();
     if rest > 0.0 {
         add(rest);
@@ -94,22 +95,22 @@ pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 
     (sum / weights - offset) / offset.max(1.0 - offset)
 }
 
-/// How steep [`noise_generator`] is.
+/// Upper bound of the gradient of [`noise_generator`].
 pub fn steepest(generator: &[f64]) -> f64 {
     generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).steepest())
 }
 
-/// How much its gradient changes.
+/// Upper bound of the gradient's change.
 pub fn bend(generator: &[f64]) -> f64 {
     generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).bend())
 }
 
-/// Where noise lies.
+/// Bounds of noise.
 pub fn noise_bounds(_: &[Interval]) -> Interval {
     Interval::TRUTH
 }
 
-/// The numbers beside x, y and z, if each is known.
+/// The parameters after x, y and z, if each is a constant.
 fn known<const N: usize>(a: &[Interval]) -> Option<[f64; N]> {
     let mut all = [0.0; N];
     for (to, i) in all.iter_mut().zip(a.get(3..3 + N)?) {
@@ -118,10 +119,10 @@ fn known<const N: usize>(a: &[Interval]) -> Option<[f64; N]> {
     a[3..].iter().all(|i| i.lo == i.hi).then_some(all)
 }
 
-/// Octaves of noise over a box: each lies as near to its value in the middle as noise is steep.
+/// Octaves of noise over a box: each octave is within its steepness times the radius of its value at the centre.
 struct Octaves {
     p: DVec3,
-    /// How far the corners are from the middle.
+    /// Distance from the centre to the corners.
     radius: f64,
     generator: NoiseGenerator,
 }
@@ -138,25 +139,25 @@ impl Octaves {
         })
     }
 
-    /// From 0 to 1, so many times as fine as at first.
+    /// Noise from 0 to 1 at this multiple of the frequency.
     fn noise(&self, frequency: f64) -> Interval {
         let value = noise(self.p * frequency, self.generator);
         let far = self.generator.steepest() * self.radius * frequency.abs();
         Interval { lo: value - far, hi: value + far }.widened().shared(Interval::TRUTH)
     }
 
-    /// From -1 to 1.
+    /// Noise from -1 to 1 at this multiple of the frequency.
     fn signed(&self, frequency: f64) -> Interval {
         Interval::point(2.0) * self.noise(frequency) + Interval::point(-1.0)
     }
 }
 
-/// What is no bound is none.
+/// Replaces bounds that are not numbers by no bounds.
 fn sound(bounds: Interval) -> Interval {
     if bounds.lo.is_nan() || bounds.hi.is_nan() { Interval::ALL } else { bounds.widened() }
 }
 
-/// Where [`hetero_mf`] lies.
+/// Bounds of [`hetero_mf`].
 pub fn hetero_bounds(a: &[Interval]) -> Interval {
     let Some([h, lacunarity, octaves, offset, t, generator]) = known(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
@@ -176,7 +177,7 @@ pub fn hetero_bounds(a: &[Interval]) -> Interval {
     sound(if rest > 0.0 { value + Interval::point(rest) * increment() * value } else { value })
 }
 
-/// Where [`ridged_mf`] lies.
+/// Bounds of [`ridged_mf`].
 pub fn ridged_bounds(a: &[Interval]) -> Interval {
     let Some([h, lacunarity, octaves, offset, gain, generator]) = known(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
@@ -194,7 +195,7 @@ pub fn ridged_bounds(a: &[Interval]) -> Interval {
     sound(sum)
 }
 
-/// Where [`ridge`] lies.
+/// Bounds of [`ridge`].
 pub fn ridge_bounds(a: &[Interval]) -> Interval {
     let Some([lambda, octaves, omega, offset, ridge, generator]) = known(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };

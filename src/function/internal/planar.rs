@@ -1,12 +1,12 @@
-//! Plane curves, pulled along z or swept around the y axis (manual, "SOR Switch", "SOR Offset", "SOR Angle"): the
-//! `…_2d` functions and the four algebraic cylinders. Sources: J. D. Lawrence, "A Catalog of Special Plane Curves" (1972)
-//! and MathWorld under the curve's name. The weights of the parameters were measured.
+//! Plane curves, extruded along z or swept around the y axis (manual, "SOR Switch", "SOR Offset", "SOR Angle"): the
+//! `…_2d` functions and the four algebraic cylinders. Sources: J. D. Lawrence, "A Catalog of Special Plane Curves"
+//! (1972) and MathWorld under the curve's name (weights of the parameters; quirk: `internal_functions`).
 
 use super::{clamped, field};
 use crate::math::fp;
 
-/// Where on the plane of the curve the point lies. Swept, the distance from the y axis less the offset takes the place of x,
-/// and the point is turned by the angle.
+/// The point in the plane of the curve. For a swept curve, x is the distance from the y axis minus the offset, and the
+/// point is turned by the angle.
 fn plane([x, y, z]: [f64; 3], [switch, offset, degrees]: [f64; 3]) -> (f64, f64) {
     if switch > 0.0 {
         let u = (x * x + z * z).sqrt() - offset;
@@ -21,7 +21,7 @@ fn plane([x, y, z]: [f64; 3], [switch, offset, degrees]: [f64; 3]) -> (f64, f64)
 pub fn algbr_cyl1([x, y, z, strength, limit, sor, offset, degrees]: [f64; 8]) -> f64 {
     let (x, y) = plane([x, y, z], [sor, offset, degrees]);
     let value = strength * (y * y - x * x + x * x * x.abs());
-    // The others give a negative limit, this one its opposite.
+    // All other functions return a negative limit, this one its opposite.
     value.min(limit).max(-limit)
 }
 

@@ -1,5 +1,5 @@
-//! Distances and what is near them: spheres, boxes, tori and angles. Their zero sets are the surfaces of the manual; that
-//! the numbers between are distances was measured on POV-Ray 3.7.0.10, as every formula in this folder was.
+//! Distances from spheres, boxes and tori; angles. The zero sets are the surfaces of the manual; elsewhere the numbers
+//! are distances (quirk: `internal_functions`).
 
 use super::super::Interval;
 use crate::math::fp;
@@ -37,8 +37,8 @@ pub fn torus([x, y, z, major, minor]: [f64; 5]) -> f64 {
     (across * across + y * y).sqrt() - minor
 }
 
-/// The distance from a box that shrank by the radius, less the radius, and 1e-6 less, as POV-Ray has it. Inside the
-/// shrunken box this is constant.
+/// The distance from a box that is smaller by the radius, minus the radius, minus 1e-6 as in POV-Ray. Inside the
+/// smaller box the number is constant.
 pub fn rounded_box([x, y, z, radius, a, b, c]: [f64; 7]) -> f64 {
     let beyond = |u: f64, half: f64| (u.abs() - half + radius).max(0.0);
     let (x, y, z) = (beyond(x, a), beyond(y, b), beyond(z, c));
@@ -60,42 +60,42 @@ fn norm(a: &[Interval]) -> Interval {
     root(a.iter().fold(Interval::point(0.0), |sum, x| sum + x.square()))
 }
 
-/// Where [`r`] lies.
+/// Bounds of [`r`].
 pub fn r_bounds(a: &[Interval]) -> Interval {
     norm(a)
 }
 
-/// Where [`sphere`] lies.
+/// Bounds of [`sphere`].
 pub fn sphere_bounds(a: &[Interval]) -> Interval {
     let [point @ .., radius] = a else { return Interval::ALL };
     norm(point) + -*radius
 }
 
-/// Where [`ellipsoid`] lies.
+/// Bounds of [`ellipsoid`].
 pub fn ellipsoid_bounds(i: &[Interval]) -> Interval {
     let &[x, y, z, a, b, c] = i else { return Interval::ALL };
     norm(&[a * x, b * y, c * z])
 }
 
-/// How steep [`ellipsoid`] is.
+/// Upper bound of the gradient of [`ellipsoid`].
 pub fn ellipsoid_steepest(inverse: &[f64]) -> f64 {
     inverse.iter().fold(0.0, |most, x| x.abs().max(most))
 }
 
-/// Where [`torus`] lies.
+/// Bounds of [`torus`].
 pub fn torus_bounds(a: &[Interval]) -> Interval {
     let &[x, y, z, major, minor] = a else { return Interval::ALL };
     norm(&[norm(&[x, z]) + -major, y]) + -minor
 }
 
-/// Where [`rounded_box`] lies.
+/// Bounds of [`rounded_box`].
 pub fn rounded_box_bounds(i: &[Interval]) -> Interval {
     let &[x, y, z, radius, a, b, c] = i else { return Interval::ALL };
     let beyond = |u: Interval, half: Interval| (u.abs() + -half + radius).growing(|u| u.max(0.0));
     norm(&[beyond(x, a), beyond(y, b), beyond(z, c)]) + -radius + Interval::point(-1e-6)
 }
 
-/// Where [`superellipsoid`] lies, for exponents that are one positive number each.
+/// Bounds of [`superellipsoid`], for exponents that are one positive number each.
 pub fn superellipsoid_bounds(a: &[Interval]) -> Interval {
     let &[x, y, z, e, n] = a else { return Interval::ALL };
     if e.lo != e.hi || n.lo != n.hi || !(e.lo > 0.0 && n.lo > 0.0) {

@@ -3,7 +3,7 @@ use crate::function::{Id, numeric};
 use crate::math::noise::NoiseGenerator;
 use proptest::prelude::*;
 
-/// A recipe for one operation: which kind, and which operands.
+/// Description of one operation: its type, and its operands.
 type Recipe = Vec<(u8, u32, u32, f64)>;
 
 fn graph(recipe: &Recipe) -> Graph {
@@ -39,7 +39,7 @@ fn graph(recipe: &Recipe) -> Graph {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1000, max_global_rejects: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// What a function rises by between two points of a box is at most its slope times their distance.
+    /// The difference between two points of a box is at most the slope times their distance.
     #[test]
     fn chords_lie_in_slopes(
         recipe in prop::collection::vec((any::<u8>(), any::<u32>(), any::<u32>(), -2.0..2.0), 1..12),
@@ -68,7 +68,7 @@ proptest! {
             })
         });
         prop_assume!(every);
-        // (atan2 jumps by a full turn, and mostly what is made of it does not.)
+        // (atan2 jumps by a full turn, and most results that use it do not.)
         let turns = graph.nodes.iter().any(|n| matches!(n, Operation::Two(row, ..) if numeric::TABLE[*row as usize].name == "atan2"));
         prop_assume!(!turns);
         let slack = 1e-9 * (1.0 + a.abs() + b.abs());
@@ -92,7 +92,8 @@ fn noise_is_no_steeper_than_said() {
     }
 }
 
-/// Over balls of many sizes, noise lies in the range that is said and rises between any two points by what is said of its gradients.
+/// Over balls of many sizes, noise is within the stated range, and differences between points are within the bounds of
+/// its gradients.
 #[test]
 fn noise_near_a_point_is_as_is_said() {
     for number in [1.0, 2.0, 3.0] {

@@ -107,7 +107,7 @@ fn compare(a: &str, b: &str) -> f64 {
 }
 
 /// Parses the number at the start of a string; returns it with its length in bytes.
-pub(in crate::interpreter) fn leading_number(s: &str) -> Option<(f64, usize)> {
+pub fn leading_number(s: &str) -> Option<(f64, usize)> {
     let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-');
     let end = s.find(|c| !digits(c)).unwrap_or(s.len()).min(400);
     (1..=end).rev().find_map(|end| s[..end].parse().ok().map(|x| (x, end)))

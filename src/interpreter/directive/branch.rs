@@ -12,7 +12,7 @@ use crate::syntax::ast::*;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn evaluate_condition(&mut self, condition: &'a Head, span: Span) -> Result<bool> {
+    pub fn evaluate_condition(&mut self, condition: &'a Head, span: Span) -> Result<bool> {
         Ok(self.evaluate_head(condition, span)?.abs() > SMALL)
     }
 
@@ -40,7 +40,7 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    pub(in crate::interpreter) fn run_if(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
+    pub fn run_if(&mut self, branches: &'a [Branch], span: Span) -> Result<()> {
         for (i, branch) in branches.iter().enumerate() {
             if let Condition::True(Head::Pieces(None)) = &branch.condition {
                 let checkpoint = self.stream.checkpoint();
@@ -148,19 +148,14 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    pub(in crate::interpreter) fn run_while(
-        &mut self,
-        condition: &'a Head,
-        body: &'a [Element],
-        span: Span,
-    ) -> Result<()> {
+    pub fn run_while(&mut self, condition: &'a Head, body: &'a [Element], span: Span) -> Result<()> {
         if self.evaluate_condition(condition, span)? {
             self.stream.push_frame(body, FrameKind::While(condition), span);
         }
         Ok(())
     }
 
-    pub(in crate::interpreter) fn run_for(&mut self, f: &'a For, span: Span) -> Result<()> {
+    pub fn run_for(&mut self, f: &'a For, span: Span) -> Result<()> {
         let (counter, [first, last, step], at) = match &f.head {
             ForHead::Whole(counter, range) => {
                 let [first, last, rest @ ..] = &**range else { return Err(self.syntax_error_at(span).into()) };
@@ -208,7 +203,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs the first arm that matches, and all arms after it up to a `#break`.
-    pub(in crate::interpreter) fn run_switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
+    pub fn run_switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
         let value = self.evaluate_head(value, span)?;
         for (i, arm) in arms.iter().enumerate() {
             let checkpoint = self.stream.checkpoint();

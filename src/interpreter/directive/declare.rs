@@ -24,7 +24,7 @@ type Deprecated<'a> = Option<(bool, &'a str)>;
 impl<'a> Interpreter<'a> {
     /// Runs `#declare` and `#local`. A thing that cannot be built is declared all the same, and its errors are reported
     /// where it is used: standard include files declare hundreds of things of which a scene uses a few.
-    pub(in crate::interpreter) fn run_declare(&mut self, declare: &'a Declare) -> Result<()> {
+    pub fn run_declare(&mut self, declare: &'a Declare) -> Result<()> {
         let target = &declare.target;
         if let Some(word) = target.keyword {
             return self.refuse_reserved_name(word, target.span);
@@ -75,7 +75,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs `#declare` and `#local` where the target before the `=` comes token by token.
-    pub(in crate::interpreter) fn run_declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
+    pub fn run_declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         let checkpoint = self.stream.checkpoint();
         self.declare_tokens(local, span).map_err(|fault| self.skip_fault(checkpoint, *fault))
     }
@@ -270,7 +270,7 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::WRONG_COUNT, span.to(end), format!("{wanted} names get {} values", values.len()))
     }
 
-    pub(in crate::interpreter) fn run_undef(&mut self, span: Span) -> Result<()> {
+    pub fn run_undef(&mut self, span: Span) -> Result<()> {
         self.pop_spent();
         // The name is removed before anything after it runs, and a macro's name is not called.
         let next = self.stream.innermost().and_then(StackFrame::following).map(|e| &e.kind);
@@ -303,7 +303,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    pub(in crate::interpreter) fn run_default(&mut self, span: Span) -> Result<()> {
+    pub fn run_default(&mut self, span: Span) -> Result<()> {
         if !matches!(self.peek()?, Token::Open(Bracket::Brace, _)) {
             let d = self.unexpected_token("`{` after `#default`");
             return d.help("`#default { finish { ambient 0 } }`").into();

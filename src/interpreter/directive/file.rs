@@ -17,7 +17,7 @@ use std::rc::Rc;
 const MAX_WRITTEN: u64 = 4 << 30;
 
 /// A file that `#fopen` opened, until its `#fclose`.
-pub(in crate::interpreter) struct OpenFile {
+pub struct OpenFile {
     /// Name in the scene.
     name: String,
     path: PathBuf,
@@ -38,7 +38,7 @@ enum Access {
 
 impl<'a> Interpreter<'a> {
     /// Runs `#fopen Name "file" read`.
-    pub(in crate::interpreter) fn run_fopen(&mut self, span: Span) -> Result<()> {
+    pub fn run_fopen(&mut self, span: Span) -> Result<()> {
         let Some((symbol, _)) = self.read_name()? else {
             let message = "`#fopen` takes a name, a file and `read`, `write` or `append`";
             return Diagnostic::err(codes::EXPECTED, span, message);
@@ -66,7 +66,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads a name, which need not be declared.
-    pub(in crate::interpreter) fn read_name(&mut self) -> Result<Option<(Symbol, Span)>> {
+    pub fn read_name(&mut self) -> Result<Option<(Symbol, Span)>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
                 self.stream.advance();
@@ -96,7 +96,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs `#fclose Name`.
-    pub(in crate::interpreter) fn run_fclose(&mut self, span: Span) -> Result<()> {
+    pub fn run_fclose(&mut self, span: Span) -> Result<()> {
         if let Some((symbol, _)) = self.read_name()? {
             self.close_file(symbol, span);
         }
@@ -157,7 +157,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Closes the files that the scene has left open.
-    pub(in crate::interpreter) fn close_files(&mut self) {
+    pub fn close_files(&mut self) {
         (0..self.open_files.len()).for_each(|index| self.flush(index, self.open_files[index].span));
     }
 
@@ -174,7 +174,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs `#read (Name, A, B)`. At the end of its text the file is closed, which `defined` then reports.
-    pub(in crate::interpreter) fn run_read(&mut self, span: Span) -> Result<()> {
+    pub fn run_read(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#read")?;
         let Some((file, at)) = self.read_name()? else {
             return Diagnostic::err(codes::EXPECTED, span, "`#read` takes an open file and names");
@@ -238,7 +238,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs `#write (Name, A, B)`.
-    pub(in crate::interpreter) fn run_write(&mut self, span: Span) -> Result<()> {
+    pub fn run_write(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#write")?;
         let index = match self.read_name()? {
             Some((symbol, at)) => self.file_number(symbol, at)?,

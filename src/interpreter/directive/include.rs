@@ -11,7 +11,7 @@ use crate::syntax::parse;
 use std::path::{Path, PathBuf};
 
 impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn run_include(&mut self, span: Span) -> Result<()> {
+    pub fn run_include(&mut self, span: Span) -> Result<()> {
         let (text, name) = self.read_text_value()?;
         let span = joined(span, name);
         if self.stream.include_paths().len() >= MAX_INCLUDES {
@@ -31,7 +31,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Finds a file that the scene names; `None` if it does not exist, an error if the scene may not read it.
-    pub(in crate::interpreter) fn find_read_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
+    pub fn find_read_file(&mut self, name: &str, span: Span) -> Result<Option<PathBuf>> {
         let including = self.stream.include_paths().last().map(PathBuf::as_path);
         // The name as typed: in `"C:\new\shapes.inc"`, `\n` is no line feed.
         let typed = self.inputs.sources.snippet(span);
@@ -63,7 +63,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The text of a file, read once unless the file changes.
-    pub(in crate::interpreter) fn source_file(&mut self, path: &Path, name: &str, span: Span) -> Result<FileId> {
+    pub fn source_file(&mut self, path: &Path, name: &str, span: Span) -> Result<FileId> {
         if let Some(file) = self.inputs.parsed.file(self.inputs.files, path) {
             return Ok(file);
         }
@@ -105,7 +105,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Parses a text that [`crate::source::Sources`] holds.
-    pub(in crate::interpreter) fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
+    pub fn parse_file(&mut self, file: FileId) -> Result<&'a Ast> {
         if let Some(ast) = self.inputs.parsed.tree(file) {
             self.stream.add_unclosed(ast);
             return Ok(ast);

@@ -11,7 +11,7 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 
 impl<'a> Interpreter<'a> {
-    pub(in crate::interpreter) fn define_macro(&mut self, definition: &'a Macro) -> Result<()> {
+    pub fn define_macro(&mut self, definition: &'a Macro) -> Result<()> {
         if let Some(at) = definition.fault {
             let found = self.inputs.sources.snippet(at);
             let found = if found.is_empty() { "nothing".into() } else { format!("`{found}`") };
@@ -23,13 +23,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Calls a macro: evaluates the arguments, opens a scope and reads the body next, then a comma if `comma` is set.
-    pub(in crate::interpreter) fn call_macro(
-        &mut self,
-        name: Symbol,
-        arguments: &'a [Element],
-        span: Span,
-        comma: bool,
-    ) -> Result<()> {
+    pub fn call_macro(&mut self, name: Symbol, arguments: &'a [Element], span: Span, comma: bool) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
         let slots = match self.plain_arguments(definition, arguments)? {
@@ -41,7 +35,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Calls a macro whose name has been consumed and whose `(` comes next.
-    pub(in crate::interpreter) fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
+    pub fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
         self.expose_parenthesis()?;

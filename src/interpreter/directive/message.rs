@@ -4,7 +4,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 
 impl Interpreter<'_> {
-    pub(in crate::interpreter) fn run_message(&mut self, kind: &'static str) -> Result<()> {
+    pub fn run_message(&mut self, kind: &'static str) -> Result<()> {
         let (message, span) = self.read_text_value()?;
         match kind {
             "error" => {

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 /// A directive.
 #[derive(Debug)]
-pub struct Entry {
+pub struct DirectiveSpec {
     /// Words after the `#`; related directives share an entry.
     pub names: &'static [&'static str],
     /// Syntax.
@@ -31,7 +31,7 @@ pub(in crate::interpreter) fn find(name: &str) -> Option<(&'static str, Run)> {
 
 /// A hash map, because scripts may run `#write` a million times.
 static RUNNERS: LazyLock<FxHashMap<&'static str, (&'static str, Run)>> = LazyLock::new(|| {
-    let runners = |row: &'static Entry| row.names.iter().filter_map(|name| Some((*name, (*name, row.run?))));
+    let runners = |row: &'static DirectiveSpec| row.names.iter().filter_map(|name| Some((*name, (*name, row.run?))));
     TABLE.iter().flat_map(runners).collect()
 });
 
@@ -45,18 +45,18 @@ const fn entry(
     form: &'static str,
     summary: &'static str,
     example: &'static str,
-) -> Entry {
-    Entry { names, form, summary, example, run: None }
+) -> DirectiveSpec {
+    DirectiveSpec { names, form, summary, example, run: None }
 }
 
-impl Entry {
+impl DirectiveSpec {
     const fn runs(self, run: Run) -> Self {
         Self { run: Some(run), ..self }
     }
 }
 
 /// All directives, in the order in which a beginner learns them.
-pub const TABLE: &[Entry] = &[
+pub const TABLE: &[DirectiveSpec] = &[
     entry(
         &["declare"],
         "#declare Name = value;",

@@ -6,7 +6,7 @@ use crate::interpreter::{Interpreter, scene_builder::compat};
 use crate::syntax::ast::{Expr, ExprKind};
 
 impl Interpreter<'_> {
-    pub(in crate::interpreter) fn run_version(&mut self) -> Result<()> {
+    pub fn run_version(&mut self) -> Result<()> {
         // In `#version unofficial patch 3.7;` the words of MegaPOV are ignored.
         while let Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) = self.peek()?
             && self.evaluator.is_unknown(*symbol)

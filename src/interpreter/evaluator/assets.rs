@@ -14,26 +14,26 @@ const MAX_PROBES: usize = 256;
 
 /// Files and objects that are loaded once per run.
 #[derive(Default)]
-pub(in crate::interpreter) struct Assets {
+pub struct Assets {
     /// Decoded picture files.
-    pub(in crate::interpreter) pictures: FxHashMap<PathBuf, Arc<Picture>>,
+    pub pictures: FxHashMap<PathBuf, Arc<Picture>>,
     /// Shapes built from mesh files.
-    pub(in crate::interpreter) meshes: FxHashMap<PathBuf, Arc<dyn Thing>>,
+    pub meshes: FxHashMap<PathBuf, Arc<dyn Thing>>,
     /// Parsed fonts.
-    pub(in crate::interpreter) fonts: FxHashMap<font::Place, Arc<Font>>,
+    pub fonts: FxHashMap<font::FontLocation, Arc<Font>>,
     /// Font files by the name of the family; `None` for a family that is not installed.
-    pub(in crate::interpreter) families: FxHashMap<String, Option<font::Place>>,
+    pub families: FxHashMap<String, Option<font::FontLocation>>,
     /// Objects that `trace` or `inside` has queried, by address. The object is kept so that no other one gets its address.
     probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
 }
 
 impl Assets {
     /// The probe of an object that was queried before.
-    pub(in crate::interpreter) fn probe(&self, object: *const ()) -> Option<Rc<Probe>> {
+    pub fn probe(&self, object: *const ()) -> Option<Rc<Probe>> {
         self.probes.get(&object).map(|(_, probe)| probe.clone())
     }
 
-    pub(in crate::interpreter) fn add_probe(&mut self, object: Arc<dyn Thing>, probe: Rc<Probe>) {
+    pub fn add_probe(&mut self, object: Arc<dyn Thing>, probe: Rc<Probe>) {
         if self.probes.len() >= MAX_PROBES {
             self.probes.clear();
         }

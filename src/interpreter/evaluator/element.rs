@@ -8,7 +8,7 @@ use crate::value::Value;
 
 impl<'a> Evaluator<'a> {
     /// True if the element of `symbol` at these keys is a dictionary; without keys, if `symbol` is one.
-    pub(in crate::interpreter) fn is_dictionary(&self, symbol: Symbol, keys: &[(Value, Span)]) -> bool {
+    pub fn is_dictionary(&self, symbol: Symbol, keys: &[(Value, Span)]) -> bool {
         let Some(mut lvalue) = self.scopes.resolve(symbol) else { return false };
         for (key, _) in keys {
             let Some(dictionary) = self.scopes.dictionary(&lvalue) else { return false };
@@ -20,7 +20,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The location that the expression `base.key` names, if `place` is the dictionary `base`.
-    pub(in crate::interpreter) fn dictionary_element(&self, lvalue: &LValue, e: &Expr) -> Result<Option<LValue>> {
+    pub fn dictionary_element(&self, lvalue: &LValue, e: &Expr) -> Result<Option<LValue>> {
         let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
         let Some(dictionary) = self.scopes.dictionary(lvalue) else { return Ok(None) };
         let key = self.inputs.names.text(*symbol);
@@ -31,12 +31,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The location of a dictionary's element by its keys. With `adds`, a new last key is added.
-    pub(in crate::interpreter) fn key_lvalue(
-        &mut self,
-        lvalue: LValue,
-        keys: &[(Value, Span)],
-        adds: bool,
-    ) -> Result<LValue> {
+    pub fn key_lvalue(&mut self, lvalue: LValue, keys: &[(Value, Span)], adds: bool) -> Result<LValue> {
         let mut lvalue = lvalue;
         for (i, (value, span)) in keys.iter().enumerate() {
             let Value::Text(key) = value else { return not_text(value, *span) };
@@ -54,7 +49,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The contents of a location; a fault if it has no value.
-    pub(in crate::interpreter) fn slot_at(&self, lvalue: &LValue, span: Span) -> Result<Slot<'a>> {
+    pub fn slot_at(&self, lvalue: &LValue, span: Span) -> Result<Slot<'a>> {
         match self.scopes.at(lvalue) {
             Some(slot) => Ok(slot.clone()),
             None => self.no_value(span),
@@ -62,7 +57,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The fault "… has no value yet".
-    pub(in crate::interpreter) fn no_value<T>(&self, span: Span) -> Result<T> {
+    pub fn no_value<T>(&self, span: Span) -> Result<T> {
         let text = self.inputs.sources.snippet(span);
         let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{text}` has no value yet"));
         d.help(format!("`#declare {text} = …;` gives it one")).into()
@@ -76,7 +71,7 @@ fn missing_key(dictionary: &Array, key: &str, span: Span) -> Fault {
 }
 
 /// The fault "expected a string".
-pub(in crate::interpreter) fn not_text<T>(found: &Value, span: Span) -> Result<T> {
+pub fn not_text<T>(found: &Value, span: Span) -> Result<T> {
     let message = format!("expected a string, found {}", found.describe());
     Diagnostic::new(codes::WRONG_TYPE, span, message).help("`str(A, 0, 3)` makes text of a number").into()
 }

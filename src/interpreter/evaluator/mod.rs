@@ -46,7 +46,7 @@ pub(super) struct Evaluator<'a> {
 }
 
 impl<'a> Evaluator<'a> {
-    /// Without names but those of `--declare`.
+    /// An evaluator whose only names are those of `--declare`.
     pub(super) fn new(inputs: Inputs<'a>) -> Self {
         let mut scopes = Scopes::default();
         for (name, value) in &inputs.options.declares {

@@ -9,9 +9,9 @@ use crate::value::{Value, VecN};
 
 /// Tolerance of comparisons: numbers closer to each other are equal, numbers closer to 0 are false
 /// (quirk: `comparison_tolerance`).
-pub(in crate::interpreter) const SMALL: f64 = 1e-10;
+pub const SMALL: f64 = 1e-10;
 
-pub(in crate::interpreter) fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
+pub fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
     Ok(match (prefix, value) {
         (Prefix::Not, value) => Value::Float(f64::from(as_float(&value, span)?.abs() <= SMALL)),
         (Prefix::Minus, Value::Float(x)) => Value::Float(-x),
@@ -29,7 +29,7 @@ pub(in crate::interpreter) fn apply_prefix(prefix: Prefix, value: Value, span: S
 }
 
 /// The components of a vector or colour, and whether it is a colour.
-pub(in crate::interpreter) fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
+pub fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
     match value {
         Value::Vector(v) => Some((*v, false)),
         Value::Color(c) => Some((VecN { c: c.to_array(), len: 5 }, true)),
@@ -38,26 +38,20 @@ pub(in crate::interpreter) fn five_numbers(value: &Value) -> Option<(VecN, bool)
 }
 
 /// The components of a vector or colour; a number has one component.
-pub(in crate::interpreter) fn numbers_of(value: &Value) -> Option<VecN> {
+pub fn numbers_of(value: &Value) -> Option<VecN> {
     match value {
         Value::Float(x) => Some(VecN::splat(*x, 1)),
         value => five_numbers(value).map(|(v, _)| v),
     }
 }
 
-pub(in crate::interpreter) fn from_numbers(v: VecN, color: bool) -> Value {
+pub fn from_numbers(v: VecN, color: bool) -> Value {
     if color { Value::Color(Color::from_array(v.c)) } else { Value::Vector(v) }
 }
 
 /// Applies a binary operator with POV-Ray's promotions. A number becomes a vector of equal components, and the shorter
 /// of two vectors is padded with zeros. `<` and its kin compare numbers only; `=` and `!=` also compare strings.
-pub(in crate::interpreter) fn combine(
-    op: Operator,
-    left: Value,
-    right: Value,
-    left_span: Span,
-    right_span: Span,
-) -> Result<Value> {
+pub fn combine(op: Operator, left: Value, right: Value, left_span: Span, right_span: Span) -> Result<Value> {
     use Operator::*;
     match (&left, &right) {
         (Value::Float(a), Value::Float(b)) => Ok(Value::Float(on_floats(op, *a, *b))),
@@ -84,12 +78,12 @@ pub(in crate::interpreter) fn combine(
     }
 }
 
-pub(in crate::interpreter) fn wrong_comparison(op: Operator, value: &Value, span: Span) -> Result<Value> {
+pub fn wrong_comparison(op: Operator, value: &Value, span: Span) -> Result<Value> {
     let message = format!("`{}` compares numbers, not {}", op.text(), value.describe());
     Diagnostic::err(codes::WRONG_TYPE, span, message)
 }
 
-pub(in crate::interpreter) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
+pub fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
     use Operator::*;
     let truth = |x: f64| x.abs() > SMALL;
     match op {
@@ -111,7 +105,7 @@ pub(in crate::interpreter) fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
 }
 
 /// Applies an operator component by component; the shorter vector is padded with zeros.
-pub(in crate::interpreter) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
+pub fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN {
     let mut out = VecN { c: [0.0; 5], len: a.len.max(b.len) };
     for i in 0..out.len as usize {
         out.c[i] = on_floats(op, a.c[i], b.c[i]);
@@ -120,17 +114,17 @@ pub(in crate::interpreter) fn on_vectors(op: Operator, a: VecN, b: VecN) -> VecN
 }
 
 /// True for a division whose right side is zero or has a zero component.
-pub(in crate::interpreter) fn divides_by_zero(op: Operator, right: &Value) -> bool {
+pub fn divides_by_zero(op: Operator, right: &Value) -> bool {
     op == Operator::Div && numbers_of(right).is_some_and(|v| holds_zero(&v))
 }
 
 /// True if a component is zero.
-pub(in crate::interpreter) fn holds_zero(v: &VecN) -> bool {
+pub fn holds_zero(v: &VecN) -> bool {
     v.c[..v.len as usize].contains(&0.0)
 }
 
 /// Index of a component in a vector or colour.
-pub(in crate::interpreter) fn component_index(name: &Name) -> Option<usize> {
+pub fn component_index(name: &Name) -> Option<usize> {
     Some(match name.word? {
         "x" | "u" | "red" => 0,
         "y" | "v" | "green" => 1,
@@ -142,7 +136,7 @@ pub(in crate::interpreter) fn component_index(name: &Name) -> Option<usize> {
 }
 
 /// Component of a value, such as `.x`, `.red` or `.gray`.
-pub(in crate::interpreter) fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
+pub fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
     let Some(v) = numbers_of(value) else {
         return Diagnostic::err(codes::WRONG_TYPE, span, format!("{} has no components", value.describe()));
     };
@@ -161,7 +155,7 @@ pub(in crate::interpreter) fn component(value: &Value, name: &Name, span: Span) 
 }
 
 /// A vector of two to five components; a fault for any other number.
-pub(in crate::interpreter) fn vector_value(data: &[f64], span: Span) -> Result<Value> {
+pub fn vector_value(data: &[f64], span: Span) -> Result<Value> {
     match data.len() {
         2..=5 => Ok(Value::Vector(VecN::from_slice(data))),
         n => Diagnostic::err(codes::WRONG_COUNT, span, format!("a vector has two to five numbers, this has {n}")),
@@ -169,7 +163,7 @@ pub(in crate::interpreter) fn vector_value(data: &[f64], span: Span) -> Result<V
 }
 
 /// Converts a value to three components: a number fills all, and a shorter vector is padded with zeros.
-pub(in crate::interpreter) fn as_vector(value: &Value, span: Span) -> Result<DVec3> {
+pub fn as_vector(value: &Value, span: Span) -> Result<DVec3> {
     match value {
         Value::Float(x) => Ok(DVec3::splat(*x)),
         Value::Vector(v) if v.len <= 3 => Ok(v.xyz()),
@@ -181,7 +175,7 @@ pub(in crate::interpreter) fn as_vector(value: &Value, span: Span) -> Result<DVe
 }
 
 /// The number in a value; a fault for any other value.
-pub(in crate::interpreter) fn as_float(value: &Value, span: Span) -> Result<f64> {
+pub fn as_float(value: &Value, span: Span) -> Result<f64> {
     match value {
         Value::Float(x) => Ok(*x),
         other => {

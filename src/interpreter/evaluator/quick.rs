@@ -8,13 +8,13 @@ use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
 /// A value without heap allocation.
-pub(in crate::interpreter) enum Quick {
+pub enum Quick {
     Float(f64),
     Vector(VecN),
 }
 
 /// Result type of the fast evaluation: a number alone, which is fastest, or a number or vector.
-pub(in crate::interpreter) trait QuickValue: Sized {
+pub trait QuickValue: Sized {
     /// True if vectors are possible results; otherwise none is computed.
     const VECTORS: bool;
     fn float(x: f64) -> Self;
@@ -90,12 +90,12 @@ impl QuickValue for Quick {
 
 impl Evaluator<'_> {
     /// Evaluates an expression to a number; `None` if the general evaluation is needed.
-    pub(in crate::interpreter) fn quick_number(&self, e: &Expr) -> Option<f64> {
+    pub fn quick_number(&self, e: &Expr) -> Option<f64> {
         self.quick(e)
     }
 
     /// Evaluates an expression of numbers and vectors; `None` if the general evaluation is needed.
-    pub(in crate::interpreter) fn quick<T: QuickValue>(&self, e: &Expr) -> Option<T> {
+    pub fn quick<T: QuickValue>(&self, e: &Expr) -> Option<T> {
         match &e.kind {
             ExprKind::Number(x) => Some(T::float(*x)),
             ExprKind::Literal(data) if (2..=5).contains(&data.len()) => T::vector(VecN::from_slice(data)),

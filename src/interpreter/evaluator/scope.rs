@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 /// Contents of a name or an array element.
 #[derive(Clone, Debug)]
-pub(in crate::interpreter) enum Slot<'a> {
+pub enum Slot<'a> {
     Value(Value),
     Array(Rc<Array<'a>>),
     Macro(&'a Macro),
@@ -26,9 +26,9 @@ type Path = Rc<[usize]>;
 
 /// An assignable location: the binding of a name, or an element of the array that is bound to the name.
 #[derive(Clone, Debug)]
-pub(in crate::interpreter) struct LValue {
+pub struct LValue {
     /// Name of the binding.
-    pub(in crate::interpreter) symbol: Symbol,
+    pub symbol: Symbol,
     /// Index of the binding among those of the symbol, the outermost first.
     depth: usize,
     /// Path to the array element; `None` for the binding itself.
@@ -41,7 +41,7 @@ impl LValue {
     }
 
     /// Location of an element of the array at this location, or of an array in it.
-    pub(in crate::interpreter) fn element(&self, indices: &[usize]) -> LValue {
+    pub fn element(&self, indices: &[usize]) -> LValue {
         let path = self.path().iter().chain(indices).copied().collect();
         LValue { path: Some(path), ..self.clone() }
     }
@@ -49,30 +49,30 @@ impl LValue {
 
 /// An array, such as `array[2][3]`, or a dictionary. An element holds anything that can have a name.
 #[derive(Clone, Debug)]
-pub(in crate::interpreter) struct Array<'a> {
+pub struct Array<'a> {
     /// Number of elements in each dimension.
-    pub(in crate::interpreter) sizes: Box<[usize]>,
+    pub sizes: Box<[usize]>,
     /// Elements in row-major order: the last index varies fastest. `None` for an element without a value.
-    pub(in crate::interpreter) items: Vec<Option<Slot<'a>>>,
+    pub items: Vec<Option<Slot<'a>>>,
     /// Key of each element of a dictionary; `None` for an array.
-    pub(in crate::interpreter) keys: Option<Vec<Rc<str>>>,
+    pub keys: Option<Vec<Rc<str>>>,
 }
 
 impl Array<'_> {
     /// True if the dictionary has a value at `key`.
-    pub(in crate::interpreter) fn has_key(&self, key: &str) -> bool {
+    pub fn has_key(&self, key: &str) -> bool {
         self.key_index(key).is_some_and(|i| self.items[i].is_some())
     }
 
     /// Index of the dictionary's element at `key`.
-    pub(in crate::interpreter) fn key_index(&self, key: &str) -> Option<usize> {
+    pub fn key_index(&self, key: &str) -> Option<usize> {
         self.keys.iter().flatten().position(|k| **k == *key)
     }
 }
 
 impl<'a> Slot<'a> {
     /// The element at the end of a path.
-    pub(in crate::interpreter) fn element(&self, path: &[usize]) -> Option<&Slot<'a>> {
+    pub fn element(&self, path: &[usize]) -> Option<&Slot<'a>> {
         path.iter().try_fold(self, |slot, &i| match slot {
             Slot::Array(array) => array.items.get(i)?.as_ref(),
             _ => None,
@@ -91,7 +91,7 @@ struct Binding<'a> {
 }
 
 #[derive(Default)]
-pub(in crate::interpreter) struct Scopes<'a> {
+pub struct Scopes<'a> {
     bindings: Vec<Vec<Binding<'a>>>,
     /// Symbols bound at the levels above the global one, in order of their levels.
     names: Vec<Symbol>,
@@ -101,21 +101,21 @@ pub(in crate::interpreter) struct Scopes<'a> {
 
 impl<'a> Scopes<'a> {
     /// Number of the innermost level; 0 is the global level.
-    pub(in crate::interpreter) fn level(&self) -> u32 {
+    pub fn level(&self) -> u32 {
         self.levels.len() as u32
     }
 
     /// Number of the level at which the name of a location is bound.
-    pub(in crate::interpreter) fn level_of(&self, lvalue: &LValue) -> u32 {
+    pub fn level_of(&self, lvalue: &LValue) -> u32 {
         let binding = self.bindings.get(lvalue.symbol.0 as usize).and_then(|stack| stack.get(lvalue.depth));
         binding.map_or(0, |binding| binding.level)
     }
 
-    pub(in crate::interpreter) fn enter(&mut self) {
+    pub fn enter(&mut self) {
         self.levels.push(self.names.len());
     }
 
-    pub(in crate::interpreter) fn leave(&mut self) {
+    pub fn leave(&mut self) {
         let Some(start) = self.levels.pop() else { return };
         for symbol in self.names.drain(start..) {
             if let Some(stack) = self.bindings.get_mut(symbol.0 as usize) {
@@ -147,7 +147,7 @@ impl<'a> Scopes<'a> {
 
     /// Location of the innermost binding after following aliases; `None` if an `#undef` has removed the target of an
     /// alias.
-    pub(in crate::interpreter) fn resolve(&self, symbol: Symbol) -> Option<LValue> {
+    pub fn resolve(&self, symbol: Symbol) -> Option<LValue> {
         let (symbol, depth, path) = self.find(symbol)?;
         Some(LValue { symbol, depth, path: path.cloned() })
     }
@@ -167,7 +167,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// Binds a parameter at the level that was just entered. Of two parameters with one name the last counts.
-    pub(in crate::interpreter) fn bind_parameter(&mut self, symbol: Symbol, slot: Slot<'a>) {
+    pub fn bind_parameter(&mut self, symbol: Symbol, slot: Slot<'a>) {
         let level = self.level();
         match self.stack(symbol).last_mut() {
             Some(binding) if binding.level == level => binding.slot = slot,
@@ -183,19 +183,19 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    pub(in crate::interpreter) fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
+    pub fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
         let (symbol, depth, path) = self.find(symbol)?;
         let slot = &self.bindings[symbol.0 as usize][depth].slot;
         path.map_or(Some(slot), |path| slot.element(path))
     }
 
     /// Contents of a location.
-    pub(in crate::interpreter) fn at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
+    pub fn at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
         self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.depth)?.slot.element(lvalue.path())
     }
 
     /// Sets or clears an array element.
-    pub(in crate::interpreter) fn set_element(&mut self, lvalue: &LValue, slot: Option<Slot<'a>>) {
+    pub fn set_element(&mut self, lvalue: &LValue, slot: Option<Slot<'a>>) {
         let binding = self.bindings.get_mut(lvalue.symbol.0 as usize).and_then(|b| b.get_mut(lvalue.depth));
         let Some((binding, (last, path))) = binding.zip(lvalue.path().split_last()) else { return };
         let mut target = &mut binding.slot;
@@ -212,7 +212,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// The dictionary at a location, if there is one.
-    pub(in crate::interpreter) fn dictionary(&self, lvalue: &LValue) -> Option<&Array<'a>> {
+    pub fn dictionary(&self, lvalue: &LValue) -> Option<&Array<'a>> {
         match self.at(lvalue)? {
             Slot::Array(array) if array.keys.is_some() => Some(array),
             _ => None,
@@ -220,7 +220,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// Adds an element without a value to the dictionary at a location, and returns its index.
-    pub(in crate::interpreter) fn add_key(&mut self, lvalue: &LValue, key: &str) -> usize {
+    pub fn add_key(&mut self, lvalue: &LValue, key: &str) -> usize {
         let Some(Slot::Array(array)) = self.at_mut(lvalue) else { return 0 };
         let array = Rc::make_mut(array);
         array.keys.get_or_insert_default().push(key.into());
@@ -239,13 +239,13 @@ impl<'a> Scopes<'a> {
     }
 
     /// Warnings that are reported when the name is used.
-    pub(in crate::interpreter) fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
+    pub fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
         let (symbol, depth, _) = self.find(symbol)?;
         self.bindings[symbol.0 as usize][depth].pending.clone()
     }
 
     /// Binds a name at the innermost level, as `#local` and the parameters of a call do.
-    pub(in crate::interpreter) fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+    pub fn set_local(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         let level = self.level();
         if self.stack(symbol).last().is_none_or(|b| b.level != level) {
             return self.push(symbol, level, slot, pending);
@@ -259,7 +259,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// Changes the innermost binding of a name, or makes a global one, as `#declare` does.
-    pub(in crate::interpreter) fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+    pub fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         match self.find(symbol) {
             Some((symbol, depth, None)) => self.rebind(symbol, depth, slot, pending),
             Some((symbol, depth, Some(path))) => {
@@ -288,14 +288,14 @@ impl<'a> Scopes<'a> {
     }
 
     /// Removes the innermost binding of a name, as `#undef` does. Of an alias, only the alias is removed.
-    pub(in crate::interpreter) fn remove(&mut self, symbol: Symbol) -> bool {
+    pub fn remove(&mut self, symbol: Symbol) -> bool {
         let Some(binding) = self.stack(symbol).pop() else { return false };
         self.forget(symbol, binding.level);
         true
     }
 
     /// Removes the binding or the array element at a location.
-    pub(in crate::interpreter) fn unbind(&mut self, lvalue: &LValue) {
+    pub fn unbind(&mut self, lvalue: &LValue) {
         if lvalue.path.is_some() {
             return self.set_element(lvalue, None);
         }
@@ -307,13 +307,13 @@ impl<'a> Scopes<'a> {
     }
 
     /// All names that are bound now.
-    pub(in crate::interpreter) fn names(&self) -> impl Iterator<Item = Symbol> + '_ {
+    pub fn names(&self) -> impl Iterator<Item = Symbol> + '_ {
         let bound = |(i, stack): (usize, &Vec<Binding>)| (!stack.is_empty()).then_some(Symbol(i as u32));
         self.bindings.iter().enumerate().filter_map(bound)
     }
 
     /// Faults of declarations that nothing has used.
-    pub(in crate::interpreter) fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
+    pub fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
         self.bindings.iter().flatten().flat_map(|b| faults_of(&b.slot))
     }
 }

@@ -9,7 +9,7 @@ use crate::value::Value;
 impl Evaluator<'_> {
     /// True if an expression must be split: a macro in it gives tokens of its own, or its call is no call.
     #[inline]
-    pub(in crate::interpreter) fn must_split(&self, e: &Expr) -> bool {
+    pub fn must_split(&self, e: &Expr) -> bool {
         e.calls && self.call_must_split(e)
     }
 
@@ -52,7 +52,7 @@ impl Evaluator<'_> {
     }
 
     /// True if a macro argument is one expression that neither calls a macro nor gives several values.
-    pub(in crate::interpreter) fn is_plain_argument(&self, element: &Element) -> bool {
+    pub fn is_plain_argument(&self, element: &Element) -> bool {
         let ElementKind::Expr(e) = &element.kind else { return false };
         match &e.kind {
             ExprKind::Name(symbol) => matches!(self.scopes.get(*symbol), Some(Slot::Value(_))),
@@ -64,17 +64,17 @@ impl Evaluator<'_> {
     }
 
     /// True if the expression is a macro's name or call.
-    pub(in crate::interpreter) fn is_macro_call(&self, e: &Expr) -> bool {
+    pub fn is_macro_call(&self, e: &Expr) -> bool {
         matches!(e.kind, ExprKind::Call(name, _) | ExprKind::Name(name) if self.is_macro(name))
     }
 
     /// False if the name is a declared thing, so that a `[` after it begins a map's entry and not an index.
-    pub(in crate::interpreter) fn takes_index(&self, symbol: Symbol) -> bool {
+    pub fn takes_index(&self, symbol: Symbol) -> bool {
         !matches!(self.scopes.get(symbol), Some(Slot::Value(Value::Thing(_))))
     }
 
     /// True if the last operand is the name of a function, spline or macro: its arguments may follow.
-    pub(in crate::interpreter) fn ends_with_callable(&self, token: Token) -> bool {
+    pub fn ends_with_callable(&self, token: Token) -> bool {
         let Token::Expr(mut last) = token else { return false };
         while let ExprKind::Chain(chain) = &last.kind {
             let Some((_, operand)) = chain.rest.last() else { return false };
@@ -90,13 +90,13 @@ impl Evaluator<'_> {
     }
 
     /// True if no vector can continue with this word.
-    pub(in crate::interpreter) fn ends_vector(&self, word: &str) -> bool {
+    pub fn ends_vector(&self, word: &str) -> bool {
         let declared = self.inputs.names.find(word).is_some_and(|symbol| self.is_declared(symbol));
         !begins_color(word) && !declared
     }
 }
 
 /// True for a function or a spline.
-pub(in crate::interpreter) fn is_callable(value: &Value) -> bool {
+pub fn is_callable(value: &Value) -> bool {
     matches!(value, Value::Thing(thing) if matches!(thing.kind(), "function" | "spline"))
 }

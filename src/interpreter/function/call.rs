@@ -11,12 +11,7 @@ use crate::value::{Reader, Value, VecN, downcast};
 
 impl<'a> Interpreter<'a> {
     /// Calls a declared function or spline.
-    pub(in crate::interpreter) fn evaluate_call(
-        &mut self,
-        name: Symbol,
-        arguments: &'a [Element],
-        span: Span,
-    ) -> Result<Value> {
+    pub fn evaluate_call(&mut self, name: Symbol, arguments: &'a [Element], span: Span) -> Result<Value> {
         if let Some(spline) = self.evaluator.thing_of::<Spline>(name) {
             return self.call_spline(&spline, arguments, span);
         }
@@ -32,12 +27,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Calls a function or spline that is an array's element.
-    pub(in crate::interpreter) fn evaluate_call_of(
-        &mut self,
-        thing: &Value,
-        arguments: &'a [Element],
-        span: Span,
-    ) -> Result<Value> {
+    pub fn evaluate_call_of(&mut self, thing: &Value, arguments: &'a [Element], span: Span) -> Result<Value> {
         if let Value::Thing(thing) = thing {
             if let Some(spline) = downcast::<Spline>(thing) {
                 return self.call_spline(&spline, arguments, span);
@@ -75,7 +65,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads the arguments of a function or spline up to the `)`, and calls it. The `(` has been consumed.
-    pub(in crate::interpreter) fn read_arguments_and_call(&mut self, callee: &Value, span: Span) -> Result<Value> {
+    pub fn read_arguments_and_call(&mut self, callee: &Value, span: Span) -> Result<Value> {
         if let Value::Thing(thing) = callee {
             if let Some(spline) = downcast::<Spline>(thing) {
                 return self.read_spline_arguments(&spline);

@@ -17,12 +17,12 @@ type PerhapsSized = (Option<[usize; 2]>, Arc<dyn Thing>);
 
 impl<'a> Interpreter<'a> {
     /// Reads a function.
-    pub(in crate::interpreter) fn read_function(&mut self) -> Result<Arc<dyn Thing>> {
+    pub fn read_function(&mut self) -> Result<Arc<dyn Thing>> {
         self.read_any_function().map(|(_, function)| function)
     }
 
     /// Reads a function with the size of its picture, as in `function 200, 100 { … }`; `None` if it has none.
-    pub(in crate::interpreter) fn read_sized_function(&mut self) -> Result<Option<SizedFunction>> {
+    pub fn read_sized_function(&mut self) -> Result<Option<SizedFunction>> {
         if matches!(self.peek()?, Token::Function(Some(f)) if f.size.is_empty()) {
             return Ok(None);
         }

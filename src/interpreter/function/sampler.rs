@@ -16,7 +16,7 @@ fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
     TextureContext::free(DVec3::new(p[0], p[1], p[2]), generator)
 }
 
-/// `function { pigment { … } }`
+/// `function { pigment { … } }`: the colour of a pigment at a point.
 #[derive(Debug)]
 pub(super) struct PigmentSampler(pub(super) PigmentProgram, pub(super) SceneNoise);
 

@@ -12,7 +12,7 @@ const MAX_NESTING: usize = 5_000;
 impl<'a> Interpreter<'a> {
     /// Consumes the opening bracket that comes next, with the word before it if it has one. Returns the span of the word
     /// or the bracket.
-    pub(in crate::interpreter) fn open(&mut self) -> Result<Span> {
+    pub fn open(&mut self) -> Result<Span> {
         let token = self.peek()?;
         let span = self.stream.next_span();
         if self.stream.bracket_count() >= MAX_NESTING {
@@ -61,7 +61,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Consumes the bracket that closes the innermost open one; any other token is a fault.
-    pub(in crate::interpreter) fn close(&mut self, expected: &str) -> Result<()> {
+    pub fn close(&mut self, expected: &str) -> Result<()> {
         let token = self.peek()?;
         let Some(opened) = self.stream.bracket() else { return Err(self.unexpected_token(expected).into()) };
         if !token.closes(opened.bracket) {
@@ -76,7 +76,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads `elements`, the inside of a bracket, to their end. After a fault the stream is as before.
-    pub(in crate::interpreter) fn within<T>(
+    pub fn within<T>(
         &mut self,
         elements: &'a [Element],
         bracket: Bracket,

@@ -8,7 +8,7 @@ use crate::syntax::ast::*;
 
 impl Interpreter<'_> {
     /// Drops the innermost frame, and the scope that it opened.
-    pub(in crate::interpreter) fn pop_frame(&mut self) {
+    pub fn pop_frame(&mut self) {
         if self.stream.pop_frame().is_some_and(FrameKind::has_scope) {
             self.evaluator.scopes_mut().leave();
         }
@@ -45,7 +45,7 @@ impl Interpreter<'_> {
     }
 
     /// Runs `#break`: leaves the innermost loop, `#switch` or macro.
-    pub(in crate::interpreter) fn run_break(&mut self, span: Span) -> Result<()> {
+    pub fn run_break(&mut self, span: Span) -> Result<()> {
         let is_breakable = |f: &StackFrame| {
             matches!(f.kind(), FrameKind::While(_) | FrameKind::For { .. } | FrameKind::Switch | FrameKind::Macro(_))
         };
@@ -67,7 +67,7 @@ impl Interpreter<'_> {
     }
 
     /// Runs the rest of the macros above the first `floor` frames, which gave a declared value.
-    pub(in crate::interpreter) fn drain(&mut self, floor: usize) -> Result<()> {
+    pub fn drain(&mut self, floor: usize) -> Result<()> {
         let in_macro = |f: &StackFrame| matches!(f.kind(), FrameKind::Macro(_));
         self.stream.clear_look_ahead();
         while self.stream.frames().iter().skip(floor).any(in_macro) {
@@ -94,7 +94,7 @@ impl Interpreter<'_> {
     }
 
     /// Drops the innermost frames of macros, branches and split expressions that are spent.
-    pub(in crate::interpreter) fn pop_spent(&mut self) {
+    pub fn pop_spent(&mut self) {
         let is_spent = |f: &StackFrame| {
             matches!(f.kind(), FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch) && f.is_spent()
         };

@@ -119,7 +119,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Consumes a number and its `;`, if they come next and need no general evaluation.
-    pub(in crate::interpreter) fn number_statement(&mut self) -> Option<f64> {
+    pub fn number_statement(&mut self) -> Option<f64> {
         let e = self.stream.expression_statement().filter(|e| !e.compares())?;
         let x = self.evaluator.quick_number(e)?;
         self.stream.skip_expression_statement();

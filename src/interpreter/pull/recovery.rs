@@ -6,7 +6,7 @@ use crate::interpreter::stream::Checkpoint;
 
 impl Interpreter<'_> {
     /// Drops the frames that were pushed since the checkpoint, and restores the stream's state there.
-    pub(in crate::interpreter) fn unwind(&mut self, checkpoint: Checkpoint) {
+    pub fn unwind(&mut self, checkpoint: Checkpoint) {
         while self.stream.is_above(checkpoint) {
             self.pop_frame();
         }
@@ -14,14 +14,14 @@ impl Interpreter<'_> {
     }
 
     /// Skips the statement that began at the checkpoint.
-    pub(in crate::interpreter) fn skip_statement(&mut self, checkpoint: Checkpoint) {
+    pub fn skip_statement(&mut self, checkpoint: Checkpoint) {
         let open = self.stream.opened_since(checkpoint);
         self.unwind(checkpoint);
         self.stream.skip_statement(checkpoint, open);
     }
 
     /// Skips to the end of the brackets that were opened since the checkpoint.
-    pub(in crate::interpreter) fn skip_brackets(&mut self, checkpoint: Checkpoint) {
+    pub fn skip_brackets(&mut self, checkpoint: Checkpoint) {
         let open = self.stream.opened_since(checkpoint);
         self.unwind(checkpoint);
         self.stream.skip_brackets(open);
@@ -29,7 +29,7 @@ impl Interpreter<'_> {
 
     /// Adds the call trace to a fault, and skips the statement that holds it. The statement stays if it is inside an
     /// unclosed bracket, which is then reported instead.
-    pub(in crate::interpreter) fn skip_fault(&mut self, checkpoint: Checkpoint, fault: Diagnostic) -> Fault {
+    pub fn skip_fault(&mut self, checkpoint: Checkpoint, fault: Diagnostic) -> Fault {
         let fault = self.stream.with_trace(fault);
         if self.stream.unclosed_bracket().is_none() {
             self.skip_statement(checkpoint);

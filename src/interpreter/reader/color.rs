@@ -7,31 +7,31 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::fp;
 use crate::source::Span;
 use crate::value::words::word;
-use crate::value::{FloatOrColor, Kind, Reader, Value, VecN, WordSpec};
+use crate::value::{FloatOrColor, Reader, Value, ValueKind, VecN, WordSpec};
 
 /// Words that begin a colour.
 pub const COLOR_WORDS: &[WordSpec] = &[
     word(
         "color",
-        Kind::Nothing,
+        ValueKind::Nothing,
         "",
         "may stand before any colour; alone before a vector: red, green, blue, filter, transmit",
     ),
-    word("colour", Kind::Nothing, "", "the same"),
-    word("rgb", Kind::Vector, "", "red, green and blue, as the scene computes with them"),
-    word("rgbf", Kind::Vector, "", "and how much light it lets through in its own colour"),
-    word("rgbt", Kind::Vector, "", "and how much light it lets through unchanged"),
-    word("rgbft", Kind::Vector, "", "and both"),
-    word("srgb", Kind::Vector, "", "red, green and blue as painting programs count them"),
-    word("srgbf", Kind::Vector, "", "with filter"),
-    word("srgbt", Kind::Vector, "", "with transmit"),
-    word("srgbft", Kind::Vector, "", "with both"),
-    word("red", Kind::Float, "0", "this component alone; several may follow one another"),
-    word("green", Kind::Float, "0", "this component alone"),
-    word("blue", Kind::Float, "0", "this component alone"),
-    word("filter", Kind::Float, "0", "how much light it lets through in its own colour; also behind a colour"),
-    word("transmit", Kind::Float, "0", "how much light it lets through unchanged; also behind a colour"),
-    word("alpha", Kind::Float, "0", "an old spelling of `filter`"),
+    word("colour", ValueKind::Nothing, "", "the same"),
+    word("rgb", ValueKind::Vector, "", "red, green and blue, as the scene computes with them"),
+    word("rgbf", ValueKind::Vector, "", "and how much light it lets through in its own colour"),
+    word("rgbt", ValueKind::Vector, "", "and how much light it lets through unchanged"),
+    word("rgbft", ValueKind::Vector, "", "and both"),
+    word("srgb", ValueKind::Vector, "", "red, green and blue as painting programs count them"),
+    word("srgbf", ValueKind::Vector, "", "with filter"),
+    word("srgbt", ValueKind::Vector, "", "with transmit"),
+    word("srgbft", ValueKind::Vector, "", "with both"),
+    word("red", ValueKind::Float, "0", "this component alone; several may follow one another"),
+    word("green", ValueKind::Float, "0", "this component alone"),
+    word("blue", ValueKind::Float, "0", "this component alone"),
+    word("filter", ValueKind::Float, "0", "how much light it lets through in its own colour; also behind a colour"),
+    word("transmit", ValueKind::Float, "0", "how much light it lets through unchanged; also behind a colour"),
+    word("alpha", ValueKind::Float, "0", "an old spelling of `filter`"),
 ];
 
 /// Accessor of one component of a colour.
@@ -48,7 +48,7 @@ const COMPONENTS: &[(&str, Component)] = &[
 ];
 
 /// True if the word begins a colour.
-pub(in crate::interpreter) fn begins_color(word: &str) -> bool {
+pub fn begins_color(word: &str) -> bool {
     COLOR_WORDS.iter().any(|w| w.name == word)
 }
 

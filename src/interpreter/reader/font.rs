@@ -1,7 +1,7 @@
 //! Fonts that a scene names.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::font::{self, Font, Place};
+use crate::font::{self, Font, FontLocation};
 use crate::interpreter::Interpreter;
 use crate::source::{Span, fonts};
 use std::path::{Path, PathBuf};
@@ -12,9 +12,12 @@ impl Interpreter<'_> {
     pub(super) fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let place = match self.find_read_file(&full, at)? {
-            Some(path) => Place::first_of(path),
+            Some(path) => FontLocation::first_of(path),
             None => {
-                match self.installed_font(name).or_else(|| self.substitute_font(name, &full, at).map(Place::first_of)) {
+                match self
+                    .installed_font(name)
+                    .or_else(|| self.substitute_font(name, &full, at).map(FontLocation::first_of))
+                {
                     Some(place) => place,
                     None => return Ok(Arc::new(Font::own())),
                 }
@@ -29,7 +32,7 @@ impl Interpreter<'_> {
     }
 
     /// The installed font of a family: an extension of durer's.
-    fn installed_font(&mut self, name: &str) -> Option<Place> {
+    fn installed_font(&mut self, name: &str) -> Option<FontLocation> {
         if fonts::is_file_name(Path::new(name)) {
             return None;
         }

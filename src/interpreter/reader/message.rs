@@ -16,11 +16,11 @@ use crate::syntax::fault;
 use crate::syntax::word::lookup;
 use crate::texture::words::{FINISH, NORMAL, PIGMENT, TEXTURE};
 use crate::value::words::TRANSFORMS;
-use crate::value::{Kind, Next, Reader};
+use crate::value::{Next, Reader, ValueKind};
 
 impl Interpreter<'_> {
     /// The error "expected …, found …" about the next token.
-    pub(in crate::interpreter) fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
+    pub fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
         let span = self.stream.next_span();
         let found = match self.peek() {
             Err(fault) => return *fault,
@@ -79,7 +79,7 @@ impl Interpreter<'_> {
     }
 
     /// The error for a call of a value that is no function, as in `A(2)`.
-    pub(in crate::interpreter) fn uncallable_value_error(&mut self) -> Option<Diagnostic> {
+    pub fn uncallable_value_error(&mut self) -> Option<Diagnostic> {
         let opens = matches!(
             self.peek(),
             Ok(Token::Open(Bracket::Paren, _) | Token::Expr(Expr { kind: ExprKind::Paren(_), .. }))
@@ -100,7 +100,7 @@ impl Interpreter<'_> {
     }
 
     /// The syntax error for a token that cannot be at its position.
-    pub(in crate::interpreter) fn syntax_error_at(&self, span: Span) -> Diagnostic {
+    pub fn syntax_error_at(&self, span: Span) -> Diagnostic {
         let Some((file, range)) = self.inputs.sources.locate(span) else {
             return Diagnostic::new(codes::SYNTAX, span, "this is not allowed here");
         };
@@ -108,7 +108,7 @@ impl Interpreter<'_> {
     }
 
     /// The error for the innermost open bracket where an outer bracket closes or the text ends.
-    pub(in crate::interpreter) fn unclosed_error(&mut self) -> Diagnostic {
+    pub fn unclosed_error(&mut self) -> Diagnostic {
         let token = self.peek();
         let here = self.stream.next_span();
         let Some(opened) = self.stream.bracket() else {
@@ -138,7 +138,7 @@ impl Interpreter<'_> {
     }
 
     /// The error for a vector without `>` whose `<` is at `start`; the next token cannot be part of the vector.
-    pub(in crate::interpreter) fn unclosed_vector_error(&mut self, start: Span) -> Diagnostic {
+    pub fn unclosed_vector_error(&mut self, start: Span) -> Diagnostic {
         let here = self.stream.next_span();
         let found = match self.peek() {
             Err(fault) => return *fault,
@@ -242,7 +242,7 @@ impl Interpreter<'_> {
             token => format!("`{token}`"),
         };
         let (wanted, usage) = match (brace, opens_block(word)) {
-            (true, false) => value_behind(word),
+            (true, false) => value_after(word),
             (false, true) => ("`{`".to_string(), block_usage(word)),
             // The word has what it needs, but is not allowed at this position.
             _ => {
@@ -257,7 +257,7 @@ impl Interpreter<'_> {
 }
 
 /// Type of the value after a word, if one of the tables defines it.
-fn kind_of(word: &str) -> Option<Kind> {
+fn kind_of(word: &str) -> Option<ValueKind> {
     let tables = [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &POVRAY, &LECTURE];
     let words = tables.into_iter().flat_map(|table| table.words).chain(TRANSFORMS);
     words.into_iter().find(|known| known.name == word).map(|known| known.kind)
@@ -267,7 +267,7 @@ fn kind_of(word: &str) -> Option<Kind> {
 fn opens_block(word: &str) -> bool {
     is_object(word)
         || matches!(word, "camera" | "background" | "global_settings")
-        || kind_of(word) == Some(Kind::Block) && word != "matrix"
+        || kind_of(word) == Some(ValueKind::Block) && word != "matrix"
 }
 
 /// The error for a word that the block does not take.
@@ -280,14 +280,14 @@ fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagn
 }
 
 /// Description and example of the value after a word that opens no block.
-fn value_behind(word: &str) -> (String, String) {
+fn value_after(word: &str) -> (String, String) {
     let (what, value) = match kind_of(word) {
         _ if word == "matrix" => ("twelve numbers", "<…>"),
-        Some(Kind::Float) => ("a number", "0.5"),
-        Some(Kind::Vector2) => ("a vector", "<x, y>"),
-        Some(Kind::Vector) => ("a vector", "<x, y, z>"),
-        Some(Kind::Text) => ("a text", "\"…\""),
-        Some(Kind::Flag | Kind::Nothing) => ("no `{`", ""),
+        Some(ValueKind::Float) => ("a number", "0.5"),
+        Some(ValueKind::Vector2) => ("a vector", "<x, y>"),
+        Some(ValueKind::Vector) => ("a vector", "<x, y, z>"),
+        Some(ValueKind::Text) => ("a text", "\"…\""),
+        Some(ValueKind::Flag | ValueKind::Nothing) => ("no `{`", ""),
         _ if super::begins_color(word) => ("a colour", "rgb <r, g, b>"),
         _ => ("a value", "…"),
     };

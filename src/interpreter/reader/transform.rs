@@ -9,7 +9,7 @@ use crate::value::{Next, Reader, ReaderExt, Thing};
 
 /// A declared transform.
 #[derive(Debug)]
-pub(in crate::interpreter) struct TransformThing(pub(in crate::interpreter) Transform);
+pub struct TransformThing(pub(in crate::interpreter) Transform);
 
 impl Thing for TransformThing {
     fn kind(&self) -> &'static str {
@@ -84,7 +84,7 @@ impl Interpreter<'_> {
     }
 
     /// Reads the inside of a `transform`.
-    pub(in crate::interpreter) fn transform_block(&mut self) -> Result<Transform> {
+    pub fn transform_block(&mut self) -> Result<Transform> {
         let mut all = Transform::IDENTITY;
         loop {
             match Reader::next(self)? {

@@ -1,7 +1,7 @@
 //! Hints for words from other tools.
 
 /// Hint for a word that is unknown in POV-Ray's language, but known in others.
-pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
+pub fn other_tools(word: &str) -> Option<&'static str> {
     Some(match word.to_lowercase().as_str() {
         "cube" | "cuboid" => "a box is `box { <corner>, <opposite corner> }`",
         "vec3" | "vec2" | "vector" | "point3" => "a vector is `<x, y, z>`",
@@ -35,7 +35,7 @@ pub(in crate::interpreter) fn other_tools(word: &str) -> Option<&'static str> {
 }
 
 /// Hint for a word that this block calls otherwise, or that another block takes.
-pub(in crate::interpreter) fn in_block(block: &str, word: &str) -> Option<&'static str> {
+pub fn in_block(block: &str, word: &str) -> Option<&'static str> {
     Some(match (block, word.to_lowercase().as_str()) {
         ("camera", "position" | "pos" | "from" | "origin" | "place") => {
             "`location <x, y, z>` sets the position of a camera"

@@ -7,9 +7,9 @@ use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 /// Maximum depth of macro calls.
-pub(in crate::interpreter) const MAX_CALLS: usize = 5_000;
+pub const MAX_CALLS: usize = 5_000;
 /// Maximum depth of includes.
-pub(in crate::interpreter) const MAX_INCLUDES: usize = 100;
+pub const MAX_INCLUDES: usize = 100;
 /// Bytes per pixel of a function's picture: four components.
 const PER_POINT: u64 = 16;
 /// Maximum number of pixels of a function's picture if memory is not limited.
@@ -37,7 +37,7 @@ impl Usage {
 
 impl Reporter<'_> {
     /// Counts one step: a directive, a loop pass or a macro call.
-    pub(in crate::interpreter) fn step(&mut self, span: Span) -> Result<()> {
+    pub fn step(&mut self, span: Span) -> Result<()> {
         self.usage.steps += 1;
         if self.usage.steps > self.inputs.options.max_steps {
             let message = format!("the scene took more than {} steps", self.inputs.options.max_steps);
@@ -50,7 +50,7 @@ impl Reporter<'_> {
     }
 
     /// Counts bytes of strings: a few large strings take as long as many steps.
-    pub(in crate::interpreter) fn count_text(&mut self, bytes: usize, span: Span) -> Result<()> {
+    pub fn count_text(&mut self, bytes: usize, span: Span) -> Result<()> {
         self.usage.text_made += bytes;
         if self.usage.text_made < TEXT_EVERY {
             return Ok(());
@@ -79,7 +79,7 @@ impl Reporter<'_> {
     }
 
     /// E0242 if the remaining memory cannot hold a function's picture of this size.
-    pub(in crate::interpreter) fn check_picture(&mut self, [width, height]: [usize; 2], span: Span) -> Result<()> {
+    pub fn check_picture(&mut self, [width, height]: [usize; 2], span: Span) -> Result<()> {
         let points = (width as u64).saturating_mul(height as u64);
         let fits = match self.inputs.options.max_memory {
             Some(bytes) => {
@@ -96,13 +96,7 @@ impl Reporter<'_> {
     }
 
     /// Ends the run with the error of a limit.
-    pub(in crate::interpreter) fn limit<T>(
-        &mut self,
-        code: crate::diagnostic::Code,
-        span: Span,
-        message: String,
-        help: &str,
-    ) -> Result<T> {
+    pub fn limit<T>(&mut self, code: crate::diagnostic::Code, span: Span, message: String, help: &str) -> Result<T> {
         self.limit_reached = true;
         Diagnostic::new(code, span, message).help(help).into()
     }

@@ -69,7 +69,7 @@ impl<'a> Reporter<'a> {
     /// Adds a diagnostic, unless it follows from an earlier one or was reported at the same place.
     pub(super) fn report(&mut self, d: Diagnostic) {
         let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
-        // A warning about an unused declaration has the code of its error: the cause decides, not the severity.
+        // The code separates errors from warnings: an error in an unused declaration is reported with severity `Warning`.
         let d = if silent || d.code.severity() == Severity::Warning { Some(d) } else { self.with_cause(d) };
         let Some(d) = d.filter(|_| !silent) else { return };
         // An error at the same place replaces a warning.

@@ -7,20 +7,20 @@ use crate::syntax::ast::*;
 use crate::syntax::blame;
 
 /// A bracket that is open.
-pub(in crate::interpreter) struct OpenBracket {
+pub struct OpenBracket {
     /// The word before the bracket.
-    pub(in crate::interpreter) word: Option<&'static str>,
+    pub word: Option<&'static str>,
     /// Span of the word, or of the bracket if it has none.
-    pub(in crate::interpreter) span: Span,
+    pub span: Span,
     /// Span of the bracket alone; `None` if the parser found the matching bracket.
-    pub(in crate::interpreter) alone: Option<Span>,
-    pub(in crate::interpreter) bracket: Bracket,
+    pub alone: Option<Span>,
+    pub bracket: Bracket,
     /// durer's own words inside the block.
-    pub(in crate::interpreter) own_words: &'static [&'static str],
+    pub own_words: &'static [&'static str],
     /// Number of frames where the bracket was opened.
-    pub(in crate::interpreter) frame_count: usize,
+    pub frame_count: usize,
     /// Mode outside of the bracket.
-    pub(in crate::interpreter) mode: Mode,
+    pub mode: Mode,
 }
 
 /// Brackets that were open where a fault was found.
@@ -34,41 +34,41 @@ pub(super) struct Unclosed {
 /// Brackets.
 impl<'a> TokenStream<'a> {
     /// The innermost open bracket.
-    pub(in crate::interpreter) fn bracket(&self) -> Option<&OpenBracket> {
+    pub fn bracket(&self) -> Option<&OpenBracket> {
         self.open_brackets.last()
     }
 
-    pub(in crate::interpreter) fn bracket_count(&self) -> usize {
+    pub fn bracket_count(&self) -> usize {
         self.open_brackets.len()
     }
 
     /// Enters the mode inside of brackets, where nothing is deferred, and returns the mode outside.
-    pub(in crate::interpreter) fn stop_deferring(&mut self) -> Mode {
+    pub fn stop_deferring(&mut self) -> Mode {
         let outer = self.mode;
         self.mode.defers = false;
         outer
     }
 
-    pub(in crate::interpreter) fn push_bracket(&mut self, bracket: OpenBracket) {
+    pub fn push_bracket(&mut self, bracket: OpenBracket) {
         self.open_brackets.push(bracket);
     }
 
     /// Closes the innermost bracket, and restores the mode outside of it.
-    pub(in crate::interpreter) fn pop_bracket(&mut self) {
+    pub fn pop_bracket(&mut self) {
         if let Some(bracket) = self.open_brackets.pop() {
             self.mode = bracket.mode;
         }
     }
 
     /// Names the innermost bracket after a directive, for messages.
-    pub(in crate::interpreter) fn name_bracket(&mut self, word: &'static str, span: Span) {
+    pub fn name_bracket(&mut self, word: &'static str, span: Span) {
         if let Some(bracket) = self.open_brackets.last_mut() {
             (bracket.word, bracket.span) = (Some(word), span);
         }
     }
 
     /// The name `symbol` as one of durer's own words that the innermost block takes.
-    pub(in crate::interpreter) fn own_word(&self, symbol: Symbol) -> Option<&'static str> {
+    pub fn own_word(&self, symbol: Symbol) -> Option<&'static str> {
         let words = self.open_brackets.last()?.own_words;
         if words.is_empty() {
             return None;
@@ -78,7 +78,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// True if an expression begins with one of durer's own words: `eye -5*z` parses as a difference.
-    pub(in crate::interpreter) fn begins_with_own_word(&self, e: &Expr) -> bool {
+    pub fn begins_with_own_word(&self, e: &Expr) -> bool {
         if self.open_brackets.last().is_none_or(|o| o.own_words.is_empty()) {
             return false;
         }
@@ -95,12 +95,13 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Records the brackets of a file that the rest of the file does not close.
-    pub(in crate::interpreter) fn add_unclosed(&mut self, ast: &Ast) {
+    pub fn add_unclosed(&mut self, ast: &Ast) {
         self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
     }
 
-    /// E-message for the innermost bracket that the rest of its file does not close. Faults inside it follow from it.
-    pub(in crate::interpreter) fn unclosed_bracket(&self) -> Option<Diagnostic> {
+    /// The error for the innermost bracket that the rest of its file does not close. Faults inside the bracket follow
+    /// from this error.
+    pub fn unclosed_bracket(&self) -> Option<Diagnostic> {
         let unclosed = |o: &&OpenBracket| o.alone.is_some_and(|span| self.is_unclosed(span));
         let opened = self.open_brackets.iter().rev().find(unclosed)?;
         let [open, close] = opened.bracket.text();
@@ -108,12 +109,12 @@ impl<'a> TokenStream<'a> {
     }
 
     /// True if the rest of the file does not close the bracket at `span`.
-    pub(in crate::interpreter) fn is_unclosed(&self, span: Span) -> bool {
+    pub fn is_unclosed(&self, span: Span) -> bool {
         self.unclosed.contains(&span.lo)
     }
 
     /// The message "this `{` is not closed" for the bracket at `span`, or for the brace that was meant.
-    pub(in crate::interpreter) fn unclosed_at(&self, span: Span, open: &str, close: &str) -> Diagnostic {
+    pub fn unclosed_at(&self, span: Span, open: &str, close: &str) -> Diagnostic {
         if let Some(d) = self.blamed_brace(span).filter(|_| open == "{") {
             return self.with_trace(d);
         }

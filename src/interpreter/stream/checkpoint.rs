@@ -6,7 +6,7 @@ use crate::syntax::ast::*;
 
 /// A state of the stream to return to.
 #[derive(Clone, Copy)]
-pub(in crate::interpreter) struct Checkpoint {
+pub struct Checkpoint {
     frame_count: usize,
     bracket_count: usize,
     /// Read position in the innermost frame.
@@ -16,7 +16,7 @@ pub(in crate::interpreter) struct Checkpoint {
 
 impl Checkpoint {
     /// Number of frames at the checkpoint.
-    pub(in crate::interpreter) fn frame_count(self) -> usize {
+    pub fn frame_count(self) -> usize {
         self.frame_count
     }
 }
@@ -102,7 +102,7 @@ impl StackFrame<'_> {
 /// Checkpoints. Frames above a checkpoint are dropped by `Interpreter::unwind`, because scopes end with them.
 impl TokenStream<'_> {
     /// The present state, to return to after a fault.
-    pub(in crate::interpreter) fn checkpoint(&self) -> Checkpoint {
+    pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint {
             frame_count: self.frames.len(),
             bracket_count: self.open_brackets.len(),
@@ -112,46 +112,46 @@ impl TokenStream<'_> {
     }
 
     /// True if frames were pushed since the checkpoint.
-    pub(in crate::interpreter) fn is_above(&self, checkpoint: Checkpoint) -> bool {
+    pub fn is_above(&self, checkpoint: Checkpoint) -> bool {
         self.frames.len() > checkpoint.frame_count
     }
 
     /// Restores brackets and mode of the checkpoint, and drops all tokens that were read ahead.
-    pub(in crate::interpreter) fn restore(&mut self, checkpoint: Checkpoint) {
+    pub fn restore(&mut self, checkpoint: Checkpoint) {
         self.forget_look_ahead(checkpoint);
         self.mode = checkpoint.mode;
     }
 
     /// Restores the brackets of the checkpoint, and drops all tokens that were read ahead.
-    pub(in crate::interpreter) fn forget_look_ahead(&mut self, checkpoint: Checkpoint) {
+    pub fn forget_look_ahead(&mut self, checkpoint: Checkpoint) {
         self.open_brackets.truncate(checkpoint.bracket_count);
         self.pushed_back.clear();
         (self.look_ahead, self.comma, self.mode.skips) = (None, false, false);
     }
 
     /// Skips the statement that began at the checkpoint, whose frames are restored; `open` is the state before that.
-    pub(in crate::interpreter) fn skip_statement(&mut self, checkpoint: Checkpoint, open: Open) {
+    pub fn skip_statement(&mut self, checkpoint: Checkpoint, open: Open) {
         if let Some(frame) = self.frames.last_mut() {
             frame.skip_statement(checkpoint.at, open.0);
         }
     }
 
     /// Skips to the end of the brackets that were opened since the checkpoint.
-    pub(in crate::interpreter) fn skip_brackets(&mut self, open: Open) {
+    pub fn skip_brackets(&mut self, open: Open) {
         if let Some(frame) = self.frames.last_mut().filter(|_| open.0.count > 0) {
             frame.skip_brackets(open.0);
         }
     }
 
     /// Skips the further layers of a declared texture that began at the checkpoint.
-    pub(in crate::interpreter) fn skip_layers(&mut self, checkpoint: Checkpoint) {
+    pub fn skip_layers(&mut self, checkpoint: Checkpoint) {
         if let Some(frame) = self.frames.last_mut() {
             frame.skip_layers(checkpoint.at);
         }
     }
 
     /// Brackets opened since the checkpoint that are tokens of the frame which was the innermost there.
-    pub(in crate::interpreter) fn opened_since(&self, checkpoint: Checkpoint) -> Open {
+    pub fn opened_since(&self, checkpoint: Checkpoint) -> Open {
         let own = |o: &&OpenBracket| o.alone.is_some() && o.frame_count == checkpoint.frame_count;
         let all = self.open_brackets.iter().skip(checkpoint.bracket_count).filter(own);
         let braces = all.clone().filter(|o| o.bracket == Bracket::Brace).count();
@@ -161,4 +161,4 @@ impl TokenStream<'_> {
 
 /// See [`TokenStream::opened_since`].
 #[derive(Clone, Copy)]
-pub(in crate::interpreter) struct Open(Unclosed);
+pub struct Open(Unclosed);

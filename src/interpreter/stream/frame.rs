@@ -6,7 +6,7 @@ use crate::syntax::ast::*;
 use std::path::PathBuf;
 
 /// A row of elements with a read position.
-pub(in crate::interpreter) struct StackFrame<'a> {
+pub struct StackFrame<'a> {
     pub(super) elements: &'a [Element],
     /// Index of the next element.
     pub(super) at: usize,
@@ -23,7 +23,7 @@ pub(in crate::interpreter) struct StackFrame<'a> {
 
 /// The construct that a frame's elements belong to.
 #[derive(Clone, Copy)]
-pub(in crate::interpreter) enum FrameKind<'a> {
+pub enum FrameKind<'a> {
     /// The outermost file.
     File,
     /// The inside of a bracket, or the parts of a split expression.
@@ -44,7 +44,7 @@ pub(in crate::interpreter) enum FrameKind<'a> {
 
 impl FrameKind<'_> {
     /// True if `#local` names end with the frame.
-    pub(in crate::interpreter) fn has_scope(self) -> bool {
+    pub fn has_scope(self) -> bool {
         matches!(self, FrameKind::Macro(_) | FrameKind::Include)
     }
 }
@@ -56,57 +56,57 @@ impl<'a> StackFrame<'a> {
 
     /// The element at the read position.
     #[inline]
-    pub(in crate::interpreter) fn next(&self) -> Option<&'a Element> {
+    pub fn next(&self) -> Option<&'a Element> {
         self.elements.get(self.at)
     }
 
     /// The element after [`Self::next`].
     #[inline]
-    pub(in crate::interpreter) fn following(&self) -> Option<&'a Element> {
+    pub fn following(&self) -> Option<&'a Element> {
         self.elements.get(self.at + 1)
     }
 
     /// The elements from the read position on.
-    pub(in crate::interpreter) fn rest(&self) -> &'a [Element] {
+    pub fn rest(&self) -> &'a [Element] {
         self.elements.get(self.at..).unwrap_or_default()
     }
 
-    pub(in crate::interpreter) fn kind(&self) -> FrameKind<'a> {
+    pub fn kind(&self) -> FrameKind<'a> {
         self.kind
     }
 
-    pub(in crate::interpreter) fn span(&self) -> Span {
+    pub fn span(&self) -> Span {
         self.span
     }
 
     /// The closing bracket that follows the last element.
-    pub(in crate::interpreter) fn closer(&self) -> Option<Bracket> {
+    pub fn closer(&self) -> Option<Bracket> {
         self.closer
     }
 
     /// True if a bracket or a comma follows the last element.
-    pub(in crate::interpreter) fn is_delimited(&self) -> bool {
+    pub fn is_delimited(&self) -> bool {
         self.closer.is_some() || self.comma
     }
 
     /// Index of the next item in the literal list at the read position.
-    pub(in crate::interpreter) fn list_item(&self) -> usize {
+    pub fn list_item(&self) -> usize {
         self.item.0
     }
 
     /// The next item of a literal list at the read position.
-    pub(in crate::interpreter) fn list_numbers(&self, list: &'a NumberList) -> &'a [f64] {
+    pub fn list_numbers(&self, list: &'a NumberList) -> &'a [f64] {
         let (i, start) = self.item;
         &list.data[start..start + list.width(i)]
     }
 
     /// True if the parts of a split expression are all consumed.
-    pub(in crate::interpreter) fn is_spent_piece(&self) -> bool {
+    pub fn is_spent_piece(&self) -> bool {
         matches!(self.kind, FrameKind::Piece) && self.is_spent()
     }
 
     /// True if all elements are consumed and no closing bracket follows.
-    pub(in crate::interpreter) fn is_spent(&self) -> bool {
+    pub fn is_spent(&self) -> bool {
         self.closer.is_none() && self.at >= self.elements.len()
     }
 
@@ -118,12 +118,12 @@ impl<'a> StackFrame<'a> {
     }
 
     /// True if a `{` comes next.
-    pub(in crate::interpreter) fn is_at_brace(&self) -> bool {
+    pub fn is_at_brace(&self) -> bool {
         self.opens_brace(self.at)
     }
 
     /// True if a `(` comes next.
-    pub(in crate::interpreter) fn is_at_parenthesis(&self) -> bool {
+    pub fn is_at_parenthesis(&self) -> bool {
         match self.next().map(|e| &e.kind) {
             Some(ElementKind::Sign(sign)) => *sign == Sign::Open(Bracket::Paren),
             Some(ElementKind::Expr(e)) => matches!(e.kind, ExprKind::Paren(_)),
@@ -135,45 +135,39 @@ impl<'a> StackFrame<'a> {
 /// Call frames.
 impl<'a> TokenStream<'a> {
     #[inline]
-    pub(in crate::interpreter) fn innermost(&self) -> Option<&StackFrame<'a>> {
+    pub fn innermost(&self) -> Option<&StackFrame<'a>> {
         self.frames.last()
     }
 
     /// All frames, the innermost last.
-    pub(in crate::interpreter) fn frames(&self) -> &[StackFrame<'a>] {
+    pub fn frames(&self) -> &[StackFrame<'a>] {
         &self.frames
     }
 
     /// Number of macro calls around the read position.
-    pub(in crate::interpreter) fn call_depth(&self) -> usize {
+    pub fn call_depth(&self) -> usize {
         self.call_depth
     }
 
     /// Paths of the included files around the read position, the innermost last.
-    pub(in crate::interpreter) fn include_paths(&self) -> &[PathBuf] {
+    pub fn include_paths(&self) -> &[PathBuf] {
         &self.include_paths
     }
 
     /// Reads these elements next.
-    pub(in crate::interpreter) fn push_frame(&mut self, elements: &'a [Element], kind: FrameKind<'a>, span: Span) {
+    pub fn push_frame(&mut self, elements: &'a [Element], kind: FrameKind<'a>, span: Span) {
         self.look_ahead = None;
         self.frames.push(StackFrame::new(elements, kind, span));
     }
 
     /// Reads these elements next, then a closing bracket if one is given, then a comma if `comma` is set.
-    pub(in crate::interpreter) fn push_piece(
-        &mut self,
-        elements: &'a [Element],
-        closer: Option<Bracket>,
-        span: Span,
-        comma: bool,
-    ) {
+    pub fn push_piece(&mut self, elements: &'a [Element], closer: Option<Bracket>, span: Span, comma: bool) {
         self.look_ahead = None;
         self.frames.push(StackFrame { closer, comma, ..StackFrame::new(elements, FrameKind::Piece, span) });
     }
 
     /// Reads a macro's body next, then a comma if `comma` is set. Commas among the arguments are forgotten.
-    pub(in crate::interpreter) fn push_call(&mut self, definition: &'a Macro, span: Span, comma: bool) {
+    pub fn push_call(&mut self, definition: &'a Macro, span: Span, comma: bool) {
         (self.look_ahead, self.comma) = (None, false);
         self.call_depth += 1;
         let kind = FrameKind::Macro(definition.name);
@@ -181,7 +175,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Reads an included file next; a comma before the directive moves to the end of the file.
-    pub(in crate::interpreter) fn push_include(&mut self, path: PathBuf, elements: &'a [Element], span: Span) {
+    pub fn push_include(&mut self, path: PathBuf, elements: &'a [Element], span: Span) {
         let comma = self.take_comma();
         self.look_ahead = None;
         self.include_paths.push(path);
@@ -189,7 +183,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Drops the innermost frame, and returns its kind.
-    pub(in crate::interpreter) fn pop_frame(&mut self) -> Option<FrameKind<'a>> {
+    pub fn pop_frame(&mut self) -> Option<FrameKind<'a>> {
         self.look_ahead = None;
         let frame = self.frames.pop()?;
         self.comma |= frame.comma;
@@ -202,19 +196,19 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Moves the read position of the innermost frame back to its first element.
-    pub(in crate::interpreter) fn restart_frame(&mut self) {
+    pub fn restart_frame(&mut self) {
         if let Some(frame) = self.frames.last_mut() {
             frame.at = 0;
         }
     }
 
     /// Removes and returns the frames above the first `count`.
-    pub(in crate::interpreter) fn split_off_frames(&mut self, count: usize) -> Vec<StackFrame<'a>> {
+    pub fn split_off_frames(&mut self, count: usize) -> Vec<StackFrame<'a>> {
         self.frames.split_off(count)
     }
 
     /// Puts back frames that [`Self::split_off_frames`] removed.
-    pub(in crate::interpreter) fn push_frames(&mut self, frames: Vec<StackFrame<'a>>) {
+    pub fn push_frames(&mut self, frames: Vec<StackFrame<'a>>) {
         self.frames.extend(frames);
     }
 }

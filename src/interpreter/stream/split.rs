@@ -8,7 +8,7 @@ use crate::syntax::{Granularity, pieces};
 
 impl<'a> TokenStream<'a> {
     /// Replaces the expression or literal list that comes next by its parts.
-    pub(in crate::interpreter) fn split_next(&mut self) {
+    pub fn split_next(&mut self) {
         self.look_ahead = None;
         let inputs = self.inputs;
         let Some(frame) = self.frames.last_mut() else { return };
@@ -42,12 +42,12 @@ impl<'a> Inputs<'a> {
     }
 
     /// An expression as a row of one element, which can be split if needed.
-    pub(in crate::interpreter) fn as_elements(&self, e: &'a Expr) -> &'a [Element] {
+    pub fn as_elements(&self, e: &'a Expr) -> &'a [Element] {
         self.parsed.parts_of(e, || vec![Element::new(e.span, ElementKind::Expr(Box::new(e.clone())))])
     }
 
     /// The text at `span` as single tokens.
-    pub(in crate::interpreter) fn tokens_of(&self, span: Span) -> Vec<Element> {
+    pub fn tokens_of(&self, span: Span) -> Vec<Element> {
         let text = self.sources.snippet(span);
         crate::syntax::parse_text(text, span.lo as usize, self.names, Granularity::Tokens).0.elements
     }

@@ -5,7 +5,7 @@ use crate::syntax::ast::*;
 
 /// One token of the stream; an expression or a body that needs no splitting is a single token.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::interpreter) enum Token<'a> {
+pub enum Token<'a> {
     /// A keyword without a `{` after it.
     Word(&'static str),
     /// The name of a built-in function whose arguments follow.
@@ -30,23 +30,23 @@ pub(in crate::interpreter) enum Token<'a> {
 
 /// The word before a `{`.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::interpreter) struct BlockName<'a> {
+pub struct BlockName<'a> {
     /// The keyword; `None` for an unknown word.
-    pub(in crate::interpreter) word: Option<&'static str>,
+    pub word: Option<&'static str>,
     /// Span of the word.
-    pub(in crate::interpreter) span: Span,
+    pub span: Span,
     /// The elements between the braces; `None` where the block's tokens come one by one.
-    pub(in crate::interpreter) body: Option<&'a [Element]>,
+    pub body: Option<&'a [Element]>,
 }
 
 impl Token<'_> {
     /// True for a closing bracket and for the end of the text.
-    pub(in crate::interpreter) fn ends(self) -> bool {
+    pub fn ends(self) -> bool {
         matches!(self, Token::End | Token::Sign(Sign::Close(_)))
     }
 
     /// True for the closing bracket of this kind.
-    pub(in crate::interpreter) fn closes(self, bracket: Bracket) -> bool {
+    pub fn closes(self, bracket: Bracket) -> bool {
         matches!(self, Token::Sign(Sign::Close(found)) if found == bracket)
     }
 }

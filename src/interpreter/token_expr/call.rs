@@ -17,7 +17,7 @@ impl<'a> Interpreter<'a> {
     /// True if a `(` follows the name of a function. POV-Ray runs directives before it to find out, even where they
     /// would wait for the end of a value (quirk: `call_runs_directives`). Declarations wait: they cannot give a `(`,
     /// and may use the name being declared.
-    pub(in crate::interpreter) fn call_follows(&mut self) -> Result<bool> {
+    pub fn call_follows(&mut self) -> Result<bool> {
         let declares = |e: &Directive| matches!(e, Directive::Declare(_) | Directive::DeclarePieces(_));
         let waits =
             matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
@@ -51,7 +51,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Splits the next expression until its `(` is a token.
-    pub(in crate::interpreter) fn expose_parenthesis(&mut self) -> Result<()> {
+    pub fn expose_parenthesis(&mut self) -> Result<()> {
         while matches!(self.peek()?, Token::Expr(e) if begins_with_parenthesis(e)) {
             self.stream.split_next();
         }
@@ -59,7 +59,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Consumes the `(` after the name of a function.
-    pub(in crate::interpreter) fn expect_paren(&mut self, word: &str) -> Result<()> {
+    pub fn expect_paren(&mut self, word: &str) -> Result<()> {
         self.expose_parenthesis()?;
         match self.peek()? {
             Token::Open(Bracket::Paren, _) => self.open().map(drop),

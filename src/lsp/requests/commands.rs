@@ -35,7 +35,7 @@ impl Drop for Watches {
     }
 }
 
-/// Starts a command. Its result is document in the editor later.
+/// Starts a command. The editor displays its result later.
 pub fn execute<S: Client>(server: &mut Server<S>, params: &ExecuteCommandParams) -> Option<Value> {
     let argument = params.arguments.first()?.as_str()?;
     match params.command.as_str() {

@@ -9,7 +9,7 @@ use crate::lsp::scan::{Declaration, DeclarationKind, TokenKind};
 use crate::lsp::server::{Client, Server};
 use crate::lsp::words;
 use crate::syntax::word::CONSTANTS;
-use crate::value::Kind;
+use crate::value::ValueKind;
 use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionList, CompletionParams, CompletionResponse, Documentation,
     InsertTextFormat, MarkupContent, MarkupKind,
@@ -97,7 +97,7 @@ fn item_of_word(taken: &words::WordInfo) -> CompletionItem {
             Some(format!("{} {{ {}$0 }}", taken.name, params.join(", ")))
         }
         Some(_) => Some(format!("{} {{ $0 }}", taken.name)),
-        None if taken.kind == Kind::Block && !matches!(taken.name, "matrix" | "spline") => {
+        None if taken.kind == ValueKind::Block && !matches!(taken.name, "matrix" | "spline") => {
             Some(format!("{} {{ $0 }}", taken.name))
         }
         None => None,

@@ -1,6 +1,7 @@
-//! Building: first a tree of pairs by the surface-area heuristic over bins (Wald, On fast construction of SAH-based bounding volume
-//! hierarchies, 2007), then nodes with eight children, chosen from it so that a ray is expected to look at the fewest (Ylitie, Karras and Laine,
-//! Efficient incoherent ray traversal on GPUs through compressed wide BVHs, 2017, section 3.1). Always in the same order.
+//! Construction: first a binary tree by the surface-area heuristic over bins (Wald, On fast construction of SAH-based
+//! bounding volume hierarchies, 2007), then nodes with eight children, chosen from the binary tree to minimise the
+//! expected number of node visits (Ylitie, Karras and Laine, Efficient incoherent ray traversal on GPUs through
+//! compressed wide BVHs, 2017, section 3.1). The result is deterministic.
 
 use super::node::{Child, WIDTH, Wide};
 use super::{Bvh, round_down, round_up};
@@ -10,26 +11,28 @@ use smallvec::SmallVec;
 use std::array::from_fn;
 use std::ops::Range;
 
-/// Below so many levels the tree of pairs halves, so that it is never deeper than this and the logarithm of the number of boxes.
+/// Below this depth the binary tree is split in halves, which bounds its depth by this and the logarithm of the number
+/// of boxes.
 const LEVELS: usize = 64;
-/// What it costs a ray to look at a single item, in nodes.
+/// Cost of testing a single item, relative to visiting a node.
 const ITEM: f32 = 1.5;
-/// The same of a pack.
+/// Cost of testing a pack of items.
 const PACK: f32 = 1.0;
-/// No pack has more boxes.
+/// Maximum number of boxes in a pack.
 const LARGEST: usize = 8;
-/// A child holds no more items.
+/// Maximum number of items of a child.
 const LEAF: u32 = 4;
 
 impl Bvh {
-    /// Over boxes that [`super::fits`] accepts; also returns which box comes at which place in its order.
+    /// Builds over boxes that [`super::fits`] accepts; also returns the number of the box at each position of the
+    /// order.
     pub fn build(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
         let (bvh, order, _) = Build::run(boxes, |items| items.len() == 1, ITEM);
         (bvh, order)
     }
 
-    /// The same over packs of boxes, which are the items of the hierarchy: what `packs` accepts becomes one, and it accepts each single box.
-    /// Also returns the places of each pack's boxes in the order.
+    /// Builds over packs of boxes, which are the items of the hierarchy: a group of boxes that `packs` accepts becomes
+    /// one item, and `packs` accepts each single box. Also returns the range of each pack's boxes in the order.
     pub fn build_packs(
         boxes: impl ExactSizeIterator<Item = Aabb>,
         packs: impl Fn(&[u32]) -> bool,
@@ -42,38 +45,39 @@ impl Bvh {
     }
 }
 
-/// A hierarchy that is being built.
+/// State of a construction.
 struct Build<F> {
     prims: Vec<Prim>,
-    /// The tree of pairs, children before their parents.
+    /// The binary tree, children before their parents.
     pairs: Vec<Pair>,
-    /// Do these become one item?
+    /// True if these boxes become one item.
     is_item: F,
     item_cost: f32,
     bvh: Bvh,
-    /// Which boxes each item of the hierarchy has.
+    /// The boxes of each item.
     items: Vec<Range<u32>>,
 }
 
-/// A piece of all boxes, which is an item or has two halves.
+/// A node of the binary tree: an item, or two halves.
 struct Pair {
-    /// Numbers of the halves; of an item, where its boxes begin and end.
+    /// Indices of the halves; for an item, the range of its boxes.
     parts: [u32; 2],
-    /// How many items it has.
+    /// Number of items.
     items: u32,
-    /// How many of 2, 3, … 8 children of a node go to the first half, if it is to cost least; 0 if it is better not to use all of them.
+    /// For 2, 3, … 8 children of a wide node: how many of them the first half receives at the least cost; 0 if fewer
+    /// children cost less.
     first: [u8; WIDTH - 1],
-    /// Is it best to look at all its items at once?
+    /// True if testing all items at once costs least.
     is_leaf: bool,
 }
 
-/// What is known of a pair until it is half of another.
+/// A finished subtree, until its parent is made.
 struct Half {
     number: u32,
     lo: Vec3A,
     hi: Vec3A,
     items: u32,
-    /// The least cost of it with at most 1, 2, … 7 children of a node.
+    /// Least cost with at most 1, 2, … 7 children of a wide node.
     cost: [f32; WIDTH - 1],
 }
 
@@ -101,7 +105,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         (build.bvh, order, build.items)
     }
 
-    /// Makes the tree of pairs over some boxes.
+    /// Builds the binary tree over some boxes.
     fn grow(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> Half {
         let prims = &mut self.prims[boxes.clone()];
         if (self.is_item)(prims) {
@@ -119,11 +123,11 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         self.join(&a, &b)
     }
 
-    /// Adds a pair of two halves, at the least cost.
+    /// Makes the parent of two halves, at the least cost.
     fn join(&mut self, a: &Half, b: &Half) -> Half {
         let (lo, hi) = (a.lo.min(b.lo), a.hi.max(b.hi));
         let (area, items) = (area(lo, hi), a.items + b.items);
-        // With just so many children.
+        // Least cost with exactly this number of children.
         let mut cost = [f32::INFINITY; WIDTH + 1];
         let mut first = [0; WIDTH - 1];
         for children in 2..=WIDTH {
@@ -148,7 +152,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         Half { number: self.pairs.len() as u32 - 1, lo, hi, items, cost }
     }
 
-    /// Gives a node its children, and these theirs; returns what is around them.
+    /// Fills a wide node with children, recursively; returns their bounds.
     fn fill(&mut self, node: usize, pair: u32) -> Around {
         let mut children = SmallVec::new();
         match self.pairs[pair as usize].is_leaf {
@@ -166,7 +170,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
                 self.bvh.nodes[node].set(slot, (around.lo, around.hi), child);
                 all.join(&around);
             } else {
-                // Beside its siblings, which are wanted together.
+                // Siblings are adjacent in memory, since they are visited together.
                 inner.push((slot, self.bvh.nodes.len(), number));
                 self.bvh.nodes.push(Wide::EMPTY);
             }
@@ -179,7 +183,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         all
     }
 
-    /// The best pieces of a pair to be children of a node, at most so many.
+    /// The best nodes of a subtree to be children of a wide node, at most `count`.
     fn choose(&self, number: u32, mut count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
         let pair = &self.pairs[number as usize];
         while count > 1 && pair.first[count - 2] == 0 {
@@ -193,7 +197,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         self.choose(pair.parts[1], count - first, out);
     }
 
-    /// Adds the items of a pair to those of the hierarchy, and their boxes to what is around.
+    /// Appends the items of a subtree to the hierarchy, and their boxes to `around`.
     fn add_items(&mut self, number: u32, around: &mut Around) {
         match self.pairs[number as usize] {
             Pair { items: 1, parts: [start, end], .. } => {
@@ -208,7 +212,8 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     }
 }
 
-/// Orders the boxes in two groups, neither empty, at the cheapest place; returns where the second one starts, and what is around each.
+/// Partitions the boxes into two non-empty groups at the cheapest plane; returns the start of the second group and the
+/// bounds of both.
 fn divide(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
     let cut = match prims.len() {
         _ if halve => None,
@@ -227,7 +232,7 @@ fn divide(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 
     (count, halves)
 }
 
-/// A box to be sorted in.
+/// A box to be sorted.
 #[derive(Clone, Copy)]
 #[repr(C, align(16))]
 struct Prim {
@@ -249,13 +254,13 @@ impl Prim {
         self.hi.into()
     }
 
-    /// Twice the middle.
+    /// Twice the centre.
     fn center(&self) -> Vec3A {
         self.lo() + self.hi()
     }
 }
 
-/// The box around some items, and the one around their middles.
+/// Bounds of some items, and of their centres.
 #[derive(Clone, Copy)]
 struct Around {
     lo: Vec3A,
@@ -291,7 +296,7 @@ impl Around {
 
 fn area(lo: Vec3A, hi: Vec3A) -> f32 {
     let s = (hi - lo).max(Vec3A::ZERO);
-    // (So that the sum of all stays finite.)
+    // (Bounded, so that the sum of all stays finite.)
     (s.x * s.y + s.y * s.z + s.z * s.x).min(1e28)
 }
 
@@ -315,7 +320,7 @@ impl Bin {
     }
 }
 
-/// A plane between bins along an axis.
+/// A split plane between bins along an axis.
 struct Cut {
     axis: usize,
     from: f32,
@@ -324,7 +329,7 @@ struct Cut {
 }
 
 impl Cut {
-    /// The cheapest of the places between so many bins along each axis; `None` if any half is as good as the other.
+    /// The cheapest plane between this number of bins along each axis; `None` if all are equally good.
     fn find<const BINS: usize>(prims: &[Prim], around: &Around) -> Option<Cut> {
         let extent = around.last - around.first;
         if extent.max_element() <= 0.0 || !extent.is_finite() {
@@ -352,9 +357,9 @@ impl Cut {
     }
 }
 
-/// The number of bins on the left of the best cut, and its cost; infinite where all items are in one bin.
+/// Number of bins on the left of the cheapest cut, and its cost; infinite if all items are in one bin.
 fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
-    // Cost of everything from bin i on.
+    // Cost of bins i and above.
     let mut right = [0.0; BINS];
     let mut sum = Bin::EMPTY;
     for i in (1..BINS).rev() {
@@ -373,12 +378,12 @@ fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
     best
 }
 
-/// Moves the items that belong to the left before the others; returns how many they are, and what is around both.
+/// Moves the items of the left group before the others; returns their number and the bounds of both groups.
 fn partition(prims: &mut [Prim], left: impl Fn(&Prim) -> bool) -> (usize, [Around; 2]) {
     let (mut i, mut j) = (0, prims.len());
     let [mut before, mut behind] = [Around::EMPTY; 2];
     while i < j {
-        // (By reference: a copy would be built up in memory before it is looked at.)
+        // (By reference: a copy would be built in memory first.)
         let prim = &prims[i];
         if left(prim) {
             before.add(prim);

@@ -1,7 +1,7 @@
-//! A bounding volume hierarchy: eight boxes to a node, in single precision, rounded so that it never misses what double
-//! precision would hit.
+//! A bounding volume hierarchy: eight boxes per node, in single precision, rounded so that it never misses a hit of
+//! double precision.
 //!
-//! It knows boxes and their numbers, nothing of what is in them.
+//! The hierarchy contains boxes and indices; its users store the items.
 
 mod build;
 mod node;
@@ -16,11 +16,12 @@ use node::{Child, Kind, WIDTH, Wide};
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// Boxes whose corners reach further than this are not for a hierarchy in single precision.
+/// Maximum coordinate of boxes in a hierarchy in single precision.
 const REACH: f64 = 1e30;
-/// What is still to be looked at, as far as it is at hand: each level leaves at most seven entries behind, most leave one.
+/// Number of stack entries without allocation: each level leaves at most seven entries, and usually one.
 const STACK: usize = 32;
-/// Rounding of the slab test in single precision, relative: three operations at each end, each off by 2⁻²⁴, and some reserve.
+/// Relative rounding error of the slab test in single precision: three operations at each end, each with an error of
+/// 2⁻²⁴, and a reserve.
 const SLACK: f64 = 5e-7;
 
 /// The hierarchy over boxes 0 … n-1 in the order that [`Bvh::build`] returned.
@@ -29,19 +30,19 @@ pub struct Bvh {
     nodes: Vec<Wide>,
 }
 
-/// Is the box small enough for a hierarchy?
+/// True if the box is within the range of single precision.
 pub fn fits(b: &Aabb) -> bool {
     b.min.abs().max(b.max.abs()).max_element() < REACH
 }
 
-/// A traversal with one of the twins of `slabs`.
+/// A traversal with one of the two implementations of `slabs`.
 macro_rules! walk {
     ($slabs:path, $bvh:ident, $ray:ident, $range:ident, $fetch:expr, $visit:ident) => {{
         let flat = FlatRay::new($ray, $range, &$bvh.nodes[0]);
         let (mut max, mut flat_max) = ($range.max, padded($range.max));
         let mut stack = [Entry { near: 0.0, child: Child::NONE }; STACK];
         let mut open = 0;
-        // What the stack has no room for.
+        // Overflow of the stack.
         let mut below = vec![];
         let mut child = Child::node(0);
         loop {
@@ -95,15 +96,16 @@ macro_rules! walk {
 use walk;
 
 impl Bvh {
-    /// Hands the items whose boxes the ray meets in the range, and a few of their neighbours, to `visit`, near boxes first. `visit` gets the item's place
-    /// and how far hits still count, and returns how far they count from now on, or breaks off. A ray that is not finite meets nothing.
+    /// Calls `visit` with the items whose boxes the ray hits in the range, and a few of their neighbours, near boxes
+    /// first. `visit` receives the item's position and the current end of the range, and returns the new end, or
+    /// breaks. A ray with a coordinate that is not finite hits nothing.
     pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
         if !self.can_be_met(ray) {
             return;
         }
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has just been asked whether it has what the function needs.
+            // SAFETY: the processor has the feature that the function needs.
             #[expect(unsafe_code, reason = "the compiler can't know the processor")]
             return unsafe { self.traverse_avx2(ray, range, visit) };
         }
@@ -125,7 +127,7 @@ impl Bvh {
         walk!(node::avx2::slabs, self, ray, range, |_| (), visit);
     }
 
-    /// Hands the items whose boxes hold the point, and a few of their neighbours, to `visit`, until it breaks off.
+    /// Calls `visit` with the items whose boxes contain the point, and a few of their neighbours, until it breaks.
     pub fn around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
         let below = p.to_array().map(|x| Vec4::splat(round_down(x)));
         let above = p.to_array().map(|x| Vec4::splat(round_up(x)));
@@ -154,14 +156,15 @@ impl Bvh {
     }
 }
 
-/// A piece of what is still to be looked at, and where the ray enters its box at the earliest.
+/// A node or item to be visited, and the earliest `t` at which the ray enters its box.
 #[derive(Clone, Copy)]
 struct Entry {
     near: f32,
     child: Child,
 }
 
-/// The nearest child of a mask, which is not empty; the others come on the stack, near ones last. Also returns how many are open then.
+/// The nearest child of a non-empty mask; the others are pushed onto the stack, near ones last. Also returns the new
+/// length of the stack.
 #[inline(always)]
 fn nearest_child(
     node: &Wide,
@@ -185,7 +188,7 @@ fn nearest_child(
         if entry.near < first.near {
             std::mem::swap(&mut entry, &mut first);
         }
-        // Insertion sort: at most seven, and mostly one.
+        // Insertion sort: at most seven entries, usually one.
         let mut at = end;
         while at > open && stack[at - 1].near < entry.near {
             stack[at] = stack[at - 1];
@@ -199,8 +202,8 @@ fn nearest_child(
     }
 }
 
-/// The ray in single precision, once for the planes where it enters and once for those where it leaves, so that it seems to enter
-/// earlier and to leave later: origins are moved away from its way, and of what lies before it distances are scaled.
+/// The ray in single precision, once for the planes of entry and once for those of exit, so that it enters earlier and
+/// leaves later: origins are shifted away, and distances of planes in front are scaled.
 struct FlatRay {
     enter: [f32; 3],
     leave: [f32; 3],
@@ -214,11 +217,12 @@ struct FlatRay {
 impl FlatRay {
     #[inline(always)]
     fn new(ray: &Ray, range: Range, root: &Wide) -> Self {
-        // More than the origin's rounding, and never zero: no plane is then at the distance 0, which 1/0 would spoil.
+        // Larger than the origin's rounding error, and never zero: then no plane has the distance 0, which 1/0 would
+        // turn into NaN.
         let mut error = (ray.origin.abs() * 2.5e-7).max(DVec3::splat(1e-19));
         let mut slack = SLACK;
         if range.min < 0.0 {
-            // What lies behind as well: instead of the distances, all that it can meet is moved.
+            // For planes behind the origin, distances can't be scaled: shift all planes instead.
             error += (ray.origin.abs() + f64::from(root.reach())) * SLACK;
             slack = 0.0;
         }
@@ -242,7 +246,7 @@ impl FlatRay {
     }
 }
 
-/// Beyond a distance, by the rounding of the slab test and its own.
+/// Enlarges a distance by the rounding error of the slab test and of the distance itself.
 #[inline(always)]
 fn padded(max: f64) -> f32 {
     let max = max as f32;
@@ -266,7 +270,7 @@ fn round_up(x: f64) -> f32 {
 mod tests {
     use super::*;
 
-    /// Boxes on a grid, some of them without thickness.
+    /// Boxes on a grid, some of them flat.
     fn grid() -> Vec<Aabb> {
         let cell = |i: usize| DVec3::new((i % 7) as f64, (i / 7 % 5) as f64, (i / 35) as f64) * 2.0;
         (0..200).map(|i| Aabb::from_corners(cell(i), cell(i) + DVec3::new(1.0, 1.0, (i % 3) as f64))).collect()
@@ -312,7 +316,8 @@ mod tests {
         }
     }
 
-    /// Numbers that single precision does not have: nothing is met, or what slabs meet, and both twins say the same.
+    /// Numbers beyond single precision: the ray hits nothing, or what the exact slabs hit, and both implementations
+    /// agree.
     #[test]
     fn rays_from_where_nobody_is() {
         let (bvh, _) = Bvh::build(grid().into_iter());
@@ -340,7 +345,7 @@ mod tests {
 
     #[test]
     fn never_too_deep() {
-        // Each box is half as far and half as large as the one before, so that the heuristic peels off one at a time.
+        // Each box is half as far and half as large as the one before, so that the heuristic splits off one at a time.
         let boxes: Vec<Aabb> =
             (0..3000).map(|i| DVec3::splat(0.5_f64.powi(i % 90))).map(|p| Aabb::from_corners(p, p * 1.1)).collect();
         let (bvh, _) = Bvh::build(boxes.iter().copied());
@@ -358,7 +363,7 @@ mod tests {
 
     #[test]
     fn far_too_many_on_the_way() {
-        // All boxes hold the origin: none is left out, and the stack is too small.
+        // All boxes contain the origin: all are visited, and the stack overflows.
         let boxes: Vec<Aabb> =
             (1..5000).map(|i| DVec3::new(1.0, 0.5, 2.0) * f64::from(i)).map(|p| Aabb::from_corners(-p, p)).collect();
         for dir in [DVec3::ONE, DVec3::NEG_X, DVec3::new(0.3, -0.5, 0.0)] {
@@ -396,7 +401,7 @@ mod tests {
                     wide.push(i);
                     ControlFlow::Continue(max)
                 };
-                // SAFETY: the processor has been asked.
+                // SAFETY: the processor has the feature.
                 #[expect(unsafe_code, reason = "as above")]
                 unsafe {
                     bvh.traverse_avx2(&ray, range, visit);

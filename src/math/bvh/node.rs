@@ -1,4 +1,4 @@
-//! Nodes with eight children, and how a ray meets their boxes.
+//! Nodes with eight children, and the test of a ray against their boxes.
 
 use super::FlatRay;
 use glam::{Vec3A, Vec4};
@@ -6,20 +6,20 @@ use glam::{Vec3A, Vec4};
 /// Children of a node.
 pub(super) const WIDTH: usize = 8;
 
-/// Eight children side by side; unused ones have a box that no ray meets.
+/// Eight children side by side; unused ones have a box that no ray hits.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub(super) struct Wide {
-    /// `planes[0]` holds the lower ends along x, y, z, `planes[1]` the upper ones.
+    /// `planes[0]` contains the lower ends along x, y, z, `planes[1]` the upper ones.
     pub planes: [[[Vec4; 2]; 3]; 2],
     pub child: [Child; WIDTH],
 }
 
-/// The number of a node, or how many items there are and the first one's number.
+/// Index of a node, or the number of items and the first one's index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Child(u32);
 
-/// What a child is.
+/// Type of a child.
 pub(super) enum Kind {
     Node(usize),
     Items(std::ops::Range<usize>),
@@ -35,7 +35,7 @@ impl Child {
         Child(number as u32)
     }
 
-    /// Of at most seven items, of which there are fewer than 2²⁸.
+    /// At most seven items; their indices are below 2²⁸.
     pub fn items(first: usize, count: usize) -> Self {
         Child(Self::LEAF | (count as u32) << Self::COUNT | first as u32)
     }
@@ -54,7 +54,7 @@ impl Wide {
     pub const EMPTY: Wide =
         Wide { planes: [[[Vec4::INFINITY; 2]; 3], [[Vec4::NEG_INFINITY; 2]; 3]], child: [Child::NONE; WIDTH] };
 
-    /// No plane is further than this from zero.
+    /// Maximum absolute coordinate of all planes.
     pub fn reach(&self) -> f32 {
         let used = |plane: Vec4| Vec4::select(plane.is_finite_mask(), plane.abs(), Vec4::ZERO).max_element();
         self.planes.as_flattened().as_flattened().iter().map(|plane| used(*plane)).fold(0.0, f32::max)
@@ -69,7 +69,7 @@ impl Wide {
     }
 }
 
-/// Which boxes a ray meets before `max`, as bits, and where it enters them: the twin for any processor.
+/// The boxes that a ray hits before `max`, as bits, and its entries into them: the portable implementation.
 #[inline]
 pub(super) fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH]) {
     let (a, near_a) = half(node, ray, max, 0);
@@ -92,7 +92,7 @@ fn half(node: &Wide, ray: &FlatRay, max: f32, which: usize) -> (u32, [f32; 4]) {
     (near.cmple(far).bitmask(), near.to_array())
 }
 
-/// The same for processors that compute eight numbers at once (AVX2): the same operations in the same order, and none are fused.
+/// The implementation for AVX2, with eight numbers at once: the same operations in the same order, and none are fused.
 #[cfg(target_arch = "x86_64")]
 pub(super) mod avx2 {
     use super::{FlatRay, WIDTH, Wide};
@@ -136,7 +136,7 @@ pub(super) mod avx2 {
     }
 }
 
-/// Begins to bring a thing near to the processor, which will be wanted soon.
+/// Prefetches an element that will be used soon.
 #[inline(always)]
 pub(super) fn fetch<T>(list: &[T], at: usize) {
     #[cfg(target_arch = "x86_64")]
@@ -144,7 +144,7 @@ pub(super) fn fetch<T>(list: &[T], at: usize) {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
         for line in 0..size_of::<T>() / 64 {
             let place = std::ptr::from_ref(thing).cast::<i8>().wrapping_add(64 * line);
-            // SAFETY: a hint, which reads nothing.
+            // SAFETY: a prefetch does not read.
             #[expect(unsafe_code, reason = "nothing else makes the processor read ahead")]
             unsafe {
                 _mm_prefetch::<_MM_HINT_T0>(place);

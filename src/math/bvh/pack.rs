@@ -1,45 +1,45 @@
-//! A few triangles side by side that share corners, which a ray is asked of at once.
+//! A few triangles with common corners, which are tested against a ray at once.
 
 use crate::math::{DVec2, Sheared};
 use std::array::from_fn;
 use std::ops::Range;
 
-/// A pack has no more corners, and no more triangles.
+/// Maximum number of corners, and of triangles, in a pack.
 const MANY: usize = 8;
-/// So many triangles are looked at at once.
+/// Number of triangles that are tested at once.
 const HALF: usize = 4;
 
-/// Triangles that stand in a row: two lines of a cache.
+/// A pack of triangles: two cache lines.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(align(64))]
 pub(super) struct Pack {
     /// x, y and z of all corners.
     corners: [[f32; MANY]; 3],
-    /// Which are the first, the second and the third corners of the triangles.
+    /// Indices of the first, second and third corners of the triangles.
     numbers: [[[u8; HALF]; 2]; 3],
     first: u32,
     count: u32,
 }
 
-/// What is known of half a pack's triangles: a number for each.
+/// Results for half a pack: a number for each triangle.
 pub(super) struct Areas {
-    /// Bits of those that the line meets.
+    /// Bits of the triangles that the line hits.
     mask: u32,
-    /// Twice the areas that the sides cut off with the ray.
+    /// Twice the signed areas between the ray and each side.
     areas: [[f64; HALF]; 3],
-    /// How far the corners lie along the longest axis.
+    /// Depths of the corners along the longest axis of the direction.
     depths: [[f64; HALF]; 3],
 }
 
 impl Pack {
-    /// Do these triangles fit in a pack?
+    /// True if these triangles fit into a pack.
     pub fn holds(triangles: impl Iterator<Item = [[f32; 3]; 3]>) -> bool {
         let mut corners = [[0.0; 3]; MANY];
         let mut len = 0;
         triangles.flatten().all(|p| place(&mut corners, &mut len, p).is_some())
     }
 
-    /// Of the triangles of these numbers, of which there are at most [`Pack::MANY`].
+    /// Packs the triangles of these indices, of which there are at most [`Pack::MANY`].
     pub fn new(row: Range<u32>, triangle: impl Fn(u32) -> [[f32; 3]; 3]) -> Self {
         let mut corners = [[0.0; 3]; MANY];
         let mut numbers = [[[0; HALF]; 2]; 3];
@@ -53,13 +53,14 @@ impl Pack {
         Self { corners, numbers, first: row.start, count: row.end - row.start }
     }
 
-    /// The halves that hold any triangle.
+    /// The halves that are not empty.
     #[inline(always)]
     pub fn halves(&self) -> Range<usize> {
         0..(self.count as usize).div_ceil(HALF)
     }
 
-    /// Number, t and weights of the second and third corner of a triangle that the line meets; removes it from those that are left.
+    /// Number, t and weights of the second and third corner of a triangle that the line hits; removes the triangle from
+    /// `found`.
     #[inline(always)]
     pub fn next(&self, line: &Sheared, half: usize, found: &mut Areas) -> Option<(u32, f64, DVec2)> {
         while found.mask != 0 {
@@ -76,14 +77,14 @@ impl Pack {
         None
     }
 
-    /// Bits of the triangles that half a pack has.
+    /// Bits of the triangles in half a pack.
     #[inline(always)]
     fn used(&self, half: usize) -> u32 {
         ((1 << self.count) - 1) >> (HALF * half) & ((1 << HALF) - 1)
     }
 }
 
-/// Looks at half a pack as [`Sheared::meet`] looks at one triangle: the twin for any processor.
+/// Tests half a pack as [`Sheared::meet`] tests one triangle: the portable implementation.
 #[inline(always)]
 pub(super) fn areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
     let (mut areas, mut depths, mut mask) = ([[0.0; HALF]; 3], [[0.0; HALF]; 3], 0);
@@ -99,7 +100,7 @@ pub(super) fn areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
     Areas { mask: mask & pack.used(half), areas, depths }
 }
 
-/// The same for processors that compute four numbers at once (AVX2): the same operations in the same order, and none are fused.
+/// The implementation for AVX2, with four numbers at once: the same operations in the same order, and none are fused.
 #[cfg(target_arch = "x86_64")]
 pub(super) mod avx2 {
     use super::{Areas, HALF, MANY, Pack, Sheared, from_fn};
@@ -128,7 +129,7 @@ pub(super) mod avx2 {
         ]
     }
 
-    /// (a × b) along the ray.
+    /// The component of a × b along the ray.
     #[target_feature(enable = "avx2")]
     #[inline]
     fn side(a: &Corner, b: &Corner) -> __m256d {
@@ -163,7 +164,7 @@ pub(super) mod avx2 {
     }
 }
 
-/// Where a corner stands among those that are known, of which it becomes one; nothing if there is no room.
+/// Index of a corner among those of the pack, appending it if it is new; `None` if the pack is full.
 fn place(corners: &mut [[f32; 3]; MANY], len: &mut usize, p: [f32; 3]) -> Option<u8> {
     let known = corners[..*len].iter().position(|q| *q == p);
     if known.is_none() {

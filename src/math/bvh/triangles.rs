@@ -10,12 +10,12 @@ use std::ops::ControlFlow;
 /// The hierarchy over triangles 0 … n-1 in the order that [`Triangles::build`] returned.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Triangles {
-    /// Over the packs.
+    /// The hierarchy of packs.
     bvh: Bvh,
     packs: Vec<Pack>,
 }
 
-/// A traversal with one of the twins of `slabs` and of `areas`.
+/// A traversal with one of the two implementations of `slabs` and `areas`.
 macro_rules! meet {
     ($slabs:path, $areas:path, $all:ident, $ray:ident, $range:ident, $visit:ident) => {{
         let line = Sheared::new($ray);
@@ -40,7 +40,8 @@ macro_rules! meet {
 }
 
 impl Triangles {
-    /// Over the triangles of these corners, whose boxes [`super::fits`] accepts; also returns which triangle comes at which place in its order.
+    /// Builds over the triangles of these corners, whose boxes [`super::fits`] accepts; also returns the index of the
+    /// triangle at each position of the order.
     pub fn build(count: usize, corners: impl Fn(u32) -> [[f32; 3]; 3]) -> (Self, Vec<u32>) {
         let bounds = |i: usize| Aabb::from_points(corners(i as u32).map(|p| Vec3::from(p).as_dvec3()));
         let (bvh, order, rows) =
@@ -49,15 +50,16 @@ impl Triangles {
         (Self { bvh, packs }, order)
     }
 
-    /// Hands number, t and weights of the second and third corner of each triangle that the ray meets in the range to `visit`, near
-    /// ones mostly first. It says how far hits count from now on, or breaks off. A ray that is not finite meets nothing.
+    /// Calls `visit` with index, t and weights of the second and third corner of each triangle that the ray hits in the
+    /// range, near ones mostly first. `visit` returns the new end of the range, or breaks. A ray with a coordinate that
+    /// is not finite hits nothing.
     pub fn meet(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
         if !self.bvh.can_be_met(ray) {
             return;
         }
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has just been asked whether it has what the function needs.
+            // SAFETY: the processor has the feature that the function needs.
             #[expect(unsafe_code, reason = "the compiler can't know the processor")]
             return unsafe { self.meet_avx2(ray, range, visit) };
         }
@@ -86,7 +88,7 @@ mod tests {
         DVec3::from_array([0, 1, 2].map(|axis| rng::unit(&[i as u64, n, axis]) * 2.0 - 1.0))
     }
 
-    /// A wavy net, and loose triangles about it.
+    /// A wavy net, and separate triangles around it.
     fn corners() -> Vec<[[f32; 3]; 3]> {
         let at = |i: usize, j: usize| {
             let [x, y] = [i, j].map(|k| k as f32 / 6.0 - 1.0);
@@ -101,7 +103,7 @@ mod tests {
         net.chain(loose).collect()
     }
 
-    /// Through nothing in particular, through corners, through sides, along axes.
+    /// Rays at random, through corners, through sides, along axes.
     fn rays(corners: &[[[f32; 3]; 3]]) -> impl Iterator<Item = Ray> {
         (0..1200).map(|i| {
             let [a, b, _] = corners[i * 7 % corners.len()].map(|p| Vec3::from(p).as_dvec3());
@@ -159,7 +161,7 @@ mod tests {
         for ray in rays(&corners) {
             let (mut plain, mut wide) = (Found::new(), Found::new());
             triangles.meet_plainly(&ray, Range::ALL, all(&mut plain, f64::INFINITY));
-            // SAFETY: the processor has been asked.
+            // SAFETY: the processor has the feature.
             #[expect(unsafe_code, reason = "as above")]
             unsafe {
                 triangles.meet_avx2(&ray, Range::ALL, all(&mut wide, f64::INFINITY));

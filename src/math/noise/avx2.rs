@@ -1,5 +1,5 @@
-//! [`super::value`] for processors that compute four numbers at once (AVX2). The operations are those of the plain code in the same
-//! order, and none are fused: so pictures have the same bytes on every machine.
+//! [`super::value`] for AVX2, with four numbers at once: the operations of the portable code in the same order, and
+//! none are fused, so that pictures have the same bytes on every machine.
 
 use super::super::DVec3;
 use super::lattice::ROUND;
@@ -26,8 +26,8 @@ fn lerp(a: __m256d, b: __m256d, s: __m256d) -> __m256d {
     add(a, s, _mm256_sub_pd(b, a))
 }
 
-/// The hash of each corner of a point's cell, and where the point lies in the cell: [`super::lattice::cell`] of all coordinates
-/// at once.
+/// The hash of each corner of a point's cell, and the point's position in the cell: [`super::lattice::cell`] of all
+/// coordinates at once.
 #[target_feature(enable = "avx2")]
 #[inline]
 fn corners(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
@@ -35,7 +35,7 @@ fn corners(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
     let round = _mm256_set1_pd(ROUND);
     let rounded = _mm256_add_pd(p, round);
     let nearest = _mm256_sub_pd(rounded, round);
-    // All bits set, which is -1, where the nearest is not the one below.
+    // All bits set, which is -1, where rounding went up.
     let above = _mm256_cmp_pd::<_CMP_GT_OQ>(nearest, p);
     let floor = _mm256_sub_pd(nearest, _mm256_and_pd(above, _mm256_set1_pd(1.0)));
     let cells = _mm256_add_epi64(_mm256_castpd_si256(rounded), _mm256_castpd_si256(above));
@@ -59,12 +59,13 @@ fn spread(v: __m256d) -> [__m256d; 3] {
     [_mm256_permute4x64_pd::<0x00>(v), _mm256_permute4x64_pd::<0x55>(v), _mm256_permute4x64_pd::<0xaa>(v)]
 }
 
-/// What four corners with one z suggest; a lane for each corner. `x`, `y` and `z` are from each corner to the point.
+/// Contributions of four corners with one z; a lane for each corner. `x`, `y` and `z` are from each corner to the
+/// point.
 #[target_feature(enable = "avx2")]
 #[inline]
 fn side(hashes: &[usize; 4], x: __m256d, y: __m256d, z: __m256d) -> __m256d {
     let [r0, r1, r2, r3] = [0, 1, 2, 3].map(|i: usize| load(&CORNERS[hashes[i] & 0xff]));
-    // Rows of v, gx, gy, gz become columns.
+    // Transpose rows of v, gx, gy, gz.
     let (a, b) = (_mm256_unpacklo_pd(r0, r1), _mm256_unpackhi_pd(r0, r1));
     let (c, d) = (_mm256_unpacklo_pd(r2, r3), _mm256_unpackhi_pd(r2, r3));
     let (v, gx) = (_mm256_permute2f128_pd::<0x20>(a, c), _mm256_permute2f128_pd::<0x20>(b, d));
@@ -82,7 +83,7 @@ pub fn scalar(p: DVec3) -> f64 {
         (_mm256_sub_pd(tx, _mm256_setr_pd(0.0, 1.0, 0.0, 1.0)), _mm256_sub_pd(ty, _mm256_setr_pd(0.0, 0.0, 1.0, 1.0)));
     let (near, far) = (side(&hashes[0], x, y, tz), side(&hashes[1], x, y, _mm256_sub_pd(tz, _mm256_set1_pd(1.0))));
     let [sx, sy, sz] = spread(ease(t));
-    // Corners 0, 4, 2, 6 and their neighbours along x.
+    // Interpolate corners 0, 4, 2, 6 and their neighbours along x.
     let along_x = lerp(_mm256_unpacklo_pd(near, far), _mm256_unpackhi_pd(near, far), sx);
     let along_y = lerp(along_x, _mm256_permute2f128_pd::<0x11>(along_x, along_x), sy);
     let along_z = lerp(along_y, _mm256_unpackhi_pd(along_y, along_y), sz);

@@ -1,48 +1,48 @@
-//! Random numbers that belong to the unit cubes of space, as the patterns `cells` and `crackle` show them.
+//! Random numbers of unit cubes, for the patterns `cells` and `crackle`.
 //!
-//! Measured on POV-Ray 3.7.0.10 with `cells`, which prints the first of them: 4096 numbers, one for each hash of a cube, which turned
-//! out to be what the Mersenne Twister gives from its usual seed (M. Matsumoto and T. Nishimura 1998).
+//! There are 4096 numbers, one for each hash of a cube: the output of the Mersenne Twister with its default seed (M.
+//! Matsumoto and T. Nishimura 1998; quirk: `noise_tables`).
 
 use super::lattice;
 use super::tables::HASH;
 use crate::math::DVec3;
 use std::cell::RefCell;
 
-/// A unit cube: whole numbers of which the low bits are right.
+/// A unit cube, by integer coordinates whose low bits are exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell(pub [usize; 3]);
 
 impl Cell {
-    /// The cube that holds the point, and where in it, 0 to 1 along each axis.
+    /// The cube that contains the point, and the position in it, 0 to 1 along each axis.
     pub fn of(p: DVec3) -> (Self, DVec3) {
         let ((i, x), (j, y), (k, z)) = (lattice::cell(p.x), lattice::cell(p.y), lattice::cell(p.z));
         (Self([i, j, k]), DVec3::new(x, y, z))
     }
 
-    /// The cube so many steps away.
+    /// The cube at this offset.
     pub fn step(self, by: [isize; 3]) -> Self {
         Self([0, 1, 2].map(|axis| self.0[axis].wrapping_add_signed(by[axis])))
     }
 
-    /// Its random number, 0 to 1.
+    /// The cube's random number, 0 to 1.
     pub fn random(self) -> f64 {
         RANDOM[self.hash()]
     }
 
-    /// A random point in it, 0 to 1 along each axis; x is [`Self::random`].
+    /// A random point in the cube, 0 to 1 along each axis; x is [`Self::random`].
     pub fn random_point(self) -> DVec3 {
         let hash = self.hash();
         DVec3::new(RANDOM[hash], RANDOM[hash + 1], RANDOM[hash + 2])
     }
 
-    /// The permutation is applied in turn to x, y and z (Perlin 1985).
+    /// The permutation is applied to x, y and z in turn (Perlin 1985).
     fn hash(self) -> usize {
         let [x, y, z] = self.0;
         hashed(hashed(hashed(x) ^ y) ^ z)
     }
 
-    /// Shows the random points of the cube and of those around it. Each thread remembers some of them, since points next to each other
-    /// ask for the same ones.
+    /// Calls `look` with the random points of the cube and of those around it. Each thread caches some of them, since
+    /// neighbouring points need the same ones.
     pub fn with_around<T>(self, look: impl FnOnce(&Around) -> T) -> T {
         let [x, y, z] = self.0;
         REMEMBERED.with_borrow_mut(|remembered| {
@@ -63,11 +63,12 @@ fn hashed(i: usize) -> usize {
 pub struct Around {
     cell: Cell,
     known: bool,
-    /// Their x, y and z, counted from the corner of the cube in the middle, in the order of `NEXT`; what is left over is infinitely far.
+    /// x, y and z relative to the corner of the central cube, in the order of `NEXT`; unused entries are infinitely
+    /// far.
     pub points: [[f64; 28]; 3],
 }
 
-/// Steps to a cube and to those that touch it, the nearer ones first.
+/// Offsets of a cube and of those that touch it, the nearer ones first.
 const NEXT: [[isize; 3]; 27] = next();
 
 const fn next() -> [[isize; 3]; 27] {
@@ -90,12 +91,12 @@ const fn next() -> [[isize; 3]; 27] {
 impl Around {
     const NOTHING: Self = Self { cell: Cell([0; 3]), known: false, points: [[0.0; 28]; 3] };
 
-    /// Those of another cube.
+    /// Replaces the points by those of another cube.
     fn find(&mut self, cell: Cell) {
         (self.cell, self.known) = (cell, true);
         self.points = [[f64::INFINITY; 28]; 3];
         let [x, y, z] = cell.0.map(|i| [i.wrapping_sub(1), i, i.wrapping_add(1)]);
-        // As `Cell::hash`, but what cubes share is looked up once.
+        // As `Cell::hash`, but shared lookups are done once.
         let columns = x.map(|x| y.map(|y| hashed(hashed(x) ^ y)));
         for (n, step) in NEXT.iter().enumerate() {
             let [i, j, k] = step.map(|step| (step + 1) as usize);
@@ -108,25 +109,26 @@ impl Around {
 }
 
 impl Around {
-    /// The three least squares of distances from a place to the points, and the number of the nearest point. A NaN is none of them.
+    /// The three least squared distances from a position to the points, and the index of the nearest point. NaN is
+    /// ignored.
     pub fn least_squares(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has just been asked whether it has what the function needs.
+            // SAFETY: the processor has the feature that the function needs.
             #[expect(unsafe_code, reason = "the compiler can't know the processor")]
             return unsafe { self.least_squares_avx2(from) };
         }
         self.least_squares_plainly(from)
     }
 
-    /// The same operations, four numbers at once.
+    /// [`Self::least_squares`] for AVX2, with four numbers at once.
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     fn least_squares_avx2(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
         self.least_squares_plainly(from)
     }
 
-    /// Written so that the compiler takes several lanes at a time.
+    /// Written for automatic vectorisation.
     #[inline(always)]
     fn least_squares_plainly(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
         let [xs, ys, zs] = &self.points;
@@ -149,7 +151,7 @@ impl Around {
     }
 }
 
-/// The three smallest of four in order, of which the first three are in order, without branches.
+/// The three smallest of four numbers, ascending, without branches; the first three are ascending.
 #[inline(always)]
 fn three([first, second, third]: [f64; 3], sum: f64) -> [f64; 3] {
     let order = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
@@ -159,11 +161,11 @@ fn three([first, second, third]: [f64; 3], sum: f64) -> [f64; 3] {
 }
 
 thread_local! {
-    /// A place for each of 4x4x4 cubes that lie together.
+    /// A cache entry for each of 4x4x4 adjacent cubes.
     static REMEMBERED: RefCell<[Around; 64]> = const { RefCell::new([Around::NOTHING; 64]) };
 }
 
-/// By hash; the last two are the second and third coordinate of the last.
+/// By hash; the last two entries are the second and third coordinate for the last hash.
 static RANDOM: [f64; 4098] = mersenne_twister();
 
 /// MT19937 from seed 5489.

@@ -1,10 +1,11 @@
-//! What both lattice noises share: the cell of a point and the blend of its eight corners.
+//! Cells and interpolation of both lattice noises.
 
-/// 1.5·2⁵²: adding it rounds to the nearest whole number and leaves its two's complement in the low bits, without call or branch.
+/// 1.5·2⁵²: adding it rounds to the nearest integer and leaves its two's complement in the low bits, without call or
+/// branch.
 pub const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// The lattice cell of one coordinate: its number (its low bits are right for any number below 2⁵¹), and how far the coordinate
-/// lies into it, 0 to 1.
+/// The lattice cell of one coordinate: its index (whose low bits are exact for any coordinate below 2⁵¹), and the
+/// position in it, 0 to 1.
 #[inline(always)]
 pub fn cell(x: f64) -> (usize, f64) {
     let rounded = x + ROUND;
@@ -20,14 +21,14 @@ pub fn ease(t: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// Between a and b.
+/// Linear interpolation between a and b.
 #[inline(always)]
 fn lerp(a: f64, b: f64, s: f64) -> f64 {
     a + s * (b - a)
 }
 
-/// Blends the values that the corners of a cell suggest for the point `t` in it. Corner i lies at x = bit 0, y = bit 1,
-/// z = bit 2 of i.
+/// Interpolates the contributions of the corners at the point `t` of a cell. Corner i is at x = bit 0, y = bit 1, z =
+/// bit 2 of i.
 #[inline(always)]
 pub fn blend(corners: [f64; 8], t: [f64; 3]) -> f64 {
     let [sx, sy, sz] = t.map(ease);
@@ -35,7 +36,7 @@ pub fn blend(corners: [f64; 8], t: [f64; 3]) -> f64 {
     lerp(lerp(x(0), x(2), sy), lerp(x(4), x(6), sy), sz)
 }
 
-/// From corner i to the point `t`.
+/// Vector from corner i to the point `t`.
 #[inline(always)]
 pub fn from_corner(i: usize, t: [f64; 3]) -> [f64; 3] {
     let along = |axis: usize| if i >> axis & 1 == 1 { t[axis] - 1.0 } else { t[axis] };

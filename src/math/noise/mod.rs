@@ -1,10 +1,10 @@
-//! POV-Ray's noise: numbers that vary smoothly and at random over space.
+//! POV-Ray's noise: smooth random functions of space.
 //!
-//! Two lattice noises in the manner of K. Perlin, "An Image Synthesizer" (SIGGRAPH 1985), lie behind all of it; what is
-//! particular to POV-Ray (tables, offsets, ranges) was measured on POV-Ray 3.7.0.10 from outside with `f_noise_generator` and
-//! `vturbulence`. `value` holds the one of generators 1 and 2 and of the vector noise, `perlin` the one of generator 3.
-//! Results agree with POV-Ray to about 1e-15 for coordinates below 2³¹, where POV-Ray's own cells overflow; here they go on.
-//! No input panics; infinite and undefined coordinates give NaN or a bound of the range.
+//! Two lattice noises in the manner of K. Perlin, "An Image Synthesizer" (SIGGRAPH 1985), with POV-Ray's tables,
+//! offsets and ranges (quirk: `noise_tables`). `value` is the one of generators 1 and 2 and of the vector noise,
+//! `perlin` the one of generator 3. Results agree with POV-Ray to about 1e-15 for coordinates below 2³¹, where
+//! POV-Ray's own cells overflow; here they do not. No input panics; infinite and undefined coordinates give NaN or a
+//! bound of the range.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
@@ -20,13 +20,13 @@ pub use cells::{Around, Cell};
 use super::DVec3;
 use serde::Serialize;
 
-/// What `noise_generator N` chooses (manual, "Noise Generators").
+/// The argument of `noise_generator` (manual, "Noise Generators").
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum NoiseGenerator {
-    /// 1, original: the range is cut at 0 and 1, which leaves flat spots.
+    /// 1, original: the range is clamped to [0, 1], which leaves flat spots.
     Original,
-    /// 2, range corrected: what `noise_generator` is unless said otherwise.
+    /// 2, range corrected: the default.
     #[default]
     RangeCorrected,
     /// 3, Perlin: gradients alone, no values at the lattice points.
@@ -34,8 +34,8 @@ pub enum NoiseGenerator {
 }
 
 impl NoiseGenerator {
-    /// No shorter than the gradient of [`noise`] anywhere: its longest ones, found by climbing from the steepest of a million
-    /// places, have 2.98, 1.46 and 1.58.
+    /// Upper bound of the gradient of [`noise`]: the longest gradients, found by hill climbing from the steepest of a
+    /// million points, have 2.98, 1.46 and 1.58.
     pub fn steepest(self) -> f64 {
         match self.number() {
             1 => 3.2,
@@ -44,9 +44,10 @@ impl NoiseGenerator {
         }
     }
 
-    /// By no more than this does the gradient of [`noise`] change along a way of length 1, where its numbers lie strictly between 0 and 1: the
-    /// largest spectral norms of its second derivatives, found by climbing from the largest of three million places, are 7.25 and 8.08 for the
-    /// last two. The first is 1/0.48985582 of the second, but for where it ends at 0 and 1: 14.8.
+    /// Upper bound of the change of the gradient of [`noise`] per unit of length, where the noise is strictly between 0
+    /// and 1: the largest spectral norms of the second derivatives, found by hill climbing from the largest of three
+    /// million points, are 7.25 and 8.08 for the last two. The first is 1/0.48985582 times the second, except where it
+    /// is clamped: 14.8.
     pub fn bend(self) -> f64 {
         match self.number() {
             1 => 16.2,
@@ -55,7 +56,7 @@ impl NoiseGenerator {
         }
     }
 
-    /// Its number in scenes.
+    /// The number in scenes.
     pub fn number(self) -> u8 {
         match self {
             Self::Original => 1,
@@ -64,7 +65,7 @@ impl NoiseGenerator {
         }
     }
 
-    /// From the last argument of `f_noise_generator`, of which POV-Ray drops the fraction and looks at two bits; 0 counts as 1.
+    /// From the last argument of `f_noise_generator`, which POV-Ray truncates to an integer of two bits; 0 counts as 1.
     pub fn from_number(n: f64) -> Self {
         match (n as i64) & 3 {
             2 => Self::RangeCorrected,
@@ -74,10 +75,10 @@ impl NoiseGenerator {
     }
 }
 
-/// POV-Ray adds up no more octaves than this.
+/// Maximum number of octaves in POV-Ray.
 const MAX_OCTAVES: usize = 10;
 
-/// The words of a `turbulence` that say how octaves add up (manual, "Turbulence").
+/// Parameters of a sum of octaves (manual, "Turbulence").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turbulence {
     lambda: f64,
@@ -92,8 +93,9 @@ impl Default for Turbulence {
 }
 
 impl Turbulence {
-    /// Each octave is `lambda` times finer and `omega` times weaker than the one before. Like POV-Ray, this keeps `lambda` and
-    /// `omega` in single precision (visible from the 8th digit on), and the whole part of `octaves`, from 1 to 10.
+    /// Each octave is `lambda` times finer and `omega` times weaker than the one before. Like POV-Ray, this keeps
+    /// `lambda` and `omega` in single precision (visible from the 8th digit on), and the integer part of `octaves`,
+    /// from 1 to 10.
     pub fn new(lambda: f64, omega: f64, octaves: f64) -> Self {
         let single = |x: f64| f64::from(x as f32);
         Self { lambda: single(lambda), omega: single(omega), octaves: (octaves as u32).clamp(1, MAX_OCTAVES as u32) }
@@ -110,14 +112,14 @@ impl Turbulence {
     }
 }
 
-/// `f_noise_generator(x, y, z, generator)`: between 0 and 1, about 0.5 on average. `f_noise3d` is this with the scene's
-/// generator, `f_snoise3d` is twice that minus 1.
+/// `f_noise_generator(x, y, z, generator)`: between 0 and 1, about 0.5 on average. `f_noise3d` is this function with
+/// the scene's generator, `f_snoise3d` is twice that minus 1.
 pub fn noise(p: DVec3, generator: NoiseGenerator) -> f64 {
     let raw = if generator == NoiseGenerator::Perlin { perlin::scalar(p) } else { wide::scalar_at(p) };
     ranged(raw, generator)
 }
 
-/// The same at several points.
+/// [`noise`] at several points.
 fn noises(points: &[DVec3], generator: NoiseGenerator, out: &mut [f64]) {
     if generator == NoiseGenerator::Perlin {
         points.iter().zip(&mut *out).for_each(|(p, out)| *out = perlin::scalar(*p));
@@ -127,7 +129,7 @@ fn noises(points: &[DVec3], generator: NoiseGenerator, out: &mut [f64]) {
     out.iter_mut().for_each(|raw| *raw = ranged(*raw, generator));
 }
 
-/// The range that a generator brings its numbers to.
+/// Maps raw noise to the generator's range.
 fn ranged(raw: f64, generator: NoiseGenerator) -> f64 {
     let unbounded = match generator {
         NoiseGenerator::Original => raw + 0.5,
@@ -137,14 +139,14 @@ fn ranged(raw: f64, generator: NoiseGenerator) -> f64 {
     unbounded.clamp(0.0, 1.0)
 }
 
-/// The vector noise that displaces points (`vturbulence` with one octave): components about -1 to 1, 0 on average. It is
-/// the same for all generators.
+/// The vector noise that displaces points (`vturbulence` with one octave): components about -1 to 1, 0 on average. It
+/// is independent of the generator.
 pub fn noise_vector(p: DVec3) -> DVec3 {
     wide::vector_at(p)
 }
 
-/// The scalar turbulence (seen in `agate`): octaves of noise. For the newer generators each octave is spread to
-/// 2 noise - 0.5, of which POV-Ray cuts the first alone at 0 and 1.
+/// Scalar turbulence, as in `agate`: octaves of noise. For generators 2 and 3 each octave is stretched to 2 noise -
+/// 0.5, of which POV-Ray clamps the first one only.
 pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -> f64 {
     let count = turbulence.octaves as usize;
     let mut weights = [0.0; MAX_OCTAVES];
@@ -157,7 +159,7 @@ pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -
     (0..count).map(|i| weights[i] * spread(each[i], generator, i == 0)).sum()
 }
 
-/// N octaves, each cut at 0 and 1 and twice as fine as the one before: what `granite` and `wrinkles` add up.
+/// N octaves, each clamped to [0, 1] and twice as fine as the one before, for `granite` and `wrinkles`.
 pub fn octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [f64; N] {
     let mut points = [p; N];
     for i in 1..N {
@@ -168,7 +170,7 @@ pub fn octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [f64; N] 
     out.map(|noise| spread(noise, generator, true))
 }
 
-/// The range of noise that turbulence adds up, from [`noise`].
+/// The range of noise in turbulence, from [`noise`].
 fn spread(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
     match (generator, cut) {
         (NoiseGenerator::Original, _) => noise,
@@ -177,7 +179,8 @@ fn spread(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
     }
 }
 
-/// `vturbulence(lambda, omega, octaves, p)`: octaves of the vector noise; `turbulence T` displaces p by T times this.
+/// `vturbulence(lambda, omega, octaves, p)`: octaves of the vector noise; `turbulence T` displaces p by T times this
+/// vector.
 pub fn vturbulence(p: DVec3, turbulence: Turbulence) -> DVec3 {
     wide::turbulence(p, turbulence)
 }

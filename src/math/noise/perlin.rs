@@ -1,11 +1,11 @@
-//! The noise of generator 3: each lattice point has a gradient of length 1 (Perlin 1985; the version with a permutation that
-//! is added to, in Ebert et al., "Texturing and Modeling").
+//! The noise of generator 3: each lattice point has a gradient of length 1 (Perlin 1985; the version with an additive
+//! permutation in Ebert et al., "Texturing and Modeling").
 
 use super::super::DVec3;
 use super::lattice::{blend, cell, from_corner};
 use super::tables::{GRADIENTS, PERMUTATION};
 
-/// Added to each coordinate: so the lattice points lie a little below the whole numbers, and coordinates are rounded to 2⁻²⁹.
+/// Added to each coordinate: the lattice points are thus just below the integers, and coordinates are rounded to 2⁻²⁹.
 pub(super) const OFFSET: f64 = 10_000_000.023157213;
 
 /// About -0.76 to 0.76; 0 at each lattice point.
@@ -18,7 +18,7 @@ pub fn scalar(p: DVec3) -> f64 {
     let y = iy & 0x7ff;
     let xy = [permuted(px + y), permuted(qx + y), permuted(px + y + 1), permuted(qx + y + 1)];
     let corner = |i: usize| {
-        // The gradients of the corners before and behind lie next to each other; the last is followed by the first.
+        // The gradients of corners with neighbouring z are adjacent; the first follows the last.
         let ([x, y, z], [gx, gy, gz]) = (from_corner(i, t), GRADIENTS[(xy[i & 3].wrapping_add(iz) & 0x7ff) + (i >> 2)]);
         gx * x + gy * y + gz * z
     };

@@ -1,10 +1,10 @@
-//! The tables behind the noise, computed when durer is compiled.
+//! The tables of the noise, computed at compile time.
 //!
-//! All were measured on POV-Ray 3.7.0.10 with `tests/noise/measure.py`, which finds them from what `vturbulence` and
-//! `f_noise_generator` print at and between lattice points. Three of them turned out to follow from the random numbers of the
-//! language's own `rand()`, and are made here by the rule that gives what was measured; the fourth is stored.
+//! `tests/noise/measure.py` finds the tables from the output of `vturbulence` and `f_noise_generator` at and between
+//! lattice points (quirk: `noise_tables`). Three of them follow from the random numbers of the language's own `rand()`;
+//! the fourth is stored.
 
-/// POV-Ray's linear congruential generator, of which bits 16 to 30 are the random number.
+/// POV-Ray's linear congruential generator; bits 16 to 30 are the random number.
 struct Random(u32);
 
 impl Random {
@@ -17,7 +17,7 @@ impl Random {
 /// A permutation of 0 to 4095 for [`super::value`].
 pub static HASH: [u16; 4096] = hash();
 
-/// Four numbers where a processor can load them at once: without the alignment, compilers take two loads.
+/// Four numbers with the alignment for one load: without it, compilers use two.
 #[derive(Clone, Copy)]
 #[repr(align(32))]
 pub struct Row(pub [f64; 4]);
@@ -28,10 +28,10 @@ pub static CORNERS: [Row; 256] = corners();
 /// Nearly a permutation of 0 to 2047 for [`super::perlin`].
 pub static PERMUTATION: [u16; 2048] = FOR_PERLIN.1;
 
-/// Gradients of length 1 for [`super::perlin`]; the first stands at the end once more.
+/// Gradients of length 1 for [`super::perlin`]; the first is repeated at the end.
 pub static GRADIENTS: [[f64; 3]; 2049] = FOR_PERLIN.0;
 
-/// From the last place to the first, each is exchanged with any other.
+/// From the last entry to the first, each is exchanged with any other.
 const fn hash() -> [u16; 4096] {
     let (mut table, mut i) = ([0; 4096], 0);
     while i < 4096 {
@@ -46,7 +46,7 @@ const fn hash() -> [u16; 4096] {
     table
 }
 
-/// Each row begins one entry further on in [`ENTRIES`]. Values count half.
+/// Each row begins one entry later in [`ENTRIES`]. Values are halved.
 const fn corners() -> [Row; 256] {
     let (mut rows, mut i) = ([Row([0.0; 4]); 256], 0);
     while i < 256 {
@@ -56,7 +56,7 @@ const fn corners() -> [Row; 256] {
     rows
 }
 
-/// Of the 267 numbers that values and gradients are taken from.
+/// One of the 267 numbers of values and gradients.
 pub const fn entry(i: usize) -> f64 {
     ENTRIES[i]
 }
@@ -66,7 +66,7 @@ const FOR_PERLIN: ([[f64; 3]; 2049], [u16; 2048]) = {
     (gradients(&mut random), permutation(&mut random))
 };
 
-/// Random points of the unit ball, moved to its surface.
+/// Random points of the unit ball, projected to its surface.
 const fn gradients(random: &mut Random) -> [[f64; 3]; 2049] {
     let (mut table, mut i) = ([[0.0; 3]; 2049], 0);
     while i < 2048 {
@@ -87,7 +87,7 @@ const fn coordinate(random: &mut Random) -> f64 {
     (random.next() % 4096) as f64 / 2048.0 - 1.0
 }
 
-/// By Newton's method, for numbers up to 1; the library's is not for constants.
+/// By Newton's method, for numbers up to 1; the standard library's is not const.
 const fn square_root(square: f64) -> f64 {
     let (mut root, mut steps) = (1.0, 0);
     while steps < 16 {
@@ -97,7 +97,8 @@ const fn square_root(square: f64) -> f64 {
     root
 }
 
-/// Every second place is exchanged with any other. POV-Ray begins one place behind the end, where 0 stands: so 0 is in the table twice.
+/// Every second entry is exchanged with any other. POV-Ray begins one entry after the end, which is 0: so 0 is in the
+/// table twice.
 const fn permutation(random: &mut Random) -> [u16; 2048] {
     let (mut places, mut i) = ([0; 2049], 0);
     while i < 2048 {
@@ -116,7 +117,7 @@ const fn permutation(random: &mut Random) -> [u16; 2048] {
     table
 }
 
-/// Values and gradients, as measured: multiples of 2/65535 from -1 on, rounded to 6 digits.
+/// Values and gradients: multiples of 2/65535 from -1 on, rounded to 6 digits (quirk: `noise_tables`).
 #[rustfmt::skip]
 const ENTRIES: [f64; 267] = [
     -1.0, 0.604974, -0.937102, 0.414115, 0.576226, -0.0161593, 0.432334, 0.103685, 0.590539, 0.0286412, 0.46981,

@@ -4,7 +4,7 @@ use super::super::DVec3;
 use super::lattice::{blend, cell, ease, from_corner};
 use super::tables::{CORNERS, HASH, Row, entry};
 
-/// POV-Ray adds 10000 to the number of a cell before it looks it up.
+/// POV-Ray adds 10000 to the index of a cell before the lookup.
 const OFFSET: usize = 10_000;
 
 /// A permutation of 4096 numbers.
@@ -18,14 +18,14 @@ fn hash(i: usize) -> usize {
 pub(super) fn hashes([ix, iy, iz]: [usize; 3]) -> [[usize; 4]; 2] {
     let sides = |i: usize| [i.wrapping_add(OFFSET), i.wrapping_add(OFFSET + 1)];
     let ([x0, x1], [y0, y1], [z0, z1]) = (sides(ix), sides(iy), sides(iz));
-    // The permutation is applied in turn to x, y and z (Perlin 1985).
+    // The permutation is applied to x, y and z in turn (Perlin 1985).
     let (a, b) = (hash(x0), hash(x1));
     let [c, d, e, f] = [a ^ y0, b ^ y0, a ^ y1, b ^ y1].map(hash);
     let above = |z| [hash(c ^ z), hash(d ^ z), hash(e ^ z), hash(f ^ z)];
     [above(z0), above(z1)]
 }
 
-/// The hash of each corner of a point's cell, and where the point lies in the cell.
+/// The hash of each corner of a point's cell, and the point's position in the cell.
 #[inline(always)]
 fn corners(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
     let ((ix, tx), (iy, ty), (iz, tz)) = (cell(p.x), cell(p.y), cell(p.z));
@@ -40,7 +40,7 @@ pub fn scalar(p: DVec3) -> f64 {
         let ([x, y, z], Row([v, gx, gy, gz])) = (from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
         v + gx * x + gy * y + gz * z
     };
-    // Written out: `map` over eight corners takes twice the time.
+    // Unrolled: `map` over eight corners takes twice the time.
     blend([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
 }
 
@@ -52,12 +52,12 @@ fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
 }
 
-/// The entries of the three components of [`vector`] side by side; the last lane is not used. A lattice point's values are at its hash and
-/// count half, its gradients' coordinates are at the next three places. (A row of its own for each would be four times as large, and not
-/// fit into a processor's nearest cache beside the other tables.)
+/// The entries of the three components of [`vector`] side by side; the last lane is unused. A lattice point's values
+/// are at its hash and are halved, its gradients' coordinates are at the next three entries. (A row for each lattice
+/// point would need four times the memory, and not fit into the first-level cache beside the other tables.)
 pub(super) static LANES: [Row; 259] = lanes();
 
-/// Each component takes its values and gradients four entries further on in the table.
+/// Each component takes its values and gradients four entries later in the table.
 const fn lanes() -> [Row; 259] {
     let mut out = [Row([0.0; 4]); 259];
     let mut i = 0;

@@ -1,9 +1,9 @@
-//! Chooses between [`super::value`] and its twin for processors that compute four numbers at once. Both give the same bits.
+//! Chooses between [`super::value`] and its AVX2 implementation. Both give the same bits.
 
 use super::super::DVec3;
 use super::{Turbulence, value};
 
-/// `f(arguments)` by the twin in `avx2` where the processor can, else by the one in `value`.
+/// Calls the function of this name in `avx2` if the processor has the feature, else the one in `value`.
 macro_rules! twins {
     ($(#[$doc:meta])* $name:ident($f:ident; $($argument:ident: $type:ty),*) $(-> $out:ty)? $body:block) => {
         $(#[$doc])*
@@ -16,7 +16,7 @@ macro_rules! twins {
                     $body
                 }
                 if is_x86_feature_detected!("avx2") {
-                    // SAFETY: the processor has just been asked whether it has what the function needs.
+                    // SAFETY: the processor has the feature that the function needs.
                     #[expect(unsafe_code, reason = "the compiler can't know the processor")]
                     return unsafe { avx2($($argument),*) };
                 }
@@ -75,7 +75,7 @@ mod tests {
         scalars(&points, &mut out);
         for (p, out) in points.iter().zip(&out) {
             let (scalar, vector) = (value::scalar(*p), value::vector(*p));
-            // (Which of its many bits a NaN has is of no account.)
+            // (The payload of a NaN does not matter.)
             let same = |a: f64, b: f64| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
             assert!(same(*out, scalar) && same(scalar_at(*p), scalar), "{p}");
             assert!(vector_at(*p).to_array().into_iter().zip(vector.to_array()).all(|(a, b)| same(a, b)), "{p}");

@@ -1,14 +1,15 @@
 //! Real roots of polynomials of any degree, by the signs of their Bernstein coefficients.
 //!
-//! With Σ bᵢ·C(n,i)·tⁱ·(1-t)ⁿ⁻ⁱ on [0, 1], there are no more roots than the bᵢ change their sign (Descartes' rule): none if
-//! they never do, one if they do once. Any other stretch is halved (Lane & Riesenfeld, Bounds on a Polynomial, 1981). All is
-//! averages of neighbours, which lose nothing to rounding. Zero counts as positive everywhere, as if the polynomial were a
-//! trifle larger: so a root between two stretches, or two pieces of a curve, is found in exactly one of them.
+//! With Σ bᵢ·C(n,i)·tⁱ·(1-t)ⁿ⁻ⁱ on [0, 1], there are no more roots than the bᵢ change their sign (Descartes' rule):
+//! none without a change, one with one. Any other interval is bisected (Lane & Riesenfeld, Bounds on a Polynomial,
+//! 1981). All operations are averages of neighbours, which lose nothing to rounding. Zero counts as positive
+//! everywhere, as if the polynomial were a trifle larger: a root at the boundary between two intervals, or two pieces
+//! of a curve, is thus found in exactly one of them.
 
 use super::solve_quadratic;
 use crate::math::tolerance;
 
-/// The highest degree.
+/// Maximum degree.
 pub const MAX_DEGREE: usize = 35;
 
 /// 1/C(n, i).
@@ -29,31 +30,31 @@ const fn inverse_binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
     table
 }
 
-/// Is told a root; true ends the search.
+/// Receives each root; returns true to end the search.
 type Found<'a> = &'a mut dyn FnMut(f64) -> bool;
 
-/// Arrays of no more room than this have none to spare: their degree is known when they are compiled.
+/// Arrays up to this length have exactly the degree's size, which is known at compile time.
 const EXACT: usize = 8;
 
-/// What is cut out reaches so much beyond where roots are wanted: far more than rounding.
+/// Margin of the clipped window around the interval of wanted roots: far more than rounding.
 const WINDOW_SLACK: f64 = 1e-9;
-/// More of a stretch than this is halved as it is.
+/// A window larger than this part of an interval is not clipped.
 const MOST_OF_IT: f64 = 0.8;
 
-/// The search on [0, 1]. Arrays have room for one coefficient more than the degree at least.
+/// The search on [0, 1]. Arrays have at least one coefficient more than the degree.
 struct Search<'a> {
-    /// Of arrays with room to spare.
+    /// Degree, for arrays that are larger than needed.
     degree: usize,
-    /// Coefficients below it are rounding.
+    /// Coefficients below this are rounding errors.
     noise: f64,
-    /// Where roots are wanted.
+    /// Interval of wanted roots.
     window: (f64, f64),
-    /// From 1 to 0?
+    /// True to search from 1 to 0.
     backwards: bool,
     found: Found<'a>,
 }
 
-/// Negative, rather than zero or positive?
+/// True if negative; zero counts as positive.
 fn negative(x: f64) -> bool {
     x < 0.0
 }
@@ -62,7 +63,7 @@ fn sign_changes(b: &[f64]) -> usize {
     b.windows(2).filter(|w| negative(w[0]) != negative(w[1])).count()
 }
 
-/// Value and slope at t, by de Casteljau's scheme.
+/// Value and slope at t, by de Casteljau's algorithm.
 #[inline(always)]
 fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64, f64) {
     let mut b = *b;
@@ -75,8 +76,8 @@ fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64,
     (b[0] + rise * t, rise * degree as f64)
 }
 
-/// The one root in [0, 1], at whose ends the signs differ: Newton's step where it stays in the bracket and shrinks fast
-/// enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
+/// The only root in [0, 1], at whose ends the signs differ: Newton's step where it stays in the bracket and converges
+/// fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
 #[inline(always)]
 fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
     let rising = negative(b[0]);
@@ -93,7 +94,7 @@ fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
         let newton = t - f / slope;
         let step = (newton - t).abs();
         let shrinks = newton >= lo && newton <= hi && step <= 0.5 * last_step;
-        // So short a step doubles the digits that are right; one that does not get shorter any more is rounding.
+        // Such a short step doubles the number of correct digits; a step that does not get shorter is rounding.
         if step <= 1e-10 * t || !shrinks && step.max(last_step) <= 1e-8 * t {
             return newton.clamp(lo, hi);
         }
@@ -107,7 +108,7 @@ fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
     t
 }
 
-/// Both halves of a stretch.
+/// The coefficients on both halves of an interval.
 #[inline(always)]
 fn halves<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
     let (mut left, mut right) = (*b, *b);
@@ -121,7 +122,7 @@ fn halves<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
     (left, right)
 }
 
-/// The coefficients on the stretch from t0 to t1.
+/// The coefficients on the interval from t0 to t1.
 #[inline(always)]
 fn stretch<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64)) -> [f64; N] {
     if t0 > 0.0 {
@@ -132,7 +133,7 @@ fn stretch<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64))
         }
     }
     if t1 < 1.0 {
-        // Back from the end, as far as is too much of what is left.
+        // Cut at t1, in units of the remaining interval.
         let back = (1.0 - t1) / (1.0 - t0);
         for first in 1..=degree {
             for i in (first..=degree).rev() {
@@ -144,8 +145,8 @@ fn stretch<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64))
 }
 
 impl Search<'_> {
-    /// The roots in [0, 1]. Where they are wanted in but a part of it, that part is cut out to see whether there is any. (They are
-    /// found from the whole all the same: a root is the same to the last bit wherever it is wanted.)
+    /// Searches [0, 1]. If the window is only a part of it, the clipped coefficients decide first whether there is any
+    /// root. (Roots are then found from the whole interval: a root is the same to the last bit for any window.)
     fn start<const N: usize>(&mut self, b: &[f64; N]) -> bool {
         let (t0, t1) = ((self.window.0 - WINDOW_SLACK).max(0.0), (self.window.1 + WINDOW_SLACK).min(1.0));
         let degree = if N <= EXACT { N - 1 } else { self.degree };
@@ -159,7 +160,7 @@ impl Search<'_> {
         self.walk(b, 0.0, 1.0)
     }
 
-    /// The roots between `lo` and `hi`, where the coefficients are these. True if that is enough.
+    /// Searches between `lo` and `hi`, where the coefficients are `b`. Returns true if the search is over.
     fn walk<const N: usize>(&mut self, b: &[f64; N], lo: f64, hi: f64) -> bool {
         if hi < self.window.0 || lo > self.window.1 {
             return false;
@@ -173,7 +174,7 @@ impl Search<'_> {
         }
         let middle = 0.5 * (lo + hi);
         if hi - lo < tolerance::POLYNOMIAL || used.iter().all(|b| b.abs() <= self.noise) {
-            // A cluster of roots that rounding can't tell apart: crossed, or touched.
+            // A cluster of roots that rounding can't separate: crossed, or touched.
             let crossed = negative(b[0]) != negative(b[degree]);
             return (self.found)(middle) || !crossed && (self.found)(middle);
         }
@@ -184,11 +185,11 @@ impl Search<'_> {
     }
 }
 
-/// The roots in [0, 1] of the polynomial with these Bernstein coefficients, ascending; a double root is there twice. Its
-/// degree, at most 11, is one less than their number. `found` is told each; true ends the search.
+/// The roots in [0, 1] of the polynomial with these Bernstein coefficients, ascending; a double root counts twice. The
+/// degree, at most 11, is one less than their number. `found` receives each root; true ends the search.
 pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
     debug_assert!((2..=12).contains(&b.len()));
-    // (Most pieces of a curve are not met.)
+    // (Most pieces of a curve have no hit.)
     if sign_changes(b) == 0 {
         return;
     }
@@ -208,7 +209,7 @@ pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
     }
 }
 
-/// Those of b₀(1 - t)² + 2b₁t(1 - t) + b₂t², whose coefficients change their signs.
+/// The roots of b₀(1 - t)² + 2b₁t(1 - t) + b₂t², whose coefficients change their signs.
 fn quadratic_roots(b0: f64, b1: f64, b2: f64) -> [Option<f64>; 2] {
     // t/(1 - t) is a root of b₂u² + 2b₁u + b₀.
     let discriminant = b1 * b1 - b0 * b2;
@@ -216,7 +217,7 @@ fn quadratic_roots(b0: f64, b1: f64, b2: f64) -> [Option<f64>; 2] {
     // u = q/b₂ and u = b₀/q
     let (t1, t2) = (q / (q + b2), b0 / (b0 + q));
     if negative(b0) != negative(b2) {
-        // One of the two is no number between 0 and 1; which one, rounding may hide.
+        // One of the two is outside of [0, 1]; rounding may hide which.
         let off = |t: f64| if t.is_finite() { (t - 0.5).abs() } else { f64::INFINITY };
         let t = if off(t1) <= off(t2) { t1 } else { t2 };
         return [Some(t.clamp(0.0, 1.0)), None];
@@ -236,8 +237,8 @@ fn padded_roots<const N: usize>(b: &[f64], found: Found) {
     search.walk(&padded, 0.0, 1.0);
 }
 
-/// The roots between `lo` and `hi`, which may be infinite, of c₀ + c₁·x + … of a degree up to [`MAX_DEGREE`], ascending; a
-/// double root, if rounding does not hide it, is there twice. `found` is told each; true ends the search.
+/// The roots between `lo` and `hi`, which may be infinite, of c₀ + c₁·x + … of a degree up to [`MAX_DEGREE`],
+/// ascending; a double root, unless rounding hides it, counts twice. `found` receives each root; true ends the search.
 pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
     let Some(degree) = c.iter().rposition(|c| *c != 0.0).filter(|n| (1..=MAX_DEGREE).contains(n)) else { return };
     let mut tell = |x: f64| x >= lo && x <= hi && found(x);
@@ -258,8 +259,8 @@ pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> 
     }
 }
 
-/// The line in four: (-∞, -1], [-1, 0], [0, 1] and [1, ∞) in a unit that makes the first and the last coefficient alike.
-/// Where x is beyond 1, xⁿ·p(1/x) has the coefficients in the other order.
+/// Splits the line into (-∞, -1], [-1, 0], [0, 1] and [1, ∞), in a unit that makes the first and the last coefficient
+/// similar. Where |x| is above 1, xⁿ·p(1/x) has the coefficients in reverse order.
 fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
     let degree = if N <= EXACT { N - 1 } else { c.len() - 1 };
     let lowest = c.iter().position(|c| *c != 0.0).unwrap_or(0);
@@ -318,8 +319,8 @@ fn exp2(k: i32) -> f64 {
     f64::from_bits(((k.clamp(-1000, 1000) + 1023) as u64) << 52)
 }
 
-/// Bernstein coefficients bⱼ = Σᵢ C(j,i)/C(n,i)·aᵢ of a₀ + a₁·t + … on [0, 1]. The last one is the value at 1, which the
-/// stretches on both sides of it must share to the last bit.
+/// Bernstein coefficients bⱼ = Σᵢ C(j,i)/C(n,i)·aᵢ of a₀ + a₁·t + … on [0, 1]. The last one is the value at 1, which
+/// the intervals on both sides must share to the last bit.
 #[inline(always)]
 fn bernstein<const N: usize>(mut a: [f64; N], degree: usize, at_one: f64) -> [f64; N] {
     for (a, inverse) in a.iter_mut().zip(&INVERSE_BINOMIALS[degree][..=degree]) {
@@ -352,7 +353,7 @@ mod tests {
         })
     }
 
-    /// All of them in a list.
+    /// All roots as a list.
     fn all_on_line(c: &[f64], lo: f64, hi: f64) -> Roots {
         let mut all = Roots::new();
         roots_on_line(c, lo, hi, &mut |x| {
@@ -400,13 +401,13 @@ mod tests {
             first.push(x);
             true
         });
-        // The same number as among all.
+        // The same number as among all roots.
         assert_eq!(first.as_slice(), &everywhere(&c)[2..3]);
     }
 
     #[test]
     fn of_degree_35() {
-        // Chebyshev's: 35 roots cos((k - ½)π/35), between which it swings from -1 to 1.
+        // Chebyshev's polynomial: 35 roots cos((k - ½)π/35), between which it oscillates from -1 to 1.
         let (mut before, mut c) = (vec![1.0], vec![0.0, 1.0]);
         for _ in 1..35 {
             let mut next = vec![0.0; c.len() + 1];
@@ -438,7 +439,7 @@ mod tests {
             for r in &roots {
                 let m = roots.iter().filter(|x| *x == r).count();
                 let tolerance = [1e-7, 1e-5, 1e-3, 1e-2, 0.1, 0.2, 0.5, 1.0][m - 1] * unit;
-                // (What is touched may be missed by rounding.)
+                // (Rounding may miss a double root.)
                 let seen = found.iter().any(|x| (x - r).abs() < tolerance);
                 prop_assert!(seen || m % 2 == 0, "{} of {:?}: {:?}", r, roots, found);
             }

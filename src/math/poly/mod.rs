@@ -5,23 +5,23 @@ mod bernstein;
 pub use bernstein::{MAX_DEGREE, bernstein_roots, roots_on_line};
 use smallvec::SmallVec;
 
-/// Real roots, ascending; a double root is there twice.
+/// Real roots, ascending; a double root counts twice.
 pub type Roots = SmallVec<[f64; 4]>;
 
-/// Real roots of a·x² + b·x + c, ascending, by the stable pair (lecture, "Solving ax²+bx+c=0"). With a = 0 the line's root
-/// is one of them and the other is infinite; `None` if there is no real root.
+/// Real roots of a·x² + b·x + c, ascending, by the stable pair (lecture, "Solving ax²+bx+c=0"). With a = 0 the line's
+/// root is one of them and the other is infinite; `None` if there is no real root.
 pub fn solve_quadratic(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
     let half_b = 0.5 * b;
     stable_pair(a, half_b, c, half_b * half_b - a * c)
 }
 
-/// Real roots of a·x² + 2·half_b·x + c, ascending, where the caller knows a good value of half_b² - a·c: the difference of
-/// two nearly equal numbers there is what spoils a root, and geometry often has it as a product or a distance.
+/// Real roots of a·x² + 2·half_b·x + c, ascending, for a caller that has an accurate half_b² - a·c: that difference of
+/// nearly equal numbers is the source of inaccurate roots, and geometry often has it as a product or a distance.
 pub fn stable_pair(a: f64, half_b: f64, c: f64, quarter_disc: f64) -> Option<(f64, f64)> {
     if quarter_disc < 0.0 || (a == 0.0 && half_b == 0.0) {
         return None;
     }
-    // q = -(b/2 ± √(D/4)) with the sign that adds two numbers of one sign; one root is q/a, the other (Vieta) c/q
+    // q = -(b/2 ± √(D/4)) with the sign that adds two numbers of one sign; one root is q/a, the other (Vieta) c/q.
     let q = -(half_b + quarter_disc.sqrt().copysign(half_b));
     let (x1, x2) = if q == 0.0 { (0.0, 0.0) } else { (q / a, c / q) };
     Some((x1.min(x2), x1.max(x2)))
@@ -44,9 +44,9 @@ pub fn solve_quartic(c: [f64; 5]) -> Roots {
 /// Real roots of a polynomial of any degree between `lo` and `hi`.
 ///
 /// Between two neighbouring roots of its derivative a polynomial is monotone, so it has at most one root there, and a
-/// change of sign shows whether: the derivative's roots (found the same way) cut the line into brackets, and in each
-/// bracket Newton's step, guarded by bisection, can't fail. Where the polynomial touches zero without crossing it, to
-/// rounding, the derivative's root is a double root.
+/// change of sign decides: the derivative's roots (found recursively) split the line into brackets, and in each bracket
+/// Newton's step, guarded by bisection, can't fail. Where the polynomial touches zero without crossing it, to rounding,
+/// the derivative's root is a double root.
 pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     match c {
         [] | [_] => {}
@@ -61,7 +61,7 @@ pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
             };
             out.extend([x1, x2].into_iter().filter(|x| (lo..=hi).contains(x)));
         }
-        // Near 0 there is nothing that x² could be small against.
+        // A last coefficient of 0 is a root at 0, which no relative tolerance would find.
         [rest @ .., 0.0] => {
             solve_between(rest, lo, hi, out);
             if (lo..=hi).contains(&0.0) {
@@ -72,13 +72,13 @@ pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     }
 }
 
-/// The whole line, which is as long as the bound on the roots' size.
+/// Searches the whole line, up to the bound on the roots' size.
 fn solve_everywhere(c: &[f64], out: &mut Roots) {
     match c {
         [] | [_] => {}
         [lead, rest @ ..] => {
             let bound = root_bound(*lead, rest);
-            // A leading coefficient so small that its root is out of reach does not count.
+            // A leading coefficient so small that its root is out of range is dropped.
             if bound.is_finite() { solve_between(c, -bound, bound, out) } else { solve_everywhere(rest, out) }
         }
     }
@@ -97,7 +97,7 @@ fn solve_by_derivative(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     let mut nodes = Roots::new();
     solve_between(&derivative, lo, hi, &mut nodes);
     nodes.push(hi);
-    // The last place whose sign is known, and the places since then where p is zero to rounding.
+    // The last position with a known sign, and the positions since then where p is zero to rounding.
     let (mut at, mut sign) = (lo, value(c, lo).signum());
     let mut zeros: Roots = Roots::new();
     if value(c, lo) == 0.0 {
@@ -128,14 +128,14 @@ fn value(c: &[f64], x: f64) -> f64 {
     c.iter().fold(0.0, |sum, c| sum * x + c)
 }
 
-/// Is p(x) zero to rounding: small against the sum of its terms' sizes?
+/// True if p(x) is zero to rounding: small against the sum of the absolute values of its terms.
 fn touches(c: &[f64], x: f64) -> bool {
     let (sum, sizes) = c.iter().fold((0.0, 0.0), |(sum, sizes), c| (sum * x + c, sizes * x.abs() + c.abs()));
     f64::abs(sum) <= crate::math::tolerance::POLYNOMIAL * sizes
 }
 
-/// The root between two places where p has different signs: Newton's step where it stays in the bracket and halves it
-/// fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
+/// The root between two positions where p has different signs: Newton's step where it stays in the bracket and halves
+/// it fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
 fn bracketed_root(c: &[f64], a: f64, b: f64) -> f64 {
     // `neg` and `pos`: the ends where p is negative and where it is not.
     let (mut neg, mut pos) = if value(c, a) < 0.0 { (a, b) } else { (b, a) };
@@ -222,7 +222,7 @@ mod tests {
             let scale = fp::exp2(scale).round();
             let c = from_roots(scale, &roots);
             let found = solve_quartic([c[0], c[1], c[2], c[3], c[4]]);
-            // Roots of multiplicity m are known to the m-th root of rounding.
+            // A root of multiplicity m is accurate to the m-th root of rounding.
             for r in roots {
                 let m = roots.iter().filter(|x| **x == r).count() as i32;
                 let tol = [1e-9, 2e-6, 3e-4, 3e-3][m as usize - 1];

@@ -1,20 +1,20 @@
-//! Numbers in a glTF file's buffers.
+//! Accessors: typed views of a glTF file's buffers.
 
 use super::super::Reading;
 use super::document::{Accessor, Document};
 
-/// The rows of an accessor, as the numbers that they stand for.
+/// The rows of an accessor, converted to numbers.
 pub struct Rows<'a> {
     bytes: &'a [u8],
     stride: usize,
     component: u32,
     normalized: bool,
-    /// How many there are; all lie within the bytes.
+    /// Number of rows; all are within the bytes.
     pub count: usize,
 }
 
 impl<'a> Rows<'a> {
-    /// Of the accessor of this number, which has `width` numbers in a row.
+    /// The rows of the accessor with this index, which has `width` numbers in a row.
     pub fn new(document: &Document, buffers: &'a [Vec<u8>], number: usize, width: usize) -> Reading<Self> {
         let accessor = document.accessors.get(number).ok_or_else(|| format!("there is no accessor {number}"))?;
         Self::of(document, buffers, accessor, width).map_err(|why| format!("accessor {number}: {why}"))
@@ -63,7 +63,7 @@ impl<'a> Rows<'a> {
         })
     }
 
-    /// A row.
+    /// Row `i`.
     pub fn at<const N: usize>(&self, i: usize) -> [f64; N] {
         let row = &self.bytes[i * self.stride..];
         macro_rules! take {

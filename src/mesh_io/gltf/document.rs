@@ -1,4 +1,4 @@
-//! The parts of a glTF file's JSON that are read, under their names there.
+//! The parts of a glTF file's JSON that durer reads, under their JSON names.
 
 use serde::Deserialize;
 
@@ -29,10 +29,10 @@ pub struct Scene {
 pub struct Node {
     pub mesh: Option<usize>,
     pub children: Vec<usize>,
-    /// Column by column.
+    /// By columns.
     pub matrix: Option<[f64; 16]>,
     pub translation: Option<[f64; 3]>,
-    /// A quaternion, its real part last.
+    /// A quaternion, with its real part last.
     pub rotation: Option<[f64; 4]>,
     pub scale: Option<[f64; 3]>,
 }
@@ -48,7 +48,7 @@ pub struct Primitive {
     pub attributes: Attributes,
     pub indices: Option<usize>,
     pub material: Option<usize>,
-    /// 4 triangles, 5 a strip, 6 a fan; others have no surface.
+    /// 4 triangles, 5 a strip, 6 a fan; other modes have no surface.
     #[serde(default = "triangles")]
     pub mode: u32,
 }

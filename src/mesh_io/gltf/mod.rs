@@ -1,5 +1,6 @@
-//! glTF 2.0, as JSON beside its bytes or both in one file (Khronos Group, glTF 2.0 Specification, 2021; ISO/IEC 12113:2022): the
-//! triangles of the default scene where its nodes put them, and the base colours. Skins, morphs and motion are left out.
+//! glTF 2.0, as JSON with separate buffers or in one file (Khronos Group, glTF 2.0 Specification, 2021; ISO/IEC
+//! 12113:2022): the triangles of the default scene, transformed by its nodes, and the base colours. Skins, morph
+//! targets and animations are ignored.
 
 mod accessor;
 mod document;
@@ -38,11 +39,11 @@ pub fn read(bytes: &[u8], open: Open) -> Reading<MeshFile> {
     Ok(out)
 }
 
-/// Extensions that change nothing of what is read, or only materials.
+/// Extensions that do not affect geometry.
 const KNOWN: &[&str] =
     &["KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_transform", "KHR_materials_pbrSpecularGlossiness"];
 
-/// JSON and bytes of a `glb`, and where the JSON begins.
+/// JSON and binary chunk of a `glb`, and the offset of the JSON.
 struct Parts<'a> {
     json: &'a [u8],
     bytes: Option<&'a [u8]>,
@@ -69,7 +70,7 @@ fn chunks(bytes: &[u8]) -> Reading<Parts<'_>> {
     Ok(Parts { json: json.ok_or("byte 12: there is no JSON in it")?, bytes: rest, base: 20 })
 }
 
-/// What a URI stands for: bytes written in it, or a file.
+/// The bytes of a URI: embedded data, or a file.
 fn bytes_of(uri: &str, open: Open) -> Reading<Vec<u8>> {
     match uri.strip_prefix("data:") {
         Some(data) => match data.split_once(";base64,") {
@@ -80,7 +81,7 @@ fn bytes_of(uri: &str, open: Open) -> Reading<Vec<u8>> {
     }
 }
 
-/// RFC 4648; with or without the signs that fill it up.
+/// RFC 4648, with or without padding.
 fn from_base64(text: &str) -> Reading<Vec<u8>> {
     use base64::engine::{DecodePaddingMode, Engine, general_purpose::*};
     let lenient = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
@@ -88,7 +89,7 @@ fn from_base64(text: &str) -> Reading<Vec<u8>> {
     engine.decode(text).map_err(|_| "its bytes are not in base64".into())
 }
 
-/// `%20` is a blank.
+/// Decodes percent-encoding: `%20` is a blank.
 fn unescaped(uri: &str) -> String {
     let mut out = vec![];
     let mut rest = uri.as_bytes();

@@ -1,4 +1,4 @@
-//! The tree of a glTF file's nodes, and the triangles that hang in it.
+//! The nodes of a glTF file, and their triangles.
 
 use super::super::{MANY, MeshFile, NONE, Reading, direction, point};
 use super::accessor::Rows;
@@ -6,7 +6,8 @@ use super::document::{Document, Node, Primitive};
 use crate::math::{DVec2, DVec3, Transform};
 use glam::{DAffine3, DMat4, DQuat};
 
-/// Appends the triangles of the default scene, or of all nodes where there is no scene. `size` is that of all files, in bytes.
+/// Appends the triangles of the default scene, or of all nodes if there is no scene. `size` is the total size of all
+/// files, in bytes.
 pub fn read(document: &Document, buffers: &[Vec<u8>], size: usize, out: &mut MeshFile) -> Reading<()> {
     let mut is_child = vec![false; document.nodes.len()];
     for child in document.nodes.iter().flat_map(|node| &node.children) {
@@ -20,7 +21,7 @@ pub fn read(document: &Document, buffers: &[Vec<u8>], size: usize, out: &mut Mes
         Some(scene) => scene.nodes.clone(),
         None => (0..document.nodes.len()).filter(|i| !is_child[*i]).collect(),
     };
-    // (No node has two parents: from roots that are nobody's children, each is met once.)
+    // (No node has two parents, so each is visited once.)
     let mut open: Vec<(usize, DAffine3)> = roots.into_iter().rev().map(|root| (root, DAffine3::IDENTITY)).collect();
     if let Some((root, _)) = open.iter().find(|(root, _)| is_child.get(*root) != Some(&false)) {
         return Err(format!(
@@ -78,7 +79,7 @@ fn read_primitive(
     }
     let triangles = &mut out.triangles;
     let (first, first_normal, first_uv) = (triangles.vertices.len(), triangles.normals.len(), triangles.uvs.len());
-    // (What is flattened has no normals.)
+    // (A singular transform has no normals.)
     let m = Transform::from_affine(*place).ok();
     for i in 0..positions.count {
         let p = place.transform_point3(DVec3::from_array(positions.at(i)));
@@ -88,7 +89,7 @@ fn read_primitive(
         let n = normals.as_ref().map_or([0.0; 3], |rows| rows.at(i));
         triangles.normals.push(direction(m.map_or(DVec3::ZERO, |m| m.normal(n.into())).to_array()));
     }
-    // Pictures begin at their top there, and at their bottom here.
+    // In glTF v = 0 is the top of a picture, in POV-Ray the bottom.
     for i in 0..uvs.as_ref().map_or(0, |_| positions.count) {
         let [u, v] = uvs.as_ref().map_or([0.0; 2], |rows| rows.at(i));
         triangles.uvs.push(DVec2::new(u, 1.0 - v));
@@ -104,7 +105,7 @@ fn read_primitive(
     };
     let slot = primitive.material.map_or(0, |i| i as u32 + 1);
     for face in 0..if primitive.mode == 4 { count / 3 } else { count.saturating_sub(2) } {
-        // Every second one of a strip is the other way round.
+        // Every second triangle of a strip has the opposite orientation.
         let places = match primitive.mode {
             4 => [3 * face, 3 * face + 1, 3 * face + 2],
             5 => [face, face + 1 + face % 2, face + 2 - face % 2],

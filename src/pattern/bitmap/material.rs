@@ -5,7 +5,7 @@ use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::pattern::{Cells, Readable};
-use crate::value::{Kind, Next, Param, Reader, Spec};
+use crate::value::{Next, Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A picture whose palette indices choose textures.
@@ -23,7 +23,7 @@ impl Readable for MaterialMap {
     const SPEC: Spec = Spec {
         name: "material_map",
         summary: "the numbers of a picture's palette choose among textures; all stand in its braces",
-        params: &[Param { name: "file", kind: Kind::Text, summary: "a picture file's name" }],
+        params: &[Param { name: "file", kind: ValueKind::Text, summary: "a picture file's name" }],
         words: &[],
     };
 

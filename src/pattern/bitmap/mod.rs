@@ -17,19 +17,24 @@ use crate::function::{Function, Gives};
 use crate::image_io::{Picture, Pixels, Samples, Stored, wrapped};
 use crate::math::DVec3;
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Kind, Next, Reader, ReaderExt, WordSpec, downcast};
+use crate::value::{Next, Reader, ReaderExt, ValueKind, WordSpec, downcast};
 use std::sync::Arc;
 
 const ROWS: &[Row<Bitmap>] = &[
-    word("gamma", Kind::Float, "", "how the file's numbers stand to light, instead of what the file says; or `srgb`")
-        .sets(|s, r| set(&mut s.gamma, read_gamma(r).map(Some))),
-    word("premultiplied", Kind::Flag, "", "the file's colours are multiplied with alpha already")
+    word(
+        "gamma",
+        ValueKind::Float,
+        "",
+        "how the file's numbers stand to light, instead of what the file says; or `srgb`",
+    )
+    .sets(|s, r| set(&mut s.gamma, read_gamma(r).map(Some))),
+    word("premultiplied", ValueKind::Flag, "", "the file's colours are multiplied with alpha already")
         .sets(|s, r| set(&mut s.premultiplied, r.flag())),
-    word("map_type", Kind::Float, "0", "0 is flat, 1 around a sphere, 2 around a cylinder, 5 around a torus")
+    word("map_type", ValueKind::Float, "0", "0 is flat, 1 around a sphere, 2 around a cylinder, 5 around a torus")
         .sets(|s, r| set(&mut s.mapping.wrap, r.float().map(Wrap::from_number))),
-    word("once", Kind::Nothing, "", "it is there once, not again and again")
+    word("once", ValueKind::Nothing, "", "it is there once, not again and again")
         .sets(|s, _| set(&mut s.mapping.once, Ok(true))),
-    word("interpolate", Kind::Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance")
+    word("interpolate", ValueKind::Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance")
         .sets(|s, r| set(&mut s.mapping.between, read_between(r))),
 ];
 

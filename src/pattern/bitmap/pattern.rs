@@ -6,7 +6,7 @@ use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
 use crate::pattern::{Field, FieldParams, Readable, TextureContext};
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
+use crate::value::{Next, Param, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
 /// A picture's brightness, or its alpha.
@@ -35,13 +35,18 @@ pub enum Channel {
 }
 
 const CHANNEL_ROWS: &[Row<Channel>] = &[
-    word("use_alpha", Kind::Nothing, "", "how much shines through counts, where the file says it")
+    word("use_alpha", ValueKind::Nothing, "", "how much shines through counts, where the file says it")
         .sets(|s, _| set(s, Ok(Channel::Alpha))),
-    word("use_color", Kind::Nothing, "", "brightness counts, which is so without it too")
+    word("use_color", ValueKind::Nothing, "", "brightness counts, which is so without it too")
         .sets(|s, _| set(s, Ok(Channel::Gray))),
-    word("use_colour", Kind::Nothing, "", "the same").sets(|s, _| set(s, Ok(Channel::Gray))),
-    word("use_index", Kind::Nothing, "", "of a `bump_map`: the number in the palette counts, where the file has one")
-        .sets(|s, _| set(s, Ok(Channel::Index))),
+    word("use_colour", ValueKind::Nothing, "", "the same").sets(|s, _| set(s, Ok(Channel::Gray))),
+    word(
+        "use_index",
+        ValueKind::Nothing,
+        "",
+        "of a `bump_map`: the number in the palette counts, where the file has one",
+    )
+    .sets(|s, _| set(s, Ok(Channel::Index))),
 ];
 
 /// The words that choose the channel, in `image_pattern` and `bump_map`.
@@ -51,7 +56,7 @@ impl Readable for ImagePattern {
     const SPEC: Spec = Spec {
         name: "image_pattern",
         summary: "the brightness of a picture; file and words stand in braces",
-        params: &[Param { name: "file", kind: Kind::Text, summary: "a picture file's name" }],
+        params: &[Param { name: "file", kind: ValueKind::Text, summary: "a picture file's name" }],
         words: &[],
     };
 

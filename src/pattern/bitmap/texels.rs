@@ -77,7 +77,7 @@ impl Texels {
 
 /// Curve from a file's numbers to those of a scene, whose colours relate to light by `scene`. `decodes` is true if
 /// files without gamma information follow the sRGB curve. In scenes before version 3.7 without `assumed_gamma`, numbers
-/// stay unchanged (quirk: `no_gamma_before_3_7`).
+/// stay unchanged (quirk: `gamma_by_version`).
 pub fn color_curve(stored: Stored, said: Option<Gamma>, scene: Gamma, decodes: bool) -> impl Fn(f64) -> f64 {
     let file = match (said, stored) {
         (Some(gamma), _) => Some(gamma),

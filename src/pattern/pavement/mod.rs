@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Kind, Next, Reader, Spec};
+use crate::value::{Next, Reader, Spec, ValueKind};
 use grid::{Cells, Corner, H, Plan};
 use serde::Serialize;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
@@ -111,19 +111,19 @@ impl Readable for Pavement {
 
 impl PavementWords {
     const ROWS: &'static [Row<Self>] = &[
-        word("number_of_sides", Kind::Float, "3", "of the cells that tiles are made of: 3, 4 or 6")
+        word("number_of_sides", ValueKind::Float, "3", "of the cells that tiles are made of: 3, 4 or 6")
             .sets(|s, r| set(&mut s.number_of_sides, r.float().map(f64::trunc))),
-        word("number_of_tiles", Kind::Float, "1", "how many cells make a tile, 1 to 6; 1 to 5 hexagons")
+        word("number_of_tiles", ValueKind::Float, "1", "how many cells make a tile, 1 to 6; 1 to 5 hexagons")
             .sets(|s, r| set(&mut s.number_of_tiles, r.float().map(f64::trunc))),
-        word("pattern", Kind::Float, "1", "which of the tiles that can be made of so many")
+        word("pattern", ValueKind::Float, "1", "which of the tiles that can be made of so many")
             .sets(|s, r| set(&mut s.pattern, r.float().map(f64::trunc))),
-        word("exterior", Kind::Float, "0", "joints at tips: 0 pointed, 1 cut off, 2 round; not for hexagons")
+        word("exterior", ValueKind::Float, "0", "joints at tips: 0 pointed, 1 cut off, 2 round; not for hexagons")
             .sets(|s, r| set(&mut s.exterior, r.float())),
-        word("interior", Kind::Float, "0", "joints at notches: 0 pointed, 1 cut off, 2 round")
+        word("interior", ValueKind::Float, "0", "joints at notches: 0 pointed, 1 cut off, 2 round")
             .sets(|s, r| set(&mut s.interior, r.float())),
         word(
             "form",
-            Kind::Float,
+            ValueKind::Float,
             "0",
             "joints at blunt corners: 0 pointed, 1 cut off, 2 round; for squares 3 as the others",
         )

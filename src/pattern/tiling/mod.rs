@@ -1,8 +1,8 @@
 //! `tiling N`: 27 tilings of the xz plane, each tile with a bevel at the joints (manual, "Tiling Pattern").
 //!
 //! ```pov
-//! plane { y, 0.1 pigment { tiling 7 color_map { [0.4 color rgb <0.7, 0.2, 0.1>] [0.5 color rgb 1] [0.9 color rgb <0.1,
-//! 0.2, 0.6>] [1 color rgb 1] } } }
+//! plane { y, 0.1 pigment { tiling 7
+//!   color_map { [0.4 color rgb <0.7, 0.2, 0.1>] [0.5 color rgb 1] [0.9 color rgb <0.1, 0.2, 0.6>] [1 color rgb 1] } } }
 //! ```
 
 mod penrose;
@@ -11,7 +11,7 @@ mod seams;
 use super::{Field, Readable, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use penrose::Penrose;
 use seams::value_on_seam;
 use serde::Serialize;
@@ -334,7 +334,7 @@ impl Readable for Tiling {
     const SPEC: Spec = Spec {
         name: "tiling",
         summary: "ways to tile the xz plane; a tile of kind i of n has numbers from i/n in its middle to (i + 1)/n at its edges",
-        params: &[Param { name: "number", kind: Kind::Float, summary: "which tiling, 1 to 27" }],
+        params: &[Param { name: "number", kind: ValueKind::Float, summary: "which tiling, 1 to 27" }],
         words: &[],
     };
 

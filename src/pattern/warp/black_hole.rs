@@ -10,7 +10,7 @@ use crate::diagnostic::Result;
 use crate::math::noise::Cell;
 use crate::math::{DVec3, fp};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Moves points within a sphere along its radii.
@@ -37,27 +37,27 @@ impl Readable for BlackHole {
         name: "black_hole",
         summary: "pulls the pattern towards a point",
         params: &[
-            Param { name: "center", kind: Kind::Vector, summary: "where to" },
-            Param { name: "radius", kind: Kind::Float, summary: "how far it reaches" },
+            Param { name: "center", kind: ValueKind::Vector, summary: "where to" },
+            Param { name: "radius", kind: ValueKind::Float, summary: "how far it reaches" },
         ],
         words: specs!(Self::WORDS),
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("strength", Kind::Float, "1", "how strong it pulls").sets(|s, r| set(&mut s.strength, r.float())),
-        word("falloff", Kind::Float, "2", "to which power the pull grows from the edge to the centre")
+        word("strength", ValueKind::Float, "1", "how strong it pulls").sets(|s, r| set(&mut s.strength, r.float())),
+        word("falloff", ValueKind::Float, "2", "to which power the pull grows from the edge to the centre")
             .sets(|s, r| set(&mut s.falloff, r.float())),
-        word("inverse", Kind::Nothing, "", "pushes instead of pulling").sets(|s, _| set(&mut s.inverse, Ok(true))),
+        word("inverse", ValueKind::Nothing, "", "pushes instead of pulling").sets(|s, _| set(&mut s.inverse, Ok(true))),
         word(
             "repeat",
-            Kind::Vector,
+            ValueKind::Vector,
             "0",
             "one in each block of this size; 0 for an axis along which they don't repeat",
         )
         .sets(|s, r| set(&mut s.repeat, r.vector())),
-        word("turbulence", Kind::Vector, "0", "how far the centre is moved at random in each block")
+        word("turbulence", ValueKind::Vector, "0", "how far the centre is moved at random in each block")
             .sets(|s, r| set(&mut s.turbulence, r.vector())),
-        word("type", Kind::Float, "0", "kept for POV-Ray's sake, means nothing").sets(|_, r| r.float().map(drop)),
+        word("type", ValueKind::Float, "0", "kept for POV-Ray's sake, means nothing").sets(|_, r| r.float().map(drop)),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

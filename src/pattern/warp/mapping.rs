@@ -10,7 +10,7 @@ use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Next, Param, Reader, Spec, WordSpec};
+use crate::value::{Next, Param, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
@@ -29,9 +29,10 @@ impl Default for Layout {
     }
 }
 
-const ORIENTATION: WordSpec = word("orientation", Kind::Vector, "z", "along which axis of the pattern its depth lies");
+const ORIENTATION: WordSpec =
+    word("orientation", ValueKind::Vector, "z", "along which axis of the pattern its depth lies");
 
-const DIST_EXP: WordSpec = word("dist_exp", Kind::Float, "0", "the pattern grows with this power of the distance");
+const DIST_EXP: WordSpec = word("dist_exp", ValueKind::Float, "0", "the pattern grows with this power of the distance");
 
 impl Layout {
     fn read_orientation(&mut self, r: &mut dyn Reader) -> Result<()> {
@@ -133,7 +134,8 @@ impl Readable for ToroidalWarp {
     const WORDS: &'static [Row<Self>] = &[
         ORIENTATION.sets(|s, r| s.layout.read_orientation(r)),
         DIST_EXP.sets(|s, r| set(&mut s.layout.dist_exp, r.float())),
-        word("major_radius", Kind::Float, "1", "radius of the ring").sets(|s, r| set(&mut s.major_radius, r.float())),
+        word("major_radius", ValueKind::Float, "1", "radius of the ring")
+            .sets(|s, r| set(&mut s.major_radius, r.float())),
     ];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
@@ -170,10 +172,10 @@ impl Readable for PlanarWarp {
         params: &[
             Param {
                 name: "normal",
-                kind: Kind::Vector,
+                kind: ValueKind::Vector,
                 summary: "normal of the plane; z, with distance 0, if left out",
             },
-            Param { name: "distance", kind: Kind::Float, summary: "how far from the origin the plane lies" },
+            Param { name: "distance", kind: ValueKind::Float, summary: "how far from the origin the plane lies" },
         ],
         words: &[],
     };

@@ -9,7 +9,7 @@ use super::Bend;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Param, Reader, Spec};
+use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Slices of the pattern side by side.
@@ -31,16 +31,16 @@ impl Readable for Repeat {
         summary: "a slice of the pattern again and again",
         params: &[Param {
             name: "width",
-            kind: Kind::Vector,
+            kind: ValueKind::Vector,
             summary: "from one slice to the next; only one of its three numbers may differ from 0",
         }],
         words: specs!(Self::WORDS),
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("offset", Kind::Vector, "0", "how much farther in the pattern each slice lies")
+        word("offset", ValueKind::Vector, "0", "how much farther in the pattern each slice lies")
             .sets(|s, r| set(&mut s.offset, r.vector())),
-        word("flip", Kind::Vector, "0", "mirrors every other slice along the axes that are not 0 here")
+        word("flip", ValueKind::Vector, "0", "mirrors every other slice along the axes that are not 0 here")
             .sets(|s, r| set(&mut s.flip, r.vector().map(|v| v.to_array().map(|x| x != 0.0)))),
     ];
 

@@ -9,7 +9,7 @@ use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::words::read_row;
-use crate::value::{Kind, Next, Param, Reader, Spec};
+use crate::value::{Next, Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Displaces points at random.
@@ -20,7 +20,7 @@ impl Readable for TurbulenceWarp {
     const SPEC: Spec = Spec {
         name: "turbulence",
         summary: "displaces points at random",
-        params: &[Param { name: "amount", kind: Kind::Vector, summary: "how far points are displaced" }],
+        params: &[Param { name: "amount", kind: ValueKind::Vector, summary: "how far points are displaced" }],
         words: TurbulenceParams::WORDS,
     };
 

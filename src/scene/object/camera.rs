@@ -1,4 +1,4 @@
-//! Cameras whose rays begin at an object, the mesh of a `mesh_camera`.
+//! Reading of cameras; the rays of a `mesh_camera` start at an object, its mesh.
 
 use super::{Object, ObjectKind};
 use crate::camera::{Camera, PlacedMesh};
@@ -9,19 +9,19 @@ use crate::source::Span;
 use crate::value::Reader;
 use std::sync::Arc;
 
-/// Of so many shapes the faces are looked for before they are listed.
+/// Number of recent shapes whose faces are cached.
 const RECENT: usize = 8;
 
-/// Reads what stands between the braces of a camera; `source` is the block's place.
+/// Reads the inside of a camera; `source` is the span of the block.
 ///
 /// # Errors
-/// With the place of what is not understood, and what was expected there.
+/// With the span of the unexpected token, and the expectation.
 pub fn read_camera(r: &mut dyn Reader, source: Span, defaults: &Defaults) -> Result<Camera> {
     let mut known = vec![];
     Camera::read(r, source, &defaults.texture, &mut |r| Ok(placed(&*Object::read(r, defaults)?, &mut known)))
 }
 
-/// A mesh where it lies; what is no mesh has no faces.
+/// The faces of a mesh with its transform; other objects have no faces.
 fn placed(object: &Object, known: &mut Vec<(Shape, Arc<[Face]>)>) -> PlacedMesh {
     let faces = match &object.kind {
         ObjectKind::Shape(shape) => faces(shape, known),
@@ -30,7 +30,7 @@ fn placed(object: &Object, known: &mut Vec<(Shape, Arc<[Face]>)>) -> PlacedMesh 
     PlacedMesh { faces, transform: *object.transform }
 }
 
-/// The faces of a shape, which are listed once for all its copies.
+/// The faces of a shape, listed once for all of its copies.
 fn faces(shape: &Shape, known: &mut Vec<(Shape, Arc<[Face]>)>) -> Arc<[Face]> {
     if let Some((_, faces)) = known.iter().rev().take(RECENT).find(|(other, _)| other.shares_with(shape)) {
         return faces.clone();

@@ -1,4 +1,4 @@
-//! Textures that a shape carries itself, such as those of a mesh's triangles.
+//! Textures embedded in a shape, such as those of a mesh's triangles.
 
 use crate::diagnostic::Result;
 use crate::image_io::Picture;
@@ -11,20 +11,20 @@ use crate::value::{Next, Reader, ReaderExt};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// Those of one shape while it is read; what is alike has one number.
-pub(super) struct Carried<'a> {
+/// Textures of a shape that is being read; equal textures share a number.
+pub(super) struct EmbeddedTextures<'a> {
     defaults: &'a Defaults,
     textures: Vec<Arc<Texture>>,
-    /// By address.
+    /// Numbers of the textures by address.
     numbers: FxHashMap<*const Texture, u32>,
 }
 
-impl<'a> Carried<'a> {
+impl<'a> EmbeddedTextures<'a> {
     pub fn new(defaults: &'a Defaults) -> Self {
         Self { defaults, textures: vec![], numbers: FxHashMap::default() }
     }
 
-    /// As they lie on the shape, which they move with; `None` if there are none.
+    /// The textures as parts of the object; `None` if the shape has none.
     pub fn painted(self) -> Option<Arc<[Painted]>> {
         let painted = |texture| Painted::new(texture, &Transform::IDENTITY);
         (!self.textures.is_empty()).then(|| self.textures.into_iter().map(painted).collect())
@@ -32,7 +32,7 @@ impl<'a> Carried<'a> {
 
     fn number(&mut self, texture: Texture) -> u32 {
         let mut texture = Arc::new(texture);
-        self.defaults.alike.join(&mut texture);
+        self.defaults.recent.deduplicate(&mut texture);
         *self.numbers.entry(Arc::as_ptr(&texture)).or_insert_with(|| {
             self.textures.push(texture);
             self.textures.len() as u32
@@ -44,7 +44,7 @@ impl<'a> Carried<'a> {
     }
 }
 
-impl Paints for Carried<'_> {
+impl Paints for EmbeddedTextures<'_> {
     fn read(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool> {
         let texture = match next {
             Next::Block("texture") | Next::Thing("texture") => read_layers(r, self.defaults)?,

@@ -1,4 +1,5 @@
-//! Reads lights with the objects that belong to them, and groups of lights (manual, "Looks_like", "Projected_Through", "Light Groups").
+//! Reading of lights with their objects, and of light groups (manual, "Looks_like", "Projected_Through", "Light
+//! Groups").
 
 use super::{CsgOp, Object, ObjectKind, is_object};
 use crate::diagnostic::Result;
@@ -8,20 +9,20 @@ use crate::math::Transform;
 use crate::scene::Defaults;
 use crate::source::Span;
 use crate::value::words::word;
-use crate::value::{Kind, Next, Reader, Vocabulary};
+use crate::value::{Next, Reader, ValueKind, Vocabulary};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A light and what belongs to it, all in the space around its block.
+/// A light with its objects, in the space of the block around it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LightSource {
     /// The light.
     #[serde(flatten)]
     pub light: Light,
-    /// Seen in its place; casts no shadow.
+    /// Visible shape of the light (`looks_like`); it casts no shadow.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub looks_like: Option<Object>,
-    /// Only what passes this shines, and nothing between the two is in the way.
+    /// Object that the light must pass (`projected_through`); nothing between the light and the object casts shadows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub projected_through: Option<Object>,
 }
@@ -32,18 +33,18 @@ impl From<Light> for LightSource {
     }
 }
 
-/// `light_group { … }`
+/// Words of `light_group`.
 pub const LIGHT_GROUP: Vocabulary = Vocabulary {
     block: "light_group",
     summary: "lights and objects: those lights shine on these objects alone, and other lights do not",
-    words: &[word("global_lights", Kind::Flag, "off", "lights outside of the group shine on its objects too")],
+    words: &[word("global_lights", ValueKind::Flag, "off", "lights outside of the group shine on its objects too")],
     has_transforms: true,
     ignored: &[],
     unsupported: &[],
 };
 
 impl LightSource {
-    /// Reads what stands between the braces; `source` is the block's place.
+    /// Reads the inside of a `light_source`; `source` is the span of the block.
     pub(super) fn read(r: &mut dyn Reader, source: Span, defaults: &Defaults) -> Result<Self> {
         let mut lit = Self::from(Light::read(r, source)?);
         loop {
@@ -84,7 +85,7 @@ impl LightSource {
 }
 
 impl Object {
-    /// Reads what stands between the braces of a group of lights; `source` is the block's place.
+    /// Reads the inside of a `light_group`; `source` is the span of the block.
     pub(super) fn read_light_group(source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         let (mut parts, mut global, mut steps) = (vec![], false, vec![]);
         loop {
@@ -112,7 +113,7 @@ impl Object {
         Ok(object)
     }
 
-    /// Reads what stands between the braces of a light; `source` is the block's place.
+    /// Reads the inside of a light; `source` is the span of the block.
     pub(super) fn read_light(source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         let lit = LightSource::read(r, source, defaults)?;
         Ok(Box::new(Self::new(ObjectKind::Light(Arc::new(lit)), "light_source", source, defaults)))

@@ -1,4 +1,4 @@
-//! Objects: shapes, CSG and lights with what is said of them (manual, "Object", "Object Modifiers").
+//! Objects: shapes, CSG and lights with their modifiers (manual, "Object", "Object Modifiers").
 
 mod camera;
 mod embedded;
@@ -20,33 +20,33 @@ pub use camera::read_camera;
 pub use light::{LIGHT_GROUP, LightSource};
 pub use read::is_object;
 
-/// What an object is made of.
+/// Geometry of an object.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ObjectKind {
-    /// One shape.
+    /// A single shape.
     Shape(Shape),
-    /// Several objects.
+    /// A CSG object with its parts.
     Csg(CsgOp, Arc<[Object]>),
-    /// A light, which a union may carry along.
+    /// A light, which can be a part of a union.
     Light(Arc<LightSource>),
 }
 
-/// How a CSG object is made of its parts.
+/// CSG operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CsgOp {
-    /// All of them.
+    /// Union with the surfaces inside.
     Union,
-    /// What they share.
+    /// Intersection.
     Intersection,
-    /// The first without the others.
+    /// The first part without the others.
     Difference,
-    /// All of them, without the surfaces inside.
+    /// Union without the surfaces inside.
     Merge,
 }
 
-/// Switches; a CSG object's hold for its parts too.
+/// Switches; those of a CSG object also apply to its parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[allow(missing_docs)]
 pub struct Flags {
@@ -62,7 +62,7 @@ pub struct Flags {
 }
 
 impl Flags {
-    /// All switched off.
+    /// All switches off.
     pub const NONE: Self = Self {
         no_shadow: false,
         no_image: false,
@@ -76,67 +76,67 @@ impl Flags {
     };
 }
 
-/// An object as it was written. Cheap to copy: a copy shares all but its place, until something else is said of it.
+/// An object. Copies are cheap: they share everything but the transform until they are modified.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Object {
-    /// What it is.
+    /// Contents of the object, shared with its copies.
     #[serde(flatten)]
     pub body: Arc<ObjectBody>,
-    /// All its transforms, in the space around its block.
+    /// Product of all transforms, to the space of the block around the object.
     pub transform: SharedDefault<Transform>,
-    /// The text that made it.
+    /// Span of the object's block.
     pub source: Span,
-    /// The default texture where it was put into the scene, for all of its parts that say nothing; of an outermost object
-    /// only.
+    /// Default texture at the statement that added the object to the scene, for all parts without their own; used for
+    /// outermost objects only.
     pub default_texture: Arc<Texture>,
 }
 
-/// What an object is, wherever it lies. Its fields are read and set as the object's own.
+/// Contents of an object except its transform. [`Object`] dereferences to it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ObjectBody {
-    /// What it is made of.
+    /// Geometry.
     pub kind: ObjectKind,
-    /// What it looks like; its parent's texture, or the default, where it says nothing.
+    /// Texture; `None` for that of the parent, or else the default.
     pub texture: Option<Painted>,
-    /// What most objects do not say.
+    /// Rarely used fields.
     #[serde(flatten)]
     pub uncommon: SharedDefault<Uncommon>,
-    /// The word it was written with.
+    /// Word of the block.
     pub word: &'static str,
-    /// How large it is, if it is more than a shape.
+    /// Box and size of a CSG object; `None` for a single shape.
     #[serde(skip)]
     pub bulk: Option<Box<Bulk>>,
 }
 
-/// How large an object is that is more than a shape.
+/// Box and size of a CSG object.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bulk {
-    /// The box that [`Object::pov_bounds`] tells of a CSG object; moved along with the object.
+    /// Box that [`Object::pov_bounds`] returns; transformed with the object.
     pub pov_bounds: Option<Aabb>,
-    /// What is in it.
+    /// Size.
     pub weight: Weight,
 }
 
-/// What few objects say.
+/// Rarely used fields of an object.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Uncommon {
-    /// What it looks like from inside.
+    /// Texture of the inside.
     pub interior_texture: Option<Painted>,
-    /// The textures that its shape carries itself; number 1 is the first.
+    /// Textures embedded in the shape; number 1 is the first.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub embedded: Option<Arc<[Painted]>>,
-    /// What fills it.
+    /// Interior.
     pub interior: Option<Arc<Interior>>,
-    /// Only what lies inside all of these is there; moved along with the object.
+    /// Objects outside of which the object is clipped; transformed with the object.
     pub clipped_by: Option<Arc<[Object]>>,
-    /// A hint about its pov_bounds.
+    /// Objects that bound the object: a hint.
     pub bounded_by: Option<Arc<[Object]>>,
-    /// Of a group of lights: do lights outside shine on it too?
+    /// `global_lights` of a light group: true if lights outside of the group illuminate it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub light_group: Option<bool>,
     /// Switches.
     pub flags: Flags,
-    /// What was said and is not drawn yet.
+    /// Blocks that durer does not render yet.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unsupported: Option<Arc<Vec<Unsupported>>>,
 }
@@ -174,7 +174,7 @@ impl Uncommon {
 }
 
 impl ObjectBody {
-    /// One of which nothing more is said.
+    /// Contents without modifiers.
     pub fn new(kind: ObjectKind, word: &'static str) -> Self {
         let bulk = match &kind {
             ObjectKind::Csg(_, parts) if !parts.is_empty() => {
@@ -185,13 +185,13 @@ impl ObjectBody {
         Self { kind, texture: None, uncommon: SharedDefault::DEFAULT, word, bulk }
     }
 
-    /// How much is in it.
+    /// Size of the object.
     pub fn weight(&self) -> Weight {
         self.bulk.as_ref().map_or(Weight::SHAPE, |bulk| bulk.weight)
     }
 
-    /// Does it hold places that are moved when the object is?
-    fn holds_places(&self) -> bool {
+    /// True if a transform of the object must also change its contents.
+    fn has_transformed_contents(&self) -> bool {
         let moved = |painted: &Option<Painted>| painted.as_ref().is_some_and(|p| p.moved.is_some());
         let bound = self.uncommon.clipped_by.is_some() || self.uncommon.bounded_by.is_some();
         let boxed = self.bulk.as_ref().is_some_and(|bulk| bulk.pov_bounds.is_some());
@@ -208,7 +208,7 @@ impl Deref for Object {
 }
 
 impl DerefMut for Object {
-    /// Its own body from now on.
+    /// Makes the contents the object's own before the change.
     fn deref_mut(&mut self) -> &mut ObjectBody {
         Arc::make_mut(&mut self.body)
     }
@@ -221,7 +221,7 @@ impl Thing for Object {
 }
 
 impl Object {
-    /// One of which nothing is said yet.
+    /// An object without modifiers.
     pub fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
             body: Arc::new(ObjectBody::new(kind, word)),
@@ -231,21 +231,21 @@ impl Object {
         }
     }
 
-    /// A shape whose block is being read.
+    /// A shape that is being read.
     pub(in crate::scene) fn unfinished(word: &'static str, source: Span, defaults: &Defaults) -> Self {
         let nothing = ObjectKind::Csg(CsgOp::Union, Arc::default());
         Self::new(nothing, word, source, defaults)
     }
 
-    /// Does `uv_mapping` of the group around it hold for it too? (Measured on POV-Ray 3.7.)
-    pub fn follows_uv(&self) -> bool {
+    /// True if the `uv_mapping` of the group around the object also applies to it (quirk: `uv_mapping_of_group`).
+    pub fn inherits_uv_mapping(&self) -> bool {
         self.uncommon.interior_texture.is_none()
     }
 
-    /// Moves the object with its textures and what clips it.
+    /// Transforms the object with its textures and clipping objects.
     pub fn transform_by(&mut self, step: &Transform) {
         self.transform = self.transform.then(step).into();
-        if !self.body.holds_places() {
+        if !self.body.has_transformed_contents() {
             return;
         }
         let body = Arc::make_mut(&mut self.body);

@@ -1,6 +1,6 @@
-//! Reads objects: the blocks that make them, and the modifiers that may stand in each (manual, "Object Modifiers").
+//! Reading of objects and their modifiers (manual, "Object Modifiers").
 
-use super::embedded::Carried;
+use super::embedded::EmbeddedTextures;
 use super::{CsgOp, Object, ObjectBody, ObjectKind};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
@@ -14,10 +14,10 @@ use crate::value::words::{is_row, read_row};
 use crate::value::{Next, Reader, ReaderExt, Value};
 use std::sync::Arc;
 
-/// The word of a CSG block.
+/// CSG operation of a block's word.
 fn csg_op(word: &str) -> Option<CsgOp> {
     Some(match word {
-        // `composite` is its name in scenes of before 1993.
+        // The name of `union` before 1993.
         "union" | "composite" => CsgOp::Union,
         "intersection" => CsgOp::Intersection,
         "difference" => CsgOp::Difference,
@@ -26,7 +26,7 @@ fn csg_op(word: &str) -> Option<CsgOp> {
     })
 }
 
-/// Does a block of this name make an object?
+/// True if a block of this name is an object.
 pub fn is_object(word: &str) -> bool {
     matches!(word, "object" | "light_source" | "light_group")
         || csg_op(word).is_some()
@@ -34,12 +34,12 @@ pub fn is_object(word: &str) -> bool {
 }
 
 impl Object {
-    /// Reads the object that comes next: a block, whose name is still to be consumed, or a declared one.
+    /// Reads an object: a block, whose name comes next, or a declared object.
     ///
-    /// Boxed, because an object is large and handed on from block to block.
+    /// Boxed, because objects are large and passed from block to block.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// With the span of the unexpected token, and the expectation.
     pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         match r.next()? {
             Next::Block(word) => {
@@ -56,7 +56,7 @@ impl Object {
         }
     }
 
-    /// Reads what stands between the braces of a block of this name.
+    /// Reads the inside of an object's block.
     fn read_block(word: &'static str, source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         if let Some(op) = csg_op(word) {
             return Self::read_csg(op, word, source, r, defaults);
@@ -73,7 +73,7 @@ impl Object {
         if word == "light_group" {
             return Self::read_light_group(source, r, defaults);
         }
-        // A declared object may stand in the block of any shape (measured on POV-Ray 3.7).
+        // A declared object is allowed in the block of any shape (quirk: `object_in_any_block`).
         if word == "object" || r.next()? == Next::Thing("object") {
             let mut object = Self::read(r, defaults)?;
             object.source = source;
@@ -84,17 +84,17 @@ impl Object {
         let mut object = Box::new(Self::unfinished(word, source, defaults));
         let mut shape = match shape {
             Err(fault) if fault.code == codes::NOT_FINITE => {
-                object.read_nowhere(*fault, r, defaults)?;
+                object.read_invisible(*fault, r, defaults)?;
                 return Ok(object);
             }
             shape => shape?,
         };
         if object.read_modifiers(Some(&mut shape), r, defaults)? {
-            let shape = match defaults.alike.of_shape(&shape) {
+            let shape = match defaults.recent.find_shape(&shape) {
                 Some(known) => known,
                 None => {
                     shape.finish(source, r)?;
-                    defaults.alike.remember(&shape);
+                    defaults.recent.add_shape(&shape);
                     shape
                 }
             };
@@ -103,9 +103,10 @@ impl Object {
         Ok(object)
     }
 
-    /// A shape with a number that is not finite: nothing of it is seen, as in POV-Ray 3.7. What is left of its block is read.
-    fn read_nowhere(&mut self, fault: Diagnostic, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
-        r.report(nothing_seen(self.word, fault));
+    /// Reads the rest of a shape with a number that is not finite. As in POV-Ray, such a shape is invisible
+    /// (quirk: `infinite_shapes_vanish`).
+    fn read_invisible(&mut self, fault: Diagnostic, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
+        r.report(invisible_warning(self.word, fault));
         loop {
             let next = r.next()?;
             if next == Next::End {
@@ -140,27 +141,27 @@ impl Object {
         Ok(object)
     }
 
-    /// Reads modifiers up to the end of the block; a shape's own words are among them. False if they move the object to where
-    /// nothing is: then it holds nothing any more.
+    /// Reads modifiers and the shape's own words up to the end of the block. False if a transform that is not finite
+    /// makes the object empty.
     fn read_modifiers(
         &mut self,
         mut shape: Option<&mut Shape>,
         r: &mut dyn Reader,
         defaults: &Defaults,
     ) -> Result<bool> {
-        let mut is_somewhere = true;
-        let mut embedded = Carried::new(defaults);
+        let mut is_finite = true;
+        let mut embedded = EmbeddedTextures::new(defaults);
         loop {
             let next = r.next()?;
             if next == Next::End {
                 if let Some(painted) = embedded.painted() {
                     self.uncommon.embedded = Some(painted);
                 }
-                // (A copy that nothing was said of shares all it has.)
+                // A copy without modifiers shares everything.
                 if let Some(ObjectBody { texture: Some(painted), .. }) = Arc::get_mut(&mut self.body) {
-                    defaults.alike.join(&mut painted.texture);
+                    defaults.recent.deduplicate(&mut painted.texture);
                 }
-                return Ok(is_somewhere);
+                return Ok(is_finite);
             }
             if let Some(shape) = shape.as_deref_mut()
                 && shape.read_own(next, r, &mut embedded)?
@@ -168,13 +169,13 @@ impl Object {
                 continue;
             }
             let read = match self.read_modifier(next, r, defaults) {
-                // (Its number has been read by then.)
+                // The number has been consumed.
                 Err(fault)
                     if fault.code == codes::NOT_FINITE && matches!(next, Next::Word(_)) && next.is_transform() =>
                 {
-                    r.report(nothing_seen(self.word, *fault));
+                    r.report(invisible_warning(self.word, *fault));
                     self.kind = ObjectKind::Csg(CsgOp::Union, Arc::default());
-                    is_somewhere = false;
+                    is_finite = false;
                     continue;
                 }
                 read => read?,
@@ -188,7 +189,7 @@ impl Object {
         }
     }
 
-    /// Reads one modifier; false if it is none.
+    /// Reads one modifier; false if the next token is none.
     pub(in crate::scene) fn read_modifier(
         &mut self,
         next: Next,
@@ -234,23 +235,23 @@ impl Object {
         Ok(true)
     }
 
-    /// `texture`, `interior_texture`, or one of a texture's parts alone.
+    /// Reads `texture`, `interior_texture`, or a part of a texture.
     fn read_surface(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
         match next {
             Next::Block("texture") | Next::Thing("texture") => {
                 let texture = read_layers(r, defaults)?;
-                self.texture = Some(self.layered(self.texture.as_ref(), Arc::new(texture)));
+                self.texture = Some(self.with_layers(self.texture.as_ref(), Arc::new(texture)));
             }
             Next::Block("interior_texture") => {
                 r.take()?;
                 let texture = Texture::read(r, &defaults.texture)?;
                 r.leave()?;
                 self.uncommon.interior_texture =
-                    Some(self.layered(self.uncommon.interior_texture.as_ref(), Arc::new(texture)));
+                    Some(self.with_layers(self.uncommon.interior_texture.as_ref(), Arc::new(texture)));
             }
             _ => {
                 let mut texture = match &self.texture {
-                    Some(painted) => self.taken_along(painted),
+                    Some(painted) => self.transformed_texture(painted),
                     None => (*defaults.texture).clone(),
                 };
                 if !texture.read_part(r, next, &defaults.texture)? {
@@ -262,8 +263,8 @@ impl Object {
         Ok(true)
     }
 
-    /// The texture so far, its moves applied, because what is read now has not been moved.
-    fn taken_along(&self, painted: &Painted) -> Texture {
+    /// A copy of the texture with the object's transforms applied, for parts that are added now.
+    fn transformed_texture(&self, painted: &Painted) -> Texture {
         let mut texture = (*painted.texture).clone();
         let place = painted.place(&self.transform);
         if !self.uncommon.flags.uv_mapping && *place != Transform::IDENTITY {
@@ -272,11 +273,11 @@ impl Object {
         texture
     }
 
-    /// Further layers on what the object itself shows so far, wherever that was said (measured on POV-Ray 3.7).
-    fn layered(&self, below: Option<&Painted>, texture: Arc<Texture>) -> Painted {
+    /// Adds layers to the object's own texture, even if that was set in a declaration (quirk: `textures_add_layers`).
+    fn with_layers(&self, below: Option<&Painted>, texture: Arc<Texture>) -> Painted {
         let layers = match below {
             Some(below) => {
-                let mut all = self.taken_along(below);
+                let mut all = self.transformed_texture(below);
                 all.layers.extend(texture.layers.iter().cloned());
                 Arc::new(all)
             }
@@ -291,7 +292,7 @@ impl Object {
         loop {
             match r.next()? {
                 Next::End => break,
-                // `clipped_by { bounded_by }`: the same objects once more, which may be none.
+                // `clipped_by { bounded_by }` repeats the objects of `bounded_by`, if there are any.
                 Next::Word(other @ ("clipped_by" | "bounded_by")) if other != word => {
                     r.take()?;
                     borrows = true;
@@ -323,11 +324,11 @@ impl Object {
 
     fn set_material(&mut self, material: &Material) {
         if let Some(texture) = &material.texture {
-            self.texture = Some(self.layered(self.texture.as_ref(), texture.clone()));
+            self.texture = Some(self.with_layers(self.texture.as_ref(), texture.clone()));
         }
         if let Some(texture) = &material.interior_texture {
             self.uncommon.interior_texture =
-                Some(self.layered(self.uncommon.interior_texture.as_ref(), texture.clone()));
+                Some(self.with_layers(self.uncommon.interior_texture.as_ref(), texture.clone()));
         }
         if let Some(interior) = &material.interior {
             self.uncommon.interior = Some(interior.clone());
@@ -335,15 +336,15 @@ impl Object {
     }
 }
 
-/// The warning in place of an error about a number that is not finite.
-fn nothing_seen(word: &str, fault: Diagnostic) -> Diagnostic {
+/// The warning about a number that is not finite.
+fn invisible_warning(word: &str, fault: Diagnostic) -> Diagnostic {
     let message = format!("nothing of this `{word}` is drawn: {}", fault.message);
     Diagnostic { code: codes::INFINITE, severity: codes::INFINITE.severity(), message, ..fault }
         .help("look for a division by zero, or a number that grows in a loop")
 }
 
-/// A colour that stands in an object itself changes nothing (measured on POV-Ray 3.7, at every quality); it may be a declared
-/// one. `fault` is for whatever else comes next.
+/// Skips a colour, declared or not, which has no effect in an object (quirk: `object_color_ignored`). `fault` is the
+/// error for any other token.
 fn skip_color(next: Next, fault: Diagnostic, r: &mut dyn Reader) -> Result<()> {
     let at = r.span();
     let is_color = match next {

@@ -21,7 +21,7 @@ use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Sheared, Transform};
 use crate::source::Span;
 use crate::value::words::word;
-use crate::value::{Kind, Param, Reader, ReaderExt, Spec};
+use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind};
 use net::{Corner, Net, Steps};
 use rustc_hash::FxHashMap;
 use serde::Serialize;
@@ -145,13 +145,13 @@ impl Readable for BicubicPatch {
     const SPEC: Spec = Spec {
         name: "bicubic_patch",
         summary: "a curved sheet that sixteen points pull at",
-        params: &[Param { name: "points", kind: Kind::Vectors, summary: "sixteen: four rows of four" }],
+        params: &[Param { name: "points", kind: ValueKind::Vectors, summary: "sixteen: four rows of four" }],
         words: &[
-            word("type", Kind::Float, "", "0 or 1: what POV-Ray keeps in memory; durer draws both alike"),
-            word("u_steps", Kind::Float, "0", "how often it is halved between the rows"),
-            word("v_steps", Kind::Float, "0", "how often it is halved along the rows"),
-            word("flatness", Kind::Float, "0", "pieces are not halved that no point pulls further than this"),
-            word("uv_vectors", Kind::Vectors, "", "surface coordinates of the four corners, for `uv_mapping`"),
+            word("type", ValueKind::Float, "", "0 or 1: what POV-Ray keeps in memory; durer draws both alike"),
+            word("u_steps", ValueKind::Float, "0", "how often it is halved between the rows"),
+            word("v_steps", ValueKind::Float, "0", "how often it is halved along the rows"),
+            word("flatness", ValueKind::Float, "0", "pieces are not halved that no point pulls further than this"),
+            word("uv_vectors", ValueKind::Vectors, "", "surface coordinates of the four corners, for `uv_mapping`"),
         ],
     };
 

@@ -21,7 +21,7 @@ use crate::image_io::{Picture, wrapped};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Kind, Next, Param, Reader, ReaderExt, Spec, downcast};
+use crate::value::{Next, Param, Reader, ReaderExt, Spec, ValueKind, downcast};
 use grid::{Grid, Place, STEPS};
 use serde::Serialize;
 use std::sync::Arc;
@@ -131,22 +131,22 @@ impl Readable for HeightField {
         summary: "a landscape over the square from 0 to 1, with a picture's brightness for heights",
         params: &[Param {
             name: "file",
-            kind: Kind::Text,
+            kind: ValueKind::Text,
             summary: "a picture file's name, or `function W, H { … }` with the numbers of heights across and deep",
         }],
         words: specs!(Self::WORDS),
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("smooth", Kind::Flag, "off", "its triangles look like one round surface")
+        word("smooth", ValueKind::Flag, "off", "its triangles look like one round surface")
             .sets(|s, r| set(&mut s.smooth, r.flag())),
-        word("water_level", Kind::Float, "0", "what is lower than this is left out")
+        word("water_level", ValueKind::Float, "0", "what is lower than this is left out")
             .sets(|s, r| set(&mut s.water_level, r.float())),
-        word("hierarchy", Kind::Flag, "on", "changes nothing: durer always passes over what a ray can't meet")
+        word("hierarchy", ValueKind::Flag, "on", "changes nothing: durer always passes over what a ray can't meet")
             .sets(|_, r| r.flag().map(|_| ())),
-        word("gamma", Kind::Float, "1", "heights are the picture's numbers to the power of this; or `srgb`")
+        word("gamma", ValueKind::Float, "1", "heights are the picture's numbers to the power of this; or `srgb`")
             .sets(|s, r| set(&mut s.gamma, read_gamma(r).map(Some))),
-        word("premultiplied", Kind::Flag, "off", "changes nothing: the picture's alpha does not count")
+        word("premultiplied", ValueKind::Flag, "off", "changes nothing: the picture's alpha does not count")
             .sets(|_, r| r.flag().map(|_| ())),
     ];
 

@@ -20,7 +20,7 @@ use crate::function::Interval;
 use crate::math::{Aabb, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Kind, Next, Param, Reader, Spec};
+use crate::value::{Next, Param, Reader, Spec, ValueKind};
 use cells::Cells;
 use search::Search;
 use serde::Serialize;
@@ -221,32 +221,32 @@ impl Readable for Isosurface {
         summary: "all points where a function of x, y and z has one value",
         params: &[Param {
             name: "function { … }",
-            kind: Kind::Block,
+            kind: ValueKind::Block,
             summary: "a function of x, y and z; less than the threshold inside",
         }],
         words: &crate::value::words::joined::<8>(
-            &[word("contained_by", Kind::Block, "box { -1, 1 }", "a box or a sphere in braces, at which it ends")],
+            &[word("contained_by", ValueKind::Block, "box { -1, 1 }", "a box or a sphere in braces, at which it ends")],
             specs!(Self::WORDS),
         ),
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("threshold", Kind::Float, "0", "the function's value on the surface")
+        word("threshold", ValueKind::Float, "0", "the function's value on the surface")
             .sets(|s, r| set(&mut s.threshold, r.float())),
-        word("open", Kind::Flag, "off", "it has no faces where it reaches out of its container")
+        word("open", ValueKind::Flag, "off", "it has no faces where it reaches out of its container")
             .sets(|s, r| set(&mut s.open, r.flag())),
         word(
             "accuracy",
-            Kind::Float,
+            ValueKind::Float,
             "0.001",
             "how far behind the surface it is met, in units of the world, and how long the steps that find normals",
         )
         .sets(|s, r| set(&mut s.accuracy, formula::positive(r, "accuracy", 0.001))),
-        word("max_gradient", Kind::Float, "1.1", "how steep the function is, where durer can't know it")
+        word("max_gradient", ValueKind::Float, "1.1", "how steep the function is, where durer can't know it")
             .sets(|s, r| set(&mut s.max_gradient, formula::positive(r, "max_gradient", 1.1))),
         word(
             "evaluate",
-            Kind::Float,
+            ValueKind::Float,
             "",
             "three numbers, by which POV-Ray adapts `max_gradient`: the first, times the second, stands for it",
         )
@@ -256,9 +256,9 @@ impl Readable for Isosurface {
             s.max_gradient = (least * factor).abs().max(f64::MIN_POSITIVE);
             Ok(())
         }),
-        word("max_trace", Kind::Float, "1", "how many hits of one ray count in CSG and for what is clipped")
+        word("max_trace", ValueKind::Float, "1", "how many hits of one ray count in CSG and for what is clipped")
             .sets(|s, r| set(&mut s.max_trace, formula::positive(r, "max_trace", 1.0).map(|n| (n as u32).max(1)))),
-        word("all_intersections", Kind::Nothing, "", "all hits of a ray count")
+        word("all_intersections", ValueKind::Nothing, "", "all hits of a ray count")
             .sets(|s, _| set(&mut s.max_trace, Ok(u32::MAX))),
     ];
 

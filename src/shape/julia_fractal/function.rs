@@ -2,7 +2,7 @@
 
 use crate::math::Complex;
 use crate::value::words::word;
-use crate::value::{Kind, WordSpec};
+use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 
 /// A function of complex numbers.
@@ -71,7 +71,7 @@ pub const WORDS: [(&str, Function); 17] = [
 ];
 
 const fn applied(name: &'static str, summary: &'static str) -> WordSpec {
-    word(name, Kind::Nothing, "", summary)
+    word(name, ValueKind::Nothing, "", summary)
 }
 
 /// The words that choose one.
@@ -93,7 +93,7 @@ pub const FUNCTIONS: [WordSpec; 18] = [
     applied("tanh", "each round is tanh h"),
     applied("atanh", "each round is atanh h"),
     applied("ln", "each round is the logarithm of h"),
-    word("pwr", Kind::Block, "", "`pwr(x, y)`: each round is h to the power x + iy"),
+    word("pwr", ValueKind::Block, "", "`pwr(x, y)`: each round is h to the power x + iy"),
 ];
 
 const ONE: Complex = Complex::new(1.0, 0.0);

@@ -20,7 +20,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, Range, Ray, Transform, crossing};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs_of, word};
-use crate::value::{Kind, Next, Param, Reader, Spec, Value, WordSpec};
+use crate::value::{Next, Param, Reader, Spec, Value, ValueKind, WordSpec};
 use function::{FUNCTIONS, WORDS};
 use orbit::{Four, Rule, Trail, mean};
 use serde::Serialize;
@@ -223,7 +223,11 @@ impl Readable for JuliaFractal {
     const SPEC: Spec = Spec {
         name: "julia_fractal",
         summary: "a slice of a fractal of four dimensions",
-        params: &[Param { name: "<c>", kind: Kind::Vectors, summary: "four numbers: what is added in each round" }],
+        params: &[Param {
+            name: "<c>",
+            kind: ValueKind::Vectors,
+            summary: "four numbers: what is added in each round",
+        }],
         words: &{
             let own: [WordSpec; 5] = specs_of(Self::WORDS);
             let mut words = [own[0]; 23];
@@ -239,22 +243,22 @@ impl Readable for JuliaFractal {
     const WORDS: &'static [Row<Self>] = &[
         word(
             "quaternion",
-            Kind::Nothing,
+            ValueKind::Nothing,
             "",
             "calculates with quaternions, of which only `sqr` and `cube` are known; so it is without it",
         )
         .sets(|j, _| set(&mut j.algebra, Ok(Algebra::Quaternion))),
-        word("hypercomplex", Kind::Nothing, "", "calculates with pairs of complex numbers")
+        word("hypercomplex", ValueKind::Nothing, "", "calculates with pairs of complex numbers")
             .sets(|j, _| set(&mut j.algebra, Ok(Algebra::Hypercomplex))),
-        word("max_iteration", Kind::Float, "20", "how many points of a row must stay near").sets(|j, r| {
+        word("max_iteration", ValueKind::Float, "20", "how many points of a row must stay near").sets(|j, r| {
             // (A cast stops at 0 and at the largest number.)
             set(&mut j.max_iteration, r.float().map(|n| n as usize))
         }),
-        word("precision", Kind::Float, "20", "more finds smaller things and takes longer")
+        word("precision", ValueKind::Float, "20", "more finds smaller things and takes longer")
             .sets(|j, r| set(&mut j.precision, r.float().map(|n| n.clamp(1.0, MOST_PRECISE)))),
         word(
             "slice",
-            Kind::Vectors,
+            ValueKind::Vectors,
             "<0, 0, 0, 1>, 0",
             "a direction in four dimensions, and how far from the origin it is cut across that",
         )

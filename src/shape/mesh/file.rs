@@ -6,12 +6,12 @@ use crate::image_io::Picture;
 use crate::mesh_io::{Look, MeshFile};
 use crate::shape::Paints;
 use crate::value::words::word;
-use crate::value::{Kind, Reader, Thing, WordSpec, downcast};
+use crate::value::{Reader, Thing, ValueKind, WordSpec, downcast};
 use std::sync::Arc;
 
 pub const FILE: WordSpec = word(
     "file",
-    Kind::Text,
+    ValueKind::Text,
     "",
     "the triangles of a file that another program wrote: ply, obj, stl, gltf or glb, in place of triangles that are written out",
 );

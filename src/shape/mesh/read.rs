@@ -18,7 +18,7 @@ use crate::mesh_io::{NONE, Triangles};
 use crate::shape::{Hit, Hits, Paints, Readable, TextureWeights, Triangle};
 use crate::source::Span;
 use crate::value::words::word;
-use crate::value::{Kind, Next, Reader, Spec, Value, WordSpec};
+use crate::value::{Next, Reader, Spec, Value, ValueKind, WordSpec};
 use glam::Vec3;
 use rustc_hash::FxHashMap;
 use serde::Serialize;
@@ -29,7 +29,7 @@ const BELIEVED: usize = 1 << 16;
 
 const INSIDE_VECTOR: WordSpec = word(
     "inside_vector",
-    Kind::Vector,
+    ValueKind::Vector,
     "",
     "a direction in which no line only touches it; then a closed mesh has an inside",
 );
@@ -81,11 +81,11 @@ impl Readable for Mesh {
         words: &[
             word(
                 "triangle",
-                Kind::Block,
+                ValueKind::Block,
                 "",
                 "three corners; `uv_vectors` and a `texture` or `texture_list` of its own may follow",
             ),
-            word("smooth_triangle", Kind::Block, "", "three times a corner and the normal there"),
+            word("smooth_triangle", ValueKind::Block, "", "three times a corner and the normal there"),
             FILE,
             INSIDE_VECTOR,
         ],
@@ -218,30 +218,30 @@ impl Readable for Mesh2 {
         summary: "triangles that are one object, written as lists",
         params: &[],
         words: &[
-            word("vertex_vectors", Kind::Block, "", "how many, and the corners"),
+            word("vertex_vectors", ValueKind::Block, "", "how many, and the corners"),
             word(
                 "normal_vectors",
-                Kind::Block,
+                ValueKind::Block,
                 "",
                 "how many, and the directions at the corners, for triangles that look curved",
             ),
-            word("uv_vectors", Kind::Block, "", "how many, and pairs of surface coordinates for `uv_mapping`"),
-            word("texture_list", Kind::Block, "", "how many, and textures for faces and corners"),
+            word("uv_vectors", ValueKind::Block, "", "how many, and pairs of surface coordinates for `uv_mapping`"),
+            word("texture_list", ValueKind::Block, "", "how many, and textures for faces and corners"),
             word(
                 "face_indices",
-                Kind::Block,
+                ValueKind::Block,
                 "",
                 "how many, and for each triangle the numbers of its corners from 0 on, perhaps with one or three numbers of textures",
             ),
             word(
                 "normal_indices",
-                Kind::Block,
+                ValueKind::Block,
                 "",
                 "how many, and for each triangle the numbers of its normals; else those of its corners",
             ),
             word(
                 "uv_indices",
-                Kind::Block,
+                ValueKind::Block,
                 "",
                 "how many, and for each triangle the numbers of its surface coordinates; else those of its corners",
             ),

@@ -18,7 +18,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Kind, Next, Param, Reader, Spec};
+use crate::value::{Next, Param, Reader, Spec, ValueKind};
 use patches::Patches;
 use serde::Serialize;
 use std::sync::{Arc, OnceLock};
@@ -99,23 +99,32 @@ impl Readable for Parametric {
         name: "parametric",
         summary: "the points whose x, y and z are functions of u and v",
         params: &[
-            Param { name: "function { … }", kind: Kind::Block, summary: "x, as a function of u and v; then y and z" },
-            Param { name: "<u1, v1>", kind: Kind::Vector2, summary: "where u and v begin" },
-            Param { name: "<u2, v2>", kind: Kind::Vector2, summary: "where they end" },
+            Param {
+                name: "function { … }",
+                kind: ValueKind::Block,
+                summary: "x, as a function of u and v; then y and z",
+            },
+            Param { name: "<u1, v1>", kind: ValueKind::Vector2, summary: "where u and v begin" },
+            Param { name: "<u2, v2>", kind: ValueKind::Vector2, summary: "where they end" },
         ],
         words: &crate::value::words::joined::<4>(
             &[
-                word("contained_by", Kind::Block, "box { -1, 1 }", "a box or a sphere in braces, at which it ends"),
-                word("precompute", Kind::Block, "", "changes nothing: durer always looks at pieces first"),
+                word(
+                    "contained_by",
+                    ValueKind::Block,
+                    "box { -1, 1 }",
+                    "a box or a sphere in braces, at which it ends",
+                ),
+                word("precompute", ValueKind::Block, "", "changes nothing: durer always looks at pieces first"),
             ],
             specs!(Self::WORDS),
         ),
     };
 
     const WORDS: &'static [Row<Self>] = &[
-        word("accuracy", Kind::Float, "0.001", "how small details are that may be lost")
+        word("accuracy", ValueKind::Float, "0.001", "how small details are that may be lost")
             .sets(|s, r| set(&mut s.accuracy, super::formula::positive(r, "accuracy", 0.001))),
-        word("max_gradient", Kind::Float, "1", "how steep the functions are, where durer can't know it")
+        word("max_gradient", ValueKind::Float, "1", "how steep the functions are, where durer can't know it")
             .sets(|s, r| set(&mut s.max_gradient, super::formula::positive(r, "max_gradient", 1.0))),
     ];
 

@@ -21,7 +21,7 @@ use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::words::{Row, joined, specs, word};
-use crate::value::{Kind, Param, Reader, ReaderExt, Spec, WordSpec};
+use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind, WordSpec};
 use piece::Line;
 use serde::Serialize;
 use smallvec::SmallVec;
@@ -56,11 +56,11 @@ pub struct SphereSweep {
 }
 
 const KINDS: [WordSpec; 3] = [
-    word("linear_spline", Kind::Nothing, "", "straight tubes join the balls"),
-    word("b_spline", Kind::Nothing, "", "a smooth way near the balls, of which four or more are needed"),
+    word("linear_spline", ValueKind::Nothing, "", "straight tubes join the balls"),
+    word("b_spline", ValueKind::Nothing, "", "a smooth way near the balls, of which four or more are needed"),
     word(
         "cubic_spline",
-        Kind::Nothing,
+        ValueKind::Nothing,
         "",
         "a smooth way through all balls but the first and the last, which only give directions",
     ),
@@ -148,14 +148,18 @@ impl Readable for SphereSweep {
         name: "sphere_sweep",
         summary: "all that a ball sweeps that grows and shrinks on its way",
         params: &[
-            Param { name: "number_of_spheres", kind: Kind::Float, summary: "how many follow" },
-            Param { name: "centres and radii", kind: Kind::Vectors, summary: "each centre with its radius behind it" },
+            Param { name: "number_of_spheres", kind: ValueKind::Float, summary: "how many follow" },
+            Param {
+                name: "centres and radii",
+                kind: ValueKind::Vectors,
+                summary: "each centre with its radius behind it",
+            },
         ],
         words: &joined::<4>(&KINDS, specs!(Self::WORDS)),
     };
 
     const WORDS: &'static [Row<Self>] =
-        &[word("tolerance", Kind::Float, "1e-6", "how exact POV-Ray is; durer always is, so it changes nothing")
+        &[word("tolerance", ValueKind::Float, "1e-6", "how exact POV-Ray is; durer always is, so it changes nothing")
             .sets(|_, r| r.float().map(drop))];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

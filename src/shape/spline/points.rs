@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, tolerance};
 use crate::source::Span;
 use crate::value::words::word;
-use crate::value::{Kind, Reader, ReaderExt, Value, WordSpec};
+use crate::value::{Reader, ReaderExt, Value, ValueKind, WordSpec};
 use serde::Serialize;
 
 /// How the points are joined.
@@ -27,10 +27,20 @@ use Interpolation::*;
 
 /// The words that choose one, before the points.
 pub const KINDS: [WordSpec; 4] = [
-    word("linear_spline", Kind::Nothing, "", "straight lines join the points; so it is without any such word"),
-    word("quadratic_spline", Kind::Nothing, "", "parabolas join the points; the first point only gives a direction"),
-    word("cubic_spline", Kind::Nothing, "", "a smooth curve; the first and the last point only give directions"),
-    word("bezier_spline", Kind::Nothing, "", "each four points: an end, two that pull at the curve, the other end"),
+    word("linear_spline", ValueKind::Nothing, "", "straight lines join the points; so it is without any such word"),
+    word(
+        "quadratic_spline",
+        ValueKind::Nothing,
+        "",
+        "parabolas join the points; the first point only gives a direction",
+    ),
+    word("cubic_spline", ValueKind::Nothing, "", "a smooth curve; the first and the last point only give directions"),
+    word(
+        "bezier_spline",
+        ValueKind::Nothing,
+        "",
+        "each four points: an end, two that pull at the curve, the other end",
+    ),
 ];
 
 impl Interpolation {

@@ -27,7 +27,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What stands in parentheses behind a directive's word.
+    /// The parentheses after a directive's word.
     fn head(&self, head: Option<Pair<Rule>>) -> Head {
         let Some(head) = head else { return Head::Pieces(None) };
         let whole = if self.single { None } else { self.only_expr(head.clone(), In::Script) };
@@ -67,7 +67,7 @@ impl Builder<'_> {
         (head, body)
     }
 
-    /// `None` where what gets a value does not stand whole.
+    /// `None` if the target is not a plain name with indices.
     pub(super) fn declare(&self, pair: Pair<Rule>) -> Option<Declare> {
         if self.single {
             return None;
@@ -100,7 +100,7 @@ impl Builder<'_> {
         let keyword = category.map(|(word, _)| word);
         let symbol = self.symbol(&pair);
         let index = |part: Pair<Rule>| match part.as_rule() {
-            // (What is called there may be a macro.)
+            // (A call there may be a macro's.)
             Rule::index => Some(self.only_expr(part, In::Script).filter(|e| !e.calls)),
             // `D.Key` is `D["Key"]`.
             Rule::dot => {
@@ -114,7 +114,7 @@ impl Builder<'_> {
         Some(Target { symbol, span: name.span, keyword, indices })
     }
 
-    /// Each branch from its directive's word to the next one.
+    /// Each branch extends from its directive's word to the next one.
     fn branches_of(&self, pair: Pair<Rule>, place: In) -> Box<[Branch]> {
         let (kind, mut branches, mut head) = (self.text_of(&pair), vec![], None);
         let kind = kind[1..].trim_start().to_string();

@@ -10,8 +10,8 @@ use pest::iterators::Pair;
 use std::ops::Range;
 
 impl Builder<'_> {
-    /// An expression, if it stands whole. What holds directives is looked through before it is built: else what is in their
-    /// bodies could be built again and again.
+    /// An expression, if it is complete. Directives inside are searched for before it is built: otherwise their bodies
+    /// could be built repeatedly.
     pub(super) fn whole_expr(&self, pair: &Pair<Rule>, place: In) -> Option<Expr> {
         if self.holds_directive(&super::range(pair)) && !self.is_whole(pair) {
             return None;
@@ -23,7 +23,7 @@ impl Builder<'_> {
         self.classes[range.clone()].iter().any(|class| class.is_ascii_uppercase() || *class == class::PLAIN)
     }
 
-    /// Do its brackets hold expressions only? (Arguments of names may be anything.)
+    /// True if its brackets contain expressions only. (Arguments of names may be anything.)
     fn is_whole(&self, pair: &Pair<Rule>) -> bool {
         pair.clone().into_inner().all(|part| match part.as_rule() {
             Rule::call | Rule::arguments => true,
@@ -37,7 +37,7 @@ impl Builder<'_> {
         })
     }
 
-    /// Terms and operators in a row, perhaps a choice. `None` where its brackets hold something else than expressions.
+    /// Terms and operators, and an optional choice. `None` if its brackets contain anything but expressions.
     pub(super) fn expr(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
         let precedence = if place == In::Function { Operator::precedence_in_functions } else { Operator::precedence };
         let span = self.span(&pair);
@@ -66,7 +66,7 @@ impl Builder<'_> {
         let mut parts: Vec<Pair<Rule>> = choice.into_inner().collect();
         let no = parts.pop().filter(|p| p.as_rule() == Rule::expr && p.as_span().end() == range.end)?;
         let yes = parts.pop().filter(|p| p.as_rule() == Rule::expr && parts.is_empty())?;
-        // Nothing but the two signs stands beside them.
+        // There is nothing else beside the two signs.
         let whole = yes.as_span().start() == range.start + 1 && yes.as_span().end() + 1 == no.as_span().start();
         if whole { Some([self.expr(yes, place)?, self.expr(no, place)?]) } else { None }
     }
@@ -125,7 +125,7 @@ impl Builder<'_> {
         let token = self.tokens[pair.as_span().start() + 1];
         let text = self.token_text(token);
         let name = Name { word: known_word(text), span: self.token_span(token) };
-        // (A name there may be a macro's.)
+        // (The name may be a macro's.)
         let calls = base.calls || name.word.is_none();
         Expr { span, calls, kind: ExprKind::Dot(Box::new(base), name, self.names.intern(text)) }
     }
@@ -141,7 +141,7 @@ impl Builder<'_> {
         Some(Expr { span, calls, kind: ExprKind::Index(Box::new(array), indices) })
     }
 
-    /// The expression between two brackets, if nothing else is there.
+    /// The expression between two brackets, if it is the only content.
     pub(super) fn only_expr(&self, brackets: Pair<Rule>, place: In) -> Option<Expr> {
         let range = super::range(&brackets);
         let mut inner = brackets.into_inner();
@@ -172,7 +172,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The arguments of a built-in function have commas between them.
+    /// A call of a built-in function; its arguments have commas between them.
     fn builtin(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
         let (span, name) = (self.span(&pair), word::by_number(self.token(&pair).data));
         let mut arguments = vec![];
@@ -225,12 +225,13 @@ impl Builder<'_> {
     }
 }
 
-/// Signs before an operand, the innermost first. Those that cancel each other are left out, so that `- - - … 1` does not nest.
+/// Signs before an operand, the innermost first. Signs that cancel each other are dropped, so that `- - - … 1` does not
+/// nest.
 #[derive(Debug, Default)]
 pub struct SignRow(pub Vec<(Prefix, Span)>);
 
 impl SignRow {
-    /// One more sign, to the left of all others.
+    /// Adds a sign to the left of all others.
     pub fn push_outer(&mut self, prefix: Prefix, span: Span) {
         let row = &mut self.0;
         let many = row.len() > 1;
@@ -249,12 +250,12 @@ impl SignRow {
 /// Operators and their right operands.
 type Tail = Vec<(Operator, Expr)>;
 
-/// Groups a row of operands by precedence; operators of one precedence make one flat chain.
+/// Groups operands by precedence; operators of one precedence make one flat chain.
 fn climb(first: Expr, rest: Tail, precedence: fn(Operator) -> u8) -> Expr {
     if rest.is_empty() {
         return first;
     }
-    // The loosest binding operators split the row; what lies between them is grouped on its own.
+    // Split at the operators with the lowest precedence; the parts between them are grouped recursively.
     let loosest = rest.iter().map(|(op, _)| precedence(*op)).min().unwrap_or(0);
     let (mut head, mut groups): (Tail, Vec<(Operator, Expr, Tail)>) = (vec![], vec![]);
     for (op, term) in rest {
@@ -272,7 +273,7 @@ fn climb(first: Expr, rest: Tail, precedence: fn(Operator) -> u8) -> Expr {
     Expr { span, calls, kind: ExprKind::Chain(Box::new(Chain { first, rest })) }
 }
 
-/// Resolves the escapes of a string in its quotes (manual, "String Literals").
+/// Resolves the escapes of a quoted string (manual, "String Literals").
 pub fn unescape(quoted: &str) -> Box<str> {
     let inner = quoted.strip_prefix('"').unwrap_or(quoted);
     let inner = inner.strip_suffix('"').unwrap_or(inner);
@@ -283,7 +284,7 @@ pub fn unescape(quoted: &str) -> Box<str> {
     let mut chars = inner.chars();
     while let Some(c) = chars.next() {
         if c == '\r' {
-            // However a file's lines end, in a string it is one character.
+            // Any line end in a string is one character.
             out.push('\n');
             chars = chars.as_str().strip_prefix('\n').unwrap_or(chars.as_str()).chars();
             continue;

@@ -1,4 +1,4 @@
-//! pest's pairs to the tree of [`super::ast`].
+//! Converts pest's pairs to the tree of [`super::ast`].
 
 mod directive;
 mod expr;
@@ -16,7 +16,8 @@ use pest::iterators::{Pair, Pairs};
 pub use pieces::{begins_with_parenthesis, begins_with_sign, pieces};
 use std::ops::Range;
 
-/// Builds the elements of one piece of text. Places in pairs are numbers of tokens, counted from the piece's first.
+/// Builder of the elements of one piece of text. Positions in pairs are indices of tokens, counted from the piece's
+/// first.
 pub(super) struct Builder<'n> {
     names: &'n Names,
     text: &'n str,
@@ -26,15 +27,15 @@ pub(super) struct Builder<'n> {
     tokens: &'n [Token],
     numbers: &'n [f64],
     lists: &'n [NumberList],
-    /// Is each token an element of its own?
+    /// True if each token is an element of its own.
     single: bool,
 }
 
-/// Of so many tokens each part that is an expression stays whole where the whole is none. (In larger ones, trying parts
-/// of parts of parts could take forever.)
+/// Maximum number of tokens of an incomplete expression whose parts are tried as expressions. (In larger ones, trying
+/// parts of parts could take too long.)
 const SMALL: usize = 24;
 
-/// Where an expression stands.
+/// The context of an expression.
 #[derive(Clone, Copy, PartialEq)]
 enum In {
     Script,
@@ -43,7 +44,7 @@ enum In {
 }
 
 impl<'n> Builder<'n> {
-    /// For the piece whose first token has the number `first`.
+    /// For the piece that begins at token `first`.
     pub(super) fn new(source: &Source<'n>, lexed: &'n Lexed, first: usize) -> Self {
         let &Source { text, base, names, single } = source;
         let Lexed { classes, tokens, numbers, lists, .. } = lexed;
@@ -61,7 +62,7 @@ impl<'n> Builder<'n> {
         self.tokens[pair.as_span().start()]
     }
 
-    /// The text that a token stands for.
+    /// The text of a token.
     fn token_text(&self, token: Token) -> &'n str {
         &self.text[token.start as usize..token.end as usize]
     }
@@ -75,12 +76,12 @@ impl<'n> Builder<'n> {
         self.numbers[self.token(pair).data as usize]
     }
 
-    /// A vector of numbers, or a list of literals. (It may be asked for again, where what it stands in is no whole.)
+    /// A vector of numbers, or a list of literals. (May be called again if the enclosing expression is incomplete.)
     fn list(&self, token: Token) -> NumberList {
         self.lists[token.data as usize].clone()
     }
 
-    /// Appends the elements that stand in a range of tokens: commas between them are flags of those before.
+    /// Appends the elements in a range of tokens: commas between them are flags of the elements before.
     fn elements_into(&self, pairs: Pairs<Rule>, range: Range<usize>, place: In, out: &mut Vec<Element>) {
         let (first, mut at) = (out.len(), range.start);
         for pair in pairs.filter(|p| p.as_rule() != Rule::EOI) {
@@ -99,7 +100,7 @@ impl<'n> Builder<'n> {
         out.into_boxed_slice()
     }
 
-    /// The elements of a pair that ends with a bracket, without what stands before the first of them.
+    /// The elements of a pair that ends with a bracket, without the tokens before the first element.
     fn inner_into(&self, pair: Pair<Rule>, place: In, out: &mut Vec<Element>) {
         let mut range = range(&pair);
         match pair.as_rule() {
@@ -110,12 +111,12 @@ impl<'n> Builder<'n> {
         self.elements_into(pair.into_inner(), range, place, out);
     }
 
-    /// Tokens between two elements can only be commas.
+    /// Handles tokens between two elements, which can only be commas.
     fn commas(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
         for i in range.filter(|i| self.classes[*i] == class::COMMA) {
             let behind = out.len() > first;
             match out.last_mut() {
-                // What a directive gives comes before the comma.
+                // What a directive inserts comes before the comma.
                 Some(Element { comma: true, .. } | Element { kind: ElementKind::Comma, .. }) if behind => {}
                 Some(last) if behind && !matches!(last.kind, ElementKind::Directive(_) | ElementKind::Semicolon) => {
                     last.comma = true;
@@ -163,7 +164,7 @@ impl<'n> Builder<'n> {
         out.push(Element::new(span, kind));
     }
 
-    /// `#declare` alone, and behind it each token of what gets a value, and the `=`.
+    /// `#declare` alone, followed by each token of the target, and the `=`.
     fn declare_pieces(&self, pair: Pair<Rule>, out: &mut Vec<Element>) {
         let (own, token) = (range(&pair), self.token(&pair));
         let directive = Directive::DeclarePieces(token.data == 1);
@@ -178,7 +179,7 @@ impl<'n> Builder<'n> {
         self.singles(at..own.end, first, out);
     }
 
-    /// Each token by itself, but for directives, and what stands whole between brackets.
+    /// Makes each token an element, except for directives, and for complete elements between brackets.
     fn flatten(&self, pair: Pair<Rule>, place: In, out: &mut Vec<Element>) {
         let place = if pair.as_rule() == Rule::function { In::Function } else { place };
         let (first, own) = (out.len(), range(&pair));
@@ -231,7 +232,7 @@ impl<'n> Builder<'n> {
         Block { name, body: self.elements(pair, place) }
     }
 
-    /// The word that a pair starts with.
+    /// The word at the start of a pair.
     fn name(&self, pair: &Pair<Rule>) -> Name {
         let token = self.token(pair);
         Name { word: known_word(self.token_text(token)), span: self.token_span(token) }
@@ -241,7 +242,7 @@ impl<'n> Builder<'n> {
         self.names.intern(self.text_of(pair))
     }
 
-    /// `None` where its head is not whole.
+    /// `None` if its head is incomplete.
     fn function(&self, pair: Pair<Rule>) -> Option<Function> {
         let (mut size, mut parameters, mut body) = (vec![], Box::default(), Box::default());
         for part in pair.into_inner() {
@@ -270,7 +271,7 @@ fn range(pair: &Pair<Rule>) -> Range<usize> {
     span.start()..span.end()
 }
 
-/// The name that an element is, if it is no more.
+/// The name, if the element is a name alone.
 pub(super) fn name_of(element: &Element) -> Option<Symbol> {
     match &element.kind {
         ElementKind::Expr(e) => match e.kind {

@@ -1,12 +1,12 @@
-//! An expression taken apart: what its text would be as a row of tokens, some of which stand whole. The interpreter reads these
-//! where a macro in it, or what follows it, may change how it binds.
+//! Expressions split into a list of elements. The interpreter reads these where a macro in the expression, or its
+//! continuation, may change the precedence.
 
 use crate::source::Span;
 use crate::syntax::Names;
 use crate::syntax::ast::*;
 use crate::syntax::word;
 
-/// The parts of an expression, one level down: operators and operands, or brackets and what is between them.
+/// The parts of an expression, one level down: operators and operands, or brackets and their contents.
 pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
     let mut out = Pieces(vec![]);
     match &e.kind {
@@ -66,7 +66,7 @@ pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
     out.0
 }
 
-/// Does the text of this expression begin with `-` or `+`?
+/// True if the text of the expression begins with `-` or `+`.
 pub fn begins_with_sign(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Number(x) => x.is_sign_negative(),
@@ -77,7 +77,7 @@ pub fn begins_with_sign(e: &Expr) -> bool {
     }
 }
 
-/// Does its text begin with `(`?
+/// True if the text begins with `(`.
 pub fn begins_with_parenthesis(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Paren(_) => true,
@@ -122,7 +122,7 @@ impl Pieces {
         self.bracketed(Bracket::Paren, span, |out| out.0.extend(arguments.iter().cloned()));
     }
 
-    /// The operands of a row of operators, of whatever precedence, and the operators.
+    /// The operands and operators of a chain, of any precedence.
     fn operands(&mut self, e: &Expr) {
         match &e.kind {
             ExprKind::Chain(chain) => {

@@ -1,30 +1,30 @@
-//! What kind of thing each name stands for, as far as the text tells.
+//! Kinds of the declared names, as far as the text decides them.
 
 use super::{Text, is_directive};
 use crate::syntax::ast::Symbol;
 use crate::syntax::class;
 use rustc_hash::FxHashMap;
 
-/// The kind of what a name was declared as.
+/// The kind of a declared value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// `texture { … }`, `pigment { … }` …: the block's word.
     Block(&'static str),
     /// A vector without a word before it.
     Vector,
-    /// Something else, or now this and now that.
+    /// Another kind, or different kinds.
     Unknown,
 }
 
-/// Blocks whose names POV-Ray takes in a block of the same word only.
+/// Blocks whose names POV-Ray accepts in a block of the same word only.
 const BLOCKS: &[&str] = &["texture", "pigment", "normal", "finish", "interior", "material", "transform"];
 
 /// All names of all files.
 pub(super) struct Declared {
     kinds: FxHashMap<Symbol, Kind>,
-    /// For each macro: is the last token of its body, and of all others of the name, the `}` of a block?
+    /// For each macro: true if the last token of its body, and of all others of the name, is the `}` of a block.
     macros: FxHashMap<Symbol, bool>,
-    /// Does the scene's own file ask for a language that needs no `;` behind a value?
+    /// True if the scene's own file requests a language version without `;` after values.
     pub is_old: bool,
 }
 
@@ -43,7 +43,7 @@ impl Declared {
         self.kinds.get(&symbol).copied()
     }
 
-    /// Is it a macro whose body ends with a block?
+    /// True if the symbol is a macro whose body ends with a block.
     pub(super) fn ends_with_block(&self, symbol: Symbol) -> bool {
         self.macros.get(&symbol) == Some(&true)
     }
@@ -69,7 +69,7 @@ impl Declared {
         }
     }
 
-    /// Parameters of macros and the variables of loops are this and that.
+    /// Adds parameters of macros and the variables of loops, which may be of any kind.
     fn add_parameters(&mut self, text: &Text, at: usize) {
         let list = (at + 1..text.len()).take_while(|&at| !matches!(text.class(at), class::PAREN_END));
         list.filter_map(|at| text.symbol(at)).for_each(|symbol| self.add(symbol, Kind::Unknown));
@@ -109,7 +109,7 @@ fn kind_of(text: &Text, at: usize) -> Kind {
     }
 }
 
-/// What stands behind a vector's end.
+/// The class of the token after a vector's end.
 fn behind(text: &Text, open: usize) -> u8 {
     let mut depth = 0;
     for at in open..text.len() {

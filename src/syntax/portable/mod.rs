@@ -1,7 +1,7 @@
-//! `--warn portable`: what durer takes and POV-Ray 3.7 refuses. Each rule was asked of POV-Ray 3.7; where the text alone does not tell
-//! what POV-Ray would see, as in a macro's body, nothing is told.
+//! `--warn portable`: text that durer accepts and POV-Ray 3.7 rejects (quirk: `strict_separators`). Where the text
+//! alone does not decide what POV-Ray would see, as in a macro's body, nothing is reported.
 //!
-//! It looks at the tokens of the scene's own file, with the brackets that are open around each.
+//! The rules examine the tokens of the scene's own file, with the brackets that are open around each.
 
 mod declared;
 mod rules;
@@ -15,10 +15,10 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
 use declared::Declared;
 
-/// What is told of the place where a `;` is missing.
+/// The label at the place where a `;` is missing.
 pub const MISSING_SEMICOLON: &str = "`;` goes here";
 
-/// Tells what is not portable in the first file, which is the scene's own; the others are those that it includes.
+/// Reports text that is not portable in the first file, which is the scene's own; the others are its includes.
 pub(super) fn portable(sources: &Sources, names: &Names, files: &[FileId]) -> Vec<Diagnostic> {
     let texts: Vec<Text> = files.iter().map(|&file| Text::of(sources, names, file)).collect();
     let Some(own) = texts.first() else { return vec![] };
@@ -47,12 +47,12 @@ impl<'t> Text<'t> {
         self.lexed.classes.len()
     }
 
-    /// 0 behind the last token.
+    /// The class of a token; 0 after the last one.
     fn class(&self, at: usize) -> u8 {
         self.lexed.classes.get(at).copied().unwrap_or(0)
     }
 
-    /// The class of the token before.
+    /// The class of the previous token.
     fn before(&self, at: usize) -> u8 {
         at.checked_sub(1).map_or(0, |at| self.class(at))
     }
@@ -72,24 +72,24 @@ impl<'t> Text<'t> {
         token.map_or(Span::NONE, |t| Span::new(self.base + t.start as usize, self.base + t.end as usize))
     }
 
-    /// A word of the language, whatever stands behind it.
+    /// True for a word of the language.
     fn is_keyword(&self, at: usize) -> bool {
         matches!(self.class(at), class::KEYWORD | class::HEAD | class::FUNCTION)
     }
 }
 
-/// A bracket that is open.
+/// An open bracket.
 #[derive(Clone, Copy)]
 struct Open<'t> {
     /// Its class: `BRACE`, `PAREN`, `BRACKET`, `VECTOR`.
     class: u8,
-    /// The word in front of it.
+    /// The word before it.
     word: &'t str,
-    /// The number of its token.
+    /// Index of its token.
     at: usize,
-    /// Has a directive been met in it?
+    /// True if a directive was found inside it.
     directed: bool,
-    /// Has a word of durer's own been told in it? One message for each block will do.
+    /// True if a word of durer's own was reported in it: one message for each block is enough.
     told: bool,
 }
 
@@ -97,7 +97,7 @@ struct Walk<'a> {
     text: &'a Text<'a>,
     declared: &'a Declared,
     open: Vec<Open<'a>>,
-    /// The directives with bodies that are open; those up to the outermost macro are not kept.
+    /// The open directives with bodies; those outside of the outermost macro are dropped.
     macros: Vec<u8>,
     out: Vec<Diagnostic>,
 }
@@ -123,7 +123,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The word of the block that a token stands in directly.
+    /// The word of the block that directly contains a token.
     fn block(&self) -> Option<&'a str> {
         self.open.last().filter(|open| open.class == class::BRACE).map(|open| open.word)
     }
@@ -133,7 +133,7 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// Does a token of this class begin with `#`?
+/// True if a token of this class begins with `#`.
 fn is_directive(class: u8) -> bool {
     use class::*;
     matches!(
@@ -152,7 +152,7 @@ mod tests {
         portable(&sources, &names, &[file]).iter().map(|d| sources.snippet(d.span()).to_string()).collect()
     }
 
-    // What POV-Ray 3.7 says of each of these was asked of it.
+    // POV-Ray 3.7 rejects each of these.
 
     #[test]
     fn commas() {

@@ -1,4 +1,4 @@
-//! The rules, each as POV-Ray 3.7 was seen to follow it.
+//! The rules of [`super`].
 
 use super::declared::Kind;
 use super::{Walk, is_directive, value};
@@ -6,21 +6,21 @@ use crate::diagnostic::Label;
 use crate::syntax::class;
 use crate::syntax::word::{self, GROUPS, SHAPES};
 
-/// Blocks with numbers and words, in which POV-Ray takes no comma before a word and none at the end.
+/// Blocks with numbers and words, in which POV-Ray accepts no comma before a word and none at the end.
 #[rustfmt::skip]
 const STRICT: &[&str] = &[
     "sphere", "box", "cylinder", "cone", "torus", "plane", "triangle", "smooth_triangle", "polygon", "prism", "lathe",
     "superellipsoid", "quadric", "text", "isosurface", "sphere_sweep", "blob", "mesh", "object", "finish", "camera",
     "global_settings", "light_source", "interior",
 ];
-/// Blocks of objects, in which it takes no comma at all.
+/// Blocks of objects, in which it accepts no comma at all.
 const JOINING: &[&str] = &["union", "merge", "intersection", "difference"];
-/// Blocks with rows of blocks in them, in which it takes none between two.
+/// Blocks with lists of blocks, in which it accepts none between two.
 const ROWS: &[&str] = &["mesh", "blob", "sky_sphere"];
-/// Maps, in which it takes none between the entries.
+/// Maps, in which it accepts none between the entries.
 const MAPS: &[&str] =
     &["color_map", "colour_map", "pigment_map", "normal_map", "texture_map", "slope_map", "density_map"];
-/// Words of objects, cameras and lights; behind a comma, nothing else begins with them.
+/// Words of objects, cameras and lights, none of which can begin anything else after a comma.
 #[rustfmt::skip]
 const MODIFIERS: &[&str] = &[
     "pigment", "texture", "normal", "finish", "interior", "material", "interior_texture", "scale", "rotate",
@@ -32,7 +32,7 @@ const MODIFIERS: &[&str] = &[
     "reflection", "emission", "brilliance", "crand", "metallic", "max_gradient", "contained_by", "accuracy",
 ];
 
-/// Blocks of patterns, in which it takes no comma before these words either, unless a list of the pattern's ends there.
+/// Blocks of patterns, in which it accepts no comma before these words either, except after a list of the pattern.
 const PAINTS: &[&str] = &["pigment", "normal", "texture"];
 #[rustfmt::skip]
 const PAINT_WORDS: &[&str] = &[
@@ -40,11 +40,11 @@ const PAINT_WORDS: &[&str] = &[
     "turbulence", "octaves", "omega", "lambda", "ramp_wave", "sine_wave", "triangle_wave", "scallop_wave", "cubic_wave",
     "poly_wave", "quick_color", "quick_colour", "warp", "bump_size",
 ];
-/// Patterns with lists, behind whose last entry it takes a comma.
+/// Patterns with lists, after whose last entry it accepts a comma.
 const LISTS: &[&str] = &["checker", "hexagon", "brick", "square", "triangular", "cubic", "object", "tiles"];
 
 impl Walk<'_> {
-    /// Looks at a token in its place.
+    /// Applies the rules to a token.
     pub(super) fn judge(&mut self, at: usize) {
         match self.text.class(at) {
             class::COMMA => self.comma(at),
@@ -61,14 +61,14 @@ impl Walk<'_> {
 
     fn comma(&mut self, at: usize) {
         let Some(open) = self.open.last().copied() else {
-            // Between statements; what a macro's body is a part of, nobody knows.
+            // Between statements; the context of a macro's body is unknown.
             if self.text.before(at) == class::BRACE_END && self.is_statement(at) {
                 self.tell(at, "POV-Ray takes no comma between objects".into(), "leave it out");
             }
             return;
         };
         if open.class == class::BRACKET {
-            // `array[2, 3]`, `A[1, 2]`; a map's entry stands in brackets too.
+            // `array[2, 3]`, `A[1, 2]`; a map's entry is in brackets too.
             if open.at > 0 && (self.text.word(open.at - 1) == "array" || self.text.class(open.at - 1) == class::NAME) {
                 let message = "POV-Ray wants each index in brackets of its own";
                 self.tell(at, message.into(), "write `[2][3]` for `[2, 3]`");
@@ -77,7 +77,7 @@ impl Walk<'_> {
         }
         let Some(block) = self.block() else { return };
         let next = self.text.class(at + 1);
-        // What a directive puts there may need it.
+        // Text that a directive inserts there may need it.
         if is_directive(next) || is_directive(self.text.before(at)) {
             return;
         }
@@ -90,7 +90,7 @@ impl Walk<'_> {
         let in_row = ROWS.contains(&block) && self.text.before(at) == class::BRACE_END;
         if PAINTS.contains(&block) {
             let begins = self.text.is_keyword(at + 1) && (modifies || PAINT_WORDS.contains(&self.text.word(at + 1)));
-            // A macro that is called before it may hold a list.
+            // A macro that is called before it may contain a list.
             let listed = self.text.before(at) == class::PAREN_END || self.has_list(at);
             if (begins || next == class::BRACE_END) && !listed {
                 self.tell(at, format!("in `{block} {{ … }}`, POV-Ray takes no comma here"), "leave it out");
@@ -109,7 +109,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Has the block that is open a pattern with a list, up to this token?
+    /// True if the open block has a pattern with a list before this token.
     fn has_list(&self, at: usize) -> bool {
         let start = self.open.last().map_or(0, |open| open.at);
         (start..at).any(|i| self.text.class(i) == class::NAME || LISTS.contains(&self.text.word(i)))
@@ -121,7 +121,7 @@ impl Walk<'_> {
             None if self.text.before(at) == class::END && self.begins_statement(at - 1) => {
                 self.tell(at, "POV-Ray takes no `;` behind `#end`".into(), "leave it out");
             }
-            // `M();`, where M's last word is none that a `;` may stand behind
+            // `M();`, where M's last word is none that a `;` may follow
             None if self.text.before(at) == class::PAREN_END && self.macros.is_empty() && self.calls_objects(at) => {
                 let message = "POV-Ray takes no `;` behind this macro, which ends with a block";
                 self.tell(at, message.into(), "leave it out");
@@ -147,7 +147,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Does the directive that ends with this `#end` begin where a statement may begin, and not in a value?
+    /// True if the directive that ends with this `#end` begins at the start of a statement, and not in a value.
     fn begins_statement(&self, end: usize) -> bool {
         let Some(head) = self.partner(end, class::opens_body, |class| class == class::END) else { return false };
         head == 0
@@ -155,7 +155,7 @@ impl Walk<'_> {
             || self.text.class(head - 1) == class::BRACE_END && self.is_statement(head)
     }
 
-    /// Does a call of a macro that ends with an object end before this token, where a statement may begin?
+    /// True if a call of a macro that ends with an object ends before this token, where a statement may begin.
     fn calls_objects(&self, at: usize) -> bool {
         let opener = self.partner(at - 1, |class| class == class::PAREN, |class| class == class::PAREN_END);
         let Some(name) = opener.and_then(|opener| opener.checked_sub(1)) else { return false };
@@ -165,7 +165,8 @@ impl Walk<'_> {
         starts && self.text.symbol(name).is_some_and(|name| self.declared.ends_with_block(name))
     }
 
-    /// Does the block that ends before this token stand by itself: neither a value, nor a part of a macro or a branch?
+    /// True if the block that ends before this token is a statement: neither a value, nor a part of a macro or a
+    /// branch.
     fn is_statement(&self, at: usize) -> bool {
         let Some(brace) = self.partner(at - 1, |class| class == class::BRACE, |class| class == class::BRACE_END) else {
             return false;
@@ -173,11 +174,11 @@ impl Walk<'_> {
         let word = brace.checked_sub(1).map_or("", |head| self.text.word(head));
         let before = brace.checked_sub(2).map_or(0, |before| self.text.class(before));
         let known = is_object(word) || word == "light_source" || word == "camera";
-        // (Behind `=` it is a value, behind a comma or `(` an argument.)
+        // (After `=` it is a value, after a comma or `(` an argument.)
         known && matches!(before, 0 | class::BRACE_END | class::SEMICOLON)
     }
 
-    /// What opens what ends with this token.
+    /// The opener of the construct that ends with this token.
     fn partner(&self, end: usize, opens: impl Fn(u8) -> bool, closes: impl Fn(u8) -> bool) -> Option<usize> {
         let mut depth = 0;
         (0..=end).rev().find(|&at| {
@@ -196,12 +197,12 @@ impl Walk<'_> {
         }
     }
 
-    /// Does the token stand first in a pigment's braces?
+    /// True if the token is the first one in a pigment's braces.
     fn begins_pigment(&self, at: usize) -> bool {
         self.block() == Some("pigment") && self.open.last().is_some_and(|open| open.at + 1 == at)
     }
 
-    /// Does it stand behind the number of an entry of a map of colours?
+    /// True if the token follows the number of an entry of a map of colours.
     fn is_map_entry(&self, at: usize) -> bool {
         let mut outwards = self.open.iter().rev();
         let (Some(entry), Some(map)) = (outwards.next(), outwards.next()) else { return false };
@@ -227,12 +228,12 @@ impl Walk<'_> {
             return;
         }
         let Some(equal) = (at + 2..self.text.len()).find(|&i| self.text.class(i) == class::EQUAL) else { return };
-        // Between the name and the equal sign stand but indices.
+        // Between the name and the equal sign are only indices.
         let indices = (at + 2..equal).all(|i| !is_directive(self.text.class(i)) && self.text.class(i) != class::BRACE);
         let Some(end) = value::end(self.text, equal + 1).filter(|_| indices) else { return };
         let next = self.text.class(end);
         let goes_on = self.text.is_keyword(end) && !self.text.word(end).is_empty() && next != class::FUNCTION;
-        // (What ends a macro may stand before the `;` of its call.)
+        // (The token that ends a macro may precede the `;` of its call.)
         let ends_branch = matches!(next, class::END | class::ELSE | class::ELSEIF | class::CASE | class::RANGE)
             && self.macros.last() != Some(&class::MACRO);
         if matches!(next, 0 | class::DECLARE | class::PLAIN)
@@ -274,7 +275,7 @@ impl Walk<'_> {
         }
     }
 
-    /// A word that only durer knows.
+    /// A word of durer's own.
     fn addition(&mut self, at: usize) {
         let Some(block) = self.block() else { return };
         let name = self.text.word(at);
@@ -291,7 +292,7 @@ impl Walk<'_> {
         }
     }
 
-    /// A font by its family: a file's name has no blanks, mostly, or an ending.
+    /// A font by its family: a file's name usually has no blanks, or an ending.
     fn font(&mut self, at: usize) {
         if self.text.word(at).contains(' ') && !self.text.word(at).contains('.') {
             let help = "`ttf \"file.ttf\"` is what both know";
@@ -300,7 +301,7 @@ impl Walk<'_> {
     }
 }
 
-/// Does a statement begin with this word? (Others may go on with the value.)
+/// True if a statement begins with this word. (Others may continue the value.)
 fn is_statement_word(name: &str) -> bool {
     is_object(name)
         || matches!(name, "light_source" | "camera" | "background" | "global_settings" | "sky_sphere" | "fog")

@@ -1,9 +1,9 @@
-//! Where the value of a `#declare` ends, for the `;` that belongs behind it.
+//! The end of the value of a `#declare`, where a `;` belongs.
 
 use super::Text;
 use crate::syntax::class;
 
-/// Functions that give a text, behind which POV-Ray needs no `;`.
+/// Functions that return strings, after which POV-Ray needs no `;`.
 const TEXTS: &[&str] = &["chr", "concat", "datetime", "str", "strlwr", "strupr", "substr", "vstr"];
 /// Words that begin a colour.
 const COLORS: &[&str] = &[
@@ -11,8 +11,8 @@ const COLORS: &[&str] = &[
     "filter", "transmit",
 ];
 
-/// The number of the token behind a number, vector or colour that begins at `at`; `None` where the text alone does not tell, as of a
-/// name that may be a macro's or a thing's, or of a value that directives put together.
+/// Index of the token after a number, vector or colour that begins at `at`; `None` where the text alone does not
+/// decide, as for a name that may be a macro or an object, or for a value that directives compose.
 pub(super) fn end(text: &Text, at: usize) -> Option<usize> {
     let mut at = at;
     loop {
@@ -42,7 +42,7 @@ fn operand(text: &Text, at: usize) -> Option<usize> {
         class::VECTOR => closed(text, at),
         class::BUILTIN if TEXTS.contains(&text.word(at)) => None,
         class::BUILTIN if text.class(at + 1) == class::PAREN => closed(text, at + 1),
-        // `rgb` and what stands behind it.
+        // `rgb` and its value.
         _ if is_color(text, at) => {
             let behind = at + 1;
             match text.class(behind) {
@@ -50,7 +50,7 @@ fn operand(text: &Text, at: usize) -> Option<usize> {
                 _ => operand(text, behind),
             }
         }
-        // Of the names, only those that the program sets are known to be numbers.
+        // Among names, only the built-in constants are known to be numbers.
         class::NAME if is_constant(text.word(at)) => Some(at + 1),
         _ => None,
     }
@@ -60,7 +60,7 @@ fn is_constant(word: &str) -> bool {
     crate::syntax::word::CONSTANTS.iter().any(|(name, _)| *name == word) && word != "input_file_name"
 }
 
-/// Behind the bracket's partner.
+/// Index after the bracket's partner.
 fn closed(text: &Text, open: usize) -> Option<usize> {
     let mut depth = 0;
     for at in open..text.len() {

@@ -1,4 +1,4 @@
-//! Finds objects that are copies of one: see [`crate::world::copied`].
+//! Detects objects that are copies of one declared object: see [`crate::world::instance`].
 
 use super::{Inherited, Lowering};
 use crate::diagnostic::Result;
@@ -13,25 +13,25 @@ use crate::world::node::{SolidKind, SolidNode};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// So many objects have to share their parts, or each one may as well have shapes of its own.
+/// Minimum number of objects that share their parts; fewer get shapes of their own.
 const MANY: usize = 32;
 
-/// Of all objects whose parts are shared by many.
+/// Declared objects that many objects share.
 #[derive(Default)]
 pub(super) struct Copies {
-    /// By the address of the parts, which are kept with it.
+    /// By the address of the parts; the parts are kept alive.
     known: FxHashMap<*const Object, Option<Arc<Original>>>,
 }
 
-/// What copies share.
+/// The geometry that instances share.
 struct Original {
     _parts: Arc<[Object]>,
-    /// As it is lowered where it stands at the origin, in a world of its own.
+    /// The solid, lowered at the origin in a world of its own.
     node: SolidNode,
     shared: Arc<Geometry>,
 }
 
-/// What there was before an object was lowered.
+/// Numbers of parts and objects before an object is lowered.
 #[derive(Clone, Copy)]
 pub(super) struct Mark {
     pub parts: usize,
@@ -43,7 +43,7 @@ impl Lowering {
         Mark { parts: self.parts.len(), objects: self.objects.len() }
     }
 
-    /// The object that was lowered to this node, as a copy of an earlier one like it, if many are alike.
+    /// Returns the object that was lowered to this node as an instance, if many objects are alike.
     pub(super) fn copied(&mut self, object: &Object, node: &SolidNode, before: Mark) -> Result<Option<Instance>> {
         let ObjectKind::Csg(_, parts) = &object.kind else { return Ok(None) };
         if !is_seen_as_one(&self.objects[before.objects..]) {
@@ -71,7 +71,7 @@ impl Lowering {
 }
 
 impl Original {
-    /// `None` if it can't be shared.
+    /// Lowers the original; `None` if it cannot be shared.
     fn of(object: &Object, parts: &Arc<[Object]>) -> Result<Option<Self>> {
         let mut alone = Lowering::default();
         let object = Object { transform: SharedDefault::DEFAULT, ..object.clone() };
@@ -87,13 +87,13 @@ impl Original {
     }
 }
 
-/// Do all rays that see one of these objects see the others, and no other view of them?
+/// True if all objects are visible to the same rays, and have one view only.
 fn is_seen_as_one(objects: &[ObjectInfo]) -> bool {
     let alike = |info: &ObjectInfo| ObjectInfo { interior: 0, ..*info };
     objects.iter().all(|info| info.image && info.reflection && alike(info) == alike(&objects[0]))
 }
 
-/// Has the node, whose numbers follow `before`, the very shapes of the original, and nothing that depends on where it stands?
+/// True if the node, whose numbers follow `before`, has the same shapes as the original and depends on nothing else.
 fn is_copy(node: &SolidNode, original: &SolidNode, before: Mark) -> bool {
     if !node.is_whole() || !original.is_whole() || node.object as usize != before.objects + original.object as usize {
         return false;

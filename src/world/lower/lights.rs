@@ -1,4 +1,4 @@
-//! Lights: each in its place, with the objects that belong to it, and what it shines on.
+//! Lowers lights: location, `looks_like`, groups.
 
 use super::{Group, Inherited, Lowering, Solid, lower_alone};
 use crate::diagnostic::Result;
@@ -8,7 +8,7 @@ use crate::world;
 use crate::world::lower::place::not_finite;
 
 impl Lowering {
-    /// A light; what it looks like is seen like any object.
+    /// Lowers a light; `looks_like` becomes an object.
     pub(super) fn lower_light(
         &mut self,
         lit: &LightSource,
@@ -30,14 +30,13 @@ impl Lowering {
         };
         let number = self.lights.len() as u32;
         self.lights.push(world::LightSource { number: number as usize, emitter: LoweredLight::new(&light), through });
-        // A light in a union within a group is one of all lights (measured on POV-Ray 3.7).
+        // quirk: light_in_union_of_group
         match inherited.lights_here {
             true => self.groups[inherited.lights as usize - 1].lights.push(number),
             false => self.global.push(number),
         }
         let flags = Flags { no_shadow: true, ..Flags::NONE };
-        // What a light looks like is not a part of the group around it: all lights shine on it, those of the group and those outside, also
-        // where `global_lights` is off (measured on POV-Ray 3.7).
+        // quirk: looks_like_ignores_group
         let lights = match inherited.lights {
             group if group != 0 && lit.looks_like.is_some() => {
                 self.add(Group { lights: vec![], within: Some(group), global: true })
@@ -48,7 +47,7 @@ impl Lowering {
         lit.looks_like.as_ref().map_or(Ok(None), |object| self.lower_object(object, &around))
     }
 
-    /// A group of lights; its number.
+    /// Adds a group of lights and returns its number.
     pub(super) fn add_group(&mut self, global: bool) -> u32 {
         self.add(Group { lights: vec![], within: None, global })
     }
@@ -58,7 +57,8 @@ impl Lowering {
         self.groups.len() as u32
     }
 
-    /// For each group of lights, number 0 being none, the lights that shine on its objects, in the order in which they were declared.
+    /// Returns, for each group of lights, the lights that illuminate its objects, in order of declaration; group 0 is
+    /// no group.
     pub(super) fn lit_by(&self) -> Vec<Box<[u32]>> {
         let of_group = |group: &Group| {
             let global: &[u32] = if group.global { &self.global } else { &[] };

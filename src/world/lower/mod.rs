@@ -1,5 +1,5 @@
-//! From what the author said to what a ray needs: nested blocks become one M and M⁻¹ per shape, what a group says goes
-//! down to its parts, textures are lowered once however often they are used.
+//! Lowering: from what the author wrote to what rays need. Nested blocks become one M and M⁻¹ a shape, properties of a
+//! group are passed to its parts, shared textures are lowered once.
 
 mod instances;
 mod lights;
@@ -27,17 +27,16 @@ use place::{Look, Place, not_finite};
 use shared::{Lowered, Shared};
 use std::sync::Arc;
 
-/// Lowers what the author said to what a ray needs.
+/// Lowers a scene.
 ///
 /// # Errors
-/// Where a number is not finite or transforms, put together, flatten space.
+/// Numbers that are not finite, transforms whose product is singular.
 pub fn lower(scene: &Scene) -> Result<World> {
-    // (An object is a few pointers.)
+    // (Cloning an object copies a few pointers.)
     lower_objects(scene.objects.iter().cloned(), scene)
 }
 
-/// The same of a scene that nobody needs afterwards: each object goes when it is lowered, so that there is no room for both at
-/// once.
+/// Lowers a scene and frees each object as soon as it is lowered, which needs less memory.
 ///
 /// # Errors
 /// As [`lower`].
@@ -52,7 +51,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         lowering.default_texture = object.default_texture.clone();
         let before = lowering.mark();
         if let Some(solid) = lowering.lower_object(&object, &Inherited::default())? {
-            // Of most shapes by themselves, POV-Ray 3.7 takes but the box.
+            // quirk: bounded_by_box
             let node = match &object.kind {
                 ObjectKind::Shape(shape)
                     if object.uncommon.bounded_by.is_some() && shape.quirks().bounding != Bounding::Exact =>
@@ -108,7 +107,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     })
 }
 
-/// The surfaces of one object by itself.
+/// Lowers one object by itself.
 pub(super) fn lower_alone(object: &Object) -> Result<Geometry> {
     let texture = object.default_texture.clone();
     let mut lowering = Lowering { default_texture: texture, ..Lowering::default() };
@@ -118,28 +117,28 @@ pub(super) fn lower_alone(object: &Object) -> Result<Geometry> {
     Ok(builder.into())
 }
 
-/// What the blocks around an object say.
+/// Properties that blocks around an object pass on.
 #[derive(Clone, Default)]
 struct Inherited {
     place: Place,
     texture: Option<Look>,
     inside: Option<Look>,
-    /// Number of what its shapes cut, if they say nothing of their texture.
+    /// Number of the solids that its shapes cut, if the shapes have no texture.
     cut: Option<u32>,
-    /// Is it turned inside out an odd number of times?
+    /// True if inverted an odd number of times.
     inverted: bool,
     interior: Option<u32>,
-    /// Is the air in the object around it hollow, if no block said what is in there?
+    /// `hollow` of the object, for blocks without an interior.
     hollow_air: Option<bool>,
-    /// Number of the group of lights around it; 0 for none.
+    /// Number of the group of lights around the object; 0 for none.
     lights: u32,
-    /// Is the block around it that group itself?
+    /// True if the block around is that group itself.
     lights_here: bool,
     flags: Flags,
 }
 
-/// What fills the object. Old scenes name some of it in the finish; what the topmost layer says goes before the interior
-/// (measured on POV-Ray 3.7).
+/// Returns the interior of an object. In old scenes the finish states a part of it; the topmost layer's finish has
+/// priority (quirk: `finish_ior_first`).
 fn interior_of(object: &Object) -> Option<Arc<Interior>> {
     let said = object.uncommon.interior.clone();
     let finish = object.texture.as_ref().and_then(|painted| painted.texture.layers.last()).map(|top| &top.finish);
@@ -161,25 +160,25 @@ struct Solid {
 
 #[derive(Default)]
 struct Lowering {
-    /// For shapes of the outermost object at hand that say nothing.
+    /// Texture of shapes without a texture in the current outermost object.
     default_texture: Arc<Texture>,
     parts: Vec<Part>,
     objects: Vec<ObjectInfo>,
     cuts: Vec<Vec<(SolidNode, PlacedMaterial)>>,
     materials: Vec<Material>,
-    /// Textures that may come again, and their materials.
+    /// Textures that may be used again, with their materials.
     textures: Lowered<Texture, u32>,
     shared: Shared,
     copies: Copies,
     interiors: Vec<Arc<Interior>>,
-    /// That of all shapes that say nothing.
+    /// Interior of all shapes without one.
     air: Arc<Interior>,
-    /// By number of the interior: is what it fills not hollow?
+    /// By number of the interior: true if not hollow.
     filled: Vec<bool>,
     lights: Vec<LightSource>,
-    /// Groups of lights, the first of which is number 1.
+    /// Groups of lights; the first is number 1.
     groups: Vec<Group>,
-    /// The lights of no group.
+    /// Lights of no group.
     global: Vec<u32>,
 }
 
@@ -192,32 +191,32 @@ impl Inherited {
 /// A `light_group`.
 struct Group {
     lights: Vec<u32>,
-    /// The number of another group, whose lights shine on it too.
+    /// Number of another group whose lights illuminate this one too.
     within: Option<u32>,
-    /// Do lights outside shine on it too?
+    /// True if lights outside illuminate the group too.
     global: bool,
 }
 
 impl Lowering {
-    /// Under the scene's `ambient_light`.
+    /// An empty world; `ambient_light` is the scene's factor of `ambient`.
     fn under(ambient_light: Rgb) -> Self {
         Self { shared: Shared::under(ambient_light), ..Self::default() }
     }
 
-    /// What only this still holds will not come again.
+    /// Drops shared textures that no object uses any more.
     fn forget_spent(&mut self) {
         self.textures.forget_spent();
         self.shared.forget_spent();
     }
 
-    /// What fell into its parts is no object any more.
+    /// Frees the number of an object that was split into its parts.
     fn forget_dissolved(&mut self, number: Option<u32>) {
         if number.is_some_and(|number| number as usize + 1 == self.objects.len()) {
             self.objects.pop();
         }
     }
 
-    /// `None` for what can't be hit: lights, empty groups.
+    /// Lowers an object; `None` if rays cannot hit it: lights, empty groups.
     fn lower_object(&mut self, object: &Object, inherited: &Inherited) -> Result<Option<Solid>> {
         let own = self.own(object, inherited)?;
         let clip = self.lower_clip(object, inherited)?;
@@ -244,7 +243,7 @@ impl Lowering {
         Ok(Some(Solid { node: node.bounded(self.lower_bounds(object, inherited)?), opaque }))
     }
 
-    /// What holds inside the object's block.
+    /// Returns the properties inside the object's block.
     fn own(&mut self, object: &Object, inherited: &Inherited) -> Result<Inherited> {
         let place = inherited.place.inside(object)?;
         let look = |painted: &Option<Painted>| inherited.place.look(painted.as_ref(), object, &place);
@@ -257,7 +256,7 @@ impl Lowering {
         Ok(Inherited {
             hollow_air: inherited.hollow_air.or_else(|| interior.is_none().then(hollow)),
             place,
-            // (Of parts with textures of their own too: measured on POV-Ray 3.7.)
+            // quirk: interior_texture_of_group
             inside: inside.or_else(|| inherited.inside.clone()),
             texture: texture.or_else(|| inherited.texture.clone()),
             cut: inherited.cut,
@@ -269,7 +268,7 @@ impl Lowering {
         })
     }
 
-    /// Each is another one, even if it is like the one before: a ray leaves what it has entered.
+    /// Adds an interior, even if it equals the one before: a ray that leaves an object must find what it entered.
     fn add_interior(&mut self, mut interior: Arc<Interior>, hollow: bool) -> u32 {
         if !interior.unsupported.is_empty() {
             Arc::make_mut(&mut interior).unsupported.clear();
@@ -286,18 +285,18 @@ impl Lowering {
         self.add_interior(self.air.clone(), hollow)
     }
 
-    /// The objects that clip this one.
+    /// Lowers the objects of `clipped_by`.
     fn lower_clip(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
         self.lower_around(object.uncommon.clipped_by.as_deref(), inherited)
     }
 
-    /// The objects that bound it, unless they clip it too.
+    /// Lowers the objects of `bounded_by`, unless they clip as well.
     fn lower_bounds(&mut self, object: &Object, inherited: &Inherited) -> Result<Vec<SolidNode>> {
         let (clipped_by, bounded_by) = (&object.uncommon.clipped_by, &object.uncommon.bounded_by);
         self.lower_around(bounded_by.as_deref().filter(|_| bounded_by != clipped_by), inherited)
     }
 
-    /// Objects that are in the space around another.
+    /// Lowers objects in the space around another.
     fn lower_around(&mut self, parts: Option<&[Object]>, inherited: &Inherited) -> Result<Vec<SolidNode>> {
         let mut all = vec![];
         for part in parts.into_iter().flatten() {
@@ -355,7 +354,7 @@ impl Lowering {
         self.objects.len() as u32 - 1
     }
 
-    /// What shapes show that say nothing.
+    /// The look of shapes without a texture.
     fn default_look(&self) -> Look {
         Look { texture: self.default_texture.clone(), transform: SharedDefault::DEFAULT }
     }
@@ -370,9 +369,8 @@ impl Lowering {
         PlacedMaterial { material, place }
     }
 
-    /// Appends the shapes in a group by themselves, with what each shows where it is cut (manual, "Cutaway Textures"). What has no
-    /// texture cuts the others where all have to hold a point, and shows the default where one is enough; what a difference takes away
-    /// is not cut (measured on POV-Ray 3.7).
+    /// Appends the shapes of a group, with what each shows on surfaces that cut it (manual, "Cutaway Textures", quirk:
+    /// `cutaway_without_texture`).
     fn find_cut(
         &mut self,
         op: CsgOp,
@@ -404,10 +402,10 @@ impl Lowering {
         let mut within = own.clone();
         let joins = matches!(op, CsgOp::Union | CsgOp::Merge);
         if within.interior.is_none() {
-            // All faces border on the same inside, of a union too (measured on POV-Ray 3.7).
+            // quirk: csg_parts_share_interior
             within.interior = Some(self.add_air(own.has_hollow_air()));
         }
-        // Turned inside out, a union is an intersection, and an intersection a union. What is joined cuts nothing.
+        // Inverted, a union is an intersection and vice versa. Parts of a union do not cut each other.
         if joins != own.inverted {
             within.cut = None;
         } else if own.flags.cutaway_textures && within.texture.is_none() && within.cut.is_none() {
@@ -426,12 +424,12 @@ impl Lowering {
                     opaque &= solid.opaque;
                     nodes.push(solid.node);
                 }
-                // Nothing without something is nothing, and so is what nothing shares with anything.
+                // A difference of nothing is empty, and so is an intersection with nothing.
                 None if op == CsgOp::Intersection || (op == CsgOp::Difference && i == 0) => return Ok(None),
                 None => {}
             }
         }
-        // (What nothing shares is everything: an empty intersection has no surface, but cameras start in it, as in POV-Ray 3.7.)
+        // quirk: empty_intersection
         if nodes.is_empty() && (joins || !parts.is_empty()) {
             return Ok(None);
         }
@@ -450,8 +448,8 @@ impl Lowering {
     }
 }
 
-/// Is it hollow where blocks within it do not say what is in there? The last shape of all tells, of a union too (measured on POV-Ray
-/// 3.7). `None` where there is no such shape.
+/// Returns `hollow` for interiors that the blocks within do not state: that of the last shape (quirk:
+/// `hollow_of_last_part`). `None` without any such shape.
 fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
     let hollow = object.uncommon.flags.hollow || inherited;
     match &object.kind {
@@ -464,7 +462,7 @@ fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
     }
 }
 
-/// Switches of a part and of the group around it. `inverse` is each one's own.
+/// Combines the flags of a part with those of its group; `inverse` is not inherited.
 fn joined(object: &Object, inherited: Flags) -> Flags {
     let own = object.uncommon.flags;
     Flags {
@@ -476,6 +474,6 @@ fn joined(object: &Object, inherited: Flags) -> Flags {
         inverse: own.inverse,
         double_illuminate: own.double_illuminate || inherited.double_illuminate,
         cutaway_textures: own.cutaway_textures || inherited.cutaway_textures,
-        uv_mapping: own.uv_mapping || (inherited.uv_mapping && object.follows_uv()),
+        uv_mapping: own.uv_mapping || (inherited.uv_mapping && object.inherits_uv_mapping()),
     }
 }

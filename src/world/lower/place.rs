@@ -1,4 +1,4 @@
-//! Where objects and their textures are: nested blocks become one M and M⁻¹.
+//! Transforms of objects and textures: nested blocks become one M and M⁻¹.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
@@ -8,14 +8,14 @@ use crate::texture::Texture;
 use crate::value::SharedDefault;
 use std::sync::Arc;
 
-/// The space in a block.
+/// The space inside a block.
 #[derive(Clone, Default)]
 pub(super) struct Place {
     /// World from this space.
     pub now: SharedDefault<Transform>,
 }
 
-/// A texture and its place in the world.
+/// A texture with its transform.
 #[derive(Clone)]
 pub(super) struct Look {
     pub texture: Arc<Texture>,
@@ -23,18 +23,19 @@ pub(super) struct Look {
 }
 
 impl Place {
-    /// The space in the block of an object that stands in this one: world from object = world from block · block from object.
+    /// The space inside the block of an object within this space: world from object = world from block · block from
+    /// object.
     pub fn inside(&self, object: &Object) -> Result<Self> {
         Ok(Self { now: moved(&object.transform, &self.now, object.source)? })
     }
 
-    /// Where textures lie that move with the object in whose block this is: those of what has `uv_mapping` do not (measured on POV-Ray
-    /// 3.7).
+    /// Transform of textures that move with the object; the identity under `uv_mapping` (quirk:
+    /// `uv_mapping_keeps_space`).
     pub fn of_textures(&self, object: &Object) -> SharedDefault<Transform> {
         if object.uncommon.flags.uv_mapping { SharedDefault::DEFAULT } else { self.now.clone() }
     }
 
-    /// What is painted on an object that stands here; `inside` is the space in its block.
+    /// Returns the look of an object in this space; `inside` is the space inside the object's block.
     pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &Place) -> Result<Option<Look>> {
         let Some(Painted { texture, moved: since }) = painted else { return Ok(None) };
         let transform = match since {
@@ -48,7 +49,7 @@ impl Place {
     }
 }
 
-/// First `inner`, then `outer`; shared where one of them moves nothing.
+/// Returns `inner` followed by `outer`; shares one of them if the other is the identity.
 fn composed(inner: &SharedDefault<Transform>, outer: &SharedDefault<Transform>) -> SharedDefault<Transform> {
     match (inner.explicit(), outer.explicit()) {
         (None, _) => outer.clone(),
@@ -57,7 +58,7 @@ fn composed(inner: &SharedDefault<Transform>, outer: &SharedDefault<Transform>) 
     }
 }
 
-/// The same, if it can be undone.
+/// The same, checked for a singular result.
 fn moved(
     inner: &SharedDefault<Transform>,
     outer: &SharedDefault<Transform>,
@@ -66,12 +67,12 @@ fn moved(
     let transform = composed(inner, outer);
     match inner.explicit() {
         Some(_) => checked(*transform, source).map(|_| transform),
-        // The outer one has been checked.
+        // `outer` has been checked.
         None => Ok(transform),
     }
 }
 
-/// A transform that can be undone.
+/// Returns the transform unless it is singular.
 fn checked(transform: Transform, source: Span) -> Result<Transform> {
     let Transform { m, inv } = &transform;
     if !m.is_finite() {

@@ -1,4 +1,4 @@
-//! What objects have in common, lowered once however often it is used.
+//! Lowers shared textures, finishes and normals once.
 
 use crate::color::Rgb;
 use crate::texture::{Finish, Normal, NormalProgram};
@@ -7,7 +7,7 @@ use crate::world::material::SharedParts;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// What textures have in common, as it was lowered.
+/// Lowered finishes and normals.
 #[derive(Default)]
 pub(super) struct Shared {
     ambient_light: Rgb,
@@ -16,12 +16,12 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    /// Under the scene's `ambient_light`.
+    /// No entries yet; `ambient_light` is the scene's factor of `ambient`.
     pub fn under(ambient_light: Rgb) -> Self {
         Self { ambient_light, ..Self::default() }
     }
 
-    /// What only this still holds will not come again.
+    /// Drops what no object uses any more.
     pub fn forget_spent(&mut self) {
         self.finishes.forget_spent();
         self.normals.forget_spent();
@@ -38,10 +38,10 @@ impl SharedParts for Shared {
     }
 }
 
-/// What becomes of things that are shared: lowered once however often they are used.
+/// Lowered values by the address of their source, which is kept alive.
 pub(super) struct Lowered<T, U> {
     known: FxHashMap<*const T, (Arc<T>, U)>,
-    /// Those that came with the object at hand.
+    /// Entries of the current object.
     fresh: Vec<*const T>,
 }
 

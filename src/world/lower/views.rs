@@ -1,4 +1,4 @@
-//! Objects that some rays see otherwise than others: unions and merges whose parts have `no_image` or `no_reflection`.
+//! Views: unions and merges with parts that have `no_image` or `no_reflection` look different to different rays.
 
 use super::Lowering;
 use crate::world::ObjectInfo;
@@ -6,7 +6,7 @@ use crate::world::geometry::GeometryBuilder;
 use crate::world::node::{NodeParts, SolidKind, SolidNode};
 
 impl Lowering {
-    /// Adds an object of the scene, whose parts have the numbers from `first` on.
+    /// Adds an object of the scene, whose parts are numbered from `first` on.
     pub(super) fn add_views(&mut self, node: SolidNode, first: usize, builder: &mut GeometryBuilder) {
         match self.objects[first..].iter().all(|object| object.image && object.reflection) {
             true => builder.add(node),
@@ -14,9 +14,8 @@ impl Lowering {
         }
     }
 
-    /// Adds a node; where parts in it are seen by some rays only, one for rays from the camera, one for those that have passed something,
-    /// one for those from mirrors, and one for all others. (Which parts such rays see was measured on POV-Ray 3.7: a union hides its
-    /// parts with `no_image` behind others only.)
+    /// Adds a node; if some of its parts are hidden from some rays, adds one view for camera rays, one for transmitted
+    /// rays, one for reflected rays, and one for all others (quirk: `no_image_in_union`).
     fn add_each_view(&mut self, node: SolidNode, builder: &mut GeometryBuilder) {
         let mut node = match node.into_parts() {
             NodeParts::Many(parts) => return parts.into_iter().for_each(|part| self.add_each_view(part, builder)),

@@ -1,8 +1,5 @@
-//! `bounded_by`: a hint that POV-Ray believes. A ray that misses the bound sees nothing of what is in it.
-//!
-//! So it is for shadows, too, if a pixel is drawn by itself (measured on POV-Ray 3.7 with `-UR`). In a whole picture POV-Ray asks first
-//! what cast the shadow of the pixel before, and then without the bound: at the edge of a shadow a few pixels are dark that are lit when
-//! they are drawn alone. Without `-UR` and with `-MB` a sphere's bound does not count in POV-Ray; here it does.
+//! `bounded_by`: POV-Ray relies on this hint. A ray that misses the bounding object hits nothing inside it (quirk:
+//! `bounded_by_trusted`).
 
 use super::{SolidKind, SolidNode};
 use crate::math::bvh;
@@ -11,8 +8,8 @@ use crate::shape::{Kernel, Shape};
 use crate::world::Leaf;
 
 impl SolidNode {
-    /// Seen only by rays that begin in each bound or meet it on their way (measured on POV-Ray 3.7). A bound that holds everything
-    /// shows nowhere and costs nothing.
+    /// Restricts the node to rays that start inside each bounding object or meet it (quirk: `bounded_by_trusted`).
+    /// Bounds that contain the node have no effect and no cost.
     pub fn bounded(mut self, by: impl IntoIterator<Item = SolidNode>) -> Self {
         let bounds: Vec<SolidNode> = by.into_iter().filter(|bound| !bound.surrounds(&self)).collect();
         if !bounds.is_empty() {
@@ -21,7 +18,7 @@ impl SolidNode {
         self
     }
 
-    /// By a box instead, or by nothing, if it is bounded at all.
+    /// Replaces all bounds by a box, or by nothing.
     pub fn bounded_by_box(mut self, around: Option<Aabb>) -> Self {
         if self.take_bounds().is_empty() {
             return self;
@@ -41,7 +38,7 @@ impl SolidNode {
         self.bounded([SolidNode::leaf(Leaf::new(Shape::from(pov_bounds), &Transform::IDENTITY, 0), 0)])
     }
 
-    /// Can a ray see anything of it?
+    /// True if a ray can hit the node: it starts inside every bound or meets it.
     #[inline]
     pub(super) fn is_met(&self, ray: &Ray) -> bool {
         self.bounds_before()
@@ -49,7 +46,7 @@ impl SolidNode {
             .all(|bound| bound.inside(ray.origin) || bound.closest(ray, Range::FORWARD).is_some())
     }
 
-    /// Does this hold all hits of another, so far as boxes tell?
+    /// True if this solid surely contains all hits of another, judged by boxes.
     fn surrounds(&self, other: &SolidNode) -> bool {
         let SolidKind::Leaf(leaf) = &self.kind else { return false };
         if !self.is_whole() || leaf.inverse || !leaf.shape.is_convex() {

@@ -1,4 +1,4 @@
-//! Where solids are: the boxes around their surfaces and insides, and where POV-Ray looks for what a camera starts in.
+//! Bounding boxes of solids: around their surfaces and around their insides.
 
 use super::{CompositeData, SolidKind, SolidNode};
 use crate::math::Aabb;
@@ -9,17 +9,18 @@ use crate::world::leaf::Leaf;
 use serde::Serialize;
 use smallvec::SmallVec;
 
-/// Where a solid is.
+/// Bounding boxes of a solid.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct Boxes {
-    /// All its hits are in here.
+    /// Box around all hits.
     pub(super) surface: Aabb,
-    /// All points inside it are in here.
+    /// Box around all inside points.
     pub(super) solid: Aabb,
 }
 
 impl SolidNode {
-    /// A shape's are computed: it is asked for them but a few times, when the world is built.
+    /// Returns both boxes. Those of a bare shape are computed on each call, which happens only while the world is
+    /// built.
     pub(super) fn boxes(&self) -> Boxes {
         match (&self.composite, &self.kind) {
             (Some(composite), _) => composite.boxes,
@@ -31,18 +32,18 @@ impl SolidNode {
         }
     }
 
-    /// Is it inside at places outside [`SolidNode::bounds`]?
+    /// True if the inside extends beyond [`SolidNode::bounds`].
     pub(in crate::world) fn is_unbounded(&self) -> bool {
         let Boxes { surface, solid } = self.boxes();
         !solid.is_empty() && solid.union(surface) != surface
     }
 
-    /// The box around all its hits.
+    /// Box around all hits.
     pub fn bounds(&self) -> Aabb {
         self.boxes().surface
     }
 
-    /// Computes both boxes from the parts and what clips them.
+    /// Computes both boxes from the parts and the clipping solids.
     pub(super) fn measure(&mut self, clip: Box<[SolidNode]>, bounds: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
         let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(SolidNode::boxes).collect();
         let (surface, solid) = match &self.kind {
@@ -63,7 +64,7 @@ impl SolidNode {
         let clipped = clip.iter().map(|c| c.boxes().solid).fold(Aabb::INFINITE, Aabb::intersection);
         let (mut surface, mut solid) = (surface.intersection(clipped), solid.intersection(clipped));
         if !clip.is_empty() || matches!(self.kind, SolidKind::Intersection(_)) {
-            // Cut by the half-spaces that all of it lies in.
+            // Clip by the half-spaces that contain the solid.
             let mut planes = HalfSpaces::new();
             each_around(&self.kind, &clip, &mut |leaf| {
                 halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, &mut planes);
@@ -78,7 +79,7 @@ impl SolidNode {
                 }
             });
         }
-        // A child matters to a ray in its surface's box, and to a point where it could be the exception.
+        // A child is relevant to a ray within the box of its surface, and to a point where it can be the exception.
         let reach = |(c, boxes): (&SolidNode, &Boxes)| match &self.kind {
             SolidKind::Intersection(_) => boxes.surface.union(c.hole()),
             _ => boxes.surface.union(boxes.solid),
@@ -90,20 +91,20 @@ impl SolidNode {
             SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_known),
         };
         let child_bvh = ChildBvh::over(&self.children().iter().zip(&inner).map(reach).collect::<SmallVec<[Aabb; 8]>>());
-        // Many are quicker found by their boxes.
+        // For many children the hierarchy is faster.
         let convex_parts = known && child_bvh.is_none();
         let boxes = Boxes { surface, solid };
         self.composite = Some(Box::new(CompositeData { clip, bounds, unseen, boxes, convex_parts, child_bvh }));
     }
 
-    /// The same when its parts are others, or composite clips it.
+    /// Computes the boxes again after parts have changed or more solids clip or bound the node.
     pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, bounds: Box<[SolidNode]>) {
         let bounds = self.take_bounds().into_iter().chain(bounds).collect();
         let clip = self.take_clip().into_iter().chain(by).collect();
         self.measure(clip, bounds, Box::default());
     }
 
-    /// A box that holds every point which is not inside: finite for what was inverted.
+    /// Box that contains every point that is not inside: finite for an inverted shape.
     fn hole(&self) -> Aabb {
         match &self.kind {
             _ if !self.is_whole() => Aabb::INFINITE,
@@ -119,7 +120,7 @@ impl SolidNode {
     }
 }
 
-/// Shows the shapes that all hits of a solid and all points inside it lie in.
+/// Calls `visit` with shapes that contain all hits and inside points of a solid.
 fn each_around(kind: &SolidKind, clip: &[SolidNode], visit: &mut dyn FnMut(&Leaf)) {
     clip.iter().for_each(|c| each_around(&c.kind, c.clip(), visit));
     match kind {
@@ -129,7 +130,8 @@ fn each_around(kind: &SolidKind, clip: &[SolidNode], visit: &mut dyn FnMut(&Leaf
     }
 }
 
-/// A hit is on one child and inside all others: the union of each one's surface cut to all other solids.
+/// Boxes of an intersection: a hit is on one child and inside all others, so the surface is in the union of each
+/// child's surface box cut by all other solid boxes.
 fn intersection_bounds(children: &[Boxes]) -> (Aabb, Aabb) {
     let mut after = vec![Aabb::INFINITE; children.len() + 1];
     for (i, child) in children.iter().enumerate().rev() {

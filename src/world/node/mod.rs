@@ -1,8 +1,8 @@
-//! Shapes in the world, and what `union`, `intersection`, `difference`, `merge`, `inverse` and `clipped_by` make of them.
+//! Solids: shapes combined by `union`, `intersection`, `difference`, `merge`, `inverse` and `clipped_by`.
 //!
-//! A hit of a solid made of others is a hit of one of them, which is kept or dropped by asking whether its point lies
-//! inside the others: so open and infinite shapes take part like any other. `inverse` is never kept for a group: as in
-//! POV-Ray, it goes down to the leaves by De Morgan's laws, and clipping objects stay as they are.
+//! A hit of a composite solid is a hit of one of its parts, which is kept or dropped by testing whether the point is
+//! inside the other parts, so open and infinite shapes are no special case. `inverse` is pushed down to the leaves by
+//! De Morgan's laws; clipping solids stay as they are.
 
 mod bounded;
 mod boxes;
@@ -17,39 +17,39 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// A leaf, or a solid made of others.
+/// A leaf or a composite solid.
 #[derive(Clone, Debug, Serialize)]
 pub struct SolidNode {
     kind: SolidKind,
-    /// The caller's number for the object, for what belongs to an object as a whole, such as `no_shadow`.
+    /// Number of the object in [`crate::world::World::objects`].
     pub object: u32,
-    /// What there is nothing to say of, if it is a shape that nothing clips.
+    /// Clipping, bounds and boxes of a composite solid; `None` for a bare, unclipped shape.
     #[serde(flatten)]
     composite: Option<Box<CompositeData>>,
 }
 
-/// What there is to say of a solid that is made of others or clipped.
+/// Clipping, bounds and boxes of a composite or clipped solid.
 #[derive(Clone, Debug, Serialize)]
 struct CompositeData {
-    /// Only what lies inside all of these is there.
+    /// Clipping solids: only what is inside all of them is there.
     clip: Box<[SolidNode]>,
-    /// What a ray has to meet first; see [`SolidNode::bounded`].
+    /// Solids that a ray must meet; see [`SolidNode::bounded`].
     #[serde(skip_serializing_if = "<[SolidNode]>::is_empty")]
     bounds: Box<[SolidNode]>,
-    /// Of a union or merge: parts that are not seen, but are a part of its inside for what is around it.
+    /// Parts of a union or merge that are invisible in this view but still belong to its inside.
     #[serde(skip_serializing_if = "<[SolidNode]>::is_empty")]
     unseen: Box<[SolidNode]>,
     #[serde(flatten)]
     boxes: Boxes,
-    /// Is it an intersection or a merge of a few whole shapes that know where rays cross them?
+    /// True for an intersection or merge of a few unclipped shapes that know their intervals along a ray.
     #[serde(skip)]
     convex_parts: bool,
-    /// Over its children, if they are many.
+    /// Hierarchy over the children, if there are many.
     #[serde(skip)]
     child_bvh: Option<Box<ChildBvh>>,
 }
 
-/// What a node is.
+/// Structure of a node.
 #[derive(Clone, Debug, Serialize)]
 pub enum SolidKind {
     /// A shape.
@@ -58,18 +58,18 @@ pub enum SolidKind {
     Union(Vec<SolidNode>),
     /// What is inside all children.
     Intersection(Vec<SolidNode>),
-    /// A union without the surfaces inside it.
+    /// A union without its inner surfaces.
     Merge(Vec<SolidNode>),
 }
 
-/// What a node falls into.
+/// The result of splitting a node.
 pub(super) enum NodeParts {
     One(SolidNode),
     Many(Vec<SolidNode>),
 }
 
 impl SolidNode {
-    /// A shape by itself.
+    /// A bare shape.
     pub fn leaf(leaf: Leaf, object: u32) -> Self {
         Self::new(SolidKind::Leaf(leaf), object)
     }
@@ -81,7 +81,7 @@ impl SolidNode {
 
     /// What is inside all children.
     pub fn intersection(children: Vec<SolidNode>, object: u32) -> Self {
-        // Intersections in it are taken apart: what is inside all is inside all.
+        // Flatten nested intersections.
         let parts = children.into_iter().flat_map(|child| match (child.is_whole(), child.kind) {
             (true, SolidKind::Intersection(parts)) => parts,
             (_, kind) => vec![Self { kind, ..child }],
@@ -91,7 +91,7 @@ impl SolidNode {
         Self::new(SolidKind::Intersection(parts), object)
     }
 
-    /// A union without the surfaces inside it.
+    /// A union without its inner surfaces.
     pub fn merge(children: Vec<SolidNode>, object: u32) -> Self {
         Self::new(SolidKind::Merge(children), object)
     }
@@ -108,13 +108,13 @@ impl SolidNode {
         node
     }
 
-    /// Cut to what is inside all of `by`, and of what clipped it before.
+    /// Clips the solid to what is inside all of `by`.
     pub fn clipped(mut self, by: Vec<SolidNode>) -> Self {
         self.measure_again(by, Box::default());
         self
     }
 
-    /// Turned inside out. What clips it stays; triangles and polygons, which have no inside, stay too.
+    /// Exchanges inside and outside. Clipping solids and open surfaces stay as they are.
     pub fn inverted(mut self) -> Self {
         let turned = |children: Vec<SolidNode>| children.into_iter().map(SolidNode::inverted).collect();
         self.kind = match self.kind {
@@ -126,8 +126,8 @@ impl SolidNode {
         self
     }
 
-    /// As some rays see it: those parts of unions and merges are left out that are `hidden`, and no longer hide others. To what is
-    /// around them they are a part of the inside all the same (measured on POV-Ray 3.7). `None` if none are.
+    /// Returns the view without the parts of unions and merges that are `hidden`; hidden parts hide no others, but
+    /// still belong to the inside of what is around them (quirk: `no_image_in_union`). `None` if nothing is hidden.
     pub fn seen(&self, hidden: &dyn Fn(&SolidKind, u32) -> bool) -> Option<Self> {
         let children = self.children();
         let seen: Vec<Option<Self>> = children.iter().map(|c| c.seen(hidden)).collect();
@@ -149,22 +149,22 @@ impl SolidNode {
         Some(node)
     }
 
-    /// What it is made of.
+    /// Structure of the node.
     pub fn kind(&self) -> &SolidKind {
         &self.kind
     }
 
-    /// Is it nothing but the collection of its children?
+    /// True for a union without clipping, which is only a collection of its children.
     pub(super) fn is_dissolved(&self) -> bool {
         matches!(self.kind, SolidKind::Union(_)) && self.clip().is_empty()
     }
 
-    /// Its children, if it is nothing but the collection of them: a union that is not clipped. Itself otherwise.
+    /// Splits a union without clipping into its children; returns other nodes as they are.
     pub(super) fn into_parts(mut self) -> NodeParts {
         match (self.clip().is_empty(), self.kind) {
             (true, SolidKind::Union(children)) => {
                 let bounds = self.composite.take().map_or_else(Box::default, |composite| composite.bounds);
-                // What bounds all of them bounds each.
+                // Bounds of all are bounds of each.
                 let bounded = |child: SolidNode| if bounds.is_empty() { child } else { child.bounded(bounds.to_vec()) };
                 NodeParts::Many(children.into_iter().map(bounded).collect())
             }
@@ -172,7 +172,7 @@ impl SolidNode {
         }
     }
 
-    /// Does nothing clip or bound it?
+    /// True if no solid clips or bounds the node.
     pub(super) fn is_whole(&self) -> bool {
         self.clip().is_empty() && self.bounds_before().is_empty()
     }
@@ -197,7 +197,7 @@ impl SolidNode {
         self.composite.take().map_or_else(Box::default, |composite| composite.clip)
     }
 
-    /// Is the point inside?
+    /// True if the point is inside.
     pub fn inside(&self, p: DVec3) -> bool {
         let is_near = match &self.kind {
             SolidKind::Leaf(_) => true,
@@ -220,7 +220,7 @@ impl SolidNode {
         self.hits_as(false, ray, range, out);
     }
 
-    /// The same, of a part of others or not; see [`Kernel::hits_in_csg`].
+    /// The same; `part` is true for a part of a CSG object; see [`Kernel::hits_in_csg`].
     pub(super) fn hits_as<'a>(&'a self, part: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         if !self.is_met(ray) {
             return;
@@ -259,7 +259,7 @@ impl SolidNode {
         }
     }
 
-    /// Every hit on each of the shapes it is made of, kept or not.
+    /// Calls `visit` with every hit on each shape of the solid, kept or not.
     pub(super) fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Intersection<'a>)) {
         match &self.kind {
             SolidKind::Leaf(leaf) => {
@@ -274,7 +274,7 @@ impl SolidNode {
         }
     }
 
-    /// The nearest hit in the range.
+    /// The closest hit in the range.
     #[inline]
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         match &self.kind {
@@ -285,7 +285,7 @@ impl SolidNode {
         }
     }
 
-    /// Is there any hit in the range?
+    /// True if there is any hit in the range.
     pub fn any(&self, ray: &Ray, range: Range) -> bool {
         match &self.kind {
             SolidKind::Leaf(leaf) if self.clip().is_empty() => self.is_met(ray) && leaf.any(ray, range),
@@ -293,7 +293,7 @@ impl SolidNode {
         }
     }
 
-    /// The nearest hit of what is composite than a shape.
+    /// The closest hit of a composite solid.
     fn closest_of_many<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         if !self.is_met(ray) {
             return None;
@@ -338,8 +338,8 @@ impl SolidNode {
         best.map(|found| Intersection { object: self.object, ..found })
     }
 
-    /// Of a union that is clipped: what is behind a hit that is kept is not asked for. (Of several in one place the last part shows, as in
-    /// POV-Ray 3.7.)
+    /// The closest hit of a clipped union: stops at the first hit that is kept. Of several hits at one point the last
+    /// part wins (quirk: `last_part_wins`).
     fn closest_of_clipped<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut best: Option<(usize, Intersection)> = None;
         let mut hits = Intersections::new();
@@ -358,7 +358,7 @@ impl SolidNode {
         best.map(|(_, found)| Intersection { object: self.object, ..found })
     }
 
-    /// The hits on an intersection's or a merge's children.
+    /// Gathers the hits on the children of an intersection or merge.
     fn gather<'a>(&'a self, ray: &Ray, range: Range, all: &mut Gathered<'a>) {
         let children = self.children();
         all.expect(children.len());
@@ -371,11 +371,11 @@ impl SolidNode {
         met.iter().for_each(|&i| all.add(i as usize, &children[i as usize], ray));
     }
 
-    /// Gathers the children's hits and asks about them in order, until one is kept.
+    /// Gathers the children's hits and tests them in order of distance until one is kept.
     fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut all = Gathered::new();
         self.gather(ray, range, &mut all);
-        // (Of several in one place the last part shows, as in POV-Ray 3.7.)
+        // quirk: last_part_wins
         all.hits.sort_unstable_by(|(a, i), (b, j)| a.t().total_cmp(&b.t()).then(j.cmp(i)));
         let kept = all.hits.iter().find(|(found, child)| {
             self.survives(&all, *child as usize, ray, found.t()) && self.in_clip(ray.at(found.t()))
@@ -383,7 +383,7 @@ impl SolidNode {
         kept.map(|(found, _)| Intersection { object: self.object, ..*found })
     }
 
-    /// Hands the children that the ray may meet to `visit`, which returns where hits count from now on.
+    /// Calls `visit` with each child that the ray can hit; `visit` returns the range that is still of interest.
     fn each_child<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, &'a SolidNode, Range) -> Range) {
         let children = self.children();
         let Some((min, max)) = self.enter(ray, range) else { return };
@@ -401,7 +401,8 @@ impl SolidNode {
         }
     }
 
-    /// Does the condition hold for all children but one? It must hold by itself for children far from the point.
+    /// True if the condition holds for all children except child `but`. The condition must be true for children far
+    /// from the point.
     fn all_children(&self, p: DVec3, but: usize, condition: impl Fn(usize, &SolidNode) -> bool) -> bool {
         let children = self.children();
         let fine = |i: usize| i == but || condition(i, &children[i]);
@@ -415,7 +416,7 @@ impl SolidNode {
         }
     }
 
-    /// Is a hit on one child, at `t`, on the surface of the whole?
+    /// True if a hit on one child, at `t`, is on the surface of the composite solid.
     fn survives(&self, all: &Gathered, child: usize, ray: &Ray, t: f64) -> bool {
         let inside = |i: usize, c: &SolidNode| all.inside(i, c, ray, t);
         match &self.kind {
@@ -425,7 +426,7 @@ impl SolidNode {
         }
     }
 
-    /// Where a ray is in the box around all hits, of a solid that is made of others.
+    /// Returns the distances at which a ray enters and leaves the box around all hits of a composite solid.
     fn enter(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
         let composite = self.composite.as_ref()?;
         composite.boxes.surface.slabs(ray, range)
@@ -435,7 +436,7 @@ impl SolidNode {
         self.clip().iter().all(|c| c.inside(p))
     }
 
-    /// What of the range lies in the box, and in those clipping shapes that a ray is in for one stretch.
+    /// Returns the part of the range in the box and in those clipping solids that know their interval.
     fn within_clip(&self, ray: &Ray, range: Range) -> Option<Range> {
         let (min, max) = self.enter(ray, range)?;
         let within = self.clip().iter().fold(Range { min, max }, |range, c| convex_interval::within(c, ray, range));
@@ -454,7 +455,7 @@ impl SolidNode {
     }
 }
 
-/// Drops the hits from `first` on that do not meet the condition.
+/// Removes the hits from `first` on that do not meet the condition.
 fn keep<'a>(list: &mut Intersections<'a>, first: usize, condition: impl Fn(&Intersection<'a>) -> bool) {
     let mut end = first;
     for i in first..list.len() {

@@ -1,13 +1,13 @@
-//! The command line and the file system.
+//! Hostile arguments, input and output files.
 
-use super::limited_run::{Arena, Case, case, finish};
+use super::limited_run::{Case, ScratchFolder, case, finish};
 use libtest_mimic::{Failed, Trial};
 use std::io::Read;
 use std::process::Stdio;
 
 const BALL: &str = "camera { location <0, 0, -5> look_at 0 }\nsphere { 0, 1 }\n";
 
-/// What needs no more than files and a command line.
+/// Cases of one command with files.
 pub fn cases() -> Vec<Case> {
     let ball = |name, args, exit, told| case(name, BALL, exit, told).args(args);
     vec![
@@ -76,7 +76,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// What needs more.
+/// Cases with pipes and folders.
 pub fn trials() -> Vec<Trial> {
     vec![
         Trial::test("hostile::scene_from_stdin", scene_from_stdin),
@@ -98,88 +98,88 @@ fn piped(bytes: &[u8]) -> Result<Stdio, Failed> {
 }
 
 fn scene_from_stdin() -> Result<(), Failed> {
-    let arena = Arena::new()?;
-    arena.run("check -", piped(b"\nsphere { 0, Radius }")?)?.judge(1, &["E0203", "<stdin>:2:13"])?;
-    arena.run("render - --size 8x6 -o out.png", piped(BALL.as_bytes())?)?.judge(0, &[])?;
-    same(&arena, &["out.png"])
+    let scratch = ScratchFolder::new()?;
+    scratch.run("check -", piped(b"\nsphere { 0, Radius }")?)?.judge(1, &["E0203", "<stdin>:2:13"])?;
+    scratch.run("render - --size 8x6 -o out.png", piped(BALL.as_bytes())?)?.judge(0, &[])?;
+    same(&scratch, &["out.png"])
 }
 
 fn noise_from_stdin() -> Result<(), Failed> {
-    let arena = Arena::new()?;
-    arena.run("render -", piped(b"\x7fELF\0\0")?)?.judge(1, &["E0001", "<stdin>:1:1"])?;
-    same(&arena, &[])
+    let scratch = ScratchFolder::new()?;
+    scratch.run("render -", piped(b"\x7fELF\0\0")?)?.judge(1, &["E0001", "<stdin>:1:1"])?;
+    same(&scratch, &[])
 }
 
 fn endless_stdin() -> Result<(), Failed> {
     if !cfg!(target_os = "linux") {
         return Ok(());
     }
-    let arena = Arena::new()?;
-    arena.run("render -", std::fs::File::open("/dev/zero")?.into())?.judge(5, &["E0003"])?;
-    same(&arena, &[])
+    let scratch = ScratchFolder::new()?;
+    scratch.run("render -", std::fs::File::open("/dev/zero")?.into())?.judge(5, &["E0003"])?;
+    same(&scratch, &[])
 }
 
 fn closed_stdin() -> Result<(), Failed> {
-    Arena::new()?.run("check -", Stdio::null())?.judge(0, &["W0206"])
+    ScratchFolder::new()?.run("check -", Stdio::null())?.judge(0, &["W0206"])
 }
 
 /// `durer render … -o - | head -c1`.
 fn reader_leaves() -> Result<(), Failed> {
-    let arena = Arena::new()?;
-    arena.put("a.scene", BALL)?;
-    let mut child = arena.start("render a.scene -o - --format bmp --size 300x200 --aa off", Stdio::piped())?;
+    let scratch = ScratchFolder::new()?;
+    scratch.put("a.scene", BALL)?;
+    let mut child = scratch.start("render a.scene -o - --format bmp --size 300x200 --aa off", Stdio::piped())?;
     let mut pipe = child.stdout.take().ok_or("no stdout")?;
     pipe.read_exact(&mut [0])?;
     drop(pipe);
     finish(child)?.judge(0, &[])?;
-    same(&arena, &["a.scene"])
+    same(&scratch, &["a.scene"])
 }
 
 fn stdout_on_full_disk() -> Result<(), Failed> {
     if !cfg!(target_os = "linux") {
         return Ok(());
     }
-    let arena = Arena::new()?;
-    arena.put("a.scene", BALL)?;
+    let scratch = ScratchFolder::new()?;
+    scratch.put("a.scene", BALL)?;
     for line in ["render a.scene -o - --size 8x6", "render a.scene --dump world", "check a.scene --format json"] {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full")?;
-        let ended = finish(arena.start(line, full.into())?)?;
-        // `check` has nothing to say about a scene that is fine.
+        let ended = finish(scratch.start(line, full.into())?)?;
+        // `check` prints nothing for a scene without faults.
         let silent = line.starts_with("check");
         ended.judge(if silent { 0 } else { 5 }, if silent { &[] } else { &["E0004"] })?;
     }
-    same(&arena, &["a.scene"])
+    same(&scratch, &["a.scene"])
 }
 
-/// The picture goes into it, under the scene's name.
+/// The picture is written into the folder, with the scene's name.
 fn folder_as_output() -> Result<(), Failed> {
-    let arena = Arena::new()?;
-    arena.put("a.scene", BALL)?;
-    std::fs::create_dir(arena.path().join("pictures"))?;
-    arena.run("render a.scene -o pictures --size 8x6", Stdio::null())?.judge(0, &[])?;
-    std::fs::create_dir(arena.path().join("a.png"))?;
-    arena.run("render a.scene --size 8x6", Stdio::null())?.judge(5, &["E0004", "a.png"])?;
-    same(&arena, &["a.png", "a.scene", "pictures"])
+    let scratch = ScratchFolder::new()?;
+    scratch.put("a.scene", BALL)?;
+    std::fs::create_dir(scratch.path().join("pictures"))?;
+    scratch.run("render a.scene -o pictures --size 8x6", Stdio::null())?.judge(0, &[])?;
+    std::fs::create_dir(scratch.path().join("a.png"))?;
+    scratch.run("render a.scene --size 8x6", Stdio::null())?.judge(5, &["E0004", "a.png"])?;
+    same(&scratch, &["a.png", "a.scene", "pictures"])
 }
 
 fn read_only_folder() -> Result<(), Failed> {
-    let arena = Arena::new()?;
-    let folder = arena.path().join("closed");
-    arena.put("a.scene", BALL)?;
+    let scratch = ScratchFolder::new()?;
+    let folder = scratch.path().join("closed");
+    scratch.put("a.scene", BALL)?;
     std::fs::create_dir(&folder)?;
     let mut rights = std::fs::metadata(&folder)?.permissions();
     rights.set_readonly(true);
     std::fs::set_permissions(&folder, rights)?;
-    // The administrator may write everywhere.
+    // The superuser may write everywhere.
     let allowed = std::fs::write(folder.join("probe"), "").is_ok();
-    let ended = arena.run("render a.scene -o closed/out.png --size 8x6", Stdio::null())?;
+    let ended = scratch.run("render a.scene -o closed/out.png --size 8x6", Stdio::null())?;
     if allowed {
         return ended.judge(0, &[]);
     }
     ended.judge(5, &["E0004", "closed/out.png"])
 }
 
-fn same(arena: &Arena, expected: &[&str]) -> Result<(), Failed> {
-    let names = arena.names()?;
+fn same(scratch: &ScratchFolder, expected: &[&str]) -> Result<(), Failed> {
+    let names = scratch.names()?;
     if names == expected { Ok(()) } else { Err(format!("files are {names:?}, expected {expected:?}").into()) }
 }

@@ -1,4 +1,4 @@
-//! `durer fmt`: a file that can't be understood stays as it is, and nothing takes long.
+//! `durer fmt`: a file with faults stays unchanged, and no file takes long.
 
 use super::limited_run::{Case, case};
 

@@ -1,4 +1,4 @@
-//! Mutations of every scene that we have: no panic, an end, and messages whose places lie in their files.
+//! Mutations of all our scenes: no panic, no hang, and messages with valid spans.
 
 use super::library_run::{Run, Verdict};
 use crate::mutate::{Rng, mutate};
@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 /// Number of mutants in an ordinary run, and its time limit. Each run takes the same seeds, so more of them find little more.
 const MODEST: usize = 4_000;
 const MODEST_TIME: Duration = Duration::from_secs(3);
-/// A single mutant that takes longer hangs.
+/// Time after which a single mutant counts as hanging.
 const HANGS: Duration = Duration::from_secs(20);
 
 pub fn trials() -> Vec<Trial> {
@@ -41,12 +41,12 @@ fn gather(folder: &Path, out: &mut Vec<PathBuf>) {
     }
 }
 
-/// The environment's number.
+/// A number in the environment.
 fn number(name: &str) -> Option<usize> {
     std::env::var(name).ok()?.parse().ok()
 }
 
-/// What all workers share.
+/// State shared by all workers.
 struct Hunt {
     corpus: Vec<(PathBuf, String)>,
     next: AtomicUsize,
@@ -57,7 +57,7 @@ struct Hunt {
 }
 
 impl Hunt {
-    /// The text of a seed, and whose path it has.
+    /// The path and the text of a seed's mutant.
     fn mutant(&self, seed: usize) -> (&Path, String) {
         let mut rng = Rng::new(seed as u64);
         let (path, text) = &self.corpus[rng.below(self.corpus.len())];
@@ -69,7 +69,7 @@ impl Hunt {
         self.until.is_some_and(|until| Instant::now() > until) || self.found.lock().is_ok_and(|f| f.len() >= 20)
     }
 
-    /// Takes seeds until there are no more; tells which one it is at.
+    /// Tests seeds until there are no more; reports the current one.
     fn work(&self, worker: usize, at: &mpsc::Sender<(usize, Option<usize>)>) {
         loop {
             let seed = self.next.fetch_add(1, Ordering::Relaxed);
@@ -91,14 +91,14 @@ impl Hunt {
     }
 }
 
-/// Where texts that found something are kept.
+/// Stores a text with a fault; returns its path.
 fn keep(name: &str, text: &str) -> String {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::write(&path, text).ok();
     path.display().to_string()
 }
 
-/// Runs a text; a panic is what is wrong with it.
+/// Tests a text; a panic is a fault.
 fn verdict(path: &Path, text: String) -> Verdict {
     let run = Run { path, steps: 20_000, draw: true };
     std::panic::catch_unwind(AssertUnwindSafe(|| run.check(text))).unwrap_or_else(|panic| {
@@ -147,7 +147,7 @@ fn watch(hunt: &Hunt, receiver: &mpsc::Receiver<(usize, Option<usize>)>) -> Resu
     }
 }
 
-/// What holds for mutants holds for our own scenes.
+/// The scenes themselves satisfy the same properties.
 fn originals() -> Result<(), Failed> {
     let wrong = durer::on_big_stack(|| {
         let mut wrong = vec![];

@@ -1,8 +1,8 @@
-//! Numbers that no shape, camera or light can have.
+//! Impossible numbers for shapes, cameras and lights.
 
 use super::limited_run::{Case, case, drawn, nested};
 
-/// All of them.
+/// All cases.
 pub fn cases() -> Vec<Case> {
     [numbers(), shapes(), cameras(), lights(), csg(), finishes()].into_iter().flatten().collect()
 }

@@ -1,4 +1,4 @@
-//! Runs texts through the library, and judges what it tells.
+//! Runs texts through the library, and checks its messages.
 
 use durer::diagnostic::{Diagnostic, Severity, codes, draw};
 use durer::interpreter::Options;
@@ -7,7 +7,7 @@ use durer::source::{Sandbox, SearchPath, Sources, Span};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Watches a picture that may take only so long.
+/// A time limit for a render.
 struct Deadline(Instant);
 
 impl Watch for Deadline {
@@ -17,25 +17,25 @@ impl Watch for Deadline {
     }
 }
 
-/// How a text is run.
+/// Settings of a run.
 pub struct Run<'a> {
     pub path: &'a Path,
     pub steps: u64,
-    /// Is a tiny picture drawn of what is sound?
+    /// True to render a tiny picture of a scene without errors.
     pub draw: bool,
 }
 
-/// What became of a text.
+/// Result of a run.
 #[derive(Default)]
 pub struct Verdict {
-    /// Without errors.
+    /// True without errors.
     pub sound: bool,
-    /// What should not be.
+    /// Violated properties.
     pub wrong: Vec<String>,
 }
 
 impl Run<'_> {
-    /// Text to World and, where asked for, to a picture. Has to stand on a big stack.
+    /// Builds the world and, if requested, renders a picture. Needs a big stack.
     pub fn check(&self, text: String) -> Verdict {
         let folder = self.path.parent().unwrap_or(Path::new("."));
         let options = Options {
@@ -66,7 +66,7 @@ impl Run<'_> {
     }
 }
 
-/// Every pixel of a picture is a number. (Lights as bright as 1e308 may make it infinite.)
+/// Checks that every pixel is a number. (Lights of 1e308 may give infinity.)
 fn picture(world: &durer::world::World) -> Option<String> {
     let options = render::Options::new(8, 6);
     let (frame, _) = render::render(world, &options, &Deadline(Instant::now() + Duration::from_secs(1))).ok()?;
@@ -74,12 +74,12 @@ fn picture(world: &durer::world::World) -> Option<String> {
     Some(format!("a pixel is {bad}"))
 }
 
-/// What is wrong with a message: each has a place in a file, and can be drawn.
+/// Checks a message: it has a span in a file, and can be rendered.
 fn fault_of(d: &Diagnostic, sources: &Sources) -> Option<String> {
     let drawn = draw::render(d, sources, draw::Style { fancy: false, width: 100 });
     let labels = d.labels.iter().chain(&d.trace);
     let outside = labels.map(|l| l.span).find(|span| !is_inside(*span, sources));
-    // `#warning ""` is as empty as its author wants it.
+    // `#warning ""` may be empty.
     let own_words = matches!(d.code, codes::USER_WARNING | codes::USER_ERROR);
     let complaint = match outside {
         Some(span) => format!("a place outside of its file: {span:?}"),
@@ -91,7 +91,7 @@ fn fault_of(d: &Diagnostic, sources: &Sources) -> Option<String> {
     Some(format!("{complaint}: {} {}", d.code, d.message))
 }
 
-/// Does a span begin and end in one file, between letters?
+/// True if a span begins and ends in one file, between characters.
 fn is_inside(span: Span, sources: &Sources) -> bool {
     let Some((id, _)) = sources.locate(span) else { return false };
     let (text, base) = (sources.text(id), sources.base(id));

@@ -1,4 +1,4 @@
-//! Where a case is run: the command in an empty folder, with little memory and little time.
+//! Runs the command in an empty folder, with limits on memory and time.
 
 use libtest_mimic::Failed;
 use std::io::Read;
@@ -6,17 +6,17 @@ use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-/// Whoever takes longer hangs.
+/// Time after which a command counts as hanging.
 const PATIENCE: Duration = Duration::from_secs(20);
-/// Kilobytes of address space; 512 MB of them are the stack that is set aside for nested text.
+/// Maximum address space in kilobytes; 512 MB of it are the stack that is reserved for nested text.
 const MEMORY: u32 = 2_000_000;
-/// What stands in the picture's file before the run.
+/// Contents of the picture's file before the run.
 const OLD: &[u8] = b"an older picture";
 
-/// One hostile input, and how the command has to end.
+/// A hostile input, and the expected end of the command.
 pub struct Case {
     pub name: &'static str,
-    /// `a.scene`; without it there is none.
+    /// `a.scene`, if it exists.
     scene: Option<Vec<u8>>,
     /// Other files.
     files: Vec<(&'static str, Vec<u8>)>,
@@ -25,13 +25,13 @@ pub struct Case {
     told: &'static [&'static str],
 }
 
-/// A scene and what is told of it; drawn small, into `out.png`.
+/// A scene and its expected messages; rendered small, into `out.png`.
 pub fn case(name: &'static str, scene: impl Into<Vec<u8>>, exit: i32, told: &'static [&'static str]) -> Case {
     let args = "render a.scene -o out.png --size 8x6 --threads 2";
     Case { name, scene: Some(scene.into()), files: vec![], args, exit, told }
 }
 
-/// The same with a camera and a light behind it.
+/// [`case`] with a camera and a light appended.
 pub fn drawn(name: &'static str, scene: impl Into<String>, exit: i32, told: &'static [&'static str]) -> Case {
     case(
         name,
@@ -42,34 +42,34 @@ pub fn drawn(name: &'static str, scene: impl Into<String>, exit: i32, told: &'st
 }
 
 impl Case {
-    /// A file beside the scene.
+    /// Adds a file beside the scene.
     pub fn with(mut self, name: &'static str, bytes: impl Into<Vec<u8>>) -> Self {
         self.files.push((name, bytes.into()));
         self
     }
 
-    /// Another command line.
+    /// Replaces the command line.
     pub fn args(self, args: &'static str) -> Self {
         Self { args, ..self }
     }
 
-    /// Without `a.scene`.
+    /// Removes `a.scene`.
     pub fn absent(self) -> Self {
         Self { scene: None, ..self }
     }
 
-    /// Runs the command and judges how it ends.
+    /// Runs the command and checks its end.
     pub fn run(&self) -> Result<(), Failed> {
-        let arena = Arena::new()?;
+        let folder = ScratchFolder::new()?;
         for (name, bytes) in &self.files {
-            arena.put(name, bytes)?;
+            folder.put(name, bytes)?;
         }
-        self.scene.iter().try_for_each(|scene| arena.put("a.scene", scene))?;
-        arena.put("out.png", OLD)?;
-        let before = arena.names()?;
-        let ended = arena.run(self.args, Stdio::null())?;
+        self.scene.iter().try_for_each(|scene| folder.put("a.scene", scene))?;
+        folder.put("out.png", OLD)?;
+        let before = folder.names()?;
+        let ended = folder.run(self.args, Stdio::null())?;
         ended.judge(self.exit, self.told)?;
-        let picture = std::fs::read(arena.path().join("out.png"))?;
+        let picture = std::fs::read(folder.path().join("out.png"))?;
         let draws = self.args.contains("-o out.png");
         if (self.exit != 0 || !draws) && picture != OLD {
             return Err("the older picture was touched".into());
@@ -77,7 +77,7 @@ impl Case {
         if self.exit == 0 && draws && !is_whole_png(&picture) {
             return Err("no whole picture was written".into());
         }
-        let after = arena.names()?;
+        let after = folder.names()?;
         if before == after { Ok(()) } else { Err(format!("files before: {before:?}, after: {after:?}").into()) }
     }
 }
@@ -87,15 +87,15 @@ fn is_whole_png(bytes: &[u8]) -> bool {
 }
 
 /// An empty folder.
-pub struct Arena(tempfile::TempDir);
+pub struct ScratchFolder(tempfile::TempDir);
 
-/// How a command ended.
+/// Result of a command.
 pub struct Ended {
     pub status: ExitStatus,
     pub stderr: String,
 }
 
-impl Arena {
+impl ScratchFolder {
     pub fn new() -> Result<Self, Failed> {
         Ok(Self(tempfile::tempdir()?))
     }
@@ -115,7 +115,7 @@ impl Arena {
         Ok(names)
     }
 
-    /// The command with a shell around it that rations memory, where there is one.
+    /// The command in a shell that limits memory, where there is a shell.
     fn command(&self, line: &str) -> Command {
         let exe = env!("CARGO_BIN_EXE_durer");
         let mut command = match cfg!(unix) {
@@ -129,20 +129,20 @@ impl Arena {
         command
     }
 
-    /// Runs it to its end, or for as long as anybody waits.
+    /// Runs the command until it ends or hangs.
     pub fn run(&self, line: &str, stdin: Stdio) -> Result<Ended, Failed> {
         let mut command = self.command(line);
         let child = command.stdin(stdin).stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
         finish(child)
     }
 
-    /// Starts it with its standard output open.
+    /// Starts the command with piped output.
     pub fn start(&self, line: &str, stdout: Stdio) -> Result<Child, Failed> {
         Ok(self.command(line).stdin(Stdio::null()).stdout(stdout).stderr(Stdio::piped()).spawn()?)
     }
 }
 
-/// Waits for the end.
+/// Waits for the command's end.
 pub fn finish(mut child: Child) -> Result<Ended, Failed> {
     let mut pipe = child.stderr.take().ok_or("no stderr")?;
     let reader = std::thread::spawn(move || {
@@ -166,7 +166,7 @@ pub fn finish(mut child: Child) -> Result<Ended, Failed> {
 }
 
 impl Ended {
-    /// The right exit code, no signal, no panic, and all that has to be told.
+    /// Checks the exit code and the messages, and that there was no signal or panic.
     pub fn judge(&self, exit: i32, told: &[&str]) -> Result<(), Failed> {
         let stderr: String = self.stderr.chars().take(4000).collect();
         if std::env::var_os("HOSTILE_SHOW").is_some() {
@@ -182,11 +182,11 @@ impl Ended {
         if code != exit || !missing.is_empty() {
             return Err(format!("exit code {code} (expected {exit}); not told: {missing:?}\n{stderr}").into());
         }
-        // Whoever fails says why.
+        // A failure needs a message.
         if code != 0 && self.stderr.trim().is_empty() {
             return Err("failed without a word".into());
         }
-        // A message about a line of a million letters is still a message.
+        // A message about a line of a million characters must be short.
         if self.stderr.len() > 200_000 {
             return Err(format!("{} bytes of messages", self.stderr.len()).into());
         }
@@ -194,7 +194,7 @@ impl Ended {
     }
 }
 
-/// Text that is repeated.
+/// `inner` inside `depth` openers and closers.
 pub fn nested(open: &str, inner: &str, close: &str, depth: usize) -> String {
     open.repeat(depth) + inner + &close.repeat(depth)
 }

@@ -1,13 +1,13 @@
-//! Files that are no text, and texts that are no scene.
+//! Files that are not text, and texts that are not scenes.
 
 use super::limited_run::{Case, case, drawn};
 
-/// All of them.
+/// All cases.
 pub fn cases() -> Vec<Case> {
     [bytes(), syntax(), words(), includes()].into_iter().flatten().collect()
 }
 
-/// Noise that is the same in every run.
+/// Deterministic random bytes.
 fn noise(len: usize) -> Vec<u8> {
     let mut rng = crate::mutate::Rng::new(1525);
     (0..len).map(|_| rng.next() as u8).collect()

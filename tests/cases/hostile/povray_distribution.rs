@@ -1,4 +1,4 @@
-//! Every file of POV-Ray's distribution, where it is installed: reading it never panics, and messages have places in it.
+//! All files of POV-Ray's distribution, where it is installed: no panic, and messages have valid spans.
 
 use super::library_run::Run;
 use libtest_mimic::{Failed, Trial};
@@ -6,7 +6,7 @@ use std::panic::AssertUnwindSafe;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// Where Debian and others put it.
+/// Installation folders of Debian and others.
 const FOLDERS: &[&str] = &[
     "/usr/share/povray-3.7/include",
     "/usr/share/povray-3.7/scenes",
@@ -43,13 +43,13 @@ fn gather(folder: &Path, out: &mut Vec<PathBuf>) {
     }
 }
 
-/// In an order in which neighbours come from different folders.
+/// Reordered so that neighbours come from different folders.
 fn spread(files: &[PathBuf]) -> Vec<&PathBuf> {
     const STRIDE: usize = 17;
     (0..STRIDE).flat_map(|first| files.iter().skip(first).step_by(STRIDE)).collect()
 }
 
-/// How many were read, and what was wrong.
+/// Number of files read, and the faults.
 fn check(files: &[&PathBuf]) -> (usize, Vec<String>) {
     let start = Instant::now();
     let all = std::env::var_os("DURER_FUZZ").is_some();

@@ -1,18 +1,18 @@
-//! Texts that never end, nest without end or grow without end.
+//! Texts without end, and texts with huge nesting or growth.
 
 use super::limited_run::{Case, case, drawn, nested};
 
-/// Far more than anybody writes.
+/// Far more than in any real scene.
 const DEEP: usize = 100_000;
 const LONG: usize = 1_000_000;
-/// A limit on steps that is reached soon.
+/// A low limit on steps.
 const SOON: &str = "check a.scene --max-steps 20000";
 const FEW_STEPS: &str = "render a.scene -o out.png --size 8x6 --max-steps 1000000";
 
 /// 4 GB of numbers.
 const LARGE_PICTURE: &str = "box { 0, 1 pigment { image_map { function 16384, 16384 { x } } } }";
 
-/// All of them.
+/// All cases.
 pub fn cases() -> Vec<Case> {
     [endless(), growing(), deep(), long(), many()].into_iter().flatten().collect()
 }

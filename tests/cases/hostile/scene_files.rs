@@ -1,10 +1,10 @@
-//! What scenes do with files: reading and writing outside of their folders, endless files, text that multiplies.
+//! File access by scenes: reading and writing outside of their folders, endless files, exponential growth.
 
-use super::limited_run::{Arena, Case, case, drawn};
+use super::limited_run::{Case, ScratchFolder, case, drawn};
 use libtest_mimic::{Failed, Trial};
 use std::process::Stdio;
 
-/// What needs no more than files and a command line.
+/// Cases of one command with files.
 pub fn cases() -> Vec<Case> {
     let bomb =
         "#macro Twice(S) #fopen F \"b.inc\" write #write (F, concat(\"#declare N = N+1;\\n\", S)) #fclose F #end\n";
@@ -90,7 +90,7 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// What needs links.
+/// Cases with symbolic links.
 pub fn trials() -> Vec<Trial> {
     vec![
         #[cfg(unix)]
@@ -98,13 +98,13 @@ pub fn trials() -> Vec<Trial> {
     ]
 }
 
-/// A link beside the scene that leads out of its folder is no way out.
+/// A symbolic link out of the scene's folder does not give access.
 #[cfg(unix)]
 fn links_lead_nowhere_else() -> Result<(), Failed> {
-    let (arena, outside) = (Arena::new()?, tempfile::tempdir()?);
+    let (folder, outside) = (ScratchFolder::new()?, tempfile::tempdir()?);
     std::fs::write(outside.path().join("secret.txt"), "1")?;
-    std::os::unix::fs::symlink(outside.path(), arena.path().join("folder"))?;
-    std::os::unix::fs::symlink(outside.path().join("secret.txt"), arena.path().join("link.txt"))?;
+    std::os::unix::fs::symlink(outside.path(), folder.path().join("folder"))?;
+    std::os::unix::fs::symlink(outside.path().join("secret.txt"), folder.path().join("link.txt"))?;
     for text in [
         "#fopen F \"link.txt\" read",
         "#fopen F \"link.txt\" write",
@@ -112,8 +112,8 @@ fn links_lead_nowhere_else() -> Result<(), Failed> {
         "#fopen F \"folder/new.txt\" write",
         "#include \"link.txt\"",
     ] {
-        arena.put("a.scene", text.as_bytes())?;
-        let ended = arena.run("check a.scene", Stdio::null())?;
+        folder.put("a.scene", text.as_bytes())?;
+        let ended = folder.run("check a.scene", Stdio::null())?;
         if ended.status.code() != Some(1) || !ended.stderr.contains("E0235") {
             return Err(format!("{text}: {}", ended.stderr).into());
         }

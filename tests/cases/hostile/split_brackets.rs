@@ -1,17 +1,17 @@
-//! Texts whose brackets and expressions come in pieces: loose ones without end, out of macros that open and never close, out
-//! of branches and loops.
+//! Texts with unmatched brackets and split expressions: endless ones, from macros that open or close only, from
+//! branches and loops.
 
 use super::limited_run::{Case, case, drawn, nested};
 
 const DEEP: usize = 100_000;
 const LONG: usize = 1_000_000;
 
-/// All of them.
+/// All cases.
 pub fn cases() -> Vec<Case> {
     [loose(), in_branches(), macros(), loops(), expressions(), inside_each_other()].into_iter().flatten().collect()
 }
 
-/// A loop around this.
+/// A loop around `body`.
 fn times(count: usize, body: &str) -> String {
     format!("#for (I, 1, {count}) {body} #end")
 }
@@ -109,7 +109,7 @@ fn loops() -> Vec<Case> {
     ]
 }
 
-/// Expressions in a million pieces.
+/// Expressions of a million tokens.
 fn expressions() -> Vec<Case> {
     let ball = |radius: String| format!("sphere {{ 0, {radius} }}");
     let counted = "#declare I = 0; sphere { 0, (1 #while (I < 1000000) + 1 #declare I = I + 1; #end) / 1000001 }";
@@ -145,7 +145,7 @@ fn expressions() -> Vec<Case> {
     ]
 }
 
-/// Granularity that are none, inside each other.
+/// Incomplete expressions, nested.
 fn inside_each_other() -> Vec<Case> {
     let value = |open: &str, close: &str| format!("#declare A = {};", nested(open, "1", close, 300));
     let called = |open: &str, close: &str| format!("#macro F(X) X + 1 #end\n{}", value(open, close));

@@ -1,4 +1,4 @@
-//! The examples and pictures on the reference pages: those at the head of the files of shapes and patterns, and
+//! Examples and pictures on the reference pages: those at the head of the files of shapes and patterns, and
 //! `docs/src/examples/reference/`.
 
 use super::{Block, STAGE, world_of};
@@ -10,7 +10,7 @@ use std::path::Path;
 /// A snapshot's size.
 pub const SIZE: (usize, usize) = (128, 96);
 
-/// Pages whose every heading has a picture, or is one of these.
+/// Pages of which every heading has a picture, or is one of these exceptions.
 const PAGES: &[&str] = &[
     "scene.md",
     "shapes.md",
@@ -27,11 +27,11 @@ const TEXT: &[&str] = &["What counts of a pixel", "Words of all patterns of numb
 /// A page with its examples.
 pub struct Illustrated {
     pub text: String,
-    /// Name of each picture, and the scene that it shows.
+    /// Name of each picture, and its scene.
     pub pictures: Vec<(String, String)>,
 }
 
-/// Puts an example and its picture behind what is said first below each heading.
+/// Inserts an example and its picture after the first paragraph below each heading.
 pub fn illustrated(file: &str, page: &str, source: &Path, examples: &[(String, Block)]) -> Result<Illustrated, Failed> {
     let mut out = Illustrated { text: String::new(), pictures: vec![] };
     if !PAGES.contains(&file) {
@@ -70,7 +70,7 @@ fn slug(heading: &str) -> String {
     heading.chars().map(|c| if c.is_alphanumeric() { c.to_ascii_lowercase() } else { '_' }).collect()
 }
 
-/// The scene for a heading, whose picture has a name; the second of its heading is a warp.
+/// The scene for a heading, with the name of its picture; the second heading of a name is a warp.
 fn example(
     heading: &str,
     name: &str,
@@ -96,7 +96,7 @@ fn example(
         .clone())
 }
 
-/// What a picture shows.
+/// The world of a picture's scene.
 pub fn world(source: &Path, scene: &str) -> Result<World, Failed> {
     world_of(source, scene, SIZE)
 }

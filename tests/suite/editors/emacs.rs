@@ -1,4 +1,4 @@
-//! Emacs's lists of words; `povray-mode.el` says how they look.
+//! Emacs's lists of words; `povray-mode.el` assigns their colours.
 
 use super::{File, GENERATED, lines};
 use durer::reference::Sorts;

@@ -1,4 +1,4 @@
-//! Vim's syntax files, and what tells POV-Ray's INI files from others.
+//! Vim's syntax files, and the detection of POV-Ray's INI files.
 
 use super::{File, GENERATED, lines};
 use durer::reference::Sorts;

@@ -1,4 +1,4 @@
-//! What tree-sitter's colours are: which word is of which sort. The grammar itself knows no words.
+//! Tree-sitter's highlight queries: the category of each word. The grammar itself has no list of words.
 
 use super::{File, GENERATED, lines};
 use durer::reference::Sorts;
@@ -25,7 +25,7 @@ fn of_words(scope: &str, words: &[&str]) -> String {
     format!("\n((word) @{scope}\n  (#any-of? @{scope}\n    {}))\n", lines(&quoted, " ").join("\n    "))
 }
 
-// No two of them are about the same node: editors do not agree which would count.
+// No two patterns match the same node: editors do not agree which would win.
 const HEAD: &str = r##"
 (line_comment) @comment.line
 (block_comment) @comment.block

@@ -1,4 +1,4 @@
-//! Visual Studio Code, and whatever else reads TextMate's grammars: those of scenes and of INI files.
+//! TextMate grammars for Visual Studio Code and others: scenes and INI files.
 
 use super::{File, GENERATED};
 use durer::reference::Sorts;
@@ -17,7 +17,7 @@ pub fn files(sorts: &Sorts, options: &[&str]) -> Vec<File> {
     ]
 }
 
-/// One of the words, whole.
+/// A pattern that matches any of the words.
 fn any(words: &[&str]) -> String {
     format!(r"\b(?:{})\b", words.join("|"))
 }
@@ -34,7 +34,7 @@ fn scene(sorts: &Sorts) -> Value {
                 {"name": "comment.line.double-slash.povray", "match": "//.*$"},
                 {"include": "#nested"},
             ]},
-            // They nest.
+            // Comments nest.
             "nested": {"name": "comment.block.povray", "begin": r"/\*", "end": r"\*/", "patterns": [{"include": "#nested"}]},
             "string": {
                 "name": "string.quoted.double.povray", "begin": "\"", "end": "\"",
@@ -55,7 +55,7 @@ fn scene(sorts: &Sorts) -> Value {
     })
 }
 
-/// Those that give names know them.
+/// Patterns of directives; some name a symbol.
 fn directives(names: &[&str]) -> Value {
     let directive = json!({"name": "keyword.control.directive.povray"});
     let named = |names: &str, between: &str, scope: &str| {
@@ -98,7 +98,7 @@ fn ini(options: &[&str]) -> Value {
     })
 }
 
-/// Brackets, comments, and what indents the next line.
+/// Brackets, comments, and the indentation of the next line.
 fn configuration(sorts: &Sorts) -> Value {
     let (openers, continuers) = (sorts.openers.join("|"), sorts.continuers.join("|"));
     let pairs = json!([["{", "}"], ["[", "]"], ["(", ")"]]);

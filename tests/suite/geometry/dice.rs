@@ -6,7 +6,7 @@ use durer::shape::*;
 use durer::syntax::ast::Operator;
 use durer::world::{Leaf, SolidNode};
 
-/// Numbers that follow from a seed.
+/// Seeded random numbers.
 pub struct Dice {
     seed: u64,
     count: u64,
@@ -67,7 +67,7 @@ impl Dice {
         Shape::from(BicubicPatch::new(points, self.below(4) as u32, self.below(4) as u32, flatness))
     }
 
-    /// Balls in a row; the way of the ball may turn sharply and cross itself.
+    /// A chain of balls; the path may turn sharply and intersect itself.
     pub fn sweep(&mut self) -> Shape {
         let kind = [Sweep::Linear, Sweep::BSpline, Sweep::Cubic][self.below(3)];
         let balls: Vec<(DVec3, f64)> =
@@ -81,7 +81,7 @@ impl Dice {
         Shape::from(Superellipsoid { e: exponent(), n: exponent() })
     }
 
-    /// Points around the middle, at rising angles.
+    /// Points around the centre, at ascending angles.
     pub fn outline(&mut self, count: usize) -> Vec<DVec2> {
         let corner = |dice: &mut Dice, k: usize| {
             let angle = std::f64::consts::TAU * k as f64 / count as f64;
@@ -134,7 +134,7 @@ impl Dice {
         Shape::from(Quadric::new(squares, mixed, linear, self.between(-1.0, -0.1)))
     }
 
-    /// A ring as a polynomial; what is inside it by less than 1e-4 of the sum is left out, so the sum is large.
+    /// A torus as a polynomial; the polynomial's inside margin of 1e-4 is small against its large coefficients.
     pub fn ring(&mut self) -> Shape {
         let (major2, minor2) = (self.between(0.6, 1.2), self.between(0.05, 0.3));
         let (a, b, c) = (-2.0 * (major2 + minor2), 2.0 * (major2 - minor2), (major2 - minor2).powi(2));
@@ -243,7 +243,7 @@ impl Dice {
         self.tree_of(depth, 7, Dice::shape)
     }
 
-    /// A tree of the first so many kinds: leaf, union, merge, intersection, difference, clipped union.
+    /// A tree with the first `kinds` kinds of nodes: leaf, union, merge, intersection, difference, clipped union.
     pub fn tree_of(&mut self, depth: usize, kinds: usize, shape: fn(&mut Dice) -> Shape) -> SolidNode {
         let kind = if depth == 0 { 0 } else { self.below(kinds) };
         if kind < 2 {
@@ -263,7 +263,7 @@ impl Dice {
         }
     }
 
-    /// From anywhere near to anywhere near; often along an axis, and then from a point of a coarse grid.
+    /// A random ray near the origin; often along an axis, and then from a point of a coarse grid.
     pub fn ray(&mut self) -> Ray {
         let axis = DVec3::AXES[self.below(3)] * if self.below(2) == 0 { 1.0 } else { -1.0 };
         match self.below(4) {

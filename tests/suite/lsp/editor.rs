@@ -1,4 +1,4 @@
-//! An editor's end of the wire.
+//! An editor: the client's end of the connection.
 
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -7,18 +7,18 @@ use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
-/// Whoever takes longer hangs.
+/// Timeout for an answer.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// An editor with a server at its other end.
+/// An editor connected to a server.
 pub struct Editor {
     child: Child,
     stdin: ChildStdin,
     messages: Receiver<Value>,
     next: i64,
-    /// What was told last, by address.
+    /// Latest diagnostics by URI.
     told: HashMap<String, Value>,
-    /// What was to be shown, and has not been asked for.
+    /// Documents that the server wants shown, and that the test has not taken yet.
     shown: Vec<String>,
     pub place: tempfile::TempDir,
 }
@@ -78,7 +78,7 @@ impl Editor {
         self.send(&json!({"jsonrpc": "2.0", "method": method, "params": params}));
     }
 
-    /// The next message; notices are kept.
+    /// The next message; notifications are recorded.
     pub fn take(&mut self, patience: Duration) -> Option<Value> {
         let message = self.messages.recv_timeout(patience).ok()?;
         if message["method"] == "textDocument/publishDiagnostics" {
@@ -91,7 +91,7 @@ impl Editor {
         Some(message)
     }
 
-    /// Waits until something is to be shown.
+    /// Waits until the server wants something shown.
     pub fn shown(&mut self) -> String {
         while self.shown.is_empty() {
             self.take(PATIENCE).expect("nothing is shown");
@@ -133,7 +133,7 @@ impl Editor {
         std::fs::write(self.place.path().join(name), text).unwrap();
     }
 
-    /// One change: a range as four numbers, and what takes its place.
+    /// One change: a range as four numbers, and its replacement.
     pub fn change(&mut self, uri: &str, version: i64, [a, b, c, d]: [u64; 4], text: &str) {
         let range = json!({"start": {"line": a, "character": b}, "end": {"line": c, "character": d}});
         let changes = json!([{"range": range, "text": text}]);
@@ -143,7 +143,7 @@ impl Editor {
         );
     }
 
-    /// Waits until what is told of a text is so.
+    /// Waits until the diagnostics of a text satisfy `holds`.
     #[track_caller]
     pub fn until(&mut self, uri: &str, holds: impl Fn(&[Value]) -> bool) -> Vec<Value> {
         let start = Instant::now();

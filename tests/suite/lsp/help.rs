@@ -1,9 +1,9 @@
-//! What is offered for a message, done.
+//! Applies the code actions that are offered for messages.
 
 use super::editor::{Editor, codes};
 use serde_json::{Value, json};
 
-/// A text of ASCII after edits that don't touch each other.
+/// An ASCII text after edits that don't overlap.
 fn edited(text: &str, edits: &Value) -> String {
     let offset = |at: &Value| {
         let line = at["line"].as_u64().unwrap() as usize;
@@ -18,14 +18,14 @@ fn edited(text: &str, edits: &Value) -> String {
     out
 }
 
-/// The first action of this title.
+/// The first action with this title.
 fn action<'a>(actions: &'a Value, title: &str) -> &'a Value {
     let all = actions.as_array().unwrap();
     all.iter().find(|one| one["title"] == title).unwrap_or_else(|| panic!("{title}: {actions}"))
 }
 
 #[test]
-fn help_is_done() {
+fn code_actions_apply() {
     let mut editor = Editor::new();
     let text = "#version 3.7;\ncamera { location -5*z look_at 0 }\n#declare Ball = sphere { 0, 1 }\n#declare Oak = texture { pigment { rgb 1 } }\n#declare Far = 2\n\
                 Ball { translate Far * x }\nsphere { 0, 1 Oak }\n";
@@ -57,7 +57,7 @@ fn help_is_done() {
     editor.bye();
 }
 
-/// What is offered for a text, and the text after the first offer.
+/// The titles of the offered actions, and the text after the first one.
 fn offered(editor: &mut Editor, name: &str, text: &str) -> (Vec<String>, String) {
     let uri = editor.open(name, text);
     let told = editor.until(&uri, |told| !told.is_empty());
@@ -73,7 +73,7 @@ fn offered(editor: &mut Editor, name: &str, text: &str) -> (Vec<String>, String)
 }
 
 #[test]
-fn more_help_is_done() {
+fn more_code_actions_apply() {
     let mut editor = Editor::new();
     let tail = "camera { location -5*z look_at 0 }\nlight_source { -9, 1 }\n";
     for (i, (text, wanted)) in [

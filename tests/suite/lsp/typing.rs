@@ -1,17 +1,17 @@
-//! Keys, one at a time, with everything that an editor asks meanwhile.
+//! Single keystrokes, with the requests that an editor sends meanwhile.
 
 use super::editor::{Editor, at, codes};
 use super::{HALL, PARTS};
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// A simple generator of numbers.
+/// A simple random generator.
 fn number(seed: &mut u64, below: u64) -> u64 {
     *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
     (*seed >> 33) % below.max(1)
 }
 
-/// A text as an editor keeps it: lines, and places in UTF-16.
+/// A text as an editor stores it: lines, and positions in UTF-16.
 struct Copy(Vec<u16>);
 
 impl Copy {
@@ -19,7 +19,7 @@ impl Copy {
         Self(text.encode_utf16().collect())
     }
 
-    /// Where a line begins, and how long it is.
+    /// Start and length of a line.
     fn line(&self, line: u64) -> (usize, usize) {
         let mut lines = self.0.split(|unit| *unit == u16::from(b'\n'));
         let before: usize = lines.by_ref().take(line as usize).map(|line| line.len() + 1).sum();
@@ -30,7 +30,7 @@ impl Copy {
         self.0.iter().filter(|unit| **unit == u16::from(b'\n')).count() as u64 + 1
     }
 
-    /// Does a place stand inside of one character?
+    /// True if a position is inside a character.
     fn splits(&self, at: usize) -> bool {
         at > 0 && at < self.0.len() && (0xDC00..0xE000).contains(&self.0[at])
     }
@@ -40,13 +40,13 @@ impl Copy {
     }
 }
 
-/// All that an editor may ask of a place, or of a text.
+/// Requests about a position, or about a text.
 const OF_PLACES: [&str; 5] = ["hover", "completion", "definition", "signatureHelp", "documentHighlight"];
 const OF_TEXTS: [&str; 7] =
     ["documentSymbol", "foldingRange", "semanticTokens/full", "documentColor", "formatting", "codeLens", "inlayHint"];
 
 impl Editor {
-    /// Types something over a part of a line, and asks this and that; sometimes whether the server's text is still ours.
+    /// Replaces a part of a line, and sends some requests; sometimes compares the server's text with the copy.
     fn key(&mut self, uri: &str, copy: &mut Copy, (version, seed): (i64, &mut u64), [line, a, b]: [u64; 3], key: &str) {
         let (start, length) = copy.line(line);
         let place = |character: u64| {
@@ -71,7 +71,7 @@ impl Editor {
         }
     }
 
-    /// The colours of its words are at the places where another server that is given our text whole sees them.
+    /// Semantic tokens are at the positions that another server reports for the whole text.
     fn compare(&mut self, uri: &str, copy: &Copy) {
         let other = self.open("copy.inc", &copy.text());
         let [ours, theirs] = [uri, other.as_str()].map(|uri| {
@@ -86,9 +86,9 @@ impl Editor {
 const KEYS: [&str; 16] =
     ["{", "}", "\"", "#end\n", "#if (1)\n", "ä😀", "/*", "*/", "\n", "(", ")", "<", "sphere", " ", "//", "#macro A(B"];
 
-/// Keys, one at a time: all of a text forwards, all over it, and all of it away from its end. At the end nothing is told that isn't so.
+/// Types a whole text forwards, then edits at random, then deletes it from its end. No diagnostics are left at the end.
 #[test]
-fn typing_leaves_nothing_behind() {
+fn typing_leaves_no_stale_state() {
     let mut editor = Editor::new();
     editor.put("parts.inc", PARTS);
     let uri = editor.open("hall.pov", "");
@@ -119,7 +119,7 @@ fn typing_leaves_nothing_behind() {
     copy = Copy::of(HALL);
     std::thread::sleep(Duration::from_secs(1));
     editor.until(&uri, <[Value]>::is_empty);
-    // Backwards.
+    // Delete from the end.
     while let Some(last) = copy.0.last().copied() {
         version += 1;
         let line = copy.lines() - 1;

@@ -6,7 +6,7 @@ use crate::syntax::blame;
 
 impl Reporter<'_> {
     /// The error for a `}` before the fault that ends a block too early; another `}` further down is then surplus.
-    pub(in crate::interpreter) fn closed_early(&mut self, fault: &Diagnostic) -> Option<Diagnostic> {
+    pub fn closed_early(&mut self, fault: &Diagnostic) -> Option<Diagnostic> {
         let sources = self.inputs.sources;
         let (file, range) = sources.locate(fault.span())?;
         let look = || blame::early_brace(sources.text(file), sources.base(file)).map(Box::new);

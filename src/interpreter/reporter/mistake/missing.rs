@@ -109,13 +109,13 @@ impl Reporter<'_> {
     }
 
     /// True if a standard include file declares the name, perhaps with other capitals.
-    pub(in crate::interpreter) fn is_in_include(&self, name: &str) -> bool {
+    pub fn is_in_include(&self, name: &str) -> bool {
         self.include_missing_for(name).is_some()
             || name.len() > 4 && library::index_names().any(|n| n.eq_ignore_ascii_case(name))
     }
 
     /// Help for the name of an include file's thing outside of all blocks.
-    pub(in crate::interpreter) fn include_hint(&self, name: &str) -> Option<String> {
+    pub fn include_hint(&self, name: &str) -> Option<String> {
         self.include_missing_for(name).map(|file| {
             format!("`{name}` is declared in `{file}`; it is used inside a block, after `#include \"{file}\"`")
         })

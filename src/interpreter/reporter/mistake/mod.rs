@@ -128,7 +128,7 @@ impl Reporter<'_> {
     }
 
     /// Completes the messages at the end of the run, and adds the number of errors that were only counted.
-    pub(in crate::interpreter) fn complete_diagnostics(&mut self) {
+    pub fn complete_diagnostics(&mut self) {
         let all = std::mem::take(&mut self.diagnostics);
         self.diagnostics = all.into_iter().map(|d| self.with_all_places(d)).collect();
         let unreported = self.mistakes.unreported.len();

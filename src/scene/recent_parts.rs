@@ -1,4 +1,4 @@
-//! Things that are alike are one: a loop reads the same finish a hundred thousand times.
+//! Deduplication of equal parts: a loop may read the same finish a hundred thousand times.
 
 use crate::shape::{Kernel, Shape};
 use crate::texture::{Finish, Normal, Texture};
@@ -6,26 +6,26 @@ use smallvec::SmallVec;
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// As many are remembered of each kind: macros take turns, but seldom more than a few of them.
-const ROOM: usize = 4;
+/// Number of recent parts per type. Macros rarely alternate between more than a few parts.
+const MAX_RECENT: usize = 4;
 
-/// What was read last.
+/// The parts that were read last.
 #[derive(Debug, Default)]
-pub struct Alike {
+pub struct RecentParts {
     finishes: Recent<Finish>,
     normals: Recent<Normal>,
     textures: Recent<Texture>,
-    /// Those that learn.
-    shapes: RefCell<SmallVec<[Shape; ROOM]>>,
+    /// Shapes that build caches lazily.
+    shapes: RefCell<SmallVec<[Shape; MAX_RECENT]>>,
 }
 
-/// The last few of one kind.
-type Recent<T> = RefCell<SmallVec<[Arc<T>; ROOM]>>;
+/// The most recent parts of one type.
+type Recent<T> = RefCell<SmallVec<[Arc<T>; MAX_RECENT]>>;
 
-impl Alike {
-    /// Makes a texture one with those that it is like, and its finishes and normals too.
-    pub fn join(&self, texture: &mut Arc<Texture>) {
-        // Nobody else may have it: what is shared already stays so.
+impl RecentParts {
+    /// Replaces a texture by an equal recent one; its finishes and normals, too.
+    pub fn deduplicate(&self, texture: &mut Arc<Texture>) {
+        // A texture that is shared already stays as it is.
         let Some(own) = Arc::get_mut(texture) else { return };
         for layer in &mut own.layers {
             join(&self.finishes, &mut layer.finish, Finish::eq);
@@ -36,25 +36,25 @@ impl Alike {
         join(&self.textures, texture, Texture::is_plainly);
     }
 
-    /// The shape that was read before and is like this one.
-    pub fn of_shape(&self, shape: &Shape) -> Option<Shape> {
+    /// A recent shape that is equal to this one and builds caches lazily.
+    pub fn find_shape(&self, shape: &Shape) -> Option<Shape> {
         if !shape.caches_lazily() {
             return None;
         }
         self.shapes.borrow().iter().find(|other| *other == shape).cloned()
     }
 
-    /// Remembers a shape that learns.
-    pub fn remember(&self, shape: &Shape) {
+    /// Adds a shape that builds caches lazily.
+    pub fn add_shape(&self, shape: &Shape) {
         if shape.caches_lazily() {
             push(&mut self.shapes.borrow_mut(), shape.clone());
         }
     }
 }
 
-/// The last few: the oldest of them is forgotten.
-fn push<T>(recent: &mut SmallVec<[T; ROOM]>, thing: T) {
-    if recent.len() == ROOM {
+/// Adds a part, and drops the oldest one if the list is full.
+fn push<T>(recent: &mut SmallVec<[T; MAX_RECENT]>, thing: T) {
+    if recent.len() == MAX_RECENT {
         recent.remove(0);
     }
     recent.push(thing);
@@ -81,12 +81,12 @@ mod tests {
     }
 
     #[test]
-    fn what_is_alike_is_one() {
-        let alike = Alike::default();
+    fn equal_parts_are_shared() {
+        let recent = RecentParts::default();
         let mut all = [(0.0, 0.5), (1.0, 0.5), (1.0, 0.5), (1.0, 0.7)].map(|(color, diffuse)| texture(color, diffuse));
-        let told = all.clone().map(|t| (*t).clone());
-        all.iter_mut().for_each(|t| alike.join(t));
-        assert_eq!(all.clone().map(|t| (*t).clone()), told);
+        let before = all.clone().map(|t| (*t).clone());
+        all.iter_mut().for_each(|t| recent.deduplicate(t));
+        assert_eq!(all.clone().map(|t| (*t).clone()), before);
         let one = |i: usize, j: usize| {
             let finish = |i: usize| &all[i].layers[0].finish;
             (Arc::ptr_eq(&all[i], &all[j]), Arc::ptr_eq(finish(i), finish(j)))
