@@ -20,6 +20,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "`bounded_by` of a single plane, blob, julia fractal or height field has no effect.",
         &["light_cases/bounded_polynomials"],
     ),
+    emulated(
+        "bounded_by_trusted",
+        "A ray that misses every object of `bounded_by` hits nothing of the bounded object, even where the object \
+         extends beyond.",
+        &["light_cases/bounded_polynomials"],
+    ),
     differs(
         "camera_in_clipped",
         "A camera counts as inside an object although `clipped_by` removes that part of it, as long as the camera is \
@@ -29,14 +35,47 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/random/README.md"],
     ),
     emulated(
+        "csg_parts_share_interior",
+        "Parts of a CSG object without an `interior` share one interior, also in a union: a ray that leaves one part \
+         and enters another is not refracted.",
+        &["light_cases/glass_union", "light_cases/csg_merge_parts"],
+    ),
+    emulated(
+        "cutaway_without_texture",
+        "With `cutaway_textures`, a part without a texture shows on its cut surfaces the textures of the parts that \
+         it cuts; the parts that a `difference` removes are not cut.",
+        &["light_cases/csg_cutaway", "light_cases/csg_cutaway_hole", "light_cases/csg_cutaway_joined"],
+    ),
+    emulated(
+        "empty_intersection",
+        "An empty `intersection` has no surface, but every camera is inside it.",
+        &["light_cases/empty_intersection"],
+    ),
+    emulated(
         "extent_boxes",
         "The boxes that `min_extent` and `max_extent` return are not the smallest ones: each transform is applied to the box of a CSG object, and not to its parts.",
         &["tests/lang/geometry.scene"],
     ),
     emulated(
+        "first_object_wins",
+        "Of several surfaces at one point, that of an infinite object is seen, then that of the object that was \
+         declared first.",
+        &["light_cases/same_place"],
+    ),
+    emulated(
+        "hollow_of_last_part",
+        "Whether the inside of a CSG object without an `interior` is `hollow` is decided by its last part.",
+        &["light_cases/hollow_last"],
+    ),
+    emulated(
         "infinite_shapes_vanish",
         "A shape with a number that is not finite is not seen, nor is an object that such a number transforms.",
         &["light_cases/infinite_shapes"],
+    ),
+    emulated(
+        "interior_texture_of_group",
+        "`interior_texture` of a CSG object also applies to parts that have a texture of their own.",
+        &["light_cases/csg_interior_texture_parent"],
     ),
     emulated(
         "intersection_box",
@@ -49,6 +88,17 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "inverse_toggles",
         "Each `inverse` turns an object inside out again: two of them have no effect.",
         &["light_cases/csg_inverse_twice"],
+    ),
+    emulated(
+        "last_part_wins",
+        "Of several surfaces of one CSG object at one point, that of the last part is seen.",
+        &["light_cases/csg_cutaway_overlap", "light_cases/same_place"],
+    ),
+    emulated(
+        "no_image_in_union",
+        "Parts of a union or merge with `no_image` or `no_reflection` are hidden from those rays and hide no other \
+         part of a merge, but still belong to the inside of what is around.",
+        &["light_cases/merge_no_image", "light_cases/union_no_reflection", "light_cases/no_image_within"],
     ),
     emulated("patch_never_clipped", "`clipped_by` has no effect on a `bicubic_patch`.", &["light_cases/patch_clipped"]),
     emulated(

@@ -22,6 +22,21 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/area_light", "light_cases/area_light_adaptive_orient"],
     ),
     emulated(
+        "area_light_tube",
+        "A `cylinder` light with `area_light` has one tube, about the centre of the grid.",
+        &["light_cases/area_light_parallel_spot"],
+    ),
+    emulated(
+        "beam_without_axis",
+        "A spotlight, cylinder or parallel light whose `point_at` is its location illuminates nothing.",
+        &["src/light/beam.rs::as_measured"],
+    ),
+    emulated(
+        "circular_area_light",
+        "Lights of a circular grid are displaced by 0.002 of half a side.",
+        &["src/light/area.rs::a_grid_and_a_disc_as_measured", "light_cases/area_light_circular_beside"],
+    ),
+    emulated(
         "double_illuminate_highlights",
         "With `double_illuminate`, light from behind makes highlights too.",
         &["light_cases/double_illuminate_highlights"],
@@ -42,10 +57,37 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/area_illumination_irid"],
     ),
     emulated(
+        "light_in_union_of_group",
+        "A light in a union within a `light_group` is a light of the whole scene.",
+        &["light_cases/light_group"],
+    ),
+    emulated(
+        "looks_like_ignores_group",
+        "The `looks_like` object of a light in a `light_group` is illuminated by the lights of the group and by all \
+         others, even with `global_lights off`.",
+        &["light_cases/light_group_looks_like"],
+    ),
+    emulated(
         "missing_shares_darken_twice",
         "Where textures of a mesh or blob are left out because their shares are below `adc_bailout`, the shadow \
          darkens by the missing shares twice.",
         &["light_cases/shadow_small_shares"],
+    ),
+    emulated(
+        "oriented_area_is_circular",
+        "`orient` makes a grid of lights circular, but not a row.",
+        &["light_cases/area_light_orient_alone"],
+    ),
+    emulated(
+        "oriented_area_sides",
+        "The first side of an `orient` grid is perpendicular to z, or to y if the light shines nearly along z.",
+        &["light_cases/area_light_orient_along_z"],
+    ),
+    emulated(
+        "parallel_light_behind",
+        "A parallel light also illuminates what is behind it; with `fade_distance` the distance there is negative, so \
+         odd powers brighten and darken.",
+        &["light_cases/fade_behind_parallel"],
     ),
     emulated(
         "projected_through_range",
@@ -71,5 +113,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "A shadow ray ignores hits closer than 0.001 to either of its ends, and a transparent surface closer than \
          that to the one before.",
         &["light_cases/shadow_thin"],
+    ),
+    emulated(
+        "spotlight_profile",
+        "Between `radius` and `falloff` light follows 3x^2 - 2x^3 of the cosine, times the cosine to the power of \
+         `tightness`.",
+        &["light_cases/spotlight", "src/light/beam.rs::as_measured"],
     ),
 ];

@@ -91,6 +91,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/mesh_adc_corners", "light_cases/blob_adc_components"],
     ),
     emulated(
+        "finish_ior_first",
+        "`ior` and `caustics` in the finish of the topmost layer, as in old scenes, have priority over those of the \
+         `interior`.",
+        &["light_cases/old_finish"],
+    ),
+    emulated(
         "fresnel_of_last_entered",
         "Where a ray leaves one of several interiors, `fresnel` uses the index of that interior and the index of the \
          interior that was entered last, even if both are the same.",

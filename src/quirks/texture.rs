@@ -51,9 +51,20 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     emulated("map_without_pattern", "A pigment with a map but without a pattern is black.", &["light_cases/old_map"]),
     emulated(
+        "negative_highlights",
+        "Negative strengths of `phong` and `specular` count as 0.",
+        &["light_cases/finish_mixed_2"],
+    ),
+    emulated(
         "normals_by_transpose",
         "Bumps of a scaled or sheared normal are transformed by the transpose of the matrix, so that stretching flattens them.",
         &["light_cases/twisted_by_scale"],
+    ),
+    emulated(
+        "opaque_pigment_map",
+        "An object whose pigments transmit light only in entries of a `pigment_map` casts a full shadow; a \
+         `texture_map` is evaluated at each point.",
+        &["light_cases/shadow_image_in_map"],
     ),
     emulated(
         "pictures_once",
