@@ -265,6 +265,20 @@ fn modules_use_only_lower_layers_and_words_stay_in_their_files() {
     assert!(all.is_empty(), "\n{}", all.join("\n"));
 }
 
+/// Folders with one file for each shape or pattern of the language.
+const FAMILIES: &[&str] = &["pattern", "shape"];
+
+#[test]
+fn folders_have_at_most_25_files() {
+    let mut counts = std::collections::BTreeMap::new();
+    for (path, _) in sources() {
+        let folder = path.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_string());
+        *counts.entry(folder).or_insert(0) += 1;
+    }
+    counts.retain(|folder, count| *count > 25 && !FAMILIES.contains(&folder.as_str()));
+    assert!(counts.is_empty(), "{counts:?}");
+}
+
 #[test]
 fn scanner_finds_violations() {
     let bad = |path: &str, source: &str| assert_eq!(faults(path, source).len(), 1, "{path}: {source}");
