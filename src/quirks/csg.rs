@@ -35,6 +35,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/random/README.md"],
     ),
     emulated(
+        "csg_extent_boxes",
+        "The boxes that `min_extent` and `max_extent` return are not the smallest ones: each transform is applied to the box of a CSG object, and not to its parts.",
+        &["tests/lang/geometry.scene"],
+    ),
+    emulated(
         "csg_parts_share_interior",
         "Parts of a CSG object without an `interior` share one interior, also in a union: a ray that leaves one part \
          and enters another is not refracted.",
@@ -50,11 +55,6 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "empty_intersection",
         "An empty `intersection` has no surface, but every camera is inside it.",
         &["light_cases/empty_intersection"],
-    ),
-    emulated(
-        "csg_extent_boxes",
-        "The boxes that `min_extent` and `max_extent` return are not the smallest ones: each transform is applied to the box of a CSG object, and not to its parts.",
-        &["tests/lang/geometry.scene"],
     ),
     emulated(
         "first_object_wins",
