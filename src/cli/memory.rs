@@ -18,12 +18,13 @@ pub fn check_size(size: Size) -> Result<()> {
 }
 
 /// Refuses a picture, or a part of it, that needs more memory than `limit` (`--max-memory`) or than is free (E0006).
-/// Each pixel occupies `kept` bytes until the file is finished.
-pub fn check_drawing(size: Size, part: Option<Region>, kept: usize, limit: Option<u64>) -> Result<()> {
+/// Each pixel occupies `bytes_per_pixel` bytes until the file is finished.
+pub fn check_memory(size: Size, part: Option<Region>, bytes_per_pixel: usize, limit: Option<u64>) -> Result<()> {
     check_size(size)?;
     let Size { width, height } = size;
     let rendered = part.unwrap_or(Region { x: 0, y: 0, width, height });
-    let needed = (width as u128 * height as u128 * kept as u128).saturating_add(render::memory_bytes(rendered));
+    let needed =
+        (width as u128 * height as u128 * bytes_per_pixel as u128).saturating_add(render::memory_bytes(rendered));
     let fault = |rest: String| {
         let text = format!("a picture of {}x{} takes {} of memory; {rest}", size.width, size.height, in_words(needed));
         let help = "make it smaller with `--size`, or render a part of it with `--region`";
@@ -90,7 +91,9 @@ mod tests {
 
     #[test]
     fn pictures_that_are_too_large_are_refused() {
-        let fits = |width, height, kept, limit| check_drawing(Size { width, height }, None, kept, limit).is_ok();
+        let fits = |width, height, bytes_per_pixel, limit| {
+            check_memory(Size { width, height }, None, bytes_per_pixel, limit).is_ok()
+        };
         assert!(fits(640, 480, 0, None) && !fits(640, 480, 0, Some(1000)));
         assert!(!fits(100_000, 100_000, 16, Some(100_000_000_000)));
         assert!(!fits(1_000_000, 1_000_000, 0, None));
@@ -100,7 +103,7 @@ mod tests {
     #[test]
     fn rows_that_are_written_at_once_need_no_memory() {
         let size = Size { width: 8000, height: 8000 };
-        let fits = |kept, limit| check_drawing(size, None, kept, Some(limit)).is_ok();
+        let fits = |bytes_per_pixel, limit| check_memory(size, None, bytes_per_pixel, Some(limit)).is_ok();
         assert!(fits(0, 40 << 20) && !fits(16, 1_000_000_000) && fits(16, 1_100_000_000));
     }
 

@@ -78,7 +78,7 @@ pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> 
     let file = session::open_or_report(console, &sources, &input)?;
     let timing = session::timing(&merged.scene, animation.as_ref())?;
     let options = session::reading_options(&merged.scene, &input, timing);
-    let options = interpreter::Options { origins: true, ..options };
+    let options = interpreter::Options { record_origins: true, ..options };
     let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
     let world = session::settle(console, &sources, &mut built)?;
     let drawing = render::Options { frame: timing.frame, ..render::Options::new(size.width, size.height) };
@@ -103,8 +103,8 @@ pub(super) fn words(sources: &Sources, picked: Option<&Picked>, color: [f64; 3])
 /// The colour of one pixel without anti-aliasing.
 fn color_of(world: &World, drawing: &render::Options, x: usize, y: usize) -> [f64; 3] {
     let region = Some(Region { x, y, width: 1, height: 1 });
-    let drawn = render::render(world, &render::Options { region, ..drawing.clone() }, &Unwatched);
-    let pixel = drawn.ok().and_then(|(frame, _)| frame.pixels.get(y * frame.width + x).copied());
+    let rendered = render::render(world, &render::Options { region, ..drawing.clone() }, &Unwatched);
+    let pixel = rendered.ok().and_then(|(frame, _)| frame.pixels.get(y * frame.width + x).copied());
     let [r, g, b, _] = pixel.unwrap_or_default().map(f64::from);
     [r, g, b]
 }

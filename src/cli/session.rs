@@ -102,8 +102,8 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         host: Arc::new(LocalHost::default()),
         stop: None,
         granularity: if args.single_tokens { Granularity::Tokens } else { Granularity::Whole },
-        origins: false,
-        branches: false,
+        record_origins: false,
+        record_branches: false,
     }
 }
 

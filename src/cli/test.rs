@@ -143,8 +143,8 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     header.scene.size = header.scene.size.or(expected.as_ref().map(|p| Size { width: p.width, height: p.height }));
     header.look.alpha |= expected.as_ref().is_some_and(|p| p.channels % 2 == 0);
     outcome.encoding.alpha = header.look.alpha;
-    let kept = size_of::<[f32; 4]>();
-    memory::check_drawing(header.scene.size(), None, kept, header.scene.max_memory.map(|b| b.0))?;
+    let bytes_per_pixel = size_of::<[f32; 4]>();
+    memory::check_memory(header.scene.size(), None, bytes_per_pixel, header.scene.max_memory.map(|b| b.0))?;
 
     let timing = session::timing(&header.scene, None)?;
     let options = session::reading_options(&header.scene, &case.scene, timing);
@@ -260,6 +260,6 @@ fn entry<'o>(args: &TestArgs, case: &Case, outcome: &'o Outcome) -> Entry<'o> {
         text: format!("{}\n{}", outcome.text, outcome.messages).trim().to_string(),
         accept: acceptance(args, case, outcome),
         expected: outcome.expected.as_ref(),
-        drawn: outcome.rendered.as_ref(),
+        rendered: outcome.rendered.as_ref(),
     }
 }

@@ -31,7 +31,7 @@ pub use evaluator::Timing;
 pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
 use reporter::Reporter;
-pub use rvalue::LATER;
+pub use rvalue::UNSUPPORTED_BLOCKS;
 use scene_builder::{SceneBuilder, compat};
 pub use statement::STATEMENTS;
 use std::sync::Arc;
@@ -73,9 +73,9 @@ pub struct Options {
     /// Size of the elements that the parser produces.
     pub granularity: Granularity,
     /// True to record the macro calls and includes through which each object came into the scene.
-    pub origins: bool,
+    pub record_origins: bool,
     /// True to record which branches run.
-    pub branches: bool,
+    pub record_branches: bool,
 }
 
 /// Options for a picture of one pixel, no files and a million steps.
@@ -95,8 +95,8 @@ impl Default for Options {
             host: Arc::new(LocalHost::default()),
             stop: None,
             granularity: Granularity::Whole,
-            origins: false,
-            branches: false,
+            record_origins: false,
+            record_branches: false,
         }
     }
 }
@@ -111,10 +111,10 @@ pub struct Outcome {
     /// True if a limit on steps, memory or time ended the run (exit code 4).
     pub limit_reached: bool,
     /// Macro calls and includes around each of the scene's objects, innermost first; empty without
-    /// [`Options::origins`].
+    /// [`Options::record_origins`].
     pub origins: Vec<Vec<Label>>,
-    /// Branches of `#if`, `#ifdef` and `#switch` that never ran; empty without [`Options::branches`].
-    pub idle: Vec<Span>,
+    /// Branches of `#if`, `#ifdef` and `#switch` that never ran; empty without [`Options::record_branches`].
+    pub unused_branches: Vec<Span>,
 }
 
 /// Runs a file that [`Sources`] already holds. `debug` receives the output of `#debug`, `#render` and `#statistics`.
@@ -233,8 +233,8 @@ impl<'a> Interpreter<'a> {
         let failed = self.reporter.error_count() > 0;
         let limit_reached = self.reporter.limit_reached();
         let (scene, origins) = self.builder.into_scene();
-        let (diagnostics, idle) = self.reporter.into_diagnostics();
-        Outcome { scene: (!failed).then_some(scene), diagnostics, limit_reached, origins, idle }
+        let (diagnostics, unused_branches) = self.reporter.into_diagnostics();
+        Outcome { scene: (!failed).then_some(scene), diagnostics, limit_reached, origins, unused_branches }
     }
 
     /// Sets the language version of the text that follows.

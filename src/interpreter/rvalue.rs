@@ -16,7 +16,7 @@ use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
 
 /// Blocks that can be declared but that durer does not render yet.
-pub const LATER: &[&str] =
+pub const UNSUPPORTED_BLOCKS: &[&str] =
     &["media", "density", "density_map", "warp", "radiosity", "photons", "pattern", "array", "texture_list"];
 
 impl<'a> Interpreter<'a> {
@@ -96,7 +96,7 @@ impl<'a> Interpreter<'a> {
         if is_object(word) {
             return Ok(Arc::<Object>::from(Object::read(self, &defaults)?));
         }
-        if LATER.contains(&word) {
+        if UNSUPPORTED_BLOCKS.contains(&word) {
             return Ok(Arc::new(self.read_unsupported(word)?));
         }
         let base = &defaults.texture.layers[0];

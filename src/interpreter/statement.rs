@@ -134,7 +134,7 @@ impl Interpreter<'_> {
         let defaults = self.builder.defaults().clone();
         let object = Object::read(self, &defaults)?;
         self.builder.add_object(*object);
-        if self.inputs.options.origins {
+        if self.inputs.options.record_origins {
             self.builder.add_origin(self.stream.trace());
         }
         Ok(())

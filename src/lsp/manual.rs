@@ -40,7 +40,7 @@ pub fn picture(word: &str) -> Option<Uri> {
 pub fn of_code(code: &str) -> Option<Uri> {
     let page = address("reference/codes.md")?;
     let heading = format!("{code}: {}", codes::find(code)?.title).to_lowercase();
-    let kept = heading.chars().filter(|c| c.is_ascii_alphanumeric() || matches!(c, ' ' | '-' | '_'));
-    let anchor: String = kept.map(|c| if c == ' ' { '-' } else { c }).collect();
+    let characters = heading.chars().filter(|c| c.is_ascii_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+    let anchor: String = characters.map(|c| if c == ' ' { '-' } else { c }).collect();
     Uri::from_str(&format!("{}#{anchor}", page.as_str())).ok()
 }

@@ -77,7 +77,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
         max_time: Some(MAX_TIME),
         max_memory: Some(MAX_MEMORY),
         stop: Some(job.stop.clone()),
-        branches: true,
+        record_branches: true,
         ..Options::default()
     };
     let built = crate::build_with(&parsed, &sources, file, &options, Keep::World, &mut |_| {});
@@ -99,7 +99,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
         out.entry(path).or_default().push(of_run(diagnostic, &sources, place));
     }
     // The editor shows branches of open texts that did not run in a faint colour.
-    for span in &built.idle {
+    for span in &built.unused_branches {
         let Some((id, bytes)) = sources.locate(*span) else { continue };
         let path = sources.path(id).filter(|_| id != file).map(Path::to_path_buf);
         if path.as_deref().is_none_or(|path| job.open.iter().any(|(open, _)| same(open, path))) {

@@ -56,7 +56,7 @@ pub struct Declaration {
     /// Byte range of the name.
     pub at: Range<usize>,
     /// Kind of the declaration.
-    pub what: DeclarationKind,
+    pub kind: DeclarationKind,
     /// Index of the innermost enclosing macro.
     pub scope: Option<usize>,
     /// Byte range from the directive to the name, or to the `#end` of a macro.
@@ -167,8 +167,8 @@ impl Scan {
             let is_own = |d: &Declaration| {
                 d.scope == scope
                     && d.name == name
-                    && d.what != DeclarationKind::Declare
-                    && d.what != DeclarationKind::Macro
+                    && d.kind != DeclarationKind::Declare
+                    && d.kind != DeclarationKind::Macro
             };
             if self.declarations.iter().any(is_own) {
                 return scope;
@@ -333,7 +333,7 @@ impl Scanner<'_> {
         }
     }
 
-    fn declaration(&mut self, i: usize, what: DeclarationKind) -> usize {
+    fn declaration(&mut self, i: usize, kind: DeclarationKind) -> usize {
         let mut name = self.next(i);
         if self.read(name) == "deprecated" {
             name = (name..name + 6).find(|i| self.kind(*i) == Some(TokenKind::Name)).unwrap_or(name);
@@ -343,7 +343,7 @@ impl Scanner<'_> {
             return i + 1;
         }
         let start = self.at(i).start;
-        self.declare(name, what, start);
+        self.declare(name, kind, start);
         name + 1
     }
 
@@ -379,13 +379,13 @@ impl Scanner<'_> {
         at
     }
 
-    fn declare(&mut self, name: usize, what: DeclarationKind, start: usize) {
+    fn declare(&mut self, name: usize, kind: DeclarationKind, start: usize) {
         let at = self.at(name);
         let declared = Declaration {
             name: self.read(name).into(),
             whole: start..at.end,
             at,
-            what,
+            kind,
             scope: self.macros.last().copied(),
         };
         self.scan.declarations.push(declared);

@@ -44,9 +44,9 @@ fn add<'a, T: 'a>(out: &mut Vec<WordInfo>, more: impl IntoIterator<Item = &'a T>
 where
     WordInfo: From<&'a T>,
 {
-    for taken in more.into_iter().map(WordInfo::from) {
-        if !out.iter().any(|other| other.name == taken.name) {
-            out.push(taken);
+    for info in more.into_iter().map(WordInfo::from) {
+        if !out.iter().any(|other| other.name == info.name) {
+            out.push(info);
         }
     }
 }
@@ -114,9 +114,9 @@ pub fn explain(word: &str, block: &str) -> Vec<String> {
             out.insert(if first { 0 } else { out.len() }, text);
         }
     };
-    if let Some(here) = of_block(block).iter().find(|taken| taken.name == word) {
+    if let Some(word_info) = of_block(block).iter().find(|info| info.name == word) {
         let place = if block.is_empty() { String::new() } else { format!("in `{block}`: ") };
-        add(format!("{place}{}", describe(here)), true);
+        add(format!("{place}{}", describe(word_info)), true);
     }
     if let Some(spec) = FAMILIES.iter().flat_map(|family| family.specs.iter()).find(|spec| spec.name == word) {
         add(form(spec), false);
@@ -164,10 +164,10 @@ fn plain(markdown: &str) -> String {
     text + rest
 }
 
-fn describe(taken: &WordInfo) -> String {
-    let takes = if taken.kind == ValueKind::Nothing { String::new() } else { format!(" (takes {})", kind(taken.kind)) };
-    let default = if taken.default.is_empty() { String::new() } else { format!(" Default: {}.", taken.default) };
-    format!("{}{takes}.{default}", taken.summary)
+fn describe(info: &WordInfo) -> String {
+    let takes = if info.kind == ValueKind::Nothing { String::new() } else { format!(" (takes {})", kind(info.kind)) };
+    let default = if info.default.is_empty() { String::new() } else { format!(" Default: {}.", info.default) };
+    format!("{}{takes}.{default}", info.summary)
 }
 
 /// Syntax of a shape, a pattern and the like: `box { corner_1, corner_2 … }`.

@@ -33,9 +33,9 @@ pub fn render_progressively(
     let mut count = FIRST_PIXELS;
     while count < pixels {
         let start = Instant::now();
-        let drawn = coarse(world, options, area, (count as f64 / pixels as f64).sqrt(), stop)?;
-        let rate = start.elapsed().as_secs_f64() / (drawn.width * drawn.height).max(1) as f64;
-        screen.put_coarse(drawn);
+        let image = coarse(world, options, area, (count as f64 / pixels as f64).sqrt(), stop)?;
+        let rate = start.elapsed().as_secs_f64() / (image.width * image.height).max(1) as f64;
+        screen.put_coarse(image);
         first.get_or_insert_with(|| begin.elapsed());
         count *= LEVEL_FACTOR;
         if rate * (pixels as f64) < SHORT || rate * (count as f64) > rate * (pixels as f64) / 3.0 {

@@ -23,12 +23,12 @@ pub struct View {
 /// See the module.
 #[derive(Default)]
 pub struct Screen {
-    shown: Mutex<Shown>,
+    contents: Mutex<Contents>,
     changed: Condvar,
 }
 
 #[derive(Default)]
-struct Shown {
+struct Contents {
     picture: Option<Picture>,
     previous: Option<Arc<Image>>,
     state: Option<Arc<PageState>>,
@@ -100,47 +100,47 @@ impl Picture {
 }
 
 impl Screen {
-    fn lock(&self) -> MutexGuard<'_, Shown> {
+    fn lock(&self) -> MutexGuard<'_, Contents> {
         // After a panic of another thread the picture can still be displayed.
-        self.shown.lock().unwrap_or_else(PoisonError::into_inner)
+        self.contents.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn change(&self, change: impl FnOnce(&mut Shown, u64)) {
-        let mut shown = self.lock();
-        shown.stamp += 1;
-        let stamp = shown.stamp;
-        change(&mut shown, stamp);
-        drop(shown);
+    fn change(&self, change: impl FnOnce(&mut Contents, u64)) {
+        let mut contents = self.lock();
+        contents.stamp += 1;
+        let stamp = contents.stamp;
+        change(&mut contents, stamp);
+        drop(contents);
         self.changed.notify_all();
     }
 
     /// Replaces the state beside the picture.
     pub fn set_state(&self, state: PageState) {
-        self.change(|shown, stamp| (shown.state, shown.state_stamp) = (Some(Arc::new(state)), stamp));
+        self.change(|contents, stamp| (contents.state, contents.state_stamp) = (Some(Arc::new(state)), stamp));
     }
 
     /// Starts a new picture. The last finished picture becomes the previous one.
     pub fn begin(&self, view: View) {
-        self.change(|shown, stamp| {
-            let last = shown.picture.take();
+        self.change(|contents, stamp| {
+            let last = contents.picture.take();
             let run = last.as_ref().map_or(1, |last| last.run + 1);
             if let Some(last) = last.filter(|last| last.done) {
-                shown.previous = Some(Arc::new(last.image));
+                contents.previous = Some(Arc::new(last.image));
             }
             let Region { width, height, .. } = view.area;
             let image = Image { width, height, pixels: vec![[0.0; 4]; width * height] };
             let picture = Picture { run, view, image, tiles: vec![], coarse: None, progress: 0.0, done: false };
             let Region { y, .. } = view.area;
             let tiles = picture.columns() * ((y + height).div_ceil(TILE) - y / TILE);
-            shown.picture = Some(Picture { tiles: vec![0; tiles], ..picture });
-            shown.state_stamp = stamp;
+            contents.picture = Some(Picture { tiles: vec![0; tiles], ..picture });
+            contents.state_stamp = stamp;
         });
     }
 
     /// Displays the whole picture in a lower resolution.
     pub fn put_coarse(&self, image: Image) {
-        self.change(|shown, stamp| {
-            if let Some(picture) = &mut shown.picture {
+        self.change(|contents, stamp| {
+            if let Some(picture) = &mut contents.picture {
                 picture.coarse = Some((image, stamp));
             }
         });
@@ -148,8 +148,8 @@ impl Screen {
 
     /// Displays an area of the larger picture, in linear colour and row by row. Pixels outside of the view are ignored.
     pub fn put(&self, area: Region, pixels: &[[f32; 4]]) {
-        self.change(|shown, stamp| {
-            let Some(picture) = &mut shown.picture else { return };
+        self.change(|contents, stamp| {
+            let Some(picture) = &mut contents.picture else { return };
             let view = picture.view.area;
             let columns = picture.columns();
             for (y, row) in (area.y..).zip(pixels.chunks(area.width.max(1))) {
@@ -173,24 +173,24 @@ impl Screen {
 
     /// Marks the picture as finished.
     pub fn finish(&self) {
-        self.change(|shown, stamp| {
-            if let Some(picture) = &mut shown.picture {
+        self.change(|contents, stamp| {
+            if let Some(picture) = &mut contents.picture {
                 (picture.done, picture.progress) = (true, 1.0);
-                shown.state_stamp = stamp;
+                contents.state_stamp = stamp;
             }
         });
     }
 
     /// Returns the picture if it is finished.
     pub fn finished(&self) -> Option<Image> {
-        let shown = self.lock();
-        shown.picture.as_ref().filter(|picture| picture.done).map(|picture| picture.image.clone())
+        let contents = self.lock();
+        contents.picture.as_ref().filter(|picture| picture.done).map(|picture| picture.image.clone())
     }
 
     /// Returns the linear colour of a pixel.
     pub fn color_at(&self, x: usize, y: usize) -> Option<[f32; 4]> {
-        let shown = self.lock();
-        let picture = shown.picture.as_ref().filter(|picture| x < picture.image.width)?;
+        let contents = self.lock();
+        let picture = contents.picture.as_ref().filter(|picture| x < picture.image.width)?;
         picture.image.pixels.get(y * picture.image.width + x).copied()
     }
 
@@ -201,14 +201,15 @@ impl Screen {
 
     /// Waits for changes that a page has not received; `None` after `time`.
     pub(super) fn wait(&self, cursor: &mut Cursor, time: Duration) -> Option<Update> {
-        let shown = self.lock();
-        let quiet = |shown: &mut Shown| shown.stamp <= cursor.stamp;
-        let (shown, _) = self.changed.wait_timeout_while(shown, time, quiet).unwrap_or_else(PoisonError::into_inner);
-        (shown.stamp > cursor.stamp).then(|| shown.update(cursor))
+        let contents = self.lock();
+        let quiet = |contents: &mut Contents| contents.stamp <= cursor.stamp;
+        let (contents, _) =
+            self.changed.wait_timeout_while(contents, time, quiet).unwrap_or_else(PoisonError::into_inner);
+        (contents.stamp > cursor.stamp).then(|| contents.update(cursor))
     }
 }
 
-impl Shown {
+impl Contents {
     fn update(&self, cursor: &mut Cursor) -> Update {
         let run = self.picture.as_ref().map_or(0, |picture| picture.run);
         let another = run != cursor.run;

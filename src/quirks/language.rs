@@ -13,7 +13,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "call_runs_directives",
         "To find out whether the name of a function is called, directives after the name run, even where directives after a value wait until \
          the value has been used.",
-        &["tests/lang/pieces.scene"],
+        &["tests/lang/tokens.scene"],
     ),
     emulated(
         "comparison_tolerance",
@@ -44,7 +44,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
         "index_follows_name",
         "Between the name of an array and its index no directive and no macro runs, and no macro ends.",
-        &["tests/lang/pieces.scene"],
+        &["tests/lang/tokens.scene"],
     ),
     emulated(
         "infinite_colors",

@@ -1,7 +1,7 @@
 //! All words of the language by kind, for the grammars of editors, which `tests/suite/editors.rs` generates.
 
 use super::{BLOCKS, FAMILIES};
-use crate::interpreter::{LATER, directives};
+use crate::interpreter::{UNSUPPORTED_BLOCKS, directives};
 use crate::pattern::Modifiers;
 use crate::shape;
 use crate::syntax::word::{CONSTANTS, FUNCTIONS, GROUPS, KEYWORDS};
@@ -40,7 +40,7 @@ pub fn sorts() -> Sorts {
     let objects = sorted(shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
     let named = BLOCKS.iter().flat_map(|block| block.words.unsupported.iter().copied().chain([block.words.block]));
     // `function` is part of the grammar itself.
-    let named = named.chain(LATER.iter().copied()).chain(["function"]);
+    let named = named.chain(UNSUPPORTED_BLOCKS.iter().copied()).chain(["function"]);
     let with_braces = rows().filter(|row| row.kind == ValueKind::Block).map(|row| row.name);
     let is_keyword = |name: &&str| KEYWORDS.contains(name);
     let blocks = sorted(named.chain(with_braces).filter(is_keyword).filter(|name| !objects.contains(name)));

@@ -31,35 +31,35 @@ pub type Polynomial = Algebraic<3>;
 
 const FORMS: [&str; 4] = ["cubic", "quartic", "poly", "polynomial"];
 
-/// An algebraic surface, written in one of the forms.
+/// An algebraic surface in one of the four notations.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Algebraic<const FORM: usize> {
-    /// The highest sum of powers.
+    /// Maximum sum of exponents.
     pub order: usize,
-    /// Of all powers of x, y and z, in falling order.
+    /// Coefficients of all monomials, in falling order.
     pub coefficients: Vec<f64>,
-    /// Those that are not all 0.
+    /// Terms with coefficients other than 0.
     #[serde(skip)]
     rows: Vec<PowersOfZ>,
 }
 
-/// xⁱ·yʲ·(c₀ + c₁·z + …): what is added in one go.
+/// xⁱ·yʲ·(c₀ + c₁·z + …): terms that are evaluated together.
 #[derive(Clone, Debug, PartialEq)]
 struct PowersOfZ {
     i: usize,
     j: usize,
-    /// Ends with a number that is not 0.
+    /// Coefficients of powers of z; the last is not 0.
     c: Vec<f64>,
 }
 
-/// How many coefficients there are.
+/// Number of coefficients of an order.
 fn count(order: usize) -> usize {
     (order + 1) * (order + 2) * (order + 3) / 6
 }
 
-/// Which one belongs to xⁱ·yʲ·zᵏ.
+/// Index of the coefficient of xⁱ·yʲ·zᵏ.
 fn place(order: usize, [i, j, k]: [usize; 3]) -> usize {
-    // Before it: all with more of x, then those with as much of x and more of y.
+    // Before it are all monomials with a higher power of x, then those with the same power of x and a higher one of y.
     let (of_yz, of_z) = (order - i, order - i - j);
     let more_x = if i == order { 0 } else { count(order - i - 1) };
     let more_y = of_z * (of_z + 1) / 2;
@@ -67,7 +67,7 @@ fn place(order: usize, [i, j, k]: [usize; 3]) -> usize {
     more_x + more_y + (of_z - k)
 }
 
-/// A polynomial in one variable, with room for N coefficients, lowest first.
+/// A polynomial in one variable with up to N coefficients, lowest first.
 struct Univariate<const N: usize> {
     c: [f64; N],
     len: usize,
@@ -76,7 +76,7 @@ struct Univariate<const N: usize> {
 impl<const N: usize> Univariate<N> {
     const ZERO: Self = Self { c: [0.0; N], len: 0 };
 
-    /// Becomes itself times (o + v·s)ⁿ.
+    /// Multiplies by (o + v·s)ⁿ.
     fn times(&mut self, o: f64, v: f64, n: usize) {
         for _ in 0..n {
             if self.len == 0 {
@@ -107,7 +107,7 @@ struct Slopes {
 }
 
 impl Slopes {
-    /// Times the n-th power of the coordinate along an axis.
+    /// Multiplies by the n-th power of the coordinate along an axis.
     fn times(mut self, p: DVec3, axis: usize, n: usize) -> Self {
         for _ in 0..n {
             self.by *= p[axis];
@@ -123,7 +123,7 @@ impl Slopes {
 }
 
 impl<const FORM: usize> Algebraic<FORM> {
-    /// Of an order up to 35, with a coefficient for each power up to it.
+    /// A polynomial of an order up to 35, with a coefficient for each monomial.
     pub fn new(order: usize, coefficients: Vec<f64>) -> Self {
         let mut rows = vec![];
         for i in (0..=order).rev() {
@@ -139,7 +139,7 @@ impl<const FORM: usize> Algebraic<FORM> {
         Self { order, coefficients, rows }
     }
 
-    /// The polynomial at o + s·v, by Horner's rule in x, in y and in z.
+    /// Returns the polynomial at o + s·v, by Horner's rule in x, in y and in z.
     fn along<const N: usize>(&self, o: DVec3, v: DVec3) -> Univariate<N> {
         let (mut of_x, mut of_y) = (Univariate::<N>::ZERO, Univariate::<N>::ZERO);
         let (mut i, mut j) = (self.order, self.order);
@@ -166,7 +166,7 @@ impl<const FORM: usize> Algebraic<FORM> {
         of_x
     }
 
-    /// The polynomial at a point, and its gradient.
+    /// Returns the polynomial and its gradient at a point.
     fn at(&self, p: DVec3) -> Slopes {
         let (mut of_x, mut of_y) = (Slopes::default(), Slopes::default());
         let (mut i, mut j) = (self.order, self.order);
@@ -186,9 +186,9 @@ impl<const FORM: usize> Algebraic<FORM> {
         of_x.plus(of_y.times(p, 1, j)).times(p, 0, i)
     }
 
-    /// Tells each hit in the range, ascending; true ends the search.
+    /// Calls `found` with each hit in the range, ascending, until it returns true.
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
-        // Measured from the ray's point nearest to the origin, so that a far eye loses nothing.
+        // Start from the ray's point nearest to the origin, so that a distant eye costs no digits.
         let length = ray.dir.length();
         let range = range.ahead(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
@@ -231,7 +231,7 @@ const ORDER: Param = Param { name: "order", kind: ValueKind::Float, summary: "th
 const COEFFICIENTS: Param =
     Param { name: "<coefficients>", kind: ValueKind::Vectors, summary: "a number for each power, in falling order" };
 
-/// An order from 2 to 35.
+/// Reads an order from 2 to 35.
 fn read_order(form: &str, r: &mut dyn Reader) -> Result<usize> {
     let (span, order) = (r.span(), r.float()?.floor());
     if (2.0..=MAX_DEGREE as f64).contains(&order) {
@@ -284,7 +284,7 @@ impl<const FORM: usize> Algebraic<FORM> {
 }
 
 const TERM: WordSpec = word("xyz", ValueKind::Block, "", "`xyz(i, j, k): c` adds c·xⁱ·yʲ·zᵏ");
-/// What it chooses in POV-Ray, here is always so.
+/// `sturm` has no effect: durer always uses an exact method.
 pub(super) const STURM: WordSpec =
     word("sturm", ValueKind::Flag, "off", "a more exact method in POV-Ray; changes nothing here");
 
@@ -324,7 +324,7 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
         if n.length_squared() > 0.0 { n } else { DVec3::X }
     }
 
-    /// POV-Ray has no mapping for them.
+    /// POV-Ray has no mapping for these shapes.
     fn has_uv_mapping(&self) -> bool {
         false
     }
@@ -336,7 +336,7 @@ mod tests {
     use crate::math::fp;
     use crate::shape::testing::{all, assert_hits, read};
 
-    /// A torus with radii √40 and √12, as the manual writes it.
+    /// A torus with radii √40 and √12, as in the manual.
     const RING: &str = "<1,0,0,0,2,0,0,2,0,-104,0,0,0,0,0,0,0,0,0,0,1,0,0,2,0,56,0,0,0,0,1,0,-104,0,784>";
 
     #[test]
@@ -407,7 +407,7 @@ mod tests {
         assert_eq!(read::<Polynomial>("4 xyz <3,2,0> 1").0.unwrap_err().code, codes::BAD_ORDER);
         assert_eq!(read::<Polynomial>("4 xyz <-1,0,0> 1").0.unwrap_err().code, codes::BAD_ORDER);
         assert!(ring.inside(DVec3::X * major) && !ring.inside(DVec3::ZERO));
-        // From a million away.
+        // From a distance of a million.
         let far = all(&ring, &Ray::new(DVec3::new(-1e6, 0.5, 1.0), DVec3::X));
         let near = all(&ring, &Ray::new(DVec3::new(0.0, 0.5, 1.0), DVec3::X));
         assert!(
@@ -423,7 +423,7 @@ mod tests {
         assert_hits(&all(&shape, &Ray::new(DVec3::Z * -9.0, DVec3::Z)), &[(10.0, 0)]);
         assert!(shape.inside(DVec3::ZERO) && !shape.inside(DVec3::splat(2.0)));
         assert!(shape.normal(DVec3::Z, &Hit::at(0.0)).normalize().distance(DVec3::Z) < 1e-15);
-        // Behind its surface by a ten-thousandth of the sum, as in POV-Ray.
+        // The inside extends a ten-thousandth of the value beyond the surface, as in POV-Ray.
         assert!(shape.inside(DVec3::Z * 1.00003) && !shape.inside(DVec3::Z * 1.00004));
     }
 

@@ -25,14 +25,14 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// Fields that flow into each other.
+/// Fields that merge into each other.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Blob {
-    /// How strong the field is on the surface; inside it is stronger.
+    /// Strength of the field on the surface; inside it is stronger.
     pub threshold: f64,
-    /// In the order of the hierarchy.
+    /// Components in the order of the hierarchy.
     pub components: Vec<Component>,
-    /// Has a component, even one that adds nothing, a texture of its own?
+    /// True if any component, even one without strength, has a texture.
     #[serde(skip)]
     textured: bool,
     #[serde(skip)]
@@ -42,7 +42,8 @@ pub struct Blob {
 }
 
 impl Blob {
-    /// Puts the components in order for rays; those that add nothing, and those beyond all measure, are left out.
+    /// Builds the hierarchy over the components; leaves out those without strength and those beyond the range of
+    /// numbers.
     fn arrange(&mut self) {
         self.components.retain(|component| component.strength != 0.0 && bvh::fits(&component.bounds()));
         let (bvh, order) = Bvh::build(self.components.iter().map(Component::bounds));
@@ -66,11 +67,11 @@ impl Blob {
         sum
     }
 
-    /// Hands the places on the surface to `visit` in order, until it breaks off.
+    /// Calls `visit` with each hit in `range`, in ascending `t`, until it returns `Break`.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
         let range = range.ahead(Self::QUIRKS.min_distance);
         let Some((enter, _)) = self.bounds.slabs(ray, range) else { return };
-        // Counted from near the blob, so that a far eye loses nothing.
+        // Start near the blob, so that a distant eye costs no digits.
         let start = if enter.is_finite() { enter } else { -ray.origin.dot(ray.dir) / ray.dir.length_squared() };
         let near = Ray::new(ray.at(start), ray.dir);
         let mut stretches = Stretches::new();
@@ -109,8 +110,8 @@ impl Blob {
     }
 }
 
-/// Have all of its Bernstein coefficients between -h and h one sign? Then the polynomial has no root there (Farouki and Rajan, On the
-/// numerical condition of polynomials in Bernstein form, 1987).
+/// True if all Bernstein coefficients between -h and h have one sign; then the polynomial has no root there (Farouki
+/// and Rajan, On the numerical condition of polynomials in Bernstein form, 1987).
 fn never_zero(c: &[f64; 5], h: f64) -> bool {
     // As a polynomial of x = t/h: p(x) = Σ pᵢ·xⁱ; with x = 2s - 1 the coefficients are linear in those.
     let [p4, p3, p2, p1, p0] = [c[0] * h * h * h * h, c[1] * h * h * h, c[2] * h * h, c[3] * h, c[4]];
@@ -202,7 +203,8 @@ impl Kernel for Blob {
         self.bounds
     }
 
-    /// That of the components which make it stronger. Without any it is inside out, and endless as soon as it is moved.
+    /// Box of the components with positive strength; without any the blob is inverted, and infinite once it is
+    /// transformed (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let strong = self.components.iter().filter(|component| component.strength > 0.0);
         match strong.map(Component::pov_bounds).reduce(Aabb::union) {
@@ -304,7 +306,7 @@ mod tests {
                     (shape.field(p) - 0.4).abs() < 1e-9 && shape.bounds().grown(1e-9).contains(p),
                     "{ray:?} {hit:?}"
                 );
-                // The normal goes against the gradient.
+                // The normal is opposite to the gradient.
                 let n = shape.normal(p, hit).normalize();
                 let slope = (shape.field(p + n * 1e-6) - shape.field(p - n * 1e-6)) / 2e-6;
                 assert!(slope < 0.0 && (slope.abs() - shape.normal(p, hit).length()).abs() < 1e-4 * slope.abs());

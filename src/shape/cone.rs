@@ -21,9 +21,9 @@ use serde::Serialize;
 pub struct Cone(pub Frustum);
 
 impl Cone {
-    /// Between two different points.
+    /// The cone between two different points.
     pub fn new(base: DVec3, mut base_radius: f64, cap: DVec3, mut cap_radius: f64, open: bool) -> Self {
-        // (measured on POV-Ray 3.7)
+        // quirk: cone_negative_radii
         let largest = base_radius.max(cap_radius);
         if largest <= 0.0 {
             (base_radius, cap_radius) = (largest.abs(), largest.abs());
@@ -80,10 +80,10 @@ mod tests {
         let cone = Cone::new(-DVec3::Y, 1.0, DVec3::Y, 0.0, false);
         let ray = Ray::new(DVec3::new(0.0, 0.0, -5.0), DVec3::Z);
         assert_hits(&all(&cone, &ray), &[(4.5, WALL), (5.5, WALL)]);
-        // Seen in POV-Ray's trace().
+        // POV-Ray's trace().
         let n = cone.normal(ray.at(4.5), &Hit::on(4.5, WALL)).normalize();
         assert!(n.distance(DVec3::new(0.0, 0.2_f64.sqrt(), -0.8_f64.sqrt())) < 1e-12);
-        // Through the tip along the axis; parallel to the wall.
+        // Through the apex along the axis; parallel to the wall.
         let down = all(&cone, &Ray::new(DVec3::Y * 5.0, -DVec3::Y));
         assert!(down.iter().any(|h| h.t == 4.0) && down.iter().any(|h| h.t == 6.0 && h.part == BASE));
         // Parallel to the wall on the other side: x = -0.5 - t/2 meets x = -(1 - y)/2 at t = 3/4.

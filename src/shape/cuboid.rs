@@ -12,7 +12,7 @@ use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A brick. (`Box` is taken in Rust.)
+/// A box (`Box` is a type of Rust).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cuboid {
     /// The corner with the smaller coordinates.
@@ -22,12 +22,12 @@ pub struct Cuboid {
 }
 
 impl Cuboid {
-    /// Between two opposite corners.
+    /// The box between two opposite corners.
     pub fn new(a: DVec3, b: DVec3) -> Self {
         Self { min: a.min(b), max: a.max(b) }
     }
 
-    /// Where the ray enters and leaves, each with its face: axis · 2, plus 1 on the side of `max` (lecture,
+    /// Returns where the ray enters and leaves, each with its face: axis · 2, plus 1 on the side of `max` (lecture,
     /// "Ray – AAB intersection").
     fn faces(&self, ray: &Ray) -> Option<[End; 2]> {
         let mut near = End::at(f64::NEG_INFINITY);
@@ -37,7 +37,7 @@ impl Cuboid {
             let (lo, hi) = ((self.min[axis] - o) / v, (self.max[axis] - o) / v);
             let side = u32::from(v.is_sign_negative());
             let (enter, leave) = if side == 1 { (hi, lo) } else { (lo, hi) };
-            // Parallel to these two planes they are infinite, or in one of them NaN, which counts for nothing.
+            // For a parallel ray both are infinite, or NaN within one of the planes, which the comparison ignores.
             if enter > near.t {
                 near = End::on(enter, axis as u32 * 2 + side);
             }
@@ -111,9 +111,9 @@ impl Kernel for Cuboid {
         if hit.part % 2 == 1 { axis } else { -axis }
     }
 
-    /// The cross of six squares in the manual's picture "UV Boxmap", four wide and three high.
+    /// A cross of six squares, four wide and three high (manual, picture "UV Boxmap").
     fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
-        // 0 … 1 along each edge; a flat box has its points at 0.
+        // 0 … 1 along each edge; a flat box has 0.
         let size = self.max - self.min;
         let f = DVec3::select(size.cmpgt(DVec3::ZERO), (p - self.min) / size, DVec3::ZERO);
         let (u, v) = match hit.part {
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn slabs() {
-        // A diagonal ray: enters by x = -1 at t = 2, leaves by y = 1 where 0.5·t = 1 + 0.5.
+        // A diagonal ray enters by x = -1 at t = 2, and leaves by y = 1 where 0.5·t = 1 + 0.5.
         let ray = Ray::new(DVec3::new(-3.0, -0.5, 0.0), DVec3::new(1.0, 0.5, 0.0));
         assert_eq!(all(&unit(), &ray), [Hit::on(2.0, 0), Hit::on(3.0, 3)]);
         assert_eq!(unit().normal(ray.at(3.0), &Hit::on(3.0, 3)), DVec3::Y);
@@ -177,7 +177,7 @@ mod tests {
 
     #[test]
     fn uv_as_measured() {
-        // Seen in POV-Ray at pixel centres of box { -2, 2 } (sRGB bytes, so to 0.01).
+        // POV-Ray's colours at pixel centres of box { -2, 2 } (sRGB bytes, so to 0.01).
         let cube = Cuboid::new(DVec3::splat(-2.0), DVec3::splat(2.0));
         let uv = |x: f64, y: f64, z: f64, part| cube.uv(DVec3::new(x, y, z), &Hit::on(0.0, part));
         let near = |a: DVec2, u: f64, v: f64| assert!(a.distance(DVec2::new(u, v)) < 0.011, "{a} {u} {v}");

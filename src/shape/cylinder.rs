@@ -15,12 +15,12 @@ use crate::value::words::{Row, set, specs};
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A round bar or tube.
+/// A cylinder or tube.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cylinder(pub Frustum);
 
 impl Cylinder {
-    /// Between two different points.
+    /// The cylinder between two different points.
     pub fn new(base: DVec3, cap: DVec3, radius: f64, open: bool) -> Self {
         let radius = radius.abs();
         Self(Frustum::new(base, cap, radius, radius, open))
@@ -80,7 +80,7 @@ mod tests {
         let ray = Ray::new(DVec3::new(0.5, 5.0, 0.0), -DVec3::Y);
         assert_hits(&all(&bar(false), &ray), &[(3.0, CAP), (5.0, BASE)]);
         assert_hits(&all(&bar(true), &ray), &[]);
-        // In by the cap at (0.5, 2), out by the wall at (1, 1.5).
+        // The ray enters by the cap at (0.5, 2) and leaves by the wall at (1, 1.5).
         let ray = Ray::new(DVec3::new(0.0, 2.5, 0.0), DVec3::new(1.0, -1.0, 0.0));
         assert_hits(&all(&bar(false), &ray), &[(0.5, CAP), (1.0, WALL)]);
         assert_hits(&all(&bar(true), &ray), &[(1.0, WALL)]);
@@ -95,7 +95,7 @@ mod tests {
 
     #[test]
     fn inside_as_measured() {
-        // Seen in POV-Ray's `inside()`: the surface itself is outside, ends of open ones are inside.
+        // POV-Ray's `inside()`: the surface itself is outside, ends of open cylinders are inside.
         assert!(bar(false).inside(DVec3::Y) && !bar(false).inside(DVec3::new(1.0, 1.0, 0.0)));
         assert!(!bar(false).inside(DVec3::Y * 2.0) && bar(true).inside(DVec3::Y * 2.0));
         assert!(!bar(true).inside(DVec3::Y * 2.01));

@@ -16,18 +16,18 @@ use serde::Serialize;
 /// A flat ring.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Disc {
-    /// Its middle.
+    /// Centre.
     pub center: DVec3,
-    /// Length 1; zero if the author gave no direction, which draws nothing.
+    /// Length 1; zero if the scene gives no direction, and then nothing is rendered.
     pub normal: DVec3,
-    /// Not negative.
+    /// Outer radius, not negative.
     pub radius: f64,
-    /// Not negative.
+    /// Radius of the hole, not negative.
     pub hole: f64,
 }
 
 impl Disc {
-    /// A plate across `normal`, which may have any length.
+    /// A disc with a normal of any length.
     pub fn new(center: DVec3, normal: DVec3, radius: f64, hole: f64) -> Self {
         Self { center, normal: normal.normalize_or_zero(), radius: radius.abs(), hole: hole.abs() }
     }
@@ -78,7 +78,7 @@ impl Kernel for Disc {
         if self.is_empty() {
             return Aabb::EMPTY;
         }
-        // A circle with normal n reaches r·√(1 - nᵢ²) along axis i.
+        // A circle with normal n extends r·√(1 - nᵢ²) along axis i.
         let reach = (DVec3::ONE - self.normal * self.normal).max(DVec3::ZERO).map(f64::sqrt) * self.radius;
         Aabb { min: self.center - reach, max: self.center + reach }
     }
@@ -116,7 +116,7 @@ impl Kernel for Disc {
         self.normal
     }
 
-    /// Around the middle, and outwards. POV-Ray has no mapping for this shape.
+    /// Polar coordinates: angle and radius. POV-Ray has no mapping for this shape.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let (e1, e2) = self.normal.any_orthonormal_pair();
         let d = p - self.center;

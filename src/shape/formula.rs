@@ -1,4 +1,4 @@
-//! The functions that shapes are made of, and the container in which such shapes end.
+//! Functions of isosurfaces and parametric surfaces, and the container that bounds them.
 
 use super::{Cuboid, Kernel, Readable, Sphere};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -8,7 +8,7 @@ use crate::value::{Next, Reader, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A function that gives a number.
+/// A function with one value.
 #[derive(Clone, Debug)]
 pub struct Formula(Arc<Function>);
 
@@ -25,10 +25,10 @@ impl Serialize for Formula {
 }
 
 impl Formula {
-    /// Of as many numbers as `names` names.
+    /// Reads a function of the parameters `names`.
     ///
     /// # Errors
-    /// With the place of what else stands there.
+    /// A diagnostic at anything else.
     pub fn read(r: &mut dyn Reader, names: &str) -> Result<Self> {
         if !matches!(r.next()?, Next::Function | Next::Thing("function")) {
             return Err(r.unexpected(&format!("`function {{ … }}` of {names}")).into());
@@ -42,7 +42,7 @@ impl Formula {
                 .help("declare it, and take a part of what it gives: `function { F(x, y, z).gray }`")
                 .into();
         }
-        // (A function has the parameters x, y and z unless it names others; those of a surface call the first two u and v.)
+        // The default parameters are x, y and z; those of a surface are called u and v.
         match function.arity() {
             3 => Ok(Self(function)),
             n => {
@@ -54,24 +54,24 @@ impl Formula {
         }
     }
 
-    /// For tests: of a function at hand, which takes three numbers.
+    /// For tests: a function of three numbers.
     pub fn new(function: Function) -> Self {
         Self(Arc::new(function))
     }
 
-    /// The value at a point.
+    /// Value at a point.
     pub fn at(&self, p: DVec3) -> f64 {
         self.0.part(0, &[p.x, p.y, p.z])
     }
 
-    /// Bounds in a box; `room` is for its own use.
+    /// Bounds of value and gradient in a box; `room` is reused memory.
     pub fn slope(&self, b: &Aabb, room: &mut Vec<Slope>) -> Slope {
         let side = |axis: usize| Interval { lo: b.min[axis], hi: b.max[axis] };
         self.0.slope(&[side(0), side(1), side(2)], room)
     }
 }
 
-/// What a shape ends at that has no end by itself.
+/// The solid that bounds a surface.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Container {
@@ -91,7 +91,7 @@ impl Container {
     /// Reads `{ box { … } }` or `{ sphere { … } }`, from the opening brace on.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         r.take()?;
         let container = match r.next()? {
@@ -110,7 +110,7 @@ impl Container {
         Ok(container)
     }
 
-    /// The box around it.
+    /// Bounding box.
     pub fn bounds(&self) -> Aabb {
         match self {
             Self::Box(b) => b.bounds(),
@@ -118,7 +118,7 @@ impl Container {
         }
     }
 
-    /// Is the point in it?
+    /// True if the point is inside.
     pub fn contains(&self, p: DVec3) -> bool {
         match self {
             Self::Box(b) => b.bounds().contains(p),
@@ -126,7 +126,7 @@ impl Container {
         }
     }
 
-    /// From where to where a line is in it.
+    /// Interval of a line inside the solid.
     pub fn stretch(&self, ray: &Ray) -> Option<(f64, f64)> {
         match self {
             Self::Box(b) => b.bounds().slabs(ray, Range::ALL).filter(|(near, far)| near.is_finite() && far.is_finite()),
@@ -139,11 +139,11 @@ impl Container {
         }
     }
 
-    /// The outward normal at a point of its surface.
+    /// Outward normal at a point of the surface.
     pub fn normal(&self, p: DVec3) -> DVec3 {
         match self {
             Self::Box(b) => {
-                // The face that the point is nearest to, measured by the size of the box.
+                // Select the face that is nearest in units of the box's size.
                 let b = b.bounds();
                 let place = (p - b.center()) / b.size();
                 let axis =
@@ -155,7 +155,7 @@ impl Container {
     }
 }
 
-/// A number above 0; for any other the usual one is taken, as in POV-Ray.
+/// Reads a number above 0; any other number selects the default, as in POV-Ray.
 pub fn positive(r: &mut dyn Reader, word: &str, usual: f64) -> Result<f64> {
     let (at, x) = (r.span(), r.float()?);
     if x > 0.0 {

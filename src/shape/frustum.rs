@@ -1,4 +1,4 @@
-//! What `cylinder` and `cone` share: the surface around an axis whose radius changes linearly, and its two end discs.
+//! Common part of `cylinder` and `cone`: a wall around an axis with a linear radius, and two end discs.
 
 use super::{Crossing, End, HalfSpaces, Hit, Hits, nearest, pov_bounds};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair, tolerance};
@@ -7,45 +7,46 @@ use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Tangent planes of a round wall.
+/// Number of tangent planes of a round wall, for bounds.
 const SIDES: usize = 8;
 
-/// The side of the surface: the wall.
+/// Part number of the wall.
 pub const WALL: u32 = 0;
-/// The disc around the base point.
+/// Part number of the disc around the base point.
 pub const BASE: u32 = 1;
-/// The disc around the cap point.
+/// Part number of the disc around the cap point.
 pub const CAP: u32 = 2;
 
-/// A wall around an axis, its ends closed unless `open`. Radii have signs: where they differ, the wall goes through the
-/// axis in between, as an hourglass does (seen in POV-Ray).
+/// A wall around an axis, closed by discs unless `open`. Radii have signs: if they differ, the wall is an hourglass
+/// through the axis (quirk: `cone_negative_radii`).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Frustum {
-    /// Middle of the base.
+    /// Centre of the base.
     pub base: DVec3,
-    /// Middle of the other end; never the same point.
+    /// Centre of the cap; never the base.
     pub cap: DVec3,
-    /// At the base.
+    /// Radius at the base.
     pub base_radius: f64,
-    /// At the other end.
+    /// Radius at the cap.
     pub cap_radius: f64,
-    /// Without end discs.
+    /// True without end discs.
     pub open: bool,
     #[serde(skip)]
     frame: Precomputed,
 }
 
-/// What every ray asks for.
+/// Constants for all rays.
 #[derive(Clone, Debug, PartialEq)]
 struct Precomputed {
     /// Axis / |axis|².
     along: DVec3,
-    /// Two directions of length 1 at right angles to it.
+    /// Two unit vectors perpendicular to the axis and each other.
     across: (DVec3, DVec3),
     middle: DVec3,
 }
 
-/// A point or direction in the frame: `w` is 0 at the base and 1 at the cap, `x` and `y` are lengths at right angles to the axis.
+/// A point or direction in the frame of the axis: `w` is 0 at the base and 1 at the cap, `x` and `y` are lengths
+/// perpendicular to the axis.
 struct Split {
     w: f64,
     x: f64,
@@ -53,14 +54,14 @@ struct Split {
 }
 
 impl Split {
-    /// Distance from the axis, squared.
+    /// Squared distance from the axis.
     fn across_squared(&self) -> f64 {
         self.x * self.x + self.y * self.y
     }
 }
 
 impl Frustum {
-    /// Between two different points.
+    /// The wall between two different points.
     pub fn new(base: DVec3, cap: DVec3, base_radius: f64, cap_radius: f64, open: bool) -> Self {
         let axis = cap - base;
         let frame = Precomputed {
@@ -85,36 +86,36 @@ impl Frustum {
         Split { w: v.dot(*along), x: v.dot(*x), y: v.dot(*y) }
     }
 
-    /// Has it no surface at all?
+    /// True if there is no surface.
     pub fn is_empty(&self) -> bool {
         self.base_radius == 0.0 && self.cap_radius == 0.0
     }
 
-    /// The box around both end circles.
+    /// Box around both end circles.
     pub fn bounds(&self) -> Aabb {
         if self.is_empty() {
             return Aabb::EMPTY;
         }
-        // A circle with normal n reaches r·√(1 - nᵢ²) along axis i.
+        // A circle with normal n extends r·√(1 - nᵢ²) along axis i.
         let n = self.axis().normalize();
         let reach = (DVec3::ONE - n * n).max(DVec3::ZERO).map(f64::sqrt);
         let around = |c: DVec3, r: f64| Aabb { min: c - reach * r.abs(), max: c + reach * r.abs() };
         around(self.base, self.base_radius).union(around(self.cap, self.cap_radius))
     }
 
-    /// A ray in the frame, measured from its point nearest to the middle, so that a far eye costs no digits: t of that point, it,
-    /// and the direction.
+    /// Returns a ray in the frame, relative to its point nearest to the centre, so that a distant eye costs no digits:
+    /// `t` of that point, the point, and the direction.
     fn shifted(&self, ray: &Ray) -> (f64, Split, Split) {
         let shift = (self.frame.middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
         (shift, self.split(ray.at(shift) - self.base), self.split(ray.dir))
     }
 
-    /// A cylinder with both its ends?
+    /// True for a cylinder with both end discs.
     fn is_closed_cylinder(&self) -> bool {
         !self.open && self.base_radius == self.cap_radius
     }
 
-    /// The nearest hit in the range.
+    /// The closest hit in the range.
     pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         if self.is_closed_cylinder() && !self.is_empty() {
             let Crossing::Through(ends) = self.cross_cylinder(ray) else { return None };
@@ -140,12 +141,12 @@ impl Frustum {
         // Roots of |across(s)|² = r(w(s))²
         let dr = self.cap_radius - self.base_radius;
         let (r, slope) = (self.radius(o.w), v.w * dr);
-        // half_b² - a·c with the squares that cancel taken out: (v×o)² is what is left of (o·v)² - v²·o².
+        // half_b² - a·c without the squares that cancel: (v×o)² is what remains of (o·v)² - v²·o².
         let (tx, ty) = (v.x * r - o.x * slope, v.y * r - o.y * slope);
         let turn = o.x * v.y - o.y * v.x;
         let disc = tx * tx + ty * ty - turn * turn;
         if disc < 0.0 {
-            // A line that passes the wall passes the discs too.
+            // A line that misses the wall misses the discs too.
             return;
         }
         let a = v.across_squared() - slope * slope;
@@ -173,14 +174,14 @@ impl Frustum {
         }
     }
 
-    /// See [`super::Kernel::pov_bounds`]: that of a cylinder about the same axis.
+    /// See [`super::Kernel::pov_bounds`]: the box of a cylinder about the same axis (quirk: `extent_boxes`).
     pub fn pov_bounds(&self, m: &Transform) -> Aabb {
         let (r, axis) = (self.base_radius.max(self.cap_radius), self.cap - self.base);
         let b = Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, axis.length()) };
         pov_bounds::framed(m, axis, self.base, &b)
     }
 
-    /// Those of both ends and some around the wall.
+    /// Half-spaces of both ends and of tangent planes around the wall.
     pub fn half_spaces(&self) -> HalfSpaces {
         let Self { base, cap, base_radius, cap_radius, .. } = *self;
         let axis = (cap - base).normalize();
@@ -194,7 +195,7 @@ impl Frustum {
         out
     }
 
-    /// Is the point between the ends and nearer to the axis than the wall?
+    /// True if the point is between the ends and nearer to the axis than the wall.
     pub fn inside(&self, p: DVec3) -> bool {
         let at = self.split(p - self.base);
         let slack = if self.open { tolerance::INSIDE } else { -tolerance::INSIDE };
@@ -202,12 +203,12 @@ impl Frustum {
         at.w > -slack && at.w < 1.0 + slack && at.across_squared() < r * r - tolerance::INSIDE
     }
 
-    /// Has it both its ends, and is it no hourglass?
+    /// True with both end discs and no hourglass.
     pub fn is_convex(&self) -> bool {
         !self.open && self.base_radius * self.cap_radius >= 0.0
     }
 
-    /// Where a line goes in and out of a closed cylinder or cone.
+    /// Interval of a line inside a closed cylinder or cone.
     pub fn crossing(&self, ray: &Ray) -> Crossing {
         if !self.is_convex() {
             return Crossing::Unknown;
@@ -221,12 +222,12 @@ impl Frustum {
             [] => Crossing::Misses,
             [a, b] if a.t <= b.t => Crossing::Through([a, b].map(|hit| End::on(hit.t, hit.part))),
             [a, b] => Crossing::Through([b, a].map(|hit| End::on(hit.t, hit.part))),
-            // The rim, which is on the wall and on a disc.
+            // The rim belongs to the wall and to a disc.
             _ => Crossing::Unknown,
         }
     }
 
-    /// What the stretch between the ends and that within the wall have in common.
+    /// The intersection of the interval between the ends and the interval within the wall.
     fn cross_cylinder(&self, ray: &Ray) -> Crossing {
         let (shift, o, v) = self.shifted(ray);
         let r2 = self.base_radius * self.base_radius;
@@ -256,7 +257,7 @@ impl Frustum {
         }
     }
 
-    /// Outwards.
+    /// Outward normal.
     pub fn normal(&self, p: DVec3, part: u32) -> DVec3 {
         let axis = self.axis();
         match part {
@@ -268,13 +269,13 @@ impl Frustum {
                 let dr = self.cap_radius - self.base_radius;
                 let across = p - self.base - at.w * axis;
                 let n = across - axis * (self.radius(at.w) * dr / axis.length_squared());
-                // The apex has no normal; its axis is as good as any.
+                // The apex has no normal; use the axis.
                 if n.length_squared() > 0.0 { n } else { axis * -dr.signum() }
             }
         }
     }
 
-    /// Around the axis, and along it. POV-Ray has no mapping for these shapes.
+    /// Angle about the axis, and height. POV-Ray has no mapping for these shapes.
     pub fn uv(&self, p: DVec3, part: u32) -> DVec2 {
         let at = self.split(p - self.base);
         let u = fp::turn(at.y, at.x);
@@ -287,10 +288,10 @@ impl Frustum {
     }
 }
 
-/// What cylinders and cones are without their ends.
+/// `open`: without end discs.
 pub(super) const OPEN: WordSpec = word("open", ValueKind::Nothing, "", "takes the discs at the ends away");
 
-/// A shape that is a frustum under another name.
+/// Implements [`super::Kernel`] for a shape that wraps a frustum.
 macro_rules! frustum_kernel {
     ($shape:ident) => {
         impl $crate::shape::Kernel for $shape {

@@ -1,55 +1,55 @@
-//! What every shape can do: hits, inside, normals and all else that is asked of one, in its own space.
+//! The interface of all shapes, in object space: bounds, hits, inside, normal, uv.
 
 use super::{Face, Quirks, moved_box};
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform};
 
-/// Where a ray meets a surface, in object space.
+/// A point where a ray hits a surface, in object space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// The ray's parameter: the distance in world space, because rays are not renormalised.
+    /// Parameter of the ray. Rays are not renormalised, so `t` is the distance in world space.
     pub t: f64,
-    /// Which face or piece of the shape, so that normal and uv need no search.
+    /// Number of the face or piece of the shape, so that normal and uv need no search.
     pub part: u32,
-    /// What the kernel wants to remember of the place, such as barycentric coordinates.
+    /// Data of the kernel for this hit, such as barycentric coordinates.
     pub uv: DVec2,
 }
 
 impl Hit {
-    /// A hit of a shape that has one piece.
+    /// A hit on a shape of one piece.
     pub fn at(t: f64) -> Self {
         Self::on(t, 0)
     }
 
-    /// A hit of a numbered piece.
+    /// A hit on a numbered piece.
     pub fn on(t: f64, part: u32) -> Self {
         Self { t, part, uv: DVec2::ZERO }
     }
 }
 
-/// All hits of a ray with one shape.
+/// All hits of a ray on one shape.
 pub type Hits = smallvec::SmallVec<[Hit; 4]>;
 
-/// The nearest of some hits.
+/// Returns the hit with the smallest `t`.
 pub(super) fn nearest(hits: &Hits) -> Option<Hit> {
     hits.iter().min_by(|a, b| a.t.total_cmp(&b.t)).copied()
 }
 
-/// How a line passes a convex solid.
+/// Intervals of a line inside a solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Crossing {
-    /// The shape does not know, or this line is too close to call.
+    /// The shape does not know, or the line is too close to an edge.
     Unknown,
-    /// It never gets in.
+    /// The line is outside everywhere.
     Misses,
-    /// In by the first end and out by the second; at an infinite t where there is no such end.
+    /// The line is inside between two ends, which can be infinite.
     Through([End; 2]),
-    /// Out by the first end and in again by the second.
+    /// The line is inside except between two ends.
     Around([End; 2]),
-    /// It never gets out.
+    /// The line is inside everywhere.
     Stays,
 }
 
-/// Where a line goes into a solid, or out of it: a [`Hit`] that remembers nothing else.
+/// An end of an interval of a line inside a solid: a [`Hit`] without the kernel's data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
     /// See [`Hit::t`].
@@ -59,12 +59,12 @@ pub struct End {
 }
 
 impl End {
-    /// On a shape that has one piece.
+    /// An end on a shape of one piece.
     pub fn at(t: f64) -> Self {
         Self::on(t, 0)
     }
 
-    /// On a numbered piece.
+    /// An end on a numbered piece.
     pub fn on(t: f64, part: u32) -> Self {
         Self { t, part }
     }
@@ -76,29 +76,29 @@ impl From<End> for Hit {
     }
 }
 
-/// Numbers of the textures that a place shows, and their shares, which make up 1. Number 0 is the object's own texture.
+/// Numbers of the textures at a point with their weights, which sum to 1. Number 0 is the object's own texture.
 pub type TextureWeights = smallvec::SmallVec<[(u32, f64); 3]>;
 
 /// All points p with normal·p ≤ distance.
 pub type HalfSpace = (DVec3, f64);
 
-/// Half-spaces that something lies in.
+/// Half-spaces whose intersection contains a shape.
 pub type HalfSpaces = smallvec::SmallVec<[HalfSpace; 10]>;
 
-/// What every shape can do, in its own space. Rays come with a direction of any length.
+/// The interface of a shape, in object space. Rays have directions of any length.
 pub trait Kernel {
     /// How POV-Ray's version of the shape departs from this model.
     const QUIRKS: Quirks = Quirks::NONE;
 
-    /// The smallest box around it; infinite where it is.
+    /// Bounding box; infinite for an infinite shape.
     fn bounds(&self) -> Aabb;
 
-    /// A box around its image under M: that of its own box, where it does not know better.
+    /// A bounding box under the transform M; by default around the corners of [`Kernel::bounds`].
     fn bounds_under(&self, m: &Transform) -> Aabb {
         m.aabb(&self.bounds())
     }
 
-    /// The box that `min_extent` and `max_extent` tell of its image under M.
+    /// The box that POV-Ray's `min_extent` and `max_extent` return under the transform M (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         moved_box(m, &self.bounds())
     }
@@ -106,91 +106,93 @@ pub trait Kernel {
     /// Appends every hit with `range.min < t < range.max`, in any order.
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
 
-    /// The same of a part of a CSG object, or of what is clipped, of which POV-Ray may know but the first few (measured on 3.7).
+    /// Appends the hits that a CSG object or a clipping solid can use; limited by `max_trace` for an isosurface
+    /// (manual, "Isosurface"), and to the first hit for a `parametric` (quirk: `parametric_in_csg`).
     fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.hits(ray, range, out);
     }
 
-    /// The nearest hit in the range.
+    /// Returns the closest hit in the range.
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
         nearest(&all)
     }
 
-    /// Is there any hit in the range?
+    /// True if there is any hit in the range.
     fn any(&self, ray: &Ray, range: Range) -> bool {
         self.closest(ray, range).is_some()
     }
 
-    /// Is the point in the solid? Points on the surface may go either way.
+    /// True if the point is inside. On the surface either answer is allowed.
     fn inside(&self, p: DVec3) -> bool;
 
-    /// The half-space that is all of its inside, of such shapes.
+    /// The half-space that equals the inside; `None` for other shapes.
     fn as_half_space(&self) -> Option<HalfSpace> {
         None
     }
 
-    /// Half-spaces that its surface and its inside lie in, if it has flat faces or round walls.
+    /// Half-spaces that contain surface and inside; none for a shape without flat faces or round walls.
     fn half_spaces(&self) -> HalfSpaces {
         self.as_half_space().into_iter().collect()
     }
 
-    /// What is not positive on its surface and inside, of shapes of the second order, which other shapes may cut to a finite size.
+    /// The quadratic form that is not positive on the surface and inside; `None` for shapes that are not quadrics. It
+    /// bounds intersections.
     fn quadratic(&self) -> Option<Quadratic> {
         None
     }
 
-    /// The smallest box around its inside, of shapes whose inside reaches out of their bounds and is not cut to those in POV-Ray
-    /// either.
+    /// Bounding box of the inside, for a shape whose inside extends beyond [`Kernel::bounds`] but not in all
+    /// directions.
     fn solid_bounds(&self) -> Option<Aabb> {
         None
     }
 
-    /// Does its inside reach out of its bounds?
+    /// True if the inside extends beyond [`Kernel::bounds`].
     fn is_solid_unbounded(&self) -> bool {
         false
     }
 
-    /// Is it convex?
+    /// True if the solid is convex.
     fn is_convex(&self) -> bool {
         false
     }
 
-    /// Can [`Kernel::crossing`] tell of nearly all lines?
+    /// True if [`Kernel::crossing`] knows the intervals of nearly all lines.
     fn knows_crossings(&self) -> bool {
         self.is_convex()
     }
 
-    /// Where a line goes into a solid and out of it, of shapes that know it as one stretch, or all but one.
+    /// Returns the interval of a line inside the solid, for shapes that a line crosses at most once.
     fn crossing(&self, _ray: &Ray) -> Crossing {
         Crossing::Unknown
     }
 
-    /// The outward normal at a hit, of any length but zero.
+    /// Outward normal at a hit, of any length but zero.
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
 
-    /// Surface coordinates: what `uv_mapping` sees and `durer pick` shows. Shapes that have none keep this, and say so below.
+    /// Surface coordinates, for `uv_mapping` and `durer pick`.
     fn uv(&self, p: DVec3, _hit: &Hit) -> DVec2 {
         p.truncate()
     }
 
-    /// Its triangles in the order in which they were written, of a mesh.
+    /// Triangles of a mesh, in the order written; empty for other shapes.
     fn faces(&self) -> Vec<Face> {
         vec![]
     }
 
-    /// True if [`Kernel::uv`] is a mapping of the surface, which `uv_mapping` uses.
+    /// True if [`Kernel::uv`] is a mapping that `uv_mapping` uses.
     fn has_uv_mapping(&self) -> bool {
         true
     }
 
-    /// What a place shows, of shapes that carry textures.
+    /// Embedded textures at a point, with their weights.
     fn texture_weights(&self, _p: DVec3, _hit: &Hit) -> TextureWeights {
         smallvec::smallvec![(0, 1.0)]
     }
 
-    /// The shape to place by M instead of this one; `None` for a shape that does not depend on its transform.
+    /// Returns the shape to use under the transform M; `None` for a shape that does not depend on its transform.
     fn changed_under(&self, _m: &Transform) -> Option<Self>
     where
         Self: Sized,
@@ -198,12 +200,12 @@ pub trait Kernel {
         None
     }
 
-    /// Is it a surface without any inside, which `inverse` can't turn inside out?
+    /// True for a surface without inside, which `inverse` does not change.
     fn is_open(&self) -> bool {
         false
     }
 
-    /// Does it find out about itself when rays ask, so that shapes that are alike had better be one?
+    /// True if the shape builds caches lazily while tracing; equal shapes then share one instance.
     fn caches_lazily(&self) -> bool {
         false
     }

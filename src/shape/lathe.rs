@@ -19,12 +19,12 @@ use crate::value::words::{Row, joined, specs};
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A turned curve.
+/// A curve that is rotated about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Lathe {
-    /// How its points are joined.
+    /// Interpolation between points.
     pub interpolation: Interpolation,
-    /// Distance from the axis, and height.
+    /// The curve as distance from the axis and height.
     pub curve: Curve,
     #[serde(skip)]
     walls: Walls,
@@ -80,7 +80,7 @@ impl Kernel for Lathe {
         m.aabb(&self.bounds())
     }
 
-    /// Of a `bezier_spline`, that of all its points.
+    /// For a `bezier_spline`, the box of all control points (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let bezier = self.interpolation == Interpolation::Bezier;
         moved_box(m, &self.box_of(if bezier { self.curve.hull() } else { self.curve.ends() }))
@@ -101,7 +101,7 @@ impl Kernel for Lathe {
         self.curve.surrounds(p.y, |x| x > across)
     }
 
-    /// To the right of the curve's direction (measured on POV-Ray 3.7).
+    /// The normal points to the right of the curve's direction (quirk: `sweep_normal_side`).
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         self.walls.normal(p, hit)
     }
@@ -121,7 +121,7 @@ mod tests {
         read::<Lathe>(text).0.unwrap()
     }
 
-    /// `trace()` of POV-Ray 3.7 from (-9, y, z) along x: where, and the normal's x and y.
+    /// POV-Ray's `trace()` from (-9, y, z) along x: hit, and the normal's x and y.
     fn traced(shape: &Lathe, y: f64, z: f64, want: &[(f64, f64, f64)]) {
         let ray = Ray::new(DVec3::new(-9.0, y, z), DVec3::X);
         let hits = all(shape, &ray);

@@ -1,5 +1,5 @@
-//! Shapes in their own object space: bounds, hits, inside, normal, uv. Adding one is a file here and
-//! a row in the table below.
+//! Shapes in object space: bounds, hits, inside, normal, uv. To add a shape, add a file here and a name to the list
+//! below.
 
 mod algebraic;
 mod bicubic_patch;
@@ -82,35 +82,34 @@ use serde::Serialize;
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// Where the textures are kept that a shape carries itself: its kernel knows them by their numbers, from 1 on.
+/// Storage of the textures that are embedded in a shape, numbered from 1.
 pub trait Paints {
-    /// Reads what comes next if it is a texture or a part of one; false if something else comes. `slot` is what the place has so
-    /// far, and has then.
+    /// Reads a texture or a part of one, if it is next; returns false otherwise. `slot` is the number of the embedded
+    /// texture so far, and is updated.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     fn read(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool>;
 
-    /// Consumes one texture of a list, of which several in a row are no layers; `None` if something else comes.
+    /// Reads one texture of a list, in which consecutive textures are not layers; `None` if no texture is next.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     fn read_one(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>>;
 
-    /// The texture of a material in a mesh's file, with its picture if that was found.
+    /// Adds the texture of a material in a mesh file, with its picture if that was found.
     ///
     /// # Errors
-    /// As those of the others.
+    /// A diagnostic if the material has no equivalent.
     fn of_file(&mut self, material: &MeshMaterial, picture: Option<&Arc<Picture>>, r: &mut dyn Reader) -> Result<u32>;
 
-    /// Moves what the place has, and nothing else that has the same.
+    /// Transforms one embedded texture; other users of the same texture keep theirs.
     fn transform(&mut self, slot: &mut u32, by: &Transform);
 }
 
 macro_rules! shapes {
     ($($name:ident)*) => {
-        /// Any shape. A closed set: no virtual calls on the way of a ray. Copies share it, and each takes no more room than
-        /// its own kind needs.
+        /// Any shape. A closed set, so that rays need no virtual calls. Clones share the kernel.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         #[serde(rename_all = "snake_case")]
         pub enum Shape { $(#[doc = concat!("See [`", stringify!($name), "`].")] $name(Arc<$name>)),* }
@@ -148,26 +147,26 @@ macro_rules! shapes {
             pub fn under(&self, m: &Transform) -> Cow<'_, Self> {
                 match self { $(Shape::$name(s) => s.changed_under(m).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
             }
-            /// Do both share all they are?
+            /// True if both are clones of one shape.
             pub fn shares_with(&self, other: &Self) -> bool {
                 match (self, other) {
                     $((Shape::$name(a), Shape::$name(b)) => Arc::ptr_eq(a, b),)*
                     _ => false,
                 }
             }
-            /// The table of its words.
+            /// Name, words and parameters of the shape.
             pub fn spec(&self) -> &'static Spec { match self { $(Shape::$name(_) => &$name::SPEC),* } }
-            /// Reads one of the words of its own table, if it comes next; false if none does.
+            /// Reads one word of the shape, if it is next; returns false otherwise.
             ///
             /// # Errors
-            /// With the place of what is not understood, and what was expected there.
+            /// A diagnostic at the first item that is not understood.
             pub fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
                 match self { $(Shape::$name(s) => Arc::make_mut(s).read_own(next, r, paints)),* }
             }
-            /// Checks what only the whole block shows, after its last word; `span` is the block's name.
+            /// Checks the complete block; `span` is the block's name.
             ///
             /// # Errors
-            /// With the place of what is not understood, and what was expected there.
+            /// A diagnostic for a block that is complete but invalid.
             pub fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
                 match self { $(Shape::$name(s) => Arc::make_mut(s).finish(span, r)),* }
             }
@@ -177,10 +176,10 @@ macro_rules! shapes {
             fn from(shape: $name) -> Self { Shape::$name(Arc::new(shape)) }
         })*
 
-        /// Every shape's table.
+        /// Names, words and parameters of all shapes.
         pub const SPECS: &[&Spec] = &[$(&$name::SPEC),*];
 
-        /// Reads the positional arguments of the shape of this name; `None` if there is no such shape.
+        /// Reads the positional arguments of the shape with this name; `None` if there is no such shape.
         pub fn read(name: &str, r: &mut dyn Reader) -> Option<Result<Shape>> {
             $(if name == $name::SPEC.name { return Some($name::read(r).map(Shape::from).map_err(|e| with_usage(e, &$name::SPEC))); })*
             None
@@ -189,13 +188,13 @@ macro_rules! shapes {
 }
 
 impl Shape {
-    /// The `box` that fills these bounds.
+    /// The `box` with these bounds.
     pub fn filling(bounds: &Aabb) -> Self {
         Cuboid::new(bounds.min, bounds.max).into()
     }
 }
 
-/// A missing argument: says how the block is written.
+/// Adds a usage line to the diagnostic of a missing argument.
 fn with_usage(mut fault: Fault, spec: &Spec) -> Fault {
     if fault.code == codes::EXPECTED && fault.help.is_none() {
         let names: Vec<&str> = spec.params.iter().map(|p| p.name).collect();
@@ -206,31 +205,31 @@ fn with_usage(mut fault: Fault, spec: &Spec) -> Fault {
 
 /// How a shape is read.
 pub trait Readable: Sized + 'static {
-    /// Its table.
+    /// Name, words and parameters.
     const SPEC: Spec;
 
-    /// Words of its own, which `SPEC` names.
+    /// The words in `SPEC`, and how each is read.
     const WORDS: &'static [Row<Self>] = &[];
 
     /// Reads the positional arguments, after the opening brace.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     fn read(r: &mut dyn Reader) -> Result<Self>;
 
-    /// Reads one of [`Self::WORDS`], if it comes next, and what follows it; false if none does. Shapes that carry textures read
-    /// more here.
+    /// Reads one of [`Self::WORDS`], if it is next; returns false otherwise. Shapes with embedded textures read those
+    /// too.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the first item that is not understood.
     fn read_own(&mut self, next: Next, r: &mut dyn Reader, _paints: &mut dyn Paints) -> Result<bool> {
         read_row(Self::WORDS, self, next, r)
     }
 
-    /// Checks what only the whole block shows.
+    /// Checks the complete block.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic for a block that is complete but invalid.
     fn finish(&mut self, _span: Span, _r: &mut dyn Reader) -> Result<()> {
         Ok(())
     }
@@ -241,7 +240,7 @@ shapes! {
     Polynomial Superellipsoid Lathe Sor Prism HeightField Isosurface Parametric SphereSweep BicubicPatch JuliaFractal Ovus
 }
 
-/// An error unless all these are finite numbers.
+/// Returns an error unless all numbers are finite.
 fn finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {
     if points.iter().all(|p| p.is_finite()) && numbers.iter().all(|x| x.is_finite()) {
         return Ok(());
@@ -249,10 +248,10 @@ fn finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {
     Diagnostic::err(codes::NOT_FINITE, span, "one of these numbers is infinite or not a number")
 }
 
-/// An error unless the two ends of a cylinder or cone are apart.
+/// Returns an error if both ends of a cylinder or cone are at one point.
 fn frustum_ends(span: Span, base: DVec3, cap: DVec3) -> Result<()> {
     let axis = cap - base;
-    // The square of the length divides: it must be a number that can.
+    // The squared length is a divisor later, so it must be a normal number.
     if axis.length_squared().is_normal() {
         return Ok(());
     }

@@ -16,39 +16,39 @@ use crate::value::words::{Row, specs};
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Parts of the surface.
+/// Part numbers of the surface.
 const BOTTOM: u32 = 0;
 const BAND: u32 = 1;
 const TOP: u32 = 2;
-/// The parts touch each other, so a trifle beyond its end a part is as good as the next. In the larger radius.
+/// Tolerance, relative to the larger radius, within which a point belongs to two neighbouring parts.
 const OVERLAP: f64 = 1e-9;
 
 /// An egg.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Ovus {
-    /// Of the ball around the origin.
+    /// Radius of the ball around the origin.
     pub bottom: f64,
-    /// Of the ball above it.
+    /// Radius of the ball above it.
     pub top: f64,
-    /// The arc's middle: how far from the axis, on the other side of it, and how high.
+    /// Centre of the arc: distance from the axis, on the opposite side, and height.
     #[serde(skip)]
     middle: DVec2,
-    /// The arc's radius; 0 where there is but one ball.
+    /// Radius of the arc; 0 if there is only one ball.
     #[serde(skip)]
     arc: f64,
-    /// Where the band begins and ends.
+    /// Heights of the band's ends.
     #[serde(skip)]
     ends: [f64; 2],
 }
 
 impl Ovus {
-    /// From radii that are not negative.
+    /// An egg with radii that are not negative.
     pub fn new(bottom: f64, top: f64) -> Self {
         if top >= 2.0 * bottom {
             return Self { bottom, top, middle: DVec2::ZERO, arc: 0.0, ends: [f64::NEG_INFINITY; 2] };
         }
         let arc = 2.0 * bottom.max(top);
-        // Balls touch the arc from within: its middle is arc - radius from theirs, (0, 0) and (0, bottom).
+        // The balls touch the arc from inside: its centre is arc - radius from theirs, (0, 0) and (0, bottom).
         let (low, high) = (arc - bottom, arc - top);
         let y = 0.5 * (bottom + (low - high) * (low + high) / bottom);
         let x = (low * low - y * y).max(0.0).sqrt();
@@ -63,21 +63,21 @@ impl Ovus {
         }
     }
 
-    /// How the point lies in the plane through the axis, seen from the middle of the arc.
+    /// Vector from the centre of the arc to the point, in the plane through the axis.
     fn off_middle(&self, p: DVec3) -> DVec2 {
         DVec2::new(fp::hypot(p.x, p.z) + self.middle.x, p.y - self.middle.y)
     }
 
-    /// Is the point of the torus in the band?
+    /// True if a point of the torus is in the band.
     fn is_band(&self, p: DVec3, [low, high]: [f64; 2]) -> bool {
-        // Of the two arcs of a closed torus it is the one that curves towards the axis.
+        // Of the two arcs of a closed torus the one that curves towards the axis.
         let here = self.off_middle(p);
         let other = DVec2::new(here.x - 2.0 * self.middle.x, here.y);
         let off = |q: DVec2| (q.length() - self.arc).abs();
         (low..=high).contains(&p.y) && off(here) <= off(other)
     }
 
-    /// Where a line goes in and out: it is convex.
+    /// Entry and exit of a line; the shape is convex.
     fn ends(&self, ray: &Ray) -> Option<[Hit; 2]> {
         let slack = OVERLAP * self.bottom.max(self.top);
         let ends = [self.ends[0] + slack, self.ends[1] - slack];
@@ -149,7 +149,7 @@ impl Kernel for Ovus {
         Aabb { min: DVec3::new(-across, low, -across), max: DVec3::new(across, high, across) }
     }
 
-    /// As wide as all of the arc's circle (measured on POV-Ray 3.7).
+    /// As wide as the whole circle of the arc (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let Aabb { min, max } = self.bounds();
         let across = (self.arc - self.middle.x).max(max.x);
@@ -178,7 +178,7 @@ impl Kernel for Ovus {
         DVec3::new(p.x * out, from.y, p.z * out)
     }
 
-    /// Around the axis, and from below to above by the angle that is seen from the middle of its height (measured on POV-Ray 3.7).
+    /// Angle about the axis, and angle seen from the middle of the height (quirk: `ovus_uv`).
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let height = p.y - self.bounds().center().y;
         DVec2::new(fp::turn(p.z, p.x), 2.0 * fp::turn(fp::hypot(p.x, p.z), -height))
@@ -190,7 +190,7 @@ mod tests {
     use super::*;
     use crate::shape::testing::{all, read};
 
-    /// `trace()` of POV-Ray 3.7 from (-9, y, 0) along x: how far from the axis, and the normal's way out and up.
+    /// POV-Ray's `trace()` from (-9, y, 0) along x: distance from the axis, and the normal outwards and up.
     #[test]
     fn as_pov_ray_traces() {
         for (bottom, top, y, x, out, up) in [

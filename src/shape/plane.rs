@@ -19,11 +19,11 @@ use serde::Serialize;
 /// A half-space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plane {
-    /// Outwards, length 1.
+    /// Outward normal, length 1.
     pub normal: DVec3,
-    /// From the origin along the normal.
+    /// Distance from the origin along the normal.
     pub distance: f64,
-    /// How it was spanned, if it was.
+    /// Spanning vectors, if the plane is given by them.
     pub span: Option<Box<Spanned>>,
 }
 
@@ -64,7 +64,7 @@ impl Plane {
 }
 
 impl Spanned {
-    /// The (u, v) of a point of the plane: its distances from two lines, as multiples of the other vector's.
+    /// Returns (u, v) of a point of the plane: its distances from two lines, as multiples of the other vector's.
     fn coordinates(&self, p: DVec3) -> DVec2 {
         let (d, n) = (p - self.point, self.i.cross(self.j));
         DVec2::new(d.cross(self.j).dot(n), self.i.cross(d).dot(n)) / n.length_squared()
@@ -120,14 +120,14 @@ impl Readable for Plane {
     }
 }
 
-/// A word that can only come first.
+/// Returns the error for a form's word that is not first.
 fn second_form(word: &str, r: &mut dyn Reader) -> Result<()> {
     let help = "write either `normal, distance` or one of the forms with words";
     let message = format!("`{word}` must be the first thing in a `plane`");
     Err(Diagnostic::new(codes::TWO_FORMS, r.span(), message).help(help).into())
 }
 
-/// After `point`: `q normal n` or `q span i, j`.
+/// Reads the rest of `point q normal n` or `point q span i, j`.
 fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
     let point = r.vector()?;
     if r.accept("normal")? {
@@ -153,7 +153,7 @@ impl Kernel for Plane {
     const QUIRKS: Quirks = Quirks { bounding: Bounding::Ignored, ..Quirks::NONE };
 
     fn bounds(&self) -> Aabb {
-        // A plane across an axis is a half-space with one finite side.
+        // A plane perpendicular to an axis is a half-space with one finite side.
         let mut bounds = Aabb::INFINITE;
         for axis in 0..3 {
             if self.normal[axis] == 1.0 {
@@ -178,7 +178,7 @@ impl Kernel for Plane {
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        // t = (d - n·p₀) / n·v; parallel rays divide by zero, and no infinity or NaN is in the range
+        // t = (d - n·p₀) / n·v; a parallel ray divides by zero, and infinity and NaN are in no range
         let t = (self.distance - self.normal.dot(ray.origin)) / self.normal.dot(ray.dir);
         (range.contains(t) && t <= tolerance::PLANE_ENDS).then(|| Hit::at(t))
     }
@@ -193,7 +193,7 @@ impl Kernel for Plane {
 
     fn crossing(&self, ray: &Ray) -> Crossing {
         let slope = self.normal.dot(ray.dir);
-        // Along a line that is all but parallel, t says little.
+        // Along a nearly parallel line `t` is inaccurate.
         if slope * slope < 1e-6 * ray.dir.length_squared() {
             return Crossing::Unknown;
         }
@@ -209,7 +209,7 @@ impl Kernel for Plane {
         self.normal
     }
 
-    /// The lecture's (u, v), or the distances from the origin along two directions. POV-Ray has no mapping for planes.
+    /// The lecture's (u, v), or coordinates along two directions of the plane. POV-Ray has no mapping for planes.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         match &self.span {
             Some(spanned) => spanned.coordinates(p),

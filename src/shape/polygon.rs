@@ -17,25 +17,25 @@ use serde::Serialize;
 /// Outlines in a plane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Polygon {
-    /// The points of each outline; the first is not repeated at the end.
+    /// Points of each outline; the first is not repeated at the end.
     pub outlines: Vec<Vec<DVec3>>,
-    /// Length 1; zero if the points are on a line or not in one plane, which draws nothing.
+    /// Length 1; zero if the points are collinear or not coplanar, and then nothing is rendered.
     pub normal: DVec3,
-    /// The axis along which the outlines are looked at: the one the normal is nearest to.
+    /// Axis of the projection: the one nearest to the normal.
     drop: usize,
-    /// Every side, seen along that axis.
+    /// All sides in the projection.
     #[serde(skip)]
     sides: Vec<[DVec2; 2]>,
-    /// Why it draws nothing, if so.
+    /// Reason why nothing is rendered.
     #[serde(skip)]
     fault: Option<&'static str>,
-    /// Was the last outline left open?
+    /// True if the last outline is not closed.
     #[serde(skip)]
     unclosed: bool,
 }
 
 impl Polygon {
-    /// From points in which a repeated first point ends an outline.
+    /// Outlines from points; a repeated first point ends an outline.
     pub fn new(points: &[DVec3]) -> Self {
         let (outlines, unclosed) = split(points);
         let area = outlines.iter().map(|o| vector_area(o)).max_by(|a, b| a.length().total_cmp(&b.length()));
@@ -55,8 +55,8 @@ impl Polygon {
         Self { sides: sides.collect(), outlines, normal, drop, fault, unclosed }
     }
 
-    /// Does the half-line from the point along +x cross an odd number of sides (lecture, "Point-in-polygon problem")?
-    /// A side counts from its lower end up to, but without, its upper end, so that a corner is crossed once.
+    /// True if the half-line from the point along +x crosses an odd number of sides (lecture, "Point-in-polygon
+    /// problem"). A side includes its lower end but not its upper end, so that a corner is crossed once.
     fn covers(&self, p: DVec2) -> bool {
         let mut odd = false;
         for [a, b] in &self.sides {
@@ -70,12 +70,12 @@ impl Polygon {
     }
 }
 
-/// The point in the coordinate plane across one axis.
+/// Projects a point along an axis.
 fn seen(p: DVec3, drop: usize) -> DVec2 {
     DVec2::new(p[(drop + 1) % 3], p[(drop + 2) % 3])
 }
 
-/// Cuts the points where an outline comes back to its first point; tells whether the last outline did not.
+/// Splits the points where an outline returns to its first point; also returns true if the last outline does not.
 fn split(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
     let mut outlines = vec![];
     let mut current: Vec<DVec3> = vec![];
@@ -92,8 +92,8 @@ fn split(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
     (outlines, unclosed)
 }
 
-/// The normal of the first point, the first that is another, and the first that is not on a line with both: POV-Ray's `trace()` has it on
-/// this side, also where the outline crosses itself or turns the other way on the whole (measured on 3.7).
+/// Returns the normal by the first point, the first that differs, and the first that is not collinear with both (quirk:
+/// `polygon_side`).
 fn first_turn(points: &[DVec3]) -> DVec3 {
     let sides = points.iter().map(|p| *p - points[0]);
     let Some(first) = sides.clone().find(|side| side.length() > tolerance::SAME_POINT) else { return DVec3::ZERO };
@@ -107,11 +107,11 @@ fn vector_area(outline: &[DVec3]) -> DVec3 {
     let corners = outline.windows(2).map(|w| (w[0] - first).cross(w[1] - first));
     let area = 0.5 * corners.sum::<DVec3>();
     let size = Aabb::from_points(outline.iter().copied()).size().length();
-    // Below rounding it is noise.
+    // A smaller area is rounding noise.
     if area.length() > 1e-14 * size * size { area } else { DVec3::ZERO }
 }
 
-/// A point of two or three numbers, or a number for all three.
+/// Reads a point of two or three numbers, or a number for all three.
 fn read_point(r: &mut dyn Reader) -> Result<DVec3> {
     let (value, span) = r.value()?;
     let point = match value {
@@ -184,7 +184,7 @@ impl Kernel for Polygon {
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        // First the plane of the polygon, then whether the point lies in the outlines.
+        // Intersect the plane of the polygon, then test whether the point is within the outlines.
         let t = self.normal.dot(self.outlines[0][0] - ray.origin) / self.normal.dot(ray.dir);
         let found = self.fault.is_none() && range.contains(t) && self.covers(seen(ray.at(t), self.drop));
         found.then(|| Hit::at(t))
@@ -202,7 +202,7 @@ impl Kernel for Polygon {
         self.normal
     }
 
-    /// The two coordinates in which its image is largest. POV-Ray has no mapping for polygons.
+    /// The two coordinates of the projection. POV-Ray has no mapping for polygons.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         seen(p, self.drop)
     }
@@ -218,7 +218,7 @@ mod tests {
     use crate::math::fp;
     use crate::shape::testing::read;
 
-    /// Is there a hit straight above (x, y) of the plane that was turned about x = y = z?
+    /// True if a ray hits at (x, y) of the plane that was rotated about x = y = z.
     fn at(shape: &Polygon, x: f64, y: f64) -> bool {
         shape.closest(&Ray::new(DVec3::new(x, y, -4.0), DVec3::Z * 2.0), Range::FORWARD).is_some_and(|h| h.t == 2.0)
     }
@@ -229,7 +229,7 @@ mod tests {
 
     #[test]
     fn concave() {
-        // An arrow head: the notch at (2, 1) is outside below it.
+        // An arrow head: the notch at (2, 1) is outside.
         let arrow = flat(&[(0.0, 0.0), (2.0, 1.0), (4.0, 0.0), (2.0, 4.0), (0.0, 0.0)]);
         assert!(at(&arrow, 2.0, 1.5) && at(&arrow, 0.5, 0.5) && at(&arrow, 3.5, 0.5));
         assert!(!at(&arrow, 2.0, 0.5) && !at(&arrow, -0.5, 0.0) && !at(&arrow, 1.0, 4.0));
@@ -248,7 +248,7 @@ mod tests {
 
     #[test]
     fn star() {
-        // A pentagram: its middle is crossed twice from outside, so it is a hole.
+        // A pentagram: its centre is crossed twice, so it is a hole.
         let corner = |k: usize| {
             let a = std::f64::consts::TAU * k as f64 / 5.0;
             (fp::sin(a), fp::cos(a))
@@ -261,7 +261,7 @@ mod tests {
 
     #[test]
     fn any_plane() {
-        // x + y + z = 1, even where two coordinates are kept.
+        // x + y + z = 1, of which two coordinates are used.
         let tilted = Polygon::new(&[DVec3::X, DVec3::Y, DVec3::Z, DVec3::X]);
         let hit = tilted.closest(&Ray::new(DVec3::ONE, -DVec3::ONE), Range::FORWARD).unwrap();
         assert!((hit.t - 2.0 / 3.0).abs() < 1e-15);

@@ -20,36 +20,36 @@ use crate::value::words::{Row, joined, specs, word};
 use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// The part of a hit on a lid; other parts are segments of the outline.
+/// Part number of a lid; other parts are segments of the outline.
 const LID: u32 = u32::MAX;
 
-/// A swept outline.
+/// An outline that is swept along y.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Prism {
-    /// How its points are joined.
+    /// Interpolation between points.
     pub interpolation: Interpolation,
-    /// Does it grow with y, from a tip at the origin?
+    /// True if the outline grows with y from an apex at the origin.
     pub conic: bool,
     /// Lower end.
     pub bottom: f64,
     /// Upper end.
     pub top: f64,
-    /// The outlines; their y is z.
+    /// The outlines, as x and z.
     pub outlines: Curve,
-    /// Are the lids left off?
+    /// True without lids.
     pub open: bool,
     #[serde(skip)]
     unclosed: bool,
-    /// Between which x and z the outlines lie.
+    /// Bounding rectangle of the outlines.
     #[serde(skip)]
     ends: (DVec2, DVec2),
 }
 
-/// In parts of a distance: far more than rounding.
+/// Margin of bounds, relative to a distance: far above rounding.
 const MARGIN: f64 = 1e-6;
 
 impl Prism {
-    /// Between two heights in any order. Outlines are told apart where a point comes again.
+    /// A prism between two heights in any order. Outlines end where their first point is repeated.
     pub fn new(interpolation: Interpolation, conic: bool, heights: [f64; 2], points: &[DVec2], open: bool) -> Self {
         let (outlines, unclosed) = outlines(interpolation, points);
         let (bottom, top) = (heights[0].min(heights[1]), heights[0].max(heights[1]));
@@ -57,7 +57,7 @@ impl Prism {
         Self { interpolation, conic, bottom, top, outlines, open, unclosed, ends }
     }
 
-    /// How large the outline is at this height.
+    /// Scale of the outline at a height.
     fn size(&self, y: f64) -> f64 {
         if self.conic { y } else { 1.0 }
     }
@@ -68,7 +68,7 @@ impl Prism {
         size != 0.0 && at.cmpge(min).all() && at.cmple(max).all() && self.outlines.surrounds(at.y, |x| x > at.x)
     }
 
-    /// A box around it, if its outline reaches so far.
+    /// Bounding box for outlines within a rectangle.
     fn box_of(&self, (min, max): (DVec2, DVec2)) -> Aabb {
         let at = |y: f64| {
             let size = self.size(y);
@@ -77,11 +77,11 @@ impl Prism {
         at(self.bottom).union(at(self.top))
     }
 
-    /// Where the ray meets the wall over a point of the outline that is on its way.
+    /// Parameter of the ray where it hits the wall over a point of the outline.
     fn wall(&self, ray: &Ray, p: DVec2) -> f64 {
         let (o, v) = (ray.origin, ray.dir);
         if self.conic {
-            // (oₓ + t·vₓ) = pₓ·(o_y + t·v_y), and so for z: by the larger divisor
+            // (oₓ + t·vₓ) = pₓ·(o_y + t·v_y), and z likewise: divide by the larger divisor
             let (x, z) = (v.x - p.x * v.y, v.z - p.y * v.y);
             return if x.abs() > z.abs() { (p.x * o.y - o.x) / x } else { (p.y * o.y - o.z) / z };
         }
@@ -90,7 +90,7 @@ impl Prism {
 
     fn walls(&self, ray: &Ray, range: Range, out: &mut Hits) {
         let (o, v) = (ray.origin, ray.dir);
-        // Where the plane of the ray and the y axis' direction (or the tip) cuts the outline: c + n·p = 0
+        // Intersect the outline with the plane of the ray and the y axis' direction (or the apex): c + n·p = 0
         let (n, c) = if self.conic {
             (DVec2::new(o.z * v.y - o.y * v.z, o.y * v.x - o.x * v.y), o.x * v.z - o.z * v.x)
         } else {
@@ -113,7 +113,7 @@ impl Prism {
         }
     }
 
-    /// What of the range lies between the heights of the lids, and a little more.
+    /// Returns the part of the range between the heights of the lids, with a margin.
     fn way_between_lids(&self, ray: &Ray, range: Range) -> Range {
         if ray.dir.y == 0.0 {
             return range;
@@ -124,7 +124,8 @@ impl Prism {
         if margin.is_finite() { Range { min: min - margin, max: max + margin } } else { range }
     }
 
-    /// May the ray meet a segment's straight wall there? It meets the wall over a point between those where it would over the controls.
+    /// True if the ray can hit a segment's wall there: a hit over a point of the segment is between the hits over its
+    /// control points.
     fn is_on_way(&self, ray: &Ray, segment: usize, way: Range) -> bool {
         if self.conic {
             return true;
@@ -220,7 +221,7 @@ impl Kernel for Prism {
         self.box_of(self.ends)
     }
 
-    /// Of a `bezier_spline`, that of all its points.
+    /// For a `bezier_spline`, the box of all control points (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let ends = if self.interpolation == Interpolation::Bezier { self.outlines.hull() } else { self.ends };
         moved_box(m, &self.box_of(ends))
@@ -241,8 +242,8 @@ impl Kernel for Prism {
         p.y >= self.bottom && p.y <= self.top && self.covers(p)
     }
 
-    /// To the right of the outline's direction, seen from above, and to the left of a `bezier_spline`; that of both lids is y (measured
-    /// on POV-Ray 3.7).
+    /// The normal of walls points to the right of the outline's direction, seen from above, and to the left of a
+    /// `bezier_spline`; the normal of both lids is y (quirk: `sweep_normal_side`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         if hit.part == LID {
             return DVec3::Y;
@@ -275,7 +276,7 @@ mod tests {
 
     #[test]
     fn as_pov_ray_traces() {
-        // `trace()` of POV-Ray 3.7 tells <0, 0, -1>; an `interior_texture` is on the other side.
+        // POV-Ray's `trace()` returns <0, 0, -1>; an `interior_texture` is on the other side.
         let leaf = made("bezier_spline 0 1 8 <0,0> <1,1> <2,1> <3,0> <3,0> <2,-1> <1,-1> <0,0>");
         let ray = Ray::new(DVec3::new(1.5, 0.5, -9.0), DVec3::Z);
         let hit = leaf.closest(&ray, Range::FORWARD).unwrap();
@@ -310,7 +311,7 @@ mod tests {
         assert!((hits[0].t - 8.3).abs() < 1e-12 && (hits[1].t - 9.7).abs() < 1e-12 && hits.len() == 2);
         let n = hopper.normal(ray.at(hits[0].t), &hits[0]).normalize();
         assert!(n.distance(DVec3::new(-0.5_f64.sqrt(), -0.5_f64.sqrt(), 0.0)) < 1e-12, "{n}");
-        // Down beside the tip: out through the wall, and in again.
+        // Down beside the apex: out through the wall, and in again.
         let down = all(&hopper, &Ray::new(DVec3::new(0.4, 9.0, 0.3), -DVec3::Y));
         let found: Vec<f64> = down.iter().map(|h| 9.0 - h.t).collect();
         assert!(found.iter().zip([1.0, 0.4, -0.4, -1.0]).all(|(y, want)| (y - want).abs() < 1e-12), "{found:?}");

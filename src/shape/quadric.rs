@@ -14,48 +14,48 @@ use crate::source::Span;
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A line along which the sum bends less than this, in parts of what it could, is left to `hits` and `inside`.
+/// Curvature along a line, relative to its maximum, below which the line is left to `hits` and `inside`.
 const STRAIGHT: f64 = 1e-6;
 
-/// A surface of the second order.
+/// A surface of second order.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Quadric {
-    /// Of x², y² and z².
+    /// Coefficients of x², y² and z².
     pub squares: DVec3,
-    /// Of x·y, x·z and y·z.
+    /// Coefficients of x·y, x·z and y·z.
     pub mixed: DVec3,
-    /// Of x, y and z.
+    /// Coefficients of x, y and z.
     pub linear: DVec3,
-    /// J.
+    /// Constant J.
     pub constant: f64,
     #[serde(skip)]
     centered: Centered,
 }
 
-/// The same about its centre: q·Qq + 2·h·q + c with q = p - centre.
+/// The quadratic form about its centre: q·Qq + 2·h·q + c with q = p - centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Centered {
-    /// Q, symmetric.
+    /// Q, a symmetric matrix.
     q: DMat3,
-    /// Zero, unless there is no one centre.
+    /// Zero, unless there is no unique centre.
     h: DVec3,
     c: f64,
     center: DVec3,
-    /// The largest number in Q.
+    /// Largest element of Q.
     size: f64,
-    /// Of a closed surface: the box around it. Empty if there is no surface.
+    /// Bounding box of a closed surface; empty if there is no surface.
     ends: Option<Aabb>,
-    /// Is it an ellipsoid that is filled?
+    /// True for a filled ellipsoid.
     convex: bool,
 }
 
 impl Quadric {
-    /// From the numbers in the order of the manual: A B C, D E F, G H I, J.
+    /// Coefficients in the order of the manual: A B C, D E F, G H I, J.
     pub fn new(squares: DVec3, mixed: DVec3, linear: DVec3, constant: f64) -> Self {
         let (xy, xz, yz) = (0.5 * mixed.x, 0.5 * mixed.y, 0.5 * mixed.z);
         let q = DMat3::from_cols_array(&[squares.x, xy, xz, xy, squares.y, yz, xz, yz, squares.z]);
         let h = 0.5 * linear;
-        // The gradient vanishes there: Q·centre = -h
+        // The gradient vanishes at the centre: Q·centre = -h
         let size = (squares.abs() + mixed.abs()).max_element();
         let determinant = q.determinant() / (size * size * size);
         let center = if determinant.abs() > 1e-9 { -(q.inverse() * h) } else { DVec3::ZERO };
@@ -70,7 +70,7 @@ impl Quadric {
         Self { squares, mixed, linear, constant, centered }
     }
 
-    /// The sum: negative inside.
+    /// Value of the form; negative inside.
     fn implicit(&self, p: DVec3) -> f64 {
         self.centered.value(p - self.centered.center)
     }
@@ -79,10 +79,10 @@ impl Quadric {
         self.curve(ray).1
     }
 
-    /// How the sum bends along a ray, and where it is 0.
+    /// Curvature of the form along a ray, and its roots.
     fn curve(&self, ray: &Ray) -> (f64, Option<(f64, f64)>) {
         let Centered { q, h, center, .. } = &self.centered;
-        // From the ray's point nearest to the centre, so that a far eye loses nothing.
+        // Start from the ray's point nearest to the centre, so that a distant eye costs no digits.
         let from = ray.origin - *center;
         let shift = -from.dot(ray.dir) / ray.dir.length_squared();
         let o = from + ray.dir * shift;
@@ -98,7 +98,7 @@ impl Centered {
         q.dot(self.q * q + 2.0 * self.h) + self.c
     }
 
-    /// Is Q positive (1) or negative (-1) in all directions? 0 if neither (Sylvester's minors).
+    /// Returns 1 if Q is positive definite, -1 if negative definite, 0 otherwise (Sylvester's criterion).
     fn definite(&self) -> f64 {
         let (a, b) = (self.q.x_axis, self.q.y_axis);
         let sign = a.x.signum();
@@ -106,7 +106,7 @@ impl Centered {
         if a.x != 0.0 && minor > 0.0 && self.q.determinant() * sign > 0.0 { sign } else { 0.0 }
     }
 
-    /// An ellipsoid reaches √(-c·(Q⁻¹)ᵢᵢ) along axis i.
+    /// Bounding box: an ellipsoid extends √(-c·(Q⁻¹)ᵢᵢ) along axis i.
     fn box_around(&self) -> Option<Aabb> {
         let sign = self.definite();
         if sign == 0.0 {
@@ -159,7 +159,7 @@ impl Kernel for Quadric {
         self.centered.ends.unwrap_or(Aabb::INFINITE)
     }
 
-    /// That of an ellipsoid along the axes; of all others, POV-Ray knows none.
+    /// Box of an axis-parallel ellipsoid; infinite for all others (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         match self.centered.ends {
             Some(ends) if self.mixed == DVec3::ZERO && !ends.is_empty() => moved_box(m, &ends),
@@ -202,7 +202,7 @@ impl Kernel for Quadric {
 
     fn crossing(&self, ray: &Ray) -> Crossing {
         let (bend, roots) = self.curve(ray);
-        // Along a line that is all but straight in a pipe or in a cone's wall, t says little; an egg has none of those.
+        // Along a nearly straight line in the wall of a pipe or cone `t` is inaccurate; an ellipsoid has no such lines.
         let straight = STRAIGHT * self.centered.size * ray.dir.length_squared();
         if self.centered.ends.is_none() && bend.abs() <= straight {
             return Crossing::Unknown;
@@ -219,7 +219,7 @@ impl Kernel for Quadric {
     }
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
-        // The gradient; at the tip of a cone there is none.
+        // The gradient; the apex of a cone has none.
         let n = self.centered.q * (p - self.centered.center) + self.centered.h;
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
@@ -245,7 +245,7 @@ mod tests {
         assert_hits(&all(&ball, &Ray::new(DVec3::Z * -5.0, DVec3::Z * 2.0)), &[(2.0, 0), (3.0, 0)]);
         assert!(ball.inside(DVec3::ZERO) && !ball.inside(DVec3::Y * 1.01));
         assert_eq!(ball.bounds(), Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE });
-        // A bowl y = x² + z², met from above and from the side.
+        // A bowl y = x² + z², hit from above and from the side.
         let bowl = made("<1,0,1> 0 <0,-1,0> 0");
         assert_hits(&all(&bowl, &Ray::new(DVec3::new(0.5, 9.0, 0.5), -DVec3::Y)), &[(8.5, 0)]);
         assert_hits(&all(&bowl, &Ray::new(DVec3::new(-9.0, 4.0, 0.0), DVec3::X)), &[(7.0, 0), (11.0, 0)]);
@@ -269,7 +269,7 @@ mod tests {
     fn turned_ellipsoid() {
         let egg = made("<1,2,3> <0.5,0.2,0.1> 0 -1");
         let b = egg.bounds();
-        // Points of the surface along a spiral lie in the box, and nearly touch all its sides.
+        // Points of the surface along a spiral are in the box, and nearly touch all its sides.
         let mut seen = Aabb::EMPTY;
         for k in 0..20_000 {
             let y = 1.0 - f64::from(k) / 10_000.0;
@@ -292,7 +292,7 @@ mod tests {
         assert!(hole.bounds().is_finite() && !hole.is_convex() && ball.is_convex());
     }
 
-    /// Where `crossing` says that a line is inside, `inside` says so too.
+    /// Where `crossing` says that a line is inside, `inside` agrees.
     #[test]
     fn crossings_agree_with_inside() {
         let surfaces = [
@@ -323,7 +323,7 @@ mod tests {
             }
         }
         assert!(known.iter().all(|&n| n > 50) && known.iter().sum::<i32>() > 2390, "{known:?}");
-        // Along a pipe's wall nothing is known.
+        // Along a pipe's wall `crossing` is unknown.
         let along = Ray::new(DVec3::Y, DVec3::new(1.0, 1e-5, 0.0));
         assert_eq!(made("<0,1,1> 0 0 -1").crossing(&along), Crossing::Unknown);
     }

@@ -17,25 +17,26 @@ use serde::Serialize;
 /// A triangle with a normal at each corner.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SmoothTriangle {
-    /// Its flat shape.
+    /// The flat triangle.
     pub flat: Triangle,
-    /// Length 1, in the order of the corners; zero where the author gave no direction, which draws nothing.
+    /// Normals of length 1, in the order of the corners; zero where the scene gives no direction, and then nothing is
+    /// rendered.
     pub normals: [DVec3; 3],
 }
 
 impl SmoothTriangle {
-    /// From normals of any length.
+    /// A triangle with normals of any length.
     pub fn new(flat: Triangle, normals: [DVec3; 3]) -> Self {
         Self { flat, normals: normals.map(DVec3::normalize_or_zero) }
     }
 
-    /// Do the normals point to both sides, or into its plane?
+    /// True if the normals point to both sides of the triangle, or into its plane.
     fn is_twisted(&self) -> bool {
         self.is_twisted_under(&Transform::IDENTITY)
     }
 
-    /// The same of its image under M. What is stretched can get twisted, as the angles between normals change (measured on POV-Ray
-    /// 3.7, which leaves it out then too).
+    /// The same under the transform M, which can change the angles between the normals (quirk:
+    /// `twisted_smooth_triangle`).
     fn is_twisted_under(&self, m: &Transform) -> bool {
         let face = m.normal(self.flat.face_normal());
         let sides = self.normals.map(|n| m.normal(n).dot(face));
@@ -105,7 +106,8 @@ impl Kernel for SmoothTriangle {
         true
     }
 
-    /// With normals of length 1 under M, so that interpolation weighs them alike (quirk: `smooth_triangle_normals`).
+    /// The triangle with normals of length 1 under M, so that interpolation weighs them equally (quirk:
+    /// `smooth_triangle_normals`).
     fn changed_under(&self, m: &Transform) -> Option<Self> {
         let normals = match self.is_twisted_under(m) {
             true => [DVec3::ZERO; 3],
@@ -137,7 +139,7 @@ mod tests {
 
     #[test]
     fn normals_are_interpolated() {
-        // Seen in POV-Ray's trace(): the given normals are made unit vectors first.
+        // POV-Ray's trace(): the given normals are normalised first.
         let (shape, reports) = read::<SmoothTriangle>("0 <0,0,-3> <1,0,0> <-1,0,-1> <0,1,0> <0,0,-1>");
         let (shape, ray) = (shape.unwrap(), Ray::new(DVec3::new(0.5, 0.25, -5.0), DVec3::Z));
         assert!(reports.is_empty());

@@ -15,9 +15,9 @@ use std::f64::consts::PI;
 /// A ball.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sphere {
-    /// Its middle.
+    /// Centre.
     pub center: DVec3,
-    /// Positive.
+    /// Radius, positive.
     pub radius: f64,
 }
 
@@ -53,14 +53,14 @@ impl Kernel for Sphere {
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        // The image of a ball reaches r·|row i of M| along axis i.
+        // The image of a ball extends r·|row i of M| along axis i.
         let (x, y, z) = (m.vector(DVec3::X), m.vector(DVec3::Y), m.vector(DVec3::Z));
         let reach = (x * x + y * y + z * z).map(f64::sqrt) * self.radius;
         let center = m.point(self.center);
         Aabb { min: center - reach, max: center + reach }
     }
 
-    /// A sphere that stays one is as wide as before.
+    /// A sphere that stays a sphere keeps its width (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let axes = DVec3::AXES.map(|axis| m.vector(axis));
         let same = |a: DVec3, b: DVec3| {
@@ -107,7 +107,7 @@ impl Kernel for Sphere {
 }
 
 impl Sphere {
-    /// Both roots of |p₀ + t·v - c|² = r² (lecture, "Ray – sphere intersection").
+    /// Returns both roots of |p₀ + t·v - c|² = r² (lecture, "Ray – sphere intersection").
     fn roots(&self, ray: &Ray) -> Option<(f64, f64)> {
         if self.radius == 0.0 {
             return None;
@@ -117,8 +117,8 @@ impl Sphere {
         let a = ray.dir.length_squared();
         let half_b = ray.dir.dot(to_origin);
         let c = to_origin.length_squared() - r2;
-        // D/4 = a·(r² - d²), where d is the distance of the line from the centre: for a far eye, b²/4 - a·c would lose it
-        // (Haines et al., Precision Improvements for Ray/Sphere Intersection, 2019)
+        // D/4 = a·(r² - d²), where d is the distance of the line from the centre: for a distant eye, b²/4 - a·c loses
+        // all digits (Haines et al., Precision Improvements for Ray/Sphere Intersection, 2019)
         let nearest = to_origin - ray.dir * (half_b / a);
         stable_pair(a, half_b, c, a * (r2 - nearest.length_squared()))
     }
@@ -139,13 +139,13 @@ mod tests {
 
     #[test]
     fn small_and_far() {
-        // Radius 1 at a distance of 10⁸, half a radius off its middle.
+        // Radius 1 at a distance of 10⁸, half a radius off centre.
         let ball = Sphere { center: DVec3::new(0.0, 0.5, 1e8), radius: 1.0 };
         let ray = Ray::new(DVec3::ZERO, DVec3::Z);
         let h = 0.75_f64.sqrt();
         let found = crate::shape::testing::all(&ball, &ray);
         assert!((found[0].t - 1e8 + h).abs() < 3e-8 && (found[1].t - 1e8 - h).abs() < 3e-8, "{found:?}");
-        // Just past its rim, and just within.
+        // Just outside the rim, and just inside.
         let past = |d: f64| ball.closest(&Ray::new(DVec3::Y * (1.5 + d), DVec3::Z), Range::FORWARD);
         assert!(past(1e-12).is_none() && past(-1e-12).is_some());
     }

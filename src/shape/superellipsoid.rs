@@ -15,25 +15,25 @@ use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
-/// Roots are not told apart, and not known better, than this.
+/// Accuracy of roots; closer roots are one.
 const STEP: f64 = 1e-15;
-/// After a step of Newton's as short as this, no more of it is needed.
+/// Length of a Newton step after which no other is needed.
 const SHORT: f64 = 1e-9;
-/// A point whose gauge's logarithm is farther than this from 0 is inside or outside whatever is rounded.
+/// Logarithm of the gauge beyond which a point is inside or outside despite rounding.
 const CLEAR: f64 = 1e-12;
-/// Powers of more factors are not multiplied out.
+/// Maximum number of factors in a power by multiplication.
 const MOST_FACTORS: u32 = 64;
 
 /// A superquadric ellipsoid.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Superellipsoid {
-    /// East-west: not negative; 0 is square.
+    /// East-west exponent, not negative; 0 is square.
     pub e: f64,
-    /// North-south: not negative.
+    /// North-south exponent, not negative.
     pub n: f64,
 }
 
-/// xᵃ, where a is mostly whole.
+/// xᵃ, for an exponent that is usually whole.
 fn power(x: f64, a: f64) -> f64 {
     let whole = a as u32;
     if f64::from(whole) != a || whole > MOST_FACTORS {
@@ -50,7 +50,7 @@ fn power(x: f64, a: f64) -> f64 {
     product
 }
 
-/// x^(1/a) of a number between 1 and 2, where a is often a power of two.
+/// x^(1/a) of a number between 1 and 2, for an exponent that is often a power of two.
 fn root(x: f64, a: f64) -> f64 {
     match a {
         _ if x == 1.0 || a == 1.0 => x,
@@ -61,15 +61,15 @@ fn root(x: f64, a: f64) -> f64 {
     }
 }
 
-/// (xᵃ + yᵃ)^(1/a) of positive numbers, and its derivatives by both.
+/// (xᵃ + yᵃ)^(1/a) of positive numbers, and its derivatives by x and y.
 fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
     let (big, small) = if x > y { (x, y) } else { (y, x) };
     if big == 0.0 {
         return (0.0, 0.0, 0.0);
     }
-    // By the ratio, whose power can't overflow.
+    // Use the ratio, whose power cannot overflow.
     let ratio = small / big;
-    // (Where it has an edge, at 0, any slope between those of both sides will do.)
+    // At an edge, where the ratio is 0, any slope between those of both sides is valid.
     let slope = match () {
         _ if ratio > 0.0 => power(ratio, a - 1.0),
         _ if a >= 1.0 => 0.0,
@@ -82,13 +82,13 @@ fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
     if x > y { (value, by_big, by_small) } else { (value, by_small, by_big) }
 }
 
-/// Where a stretch of a line begins or ends.
+/// An end of a piece of a line.
 #[derive(Clone, Copy)]
 struct End {
     s: f64,
-    /// The point there, without signs.
+    /// The point, with absolute coordinates.
     p: DVec3,
-    /// The logarithms of its coordinates.
+    /// Logarithms of its coordinates.
     ln: DVec3,
 }
 
@@ -101,11 +101,11 @@ impl End {
 
 /// Logarithms at a point.
 struct Corner {
-    /// Of its coordinates.
+    /// Logarithms of the coordinates.
     of: DVec3,
-    /// Of the norm of x and y.
+    /// Logarithm of the norm of x and y.
     across: f64,
-    /// Of how many times the shape must grow to reach it.
+    /// Logarithm of the gauge: the factor by which the shape must grow to reach the point.
     gauge: f64,
 }
 
@@ -115,14 +115,15 @@ fn exp_of(ln: f64, n: f64) -> f64 {
     if product.is_nan() { 1.0 } else { fp::exp(product) }
 }
 
-/// The logarithm of (xᵃ + yᵃ)^(1/a) from those of x and y.
+/// Logarithm of (xᵃ + yᵃ)^(1/a) from the logarithms of x and y.
 fn ln_norm(x: f64, y: f64, a: f64) -> f64 {
     let (big, small) = if x > y { (x, y) } else { (y, x) };
     big + fp::ln(1.0 + exp_of(small - big, a)) / a
 }
 
 impl Superellipsoid {
-    /// How many times it must grow to reach the point, and the gradient of that. For exponents up to 2 it is a norm.
+    /// Returns the factor by which the shape must grow to reach the point, and its gradient. For exponents up to 2 the
+    /// factor is a norm.
     fn gauge(&self, p: DVec3) -> (f64, DVec3) {
         let q = p.abs();
         let (across, by_x, by_y) = norm(q.x, q.y, 2.0 / self.e);
@@ -136,8 +137,9 @@ impl Superellipsoid {
         !(self.e >= 0.0 && self.n >= 0.0)
     }
 
-    /// Of a convex one: from one end of the line's part in the cube to the surface. A tangent of a convex function lies below
-    /// it, so Newton's steps come near the root and never pass it; where the function no longer falls there is none.
+    /// For a convex shape: Newton's method from one end of a line's piece in the cube to the surface. A tangent of a
+    /// convex function is below the function, so steps approach the root and never pass it; `None` where the function
+    /// no longer falls.
     fn seen_from(&self, line: &Line, from: f64, to: f64) -> Option<f64> {
         let toward = (to - from).signum();
         let mut s = from;
@@ -156,7 +158,7 @@ impl Superellipsoid {
             if (to - s) * toward < 0.0 {
                 return None;
             }
-            // So short a step doubles the digits that are right.
+            // Such a short step doubles the number of correct digits.
             if step < SHORT {
                 break;
             }
@@ -164,13 +166,13 @@ impl Superellipsoid {
         Some(s)
     }
 
-    /// The roots between two places of which each coordinate keeps its sign, ascending, as far as there are any in the range. True if
-    /// `found` had enough. (Stretches are the same for all ranges, and so are the roots' last digits.)
+    /// Calls `found` with the roots between two points within one octant, ascending, if they are in the range. Returns
+    /// true if `found` did. Pieces do not depend on the range, so neither do the last digits of roots.
     fn in_octant(&self, line: &Line, lo: End, hi: End, within: Range, found: &mut dyn FnMut(f64) -> bool) -> bool {
         if hi.s < within.min || lo.s > within.max {
             return false;
         }
-        // It grows along each axis: at the nearest and farthest corner of the box around the stretch it is least and most.
+        // The gauge grows along each axis, so it is bounded by its values at two corners of the piece's box.
         let far = self.corner(lo.ln.max(hi.ln));
         if far.gauge < -CLEAR {
             return false;
@@ -190,7 +192,7 @@ impl Superellipsoid {
         self.in_octant(line, lo, middle, within, found) || self.in_octant(line, middle, hi, within, found)
     }
 
-    /// The logarithms at a point, from those of its coordinates: all powers there cost one exponential each.
+    /// Returns the logarithms at a point from those of its coordinates; each power costs one exponential.
     fn corner(&self, of: DVec3) -> Corner {
         let across = ln_norm(of.x, of.y, 2.0 / self.e);
         Corner { of, across, gauge: ln_norm(across, of.z, 2.0 / self.n) }
@@ -220,7 +222,7 @@ impl Superellipsoid {
         plus((scaled(in_plane.0, true), scaled(in_plane.1, false)), along(2, b - 1.0))
     }
 
-    /// The root between two places, one inside and one outside: Newton's step where it helps, else bisection.
+    /// Returns the root between a point inside and one outside: Newton's method, or bisection where that is slow.
     fn between(&self, line: &Line, (mut inner, mut outer): (f64, f64)) -> f64 {
         let (mut s, mut last) = (0.5 * (inner + outer), (outer - inner).abs());
         for _ in 0..100 {
@@ -242,10 +244,11 @@ impl Superellipsoid {
         s
     }
 
-    /// The way in and the way out of a convex one, of which those before `start` do not count.
+    /// Calls `tell` with the entry and exit of a convex shape, unless they are before `start`.
     fn search_convex(&self, line: &Line, (lo, hi): (f64, f64), start: f64, tell: &mut dyn FnMut(f64) -> bool) {
         let mut last = start;
-        // Within the cube one look tells whether a ray begins inside, or goes away from it: most are shadow rays, which leave the surface.
+        // Within the cube one evaluation decides whether a ray starts inside or moves away: most are shadow rays that
+        // leave the surface.
         let (value, gradient) = if start > lo { self.gauge(line.at(start)) } else { (f64::INFINITY, -line.v) };
         if value > 1.0 {
             if gradient.dot(line.v) >= 0.0 {
@@ -257,17 +260,17 @@ impl Superellipsoid {
             }
             last = first;
         }
-        // (Where it is only grazed, rounding may put the way out before the way in.)
+        // At a grazing ray rounding can put the exit before the entry.
         tell(self.seen_from(line, hi, lo).map_or(last, |s| s.max(last)));
     }
 
-    /// Tells each hit in the range, ascending; true ends the search.
+    /// Calls `found` with each hit in the range, ascending, until it returns true.
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
         let Some((near, far)) = CUBE.slabs(ray, Range::ALL).filter(|_| !self.is_empty()) else { return };
         if near >= range.max || far <= range.min {
             return;
         }
-        // Measured from the point nearest to the origin.
+        // Start from the point nearest to the origin.
         let length = ray.dir.length();
         let range = range.ahead(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
@@ -290,7 +293,7 @@ impl Superellipsoid {
     }
 }
 
-/// Points o + s·v.
+/// A line o + s·v.
 struct Line {
     o: DVec3,
     v: DVec3,
@@ -335,7 +338,7 @@ impl Kernel for Superellipsoid {
         if self.is_empty() { Aabb::EMPTY } else { CUBE }
     }
 
-    /// A trifle larger than it is.
+    /// Slightly larger than the shape (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         moved_box(m, &CUBE.grown(1e-4))
     }
@@ -365,12 +368,12 @@ impl Kernel for Superellipsoid {
         if n.is_finite() && n.length_squared() > 0.0 {
             return n;
         }
-        // On the sharp edge of a star, to one of its sides.
+        // On the sharp edge of a star the normal is that of one side.
         let edge = n.map(|x| if x.is_infinite() { x.signum() } else { 0.0 });
         if edge == DVec3::ZERO { DVec3::Z } else { edge }
     }
 
-    /// POV-Ray has no mapping for it.
+    /// POV-Ray has no mapping for this shape.
     fn has_uv_mapping(&self) -> bool {
         false
     }

@@ -1,4 +1,4 @@
-//! For the tests of shapes: all hits in order, and a reader of numbers and words without an interpreter.
+//! For tests of shapes: all hits in order, and a reader of numbers and words without an interpreter.
 
 use super::{Hit, Hits, Kernel, Paints, Readable};
 use crate::color::{Color, Gamma};
@@ -11,7 +11,7 @@ use crate::value::{FloatOrColor, Language, Next, Reader, Solid, Thing, Unsupport
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// Every hit on the whole line, ascending.
+/// Returns all hits on the whole line, ascending.
 pub fn all(shape: &impl Kernel, ray: &Ray) -> Vec<Hit> {
     let mut hits = Hits::new();
     shape.hits(ray, Range::ALL, &mut hits);
@@ -19,13 +19,13 @@ pub fn all(shape: &impl Kernel, ray: &Ray) -> Vec<Hit> {
     hits.into_vec()
 }
 
-/// The same t to rounding, the same parts.
+/// Asserts that hits have these `t`, to rounding, and parts.
 pub fn assert_hits(found: &[Hit], want: &[(f64, u32)]) {
     let same = |(h, w): (&Hit, &(f64, u32))| (h.t - w.0).abs() <= 1e-12 * (1.0 + w.0.abs()) && h.part == w.1;
     assert!(found.len() == want.len() && found.iter().zip(want).all(same), "found {found:?}, want {want:?}");
 }
 
-/// Reads a shape from vectors without blanks inside, numbers and words; returns what was reported too.
+/// Reads a shape from words separated by blanks; returns the diagnostics too.
 pub fn read<S: Readable>(text: &str) -> (Result<S>, Vec<Diagnostic>) {
     let mut r = Words { left: text.split_whitespace().map(String::from).collect(), reports: vec![] };
     let shape = read_all::<S>(&mut r);
@@ -45,7 +45,7 @@ fn read_all<S: Readable>(r: &mut Words) -> Result<S> {
     Ok(shape)
 }
 
-/// Takes no textures.
+/// Accepts no textures.
 struct NoPaints;
 
 impl Paints for NoPaints {

@@ -19,14 +19,13 @@ use serde::Serialize;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// The fonts that POV-Ray brings along, by their numbers; any other number is the first.
+/// Fonts that come with POV-Ray, by number; any other number is the first.
 const INTERNAL: [&str; 4] = ["povlogo.ttf", "timrom.ttf", "cyrvetic.ttf", "crystal.ttf"];
 
-/// By how many degrees POV-Ray 3.7 turns letters about each axis (measured by `trace`: a front end is where z = 1.7453e-5 (y - x), and walls
-/// lean as much). So a pattern that changes at z = 0 shows there what it shows in POV-Ray.
+/// Rotation of letters about each axis, in degrees (quirk: `text_tilt`).
 const TILT: f64 = 0.001;
 
-/// Numbers of the parts of a letter: both ends, then its curves.
+/// Part numbers of a letter: both ends, then its curves.
 const FRONT: u32 = 0;
 const BACK: u32 = 1;
 const WALLS: u32 = 2;
@@ -34,34 +33,34 @@ const WALLS: u32 = 2;
 /// Letters in a row.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Text {
-    /// Name of the font, as the author wrote it.
+    /// Name of the font, as written.
     pub font: String,
-    /// The file that was taken.
+    /// Path of the font's file.
     pub file: PathBuf,
-    /// What is written.
+    /// The string.
     pub string: String,
-    /// How far letters reach along z.
+    /// Extent of letters along z.
     pub depth: f64,
-    /// Those that have an outline.
+    /// Letters with an outline.
     #[serde(skip)]
     letters: Vec<Letter>,
-    /// The text's space from that of its letters.
+    /// The text's space from the letters' space.
     #[serde(skip)]
     tilt: Box<Transform>,
     #[serde(skip)]
     bounds: Aabb,
 }
 
-/// A letter in its place.
+/// A letter at its position.
 #[derive(Clone, Debug, PartialEq)]
 struct Letter {
     shape: Arc<Glyph>,
     at: DVec3,
-    /// The number of its first part among those of all letters.
+    /// Number of its first part among the parts of all letters.
     first: u32,
 }
 
-/// A letter's outline.
+/// Outline of a letter.
 #[derive(Debug, PartialEq)]
 struct Glyph {
     curves: Outline,
@@ -78,8 +77,8 @@ impl Glyph {
         Self { curves, min, max }
     }
 
-    /// Does the half-line along +x cross the outlines an odd number of times? A curve counts from its lower end up to, but without,
-    /// its upper end on each of its rising and falling pieces.
+    /// True if the half-line along +x crosses the outlines an odd number of times. Each monotonic piece of a curve
+    /// includes its lower end but not its upper end.
     fn covers(&self, p: DVec2) -> bool {
         if p.y < self.min.y || p.y > self.max.y || p.x < self.min.x || p.x > self.max.x {
             return false;
@@ -87,7 +86,7 @@ impl Glyph {
         let mut odd = false;
         for curve in &self.curves {
             let [a, b, c] = curve.map(|q| q - p);
-            // y(s) = (a - 2b + c)·s² + 2(b - a)·s + a turns at most once.
+            // y(s) = (a - 2b + c)·s² + 2(b - a)·s + a has at most one extremum.
             let turn = (a.y - b.y) / (a.y - 2.0 * b.y + c.y);
             let mut piece = |s0: f64, y0: f64, s1: f64, y1: f64| {
                 if (y0 <= 0.0) != (y1 <= 0.0) {
@@ -106,7 +105,7 @@ impl Glyph {
     }
 }
 
-/// The point of a curve where it turns along each axis, if that is between its ends.
+/// Returns the extremum of a curve along each axis, if it is between the ends.
 fn extreme(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
     let turn = (curve[0] - curve[1]) / (curve[0] - 2.0 * curve[1] + curve[2]);
     let inner = |s: f64| if s > 0.0 && s < 1.0 { at(*curve, s) } else { curve[0] };
@@ -118,7 +117,7 @@ fn at([a, b, c]: Curve, s: f64) -> DVec2 {
     a * (r * r) + b * (2.0 * r * s) + c * (s * s)
 }
 
-/// The only s between s0 and s1 where (1 - s)²·a + 2s(1 - s)·b + s²·c is 0.
+/// Returns the only root of (1 - s)²·a + 2s(1 - s)·b + s²·c between s0 and s1.
 fn root(a: f64, b: f64, c: f64, s0: f64, s1: f64) -> f64 {
     let middle = (s0 + s1) / 2.0;
     let off = |s: &f64| (s - middle).abs();
@@ -175,7 +174,7 @@ impl Readable for Text {
             let outline = || Arc::new(Glyph::new(font.outline(set.glyph)));
             let shape = known.entry(set.glyph).or_insert_with(outline).clone();
             if !shape.curves.is_empty() {
-                // (Its z does nothing, in POV-Ray neither.)
+                // (The z component has no effect, as in POV-Ray.)
                 let at = (offset.truncate() * i as f64).extend(0.0) + DVec3::X * set.x;
                 let count = WALLS + shape.curves.len() as u32;
                 text.letters.push(Letter { shape, at, first });
@@ -200,7 +199,7 @@ impl Text {
         Aabb::from_corners(at + shape.min.extend(0.0), at + shape.max.extend(self.depth))
     }
 
-    /// Where a ray, seen from a letter, meets it.
+    /// Appends the hits on one letter, with the ray in the letter's space.
     fn meet(&self, letter: &Letter, ray: &Ray, range: Range, out: &mut Hits) {
         let (o, d) = (ray.origin - letter.at, ray.dir);
         let mut push = |t: f64, part: u32, s: f64| {
@@ -221,14 +220,14 @@ impl Text {
         }
         for (part, curve) in (WALLS..).zip(&letter.shape.curves) {
             let from = curve.map(|p| p - o.truncate());
-            // How far to the left of the ray.
+            // Signed distances from the ray, to the left.
             let [a, b, c] = from.map(|p| across.perp_dot(p));
             if (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0) {
                 continue;
             }
             let Some((s1, s2)) = solve_quadratic(a - 2.0 * b + c, 2.0 * (b - a), a) else { continue };
             for s in [s1, s2] {
-                // (From one end up to, but without, the other, so that a corner is met once.)
+                // A curve includes its first end but not its last, so that a corner is hit once.
                 if (0.0..1.0).contains(&s) {
                     let t = across.dot(at(from, s)) / length;
                     let z = o.z + d.z * t;
@@ -240,7 +239,7 @@ impl Text {
         }
     }
 
-    /// The letter that a part belongs to, and which of its parts it is.
+    /// Returns the letter of a part, and the part's number within the letter.
     fn part(&self, number: u32) -> (&Letter, u32) {
         let letter = &self.letters[self.letters.partition_point(|letter| letter.first <= number) - 1];
         (letter, number - letter.first)
@@ -269,7 +268,7 @@ impl Kernel for Text {
         })
     }
 
-    /// Walls point inwards (measured on POV-Ray 3.7, by `trace`).
+    /// Walls point inwards (quirk: `text_walls`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         let (letter, part) = self.part(hit.part);
         let n = match part {
@@ -282,7 +281,7 @@ impl Kernel for Text {
                 DVec3::new(along.y, -along.x, 0.0)
             }
         };
-        // (What only turns does the same to normals.)
+        // A rotation transforms normals as vectors.
         self.tilt.vector(n)
     }
 
@@ -333,7 +332,7 @@ mod tests {
 
     #[test]
     fn letters_lean() {
-        // as `trace` tells of POV-Ray 3.7
+        // POV-Ray's `trace`
         let shape = text("l");
         let middle = shape.bounds().center();
         let hit = shape.closest(&Ray::new(middle.with_z(-9.0), DVec3::Z), Range::FORWARD).unwrap();
@@ -349,7 +348,7 @@ mod tests {
         let hits = all(&shape, &Ray::new(middle.with_z(-5.0), DVec3::Z));
         assert!(hits.len() == 2 && (hits[0].t - 4.5).abs() < 1e-4 && (hits[1].t - 5.0).abs() < 1e-4, "{hits:?}");
         assert!(all(&shape, &Ray::new(middle.with_x(-5.0), DVec3::X)).is_empty() && !shape.inside(middle));
-        // Both are there when there is nothing between them, as in POV-Ray 3.7.
+        // Both ends exist even without depth (quirk: `text_without_depth`).
         let flat = crate::shape::testing::read::<Text>("ttf \"roboto\" \"l\" 0 0").0.unwrap();
         assert_eq!(all(&flat, &Ray::new(middle.with_z(-5.0), DVec3::Z)).len(), 2);
     }

@@ -21,27 +21,27 @@ use std::ops::ControlFlow;
 /// A ring.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Torus {
-    /// From the axis to the middle of the rim.
+    /// Distance from the axis to the centre of the tube.
     pub major: f64,
-    /// The rim's radius.
+    /// Radius of the tube.
     pub minor: f64,
 }
 
 impl Torus {
-    /// Is nothing of it seen from anywhere?
+    /// True if no ray hits any part.
     fn is_empty(&self) -> bool {
         self.minor == 0.0 || self.minor < 0.0 && self.major >= 0.0 || self.major + self.minor == 0.0
     }
 
-    /// The box around the ring, whatever the signs of its radii.
+    /// Bounding box of the ring, whatever the signs of its radii.
     fn pipe(&self) -> Aabb {
         let across = self.major.abs() + self.minor.abs();
         let corner = DVec3::new(across, self.minor.abs(), across);
         Aabb { min: -corner, max: corner }
     }
 
-    /// A ring of negative radius shows only where a ray meets what POV-Ray takes for the pipe around it: the outer wall if
-    /// `minor` is positive, else the discs above and below (both fitted on 3.7).
+    /// True if a ray shows a ring with a negative radius: the ray must hit the outer wall of the bounding pipe if
+    /// `minor` is positive, else its upper or lower disc (quirk: `negative_torus`).
     fn shows(&self, ray: &Ray) -> bool {
         if self.major >= 0.0 {
             return true;
@@ -68,9 +68,10 @@ impl Torus {
         across * across + p.y * p.y - self.minor * self.minor
     }
 
-    /// Hands the places in the range on the surface to `visit` in order, until it breaks off.
+    /// Calls `visit` with each hit in `range`, in ascending `t`, until it returns `Break`.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
-        // Roots are looked for in the box around it only. Not in the range: it should not change the last digit of a hit.
+        // Search roots in the bounding pipe only. The range is not used, since it must not change the last digit of a
+        // hit.
         let around = self.pipe().grown(0.01 * self.minor.abs());
         let Some((near, far)) = around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.shows(ray)) else {
             return;
@@ -89,8 +90,8 @@ impl Torus {
         });
     }
 
-    /// Tells the roots in units of |dir|, ascending, measured from the ray's point `o` nearest to the origin, so that o·v = 0; true ends
-    /// the search.
+    /// Calls `found` with the roots in units of |dir|, ascending, until it returns true. `o` is the point of the ray
+    /// nearest to the origin, so that o·v = 0.
     fn roots(&self, o: DVec3, v: DVec3, lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
         let (major2, minor2) = (self.major * self.major, self.minor * self.minor);
         // (s² + K)² = 4R²·((oₓ + s·vₓ)² + (o_z + s·v_z)²) with K = o² + R² - r²
@@ -100,7 +101,7 @@ impl Torus {
         // K² - 4R²ρ² = (K - 2Rρ)·(K + 2Rρ) at s = 0
         let (rho, rest) = (fp::hypot(o.x, o.z), o.y * o.y - minor2);
         let c0 = ((rho - self.major).powi(2) + rest) * ((rho + self.major).powi(2) + rest);
-        // The same in u from 0 to 1, where s = lo + u·w
+        // Substitute s = lo + u·w, with u from 0 to 1
         let w = hi - lo;
         let a0 = ((lo * lo + c2) * lo + c1) * lo + c0;
         let a1 = ((4.0 * lo * lo + 2.0 * c2) * lo + c1) * w;
@@ -181,7 +182,7 @@ impl Kernel for Torus {
     }
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
-        // From the nearest point of the circle in the rim's middle.
+        // Direction from the nearest point of the tube's centre line.
         let rho = fp::hypot(p.x, p.z);
         let rim = if rho > 0.0 { DVec3::new(p.x, 0.0, p.z) * (self.major / rho) } else { DVec3::ZERO };
         let n = p - rim;
@@ -189,7 +190,7 @@ impl Kernel for Torus {
     }
 
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        // Around the axis, and around the rim from the inside of the hole; as seen in POV-Ray.
+        // Around the axis, and around the tube from the inside of the hole (quirk: `torus_uv`).
         let u = 0.5 - fp::atan2(p.z, p.x) / TAU;
         let v = 0.5 + fp::atan2(p.y, fp::hypot(p.x, p.z) - self.major) / TAU;
         DVec2::new(u, v)
@@ -211,7 +212,7 @@ mod tests {
         let down = Ray::new(DVec3::new(1.15, 4.0, 0.0), -DVec3::Y);
         assert_hits(&all(&RING, &down), &[(3.8, 0), (4.2, 0)]);
         assert_hits(&all(&RING, &Ray::new(DVec3::Y, -DVec3::Y)), &[]);
-        // Touches the top along a tangent, and the outer equator.
+        // The rays touch the top along a tangent, and the outer equator.
         let grazing = all(&RING, &Ray::new(DVec3::new(1.0, 0.25, -2.0), DVec3::Z));
         assert!(grazing.iter().all(|h| (h.t - 2.0).abs() < 1e-3), "{grazing:?}");
         let n = RING.normal(DVec3::new(1.0, 0.25, 0.0), &Hit::at(0.0));
@@ -235,20 +236,20 @@ mod tests {
         let hits = all(&ball, &Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z));
         let h = (1.0_f64 - 0.05).sqrt();
         assert!(hits.iter().all(|x| (x.t - 5.0 + h).abs() < 1e-6 || (x.t - 5.0 - h).abs() < 1e-6) && hits.len() >= 2);
-        // Seen in POV-Ray's `inside()` for a closed hole.
+        // POV-Ray's `inside()` for a closed hole.
         let spindle = Torus { major: 0.25, minor: 1.0 };
         assert!(spindle.inside(DVec3::ZERO) && spindle.inside(DVec3::Y * 0.9) && !spindle.inside(DVec3::X * 1.3));
         assert_eq!(read::<Torus>("1 0.25 sturm on").0.unwrap(), RING);
         assert_eq!(read::<Torus>("1 -0.25").1[0].code, codes::NO_SURFACE);
     }
 
-    /// All seen in POV-Ray's `trace()` and `inside()`.
+    /// All numbers from POV-Ray's `trace()` and `inside()`.
     #[test]
     fn negative_radii() {
         let hits = |major: f64, minor: f64, from: [f64; 3], dir: DVec3| {
             all(&Torus { major, minor }, &Ray::new(from.into(), dir)).len()
         };
-        // Through the outer wall, of radius 0.8, or not; with it behind.
+        // Through the outer wall, of radius 0.8, or not; with the wall behind the origin.
         assert_eq!(hits(-1.0, 0.2, [-3.0, 0.0, 0.0], DVec3::X), 4);
         assert_eq!(hits(-1.0, 0.2, [0.0, 0.0, 1.1], DVec3::X), 0);
         assert_eq!(hits(-1.0, 0.2, [1.0, 3.0, 0.0], -DVec3::Y), 0);
@@ -284,12 +285,12 @@ mod tests {
             let ray = Ray::new(o, (at - o) * 1.7);
             let hits = all(&torus, &ray);
             for hit in &hits {
-                // A closed hole has a surface within, where -R takes the place of R.
+                // A closed hole has an inner surface, on which -R takes the place of R.
                 let (p, within) = (ray.at(hit.t), Torus { major: -major, minor });
                 prop_assert!(torus.implicit(p).abs().min(within.implicit(p).abs()) < 1e-10, "{hit:?}");
             }
             prop_assert!(hits.len().is_multiple_of(2));
-            // Signs of the implicit function between samples tell the crossings that may not be missed.
+            // Sign changes of the implicit function between samples are crossings that must be found.
             let value = |i: i32| torus.implicit(ray.at(f64::from(i) * 0.01));
             for i in -400..400 {
                 if value(i) * value(i + 1) < 0.0 && torus.major > torus.minor {

@@ -20,31 +20,28 @@ pub struct Triangle {
     pub b: DVec3,
     /// Third corner.
     pub c: DVec3,
-    /// Are its sides the other way round, because it was moved?
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    pub turned: bool,
 }
 
 impl Triangle {
-    /// From its corners.
+    /// The triangle with these corners.
     pub const fn new(a: DVec3, b: DVec3, c: DVec3) -> Self {
-        Self { a, b, c, turned: false }
+        Self { a, b, c }
     }
 
-    /// (c - a) × (b - a): its length is twice the area (lecture, "Ray and triangle intersection II"). It points to where
-    /// the corners go round clockwise in POV-Ray's left-handed system, and so does POV-Ray's `trace()`.
+    /// (c - a) × (b - a): its length is twice the area (lecture, "Ray and triangle intersection II"). Seen from its
+    /// side the corners are clockwise in POV-Ray's left-handed system, as in POV-Ray's `trace()`.
     pub fn face_normal(&self) -> DVec3 {
         (self.c - self.a).cross(self.b - self.a)
     }
 
-    /// Has it no area, to rounding?
+    /// True if the area is zero, to rounding.
     pub fn is_degenerate(&self) -> bool {
         let (ab, ac) = (self.b - self.a, self.c - self.a);
         self.face_normal().length() <= f64::EPSILON * ab.length() * ac.length()
     }
 
-    /// Where the ray meets it, by the plane a + u·(b - a) + v·(c - a) (lecture, "Ray and triangle intersection I"): Cramer's
-    /// rule on p₀ - a = -t·v + u·(b - a) + v·(c - a), as Möller and Trumbore (1997) order it.
+    /// Intersects a ray with the plane a + u·(b - a) + v·(c - a) (lecture, "Ray and triangle intersection I"): Cramer's
+    /// rule on p₀ - a = -t·v + u·(b - a) + v·(c - a), in the order of Möller and Trumbore (1997).
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
         let (ab, ac) = (self.b - self.a, self.c - self.a);
         let p = ray.dir.cross(ac);
@@ -60,10 +57,10 @@ impl Triangle {
         (v >= 0.0 && u + v <= 1.0).then_some(Hit { t, part: 0, uv: DVec2::new(u, v) })
     }
 
-    /// The weights (λ₁, λ₂, λ₃) of the corners at a point of its plane, in the coordinate plane on which its image is
-    /// largest (lecture, "Point on triangle"). The point is in the triangle if and only if none is negative.
+    /// Returns the barycentric coordinates (λ₁, λ₂, λ₃) of a point of the plane, in the coordinate plane with the
+    /// largest projection (lecture, "Point on triangle"). The point is in the triangle if and only if none is negative.
     pub fn barycentric(&self, p: DVec3) -> DVec3 {
-        // Leave out the axis along which the normal is longest.
+        // Drop the axis along which the normal is longest.
         let drop = self.face_normal().abs().max_position();
         let flat = |q: DVec3| DVec2::new(q[(drop + 1) % 3], q[(drop + 2) % 3]);
         let (a, b, at) = (flat(self.a - self.c), flat(self.b - self.c), flat(p - self.c));
@@ -72,7 +69,7 @@ impl Triangle {
         DVec3::new(l1, l2, 1.0 - l1 - l2)
     }
 
-    /// The box around it; empty if it has no area.
+    /// Bounding box; empty for a triangle without area.
     pub fn bounds(&self) -> Aabb {
         if self.is_degenerate() { Aabb::EMPTY } else { Aabb::from_points([self.a, self.b, self.c]) }
     }
@@ -132,7 +129,7 @@ impl Kernel for Triangle {
     }
 
     fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
-        if self.turned { -self.face_normal() } else { self.face_normal() }
+        self.face_normal()
     }
 
     /// The lecture's (u, v). POV-Ray has no mapping for triangles outside meshes.

@@ -1,31 +1,31 @@
-//! What a curve beside the y axis sweeps when it turns about it: the walls of `lathe` and `sor`.
+//! Surfaces of revolution about the y axis: the walls of `lathe` and `sor`.
 
 use super::spline::{blend, blend_slope, product, turns};
 use super::{Hit, Hits};
 use crate::math::{DVec2, DVec3, Range, Ray, bernstein_roots, fp, stable_pair};
 use smallvec::SmallVec;
 
-/// A ray is level where it rises less than this along its way: its hits are found at one height then.
+/// Slope below which a ray counts as level: its hits are all found at one height.
 const LEVEL: f64 = 1e-7;
-/// A ray is steep where it rises more than this: then the height of a hit tells where on the ray it is.
+/// Slope above which a ray counts as steep: the height of a hit determines its position on the ray.
 const STEEP: f64 = 0.1;
 
-/// The walls.
+/// The walls of a surface of revolution.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Walls {
     pieces: Vec<Piece>,
-    /// Heights in `pieces` are above this one.
+    /// Height that is subtracted from all heights in `pieces`.
     level: f64,
 }
 
-/// One segment, all in Bernstein coefficients of one degree, at most 6: height, its square, and the radius' square. At their ends,
-/// neighbours have the very same numbers.
+/// One segment, in Bernstein coefficients of one degree, at most 6: height, squared height, and squared radius.
+/// Neighbours have identical numbers at their common end.
 #[derive(Clone, Debug, PartialEq)]
 struct Piece {
     height: Vec<f64>,
     height2: Vec<f64>,
     radius2: Vec<f64>,
-    /// No square of a radius is larger.
+    /// Upper bound of the squared radius.
     most: f64,
 }
 
@@ -38,17 +38,17 @@ impl Piece {
     }
 }
 
-/// The ray by its point nearest to the middle of the walls, in units of length.
+/// The ray relative to its point nearest to the centre of the walls, in units of length.
 struct Line {
     o: DVec3,
     v: DVec3,
-    /// Where on the ray this point is, and the length of its direction.
+    /// Parameter of that point on the ray, and length of the direction.
     middle: f64,
     length: f64,
 }
 
 impl Walls {
-    /// From segments: Bernstein coefficients of their heights, and of the squares of their radii.
+    /// Builds the walls from Bernstein coefficients of heights and of squared radii.
     pub fn new(segments: impl IntoIterator<Item = (SmallVec<[f64; 4]>, Vec<f64>)>, level: f64) -> Self {
         let raise = |(height, radius2): (SmallVec<[f64; 4]>, Vec<f64>)| {
             let height: Vec<f64> = height.iter().map(|y| y - level).collect();
@@ -57,7 +57,7 @@ impl Walls {
         Self { pieces: segments.into_iter().map(raise).collect(), level }
     }
 
-    /// Appends the hits in the range; part and uv.x are the segment and the place in it.
+    /// Appends the hits in the range; `part` and `uv.x` are the segment and the position in it.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         let from = ray.origin - DVec3::Y * self.level;
         let length = ray.dir.length();
@@ -79,7 +79,7 @@ impl Walls {
         }
     }
 
-    /// Outwards of a curve that goes up, at a hit.
+    /// Outward normal at a hit, for a curve that goes up.
     pub fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         let piece = &self.pieces[hit.part as usize];
         let up = blend_slope(&piece.height, hit.uv.x);
@@ -89,13 +89,14 @@ impl Walls {
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
 
-    /// Around the axis, and along the curve, each segment as long as the others; as seen in POV-Ray.
+    /// Angle about the axis, and position along the curve, where all segments count as equally long (quirk:
+    /// `lathe_uv`).
     pub fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
         DVec2::new(fp::turn(p.z, p.x), (f64::from(hit.part) + hit.uv.x) / self.pieces.len() as f64)
     }
 }
 
-/// The square of the distance between a line and the y axis, or a little less.
+/// Lower bound of the squared distance between a line and the y axis.
 fn closest_to_axis(o: DVec3, v: DVec3) -> f64 {
     let across = v.x * v.x + v.z * v.z;
     let turn = o.x * v.z - o.z * v.x;
@@ -103,8 +104,8 @@ fn closest_to_axis(o: DVec3, v: DVec3) -> f64 {
 }
 
 impl Piece {
-    /// The ray is at height y where s = (y - o_y)/v_y, and there |(o + s·v)ₓ𝓏|² = r². Times v_y², that is a polynomial along
-    /// the segment.
+    /// Calls `tell` with the hits on one segment. The ray is at height y where s = (y - o_y)/v_y, and there |(o +
+    /// s·v)ₓ𝓏|² = r². Times v_y², that is a polynomial along the segment.
     fn hits(&self, line: &Line, tell: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let (k, m, q) = (v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z, o.x * o.x + o.z * o.z);
@@ -119,7 +120,7 @@ impl Piece {
                 tell(s, at);
                 return false;
             }
-            // The nearest of the two places as far from the axis.
+            // Select the nearer of the two points at this distance from the axis.
             let c = q - blend(&self.radius2, at);
             if let Some((s1, s2)) = stable_pair(k, m, c, (m * m - k * c).max(0.0)) {
                 tell(if (s - s1).abs() < (s - s2).abs() { s1 } else { s2 }, at);
@@ -128,7 +129,7 @@ impl Piece {
         });
     }
 
-    /// Of a level ray: where the segment is as high, two places on the ray are as far from the axis.
+    /// Hits of a level ray: where the segment has the ray's height, two points of the ray have its radius.
     fn level_hits(&self, line: &Line, tell: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let b: SmallVec<[f64; 8]> = self.height.iter().map(|y| y - o.y).collect();
@@ -144,7 +145,7 @@ impl Piece {
     }
 }
 
-/// The largest value of a function with these Bernstein coefficients, of a degree up to 3, on [0, 1]; at least 0.
+/// Maximum on [0, 1] of a polynomial with these Bernstein coefficients, of degree up to 3; at least 0.
 pub fn widest(b: &[f64]) -> f64 {
     let inner = turns(b).into_iter().flatten().map(|t| blend(b, t));
     inner.chain([b[0], b[b.len() - 1]]).fold(0.0, f64::max)

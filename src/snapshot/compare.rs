@@ -49,9 +49,9 @@ pub struct Comparison {
 }
 
 /// Compares the expected picture with the rendered one. Colours of fully transparent pixels are ignored.
-pub fn compare(expected: &Frame, drawn: &Frame, tolerance: Tolerance) -> Comparison {
-    let pixels = drawn.pixels.len();
-    if (expected.width, expected.height) != (drawn.width, drawn.height) {
+pub fn compare(expected: &Frame, rendered: &Frame, tolerance: Tolerance) -> Comparison {
+    let pixels = rendered.pixels.len();
+    if (expected.width, expected.height) != (rendered.width, rendered.height) {
         let other_size = Some((expected.width, expected.height));
         return Comparison {
             other_size,
@@ -62,7 +62,7 @@ pub fn compare(expected: &Frame, drawn: &Frame, tolerance: Tolerance) -> Compari
             verdict: Verdict::Differs,
         };
     }
-    let distances = distances(expected, drawn);
+    let distances = distances(expected, rendered);
     let count = |limit| distances.iter().filter(|&&d| d > limit).count();
     let (different, beyond) = (count(0), count(tolerance.steps));
     let verdict = if different == 0 {
@@ -87,16 +87,16 @@ fn distances(a: &Frame, b: &Frame) -> Vec<u8> {
 
 /// A map of the differences of two pictures of one size: the expected picture in dim gray, with colours from red for
 /// one step through orange and yellow to white for the largest difference.
-pub fn difference(expected: &Frame, drawn: &Frame) -> Frame {
+pub fn difference(expected: &Frame, rendered: &Frame) -> Frame {
     let paint = |(pixel, d): (&[f32; 4], u8)| {
         let gray = 0.12 * (0.3 * pixel[0] + 0.59 * pixel[1] + 0.11 * pixel[2]).clamp(0.0, 1.0);
         let t = f32::from(d) / 255.0;
         if d == 0 { [gray, gray, gray, 1.0] } else { [1.0, (3.0 * t).min(1.0), (2.0 * t - 1.0).max(0.0), 1.0] }
     };
-    if (expected.width, expected.height) != (drawn.width, drawn.height) {
+    if (expected.width, expected.height) != (rendered.width, rendered.height) {
         return Frame::new(1, 1).over_black();
     }
-    let pixels = expected.pixels.iter().zip(distances(expected, drawn)).map(paint).collect();
+    let pixels = expected.pixels.iter().zip(distances(expected, rendered)).map(paint).collect();
     Frame { width: expected.width, height: expected.height, pixels }
 }
 
@@ -122,13 +122,13 @@ mod tests {
     #[test]
     fn the_three_verdicts() {
         let expected = gray(0.5);
-        let verdict = |drawn: &Frame| compare(&expected, drawn, Tolerance::default()).verdict;
-        let mut drawn = gray(0.5);
-        assert_eq!(verdict(&drawn), Verdict::Identical);
-        drawn.pixels[..2].fill([1.0, 0.0, 0.0, 1.0]);
-        assert_eq!(verdict(&drawn), Verdict::Close);
-        drawn.pixels[..3].fill([1.0, 0.0, 0.0, 1.0]);
-        assert_eq!(verdict(&drawn), Verdict::Differs);
+        let verdict = |rendered: &Frame| compare(&expected, rendered, Tolerance::default()).verdict;
+        let mut rendered = gray(0.5);
+        assert_eq!(verdict(&rendered), Verdict::Identical);
+        rendered.pixels[..2].fill([1.0, 0.0, 0.0, 1.0]);
+        assert_eq!(verdict(&rendered), Verdict::Close);
+        rendered.pixels[..3].fill([1.0, 0.0, 0.0, 1.0]);
+        assert_eq!(verdict(&rendered), Verdict::Differs);
         assert_eq!(verdict(&gray(0.508)), Verdict::Close);
         assert_eq!(verdict(&gray(0.6)), Verdict::Differs);
         assert_eq!(verdict(&Frame::new(50, 100)), Verdict::Differs);
@@ -136,12 +136,12 @@ mod tests {
 
     #[test]
     fn differing_pixels_are_counted() {
-        let mut drawn = gray(0.5);
-        drawn.pixels[7] = [0.5, 0.5, 0.0, 1.0];
-        let c = compare(&gray(0.5), &drawn, Tolerance::default());
+        let mut rendered = gray(0.5);
+        rendered.pixels[7] = [0.5, 0.5, 0.0, 1.0];
+        let c = compare(&gray(0.5), &rendered, Tolerance::default());
         assert_eq!((c.pixels, c.different, c.beyond, c.largest), (5000, 1, 1, 188));
         assert_eq!(c.to_string(), "1 of 5000 pixels differ, by up to 188/255");
-        let map = difference(&gray(0.5), &drawn);
+        let map = difference(&gray(0.5), &rendered);
         assert!(map.pixels[7][0] == 1.0 && map.pixels[8][0] < 0.1);
     }
 

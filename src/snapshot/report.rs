@@ -20,7 +20,7 @@ pub struct Entry<'a> {
     /// The snapshot.
     pub expected: Option<&'a Frame>,
     /// The rendered picture.
-    pub drawn: Option<&'a Frame>,
+    pub rendered: Option<&'a Frame>,
 }
 
 /// The files of a report: names and contents.
@@ -36,13 +36,13 @@ pub fn report(entries: &[Entry<'_>]) -> Result<Report> {
     for entry in entries {
         let pictures = pictures(entry, &mut files)?;
         let (class, list) = if entry.fine { ("ok", &mut good) } else { ("bad", &mut bad) };
-        let (name, text) = (escape(&entry.name), escape(&entry.text));
+        let (title, text) = (escape(&entry.name), escape(&entry.text));
         let snapshot = format!("<small>{}</small>", escape(&entry.snapshot));
         let accept =
             entry.accept.as_ref().map(|command| format!("<p>Is it right? <code>{}</code></p>", escape(command)));
         let accept = accept.unwrap_or_default();
         *list += &format!(
-            "<section class={class}><h2>{name}</h2>{snapshot}<p>{text}</p>{accept}<div>{pictures}</div></section>\n"
+            "<section class={class}><h2>{title}</h2>{snapshot}<p>{text}</p>{accept}<div>{pictures}</div></section>\n"
         );
     }
     let fine = entries.iter().filter(|e| e.fine).count();
@@ -56,17 +56,17 @@ pub fn report(entries: &[Entry<'_>]) -> Result<Report> {
 fn pictures(entry: &Entry<'_>, files: &mut Report) -> Result<String> {
     let stem: String =
         entry.name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect();
-    let map = entry.expected.zip(entry.drawn).map(|(expected, drawn)| difference(expected, drawn));
+    let map = entry.expected.zip(entry.rendered).map(|(expected, rendered)| difference(expected, rendered));
     let shown = match entry.fine {
-        true => [("drawn", entry.drawn), ("expected", None), ("difference", None)],
-        false => [("expected", entry.expected), ("drawn", entry.drawn), ("difference", map.as_ref())],
+        true => [("rendered", entry.rendered), ("expected", None), ("difference", None)],
+        false => [("expected", entry.expected), ("rendered", entry.rendered), ("difference", map.as_ref())],
     };
     let mut html = String::new();
-    for (what, frame) in shown {
+    for (name, frame) in shown {
         let Some(frame) = frame else { continue };
-        let file = format!("{stem}.{what}.png");
-        html += &format!("<figure><a href=\"{file}\"><img src=\"{file}\" alt=\"{what}\"></a>");
-        html += &format!("<figcaption>{what}</figcaption></figure>");
+        let file = format!("{stem}.{name}.png");
+        html += &format!("<figure><a href=\"{file}\"><img src=\"{file}\" alt=\"{name}\"></a>");
+        html += &format!("<figcaption>{name}</figcaption></figure>");
         files.push((file, encode(frame, &Encoding { alpha: true, ..Encoding::new(Format::Png) })?));
     }
     Ok(html)
@@ -118,12 +118,12 @@ mod tests {
             text: "1 < 2".into(),
             accept: (!fine).then(|| format!("durer test --accept {name}")),
             expected: Some(&frame),
-            drawn: Some(&frame),
+            rendered: Some(&frame),
         };
         let files = report(&[entry("a/<b>.scene", false), entry("c.scene", true)]).unwrap();
         let names: Vec<_> = files.iter().map(|(name, _)| name.as_str()).collect();
-        let bad = ["expected", "drawn", "difference"].map(|what| format!("a__b_.scene.{what}.png"));
-        assert_eq!(names, [&bad[0], &bad[1], &bad[2], "c.scene.drawn.png", "index.html"]);
+        let bad = ["expected", "rendered", "difference"].map(|name| format!("a__b_.scene.{name}.png"));
+        assert_eq!(names, [&bad[0], &bad[1], &bad[2], "c.scene.rendered.png", "index.html"]);
         let page = String::from_utf8(files[4].1.clone()).unwrap();
         assert!(page.contains("a/&lt;b&gt;.scene") && page.contains("1 &lt; 2") && page.contains("1 of 2 pictures"));
         assert!(page.matches("<code>durer test --accept a/&lt;b&gt;.scene</code>").count() == 1);

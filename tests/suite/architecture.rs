@@ -228,6 +228,29 @@ fn sources() -> Vec<(String, String)> {
     found.iter().map(|path| (name(path), std::fs::read_to_string(path).unwrap())).collect()
 }
 
+/// The parts of the interpreter that know each other only through their interfaces, and the other parts that they use.
+const INTERPRETER_PARTS: &[(&str, &[&str])] =
+    &[("evaluator", &[]), ("reporter", &[]), ("scene_builder", &[]), ("stream", &["evaluator"])];
+
+#[test]
+fn the_interpreters_parts_do_not_use_the_interpreter_or_each_other() {
+    let mut found = 0;
+    for (path, source) in sources() {
+        let code = code(&source);
+        for (part, uses) in
+            INTERPRETER_PARTS.iter().filter(|(part, _)| path.starts_with(&format!("interpreter/{part}/")))
+        {
+            found += 1;
+            assert!(!holds(&code, "Interpreter"), "{path} uses the whole interpreter");
+            for (other, _) in INTERPRETER_PARTS.iter().filter(|(other, _)| other != part && !uses.contains(other)) {
+                let used = [format!("interpreter::{other}::"), format!("super::{other}::")];
+                assert!(!used.iter().any(|path| code.contains(path)), "{path} uses {other}");
+            }
+        }
+    }
+    assert!(found > 20);
+}
+
 #[test]
 fn modules_use_only_lower_layers_and_words_stay_in_their_files() {
     let mut all: Vec<_> = sources().iter().flat_map(|(path, source)| faults(path, source)).collect();
@@ -240,6 +263,20 @@ fn modules_use_only_lower_layers_and_words_stay_in_their_files() {
         }
     }
     assert!(all.is_empty(), "\n{}", all.join("\n"));
+}
+
+/// Folders with one file for each shape or pattern of the language.
+const FAMILIES: &[&str] = &["pattern", "shape"];
+
+#[test]
+fn folders_have_at_most_25_files() {
+    let mut counts = std::collections::BTreeMap::new();
+    for (path, _) in sources() {
+        let folder = path.rsplit_once('/').map_or(String::new(), |(folder, _)| folder.to_string());
+        *counts.entry(folder).or_insert(0) += 1;
+    }
+    counts.retain(|folder, count| *count > 25 && !FAMILIES.contains(&folder.as_str()));
+    assert!(counts.is_empty(), "{counts:?}");
 }
 
 #[test]

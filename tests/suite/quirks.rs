@@ -136,7 +136,6 @@ fn all_evidence_exists() {
 }
 
 #[test]
-#[ignore = "until every room cites ids"]
 fn comments_cite_ids_and_not_measurements() {
     let mut faults = vec![];
     for (path, text) in code() {

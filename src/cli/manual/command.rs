@@ -16,12 +16,12 @@ pub(super) fn options() -> String {
         let options: Vec<_> = sub.get_arguments().filter(|a| !a.is_hide_set() && !a.is_global_set()).collect();
         let mut headings: Vec<_> = options.iter().map(|a| a.get_help_heading()).collect();
         headings.sort_by_key(|heading| heading.is_some());
-        let mut told = vec![];
+        let mut listed = vec![];
         for heading in headings {
-            if !told.contains(&heading) {
+            if !listed.contains(&heading) {
                 let rows = options.iter().filter(|a| a.get_help_heading() == heading).map(|a| option_row(a));
                 text += &table(["option", heading.unwrap_or_default()], rows);
-                told.push(heading);
+                listed.push(heading);
             }
         }
     }

@@ -20,8 +20,8 @@ pub(super) fn index() -> String {
     let mut all: Vec<_> = all.chain(CONTEXTUAL.iter().flat_map(|(_, words)| words.iter().copied())).collect();
     all.sort_unstable();
     all.dedup();
-    let (told, later): (Vec<_>, Vec<_>) = all.into_iter().partition(|word| index.contains_key(word));
-    let rows = told.iter().map(|word| [code(word), index[word].join("; ")]);
+    let (listed, later): (Vec<_>, Vec<_>) = all.into_iter().partition(|word| index.contains_key(word));
+    let rows = listed.iter().map(|word| [code(word), index[word].join("; ")]);
     format!(
         "What the language knows, and which blocks take it. No scene can declare these names; those that are *durer's own* are \
          words only in their blocks.\n\n{}\

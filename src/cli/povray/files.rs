@@ -30,12 +30,12 @@ impl<'s> Files<'s> {
             let d = Diagnostic::new(codes::INI_LOOP, span, format!("`{word}` is being read already"));
             return d.help("remove this line").into();
         }
-        let here = |mut fault: Diagnostic| {
+        let at_span = |mut fault: Diagnostic| {
             fault.labels.extend((!span.is_none()).then_some(crate::diagnostic::Label { span, text: String::new() }));
             Box::new(fault)
         };
         let text = read_text(self.sources.files(), &path)
-            .map_err(|e| here(file::unreadable(self.sources.files(), &path, &e)))?;
+            .map_err(|e| at_span(file::unreadable(self.sources.files(), &path, &e)))?;
         let name = path.display().to_string();
         let Some(file) = self.sources.add(&name, Some(&path), text) else {
             return Diagnostic::err(codes::FILE_UNREADABLE, span, format!("`{name}` is too large"));
@@ -46,8 +46,8 @@ impl<'s> Files<'s> {
 
     /// [`is_ini`], also for files beside the INI file that contains the word.
     pub fn is_ini(&self, word: &str) -> bool {
-        let there = |word: &str| self.located(word, Path::is_file).is_file();
-        is_ini(word) || Path::new(word).extension().is_none() && !there(word) && there(&with_ini(word))
+        let exists = |word: &str| self.located(word, Path::is_file).is_file();
+        is_ini(word) || Path::new(word).extension().is_none() && !exists(word) && exists(&with_ini(word))
     }
 
     /// Removes the innermost file after its end.

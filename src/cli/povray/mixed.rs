@@ -10,29 +10,29 @@ use std::path::Path;
 
 /// Form of a command line.
 #[derive(Debug, PartialEq)]
-pub enum Manner {
+pub enum Form {
     /// durer's own options only.
-    Ours,
+    Durer,
     /// A command of durer, the word with this index, with POV-Ray options after it.
     Mixed(usize),
     /// POV-Ray options without a command.
-    Theirs,
+    Povray,
 }
 
 /// Determines the form of a command line.
-pub fn manner(words: &[OsString]) -> Manner {
-    let Some((at, first)) = first_word(words) else { return Manner::Ours };
+pub fn form(words: &[OsString]) -> Form {
+    let Some((at, first)) = first_word(words) else { return Form::Durer };
     let command = commands();
     if ["--help", "-h", "--version", "-V", "help"].contains(&&*first) {
-        return Manner::Ours;
+        return Form::Durer;
     }
     match command.find_subcommand(&first) {
         Some(command) if is_mixing(command) => {
-            let theirs = split(command, &words[at + 1..]).iter().any(|(_, theirs)| *theirs);
-            if theirs { Manner::Mixed(at) } else { Manner::Ours }
+            let is_povray = split(command, &words[at + 1..]).iter().any(|(_, is_povray)| *is_povray);
+            if is_povray { Form::Mixed(at) } else { Form::Durer }
         }
-        Some(_) => Manner::Ours,
-        None => Manner::Theirs,
+        Some(_) => Form::Durer,
+        None => Form::Povray,
     }
 }
 
@@ -77,14 +77,14 @@ fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, boo
         let text = word.to_string_lossy();
         let (dashes, name) = (text.starts_with("--"), text.trim_start_matches('-'));
         let short = || text.strip_prefix('-').and_then(|s| s.chars().next());
-        let mine = match dashes {
+        let own_option = match dashes {
             true => arguments.iter().find(|a| a.get_long() == Some(name)),
             false => arguments.iter().find(|a| a.get_short().is_some() && a.get_short() == short()),
         };
-        let theirs = !is_value && !is_over && !dashes && mine.is_none() && is_theirs(&text);
+        let is_povray = !is_value && !is_over && !dashes && own_option.is_none() && is_theirs(&text);
         is_over |= !is_value && text == "--";
-        is_value = !is_value && mine.is_some_and(takes_value) && (dashes || text.chars().count() == 2);
-        out.push((word, theirs));
+        is_value = !is_value && own_option.is_some_and(takes_value) && (dashes || text.chars().count() == 2);
+        out.push((word, is_povray));
     }
     out
 }
@@ -112,28 +112,29 @@ impl Translation<'_> {
         let Some(command) = words.get(at).and_then(|word| all.find_subcommand(word)) else {
             return self.finish("durer".into());
         };
-        let mut ours = Vec::new();
-        for (word, theirs) in split(command, &words[at + 1..]) {
-            match theirs {
+        let mut own = Vec::new();
+        for (word, is_povray) in split(command, &words[at + 1..]) {
+            match is_povray {
                 true => self.option(&word.to_string_lossy(), Origin::default()),
-                false => ours.push(word.clone()),
+                false => own.push(word.clone()),
             }
         }
         // An option of durer's own has precedence over one of POV-Ray's.
-        let said = |name: &str| {
+        let is_set = |name: &str| {
             let short =
                 command.get_arguments().find(|a| name.strip_prefix("--") == a.get_long()).and_then(|a| a.get_short());
             let is_short = |w: &str| short.is_some_and(|c| w.starts_with(&format!("-{c}")));
-            let mut words = ours.iter().map(|w| w.to_string_lossy());
+            let mut words = own.iter().map(|w| w.to_string_lossy());
             name != "--include"
                 && name != "--declare"
                 && words.any(|w| w.split('=').next() == Some(name) || is_short(&w))
         };
         let options = self.option_words(false).into_iter().map(|word| Own::of(word.to_string_lossy().into_owned()));
-        let options =
-            options.filter(|own| is_taken(command.get_name(), &own.name) && !said(&own.name)).flat_map(|own| own.words);
+        let options = options
+            .filter(|own| is_taken(command.get_name(), &own.name) && !is_set(&own.name))
+            .flat_map(|own| own.words);
         let named = self.settings.input.take().map(OsString::from);
-        let words = words[..=at].iter().cloned().chain(options).chain(named).chain(ours.iter().cloned()).collect();
+        let words = words[..=at].iter().cloned().chain(options).chain(named).chain(own.iter().cloned()).collect();
         Translated { words, animation: self.settings.animation(), diagnostics: self.faults, idle: self.idle }
     }
 }

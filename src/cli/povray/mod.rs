@@ -45,10 +45,10 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     {
         return Translated { words: vec![program.clone(), "--help".into()], ..Translated::default() };
     }
-    match mixed::manner(&words) {
-        mixed::Manner::Ours => Translated { words, ..Translated::default() },
-        mixed::Manner::Mixed(at) => Translation::new(sources).mixed(&words, at),
-        mixed::Manner::Theirs => {
+    match mixed::form(&words) {
+        mixed::Form::Durer => Translated { words, ..Translated::default() },
+        mixed::Form::Mixed(at) => Translation::new(sources).mixed(&words, at),
+        mixed::Form::Povray => {
             let mut translation = Translation::new(sources);
             let mut rest = words.iter().skip(1).peekable();
             while let Some(word) = rest.next() {

@@ -1,4 +1,4 @@
-use super::mixed::Manner;
+use super::mixed::Form;
 use super::*;
 use crate::cli::Cli;
 use crate::cli::args::values::Clock;
@@ -244,19 +244,19 @@ fn command_lines_of_durer_are_unchanged() {
     for line in
         ["", "--help", "-h", "render a.scene", "-q render a.scene", "--color never check a.scene", "test a.scene"]
     {
-        assert_eq!(mixed::manner(&words(line)), Manner::Ours, "{line}");
+        assert_eq!(mixed::form(&words(line)), Form::Durer, "{line}");
     }
     for line in ["a.scene", "+Ia.pov", "Width=4", "-D a.pov", "-q a.scene", "--size 4x3 a.scene", "+W4 render a.scene"]
     {
-        assert_eq!(mixed::manner(&words(line)), Manner::Theirs, "{line}");
+        assert_eq!(mixed::form(&words(line)), Form::Povray, "{line}");
     }
     for line in ["render a.scene +W4", "render -D a.scene", "-q check a.scene Width=4", "pick a.scene 1,2 -A"] {
-        assert!(matches!(mixed::manner(&words(line)), Manner::Mixed(_)), "{line}");
+        assert!(matches!(mixed::form(&words(line)), Form::Mixed(_)), "{line}");
     }
     for line in
         ["render a.scene -o +W4", "render --declare Width=4 a.scene", "render a.scene -- +W4", "render -o=+W a.scene"]
     {
-        assert_eq!(mixed::manner(&words(line)), Manner::Ours, "{line}");
+        assert_eq!(mixed::form(&words(line)), Form::Durer, "{line}");
     }
 }
 

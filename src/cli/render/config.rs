@@ -165,7 +165,7 @@ fn checked_target(input: &std::path::Path, args: &RenderArgs) -> Result<Target> 
     let target = Target::new(input, args)?;
     if args.dump.is_none() {
         let limit = args.scene.max_memory.map(|bytes| bytes.0);
-        memory::check_drawing(args.scene.size(), args.region.map(|part| part.0), target.kept_bytes(), limit)?;
+        memory::check_memory(args.scene.size(), args.region.map(|part| part.0), target.kept_bytes(), limit)?;
     }
     Ok(target)
 }

@@ -28,7 +28,7 @@ pub struct RenderLoop {
     queue: Arc<RenderQueue>,
     screen: Arc<Screen>,
     /// The scene on the screen and its options.
-    shown: Mutex<Option<(Arc<Scene>, render::Options)>>,
+    displayed: Mutex<Option<(Arc<Scene>, render::Options)>>,
 }
 
 /// Measurements of one picture.
@@ -46,7 +46,7 @@ impl RenderLoop {
             settings.antialias = args.look.aa.is_none_or(|aa| aa.0.is_some());
             settings.quality = args.look.quality.unwrap_or(settings.quality);
         });
-        Self { args, queue, screen, shown: Mutex::default() }
+        Self { args, queue, screen, displayed: Mutex::default() }
     }
 
     /// Renders until the program ends.
@@ -102,7 +102,7 @@ impl RenderLoop {
         state.status = "drawing";
         state.messages.retain(|message| message.place.is_some() || message.severity == "warning");
         self.screen.set_state(state.clone());
-        *self.shown.lock().unwrap_or_else(PoisonError::into_inner) = Some((scene.clone(), options.clone()));
+        *self.displayed.lock().unwrap_or_else(PoisonError::into_inner) = Some((scene.clone(), options.clone()));
         let work = || self.render_now(scene, &options, stop);
         match catch_unwind(AssertUnwindSafe(work)) {
             Ok(Ok(rendered)) => {
@@ -147,7 +147,7 @@ impl RenderLoop {
         let limit = scene.args.scene.max_memory.map(|bytes| bytes.0);
         // Two pictures are in memory: this one and the previous one.
         let Region { width, height, .. } = part_of(options);
-        memory::check_drawing(Size { width, height }, None, 2 * size_of::<[f32; 4]>(), limit)?;
+        memory::check_memory(Size { width, height }, None, 2 * size_of::<[f32; 4]>(), limit)?;
         let start = Instant::now();
         let late = scene.args.scene.max_time.map(|seconds| start + Duration::from_secs_f64(seconds.0));
         let stop = || is_stopped(stop) || late.is_some_and(|late| Instant::now() > late);
@@ -185,8 +185,8 @@ impl preview::Backend for RenderLoop {
     }
 
     fn pick(&self, x: usize, y: usize) -> Value {
-        let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        let Some((scene, options)) = shown else { return json!({"hit": false}) };
+        let displayed = self.displayed.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let Some((scene, options)) = displayed else { return json!({"hit": false}) };
         let part = part_of(&options);
         if x >= part.width || y >= part.height {
             return json!({"hit": false});
@@ -202,8 +202,8 @@ impl preview::Backend for RenderLoop {
 
     fn save(&self) -> std::result::Result<String, String> {
         let image = self.screen.finished().ok_or("the picture is not finished yet")?;
-        let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        let Some((scene, _)) = shown else { return Err("there is no picture yet".into()) };
+        let displayed = self.displayed.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let Some((scene, _)) = displayed else { return Err("there is no picture yet".into()) };
         let size = (image.width, image.height);
         let save = || {
             let target = Target::new(&scene.input, &scene.args)?;
@@ -220,14 +220,14 @@ impl preview::Backend for RenderLoop {
 
     fn open(&self, TextPosition { file, line, column }: &TextPosition) -> std::result::Result<(), String> {
         let editor = self.args.editor.as_ref().ok_or("durer was started without `--editor`")?;
-        let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        let known = |scene: &Scene| {
+        let displayed = self.displayed.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let path_in = |scene: &Scene| {
             let sources = scene.sources.lock().unwrap_or_else(PoisonError::into_inner);
             sources.ids().find(|id| sources.name(*id) == file).and_then(|id| sources.path(id).map(Path::to_path_buf))
         };
         // The file of a broken scene can be opened, too, though it has no picture.
         let own = || (self.args.input.display().to_string() == *file).then(|| self.args.input.clone());
-        let path = shown.as_ref().and_then(|(scene, _)| known(scene)).or_else(own);
+        let path = displayed.as_ref().and_then(|(scene, _)| path_in(scene)).or_else(own);
         let path = path.ok_or_else(|| format!("`{file}` is not a file of this scene"))?;
         let words = editor.at(&path.to_string_lossy(), *line, *column);
         let started = Command::new(&words[0]).args(&words[1..]).spawn();

@@ -106,6 +106,11 @@ impl<'a> Evaluator<'a> {
         self.scopes.get(symbol).is_some()
     }
 
+    /// The symbol of a word that is also a declared name.
+    pub(super) fn declared_symbol(&self, word: &str) -> Option<Symbol> {
+        self.inputs.names.find(word).filter(|symbol| self.is_declared(*symbol))
+    }
+
     /// True for a name that is neither declared nor a built-in constant.
     pub(super) fn is_unknown(&self, symbol: Symbol) -> bool {
         !self.is_declared(symbol) && !self.is_constant(symbol)

@@ -1,8 +1,6 @@
 //! Tests whether parsed expressions can be evaluated as they are, or must be split into tokens.
 
 use super::{Evaluator, Slot};
-use crate::interpreter::reader::begins_color;
-use crate::interpreter::stream::Token;
 use crate::syntax::ast::*;
 use crate::value::Value;
 
@@ -74,8 +72,8 @@ impl Evaluator<'_> {
     }
 
     /// True if the last operand is the name of a function, spline or macro: its arguments may follow.
-    pub fn ends_with_callable(&self, token: Token) -> bool {
-        let Token::Expr(mut last) = token else { return false };
+    pub fn ends_with_callable(&self, e: &Expr) -> bool {
+        let mut last = e;
         while let ExprKind::Chain(chain) = &last.kind {
             let Some((_, operand)) = chain.rest.last() else { return false };
             last = operand;
@@ -87,12 +85,6 @@ impl Evaluator<'_> {
             },
             _ => false,
         }
-    }
-
-    /// True if no vector can continue with this word.
-    pub fn ends_vector(&self, word: &str) -> bool {
-        let declared = self.inputs.names.find(word).is_some_and(|symbol| self.is_declared(symbol));
-        !begins_color(word) && !declared
     }
 }
 

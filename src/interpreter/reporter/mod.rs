@@ -33,7 +33,7 @@ pub(super) struct Reporter<'a> {
     mistakes: Mistakes,
     usage: Usage,
     limit_reached: bool,
-    /// True for each branch that ran at least once; filled if [`super::Options::branches`] is set.
+    /// True for each branch that ran at least once; filled if [`super::Options::record_branches`] is set.
     branches: BTreeMap<Span, bool>,
 }
 
@@ -113,9 +113,9 @@ impl<'a> Reporter<'a> {
         self.diagnostics.split_off(position.min(self.diagnostics.len()))
     }
 
-    /// Records whether a branch runs, if [`super::Options::branches`] is set.
+    /// Records whether a branch runs, if [`super::Options::record_branches`] is set.
     pub(super) fn record_branch(&mut self, body: &[Element], runs: bool) {
-        if let (true, [first, ..], Some(last)) = (self.inputs.options.branches, body, body.last()) {
+        if let (true, [first, ..], Some(last)) = (self.inputs.options.record_branches, body, body.last()) {
             *self.branches.entry(first.span.to(last.span)).or_default() |= runs;
         }
     }
@@ -135,7 +135,7 @@ impl<'a> Reporter<'a> {
 
     /// All diagnostics, and the branches that never ran.
     pub(super) fn into_diagnostics(self) -> (Vec<Diagnostic>, Vec<Span>) {
-        let idle = self.branches.into_iter().filter(|(_, ran)| !ran).map(|(span, _)| span).collect();
-        (self.diagnostics, idle)
+        let unused = self.branches.into_iter().filter(|(_, ran)| !ran).map(|(span, _)| span).collect();
+        (self.diagnostics, unused)
     }
 }

@@ -23,7 +23,7 @@ pub(super) struct SceneBuilder {
     version_stated: bool,
     /// Number of the scene's noise generator. Functions read it when they are called, because it may still change.
     noise_generator: Arc<AtomicU8>,
-    /// Call traces of the objects, filled if [`super::Options::origins`] is set.
+    /// Call traces of the objects, filled if [`super::Options::record_origins`] is set.
     origins: Vec<Vec<Label>>,
 }
 

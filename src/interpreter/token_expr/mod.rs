@@ -110,7 +110,8 @@ impl<'a> Interpreter<'a> {
     /// vector.
     pub(super) fn read_expression(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
-        if self.next_is_complete(compares) && !(self.stream.mode().defers && self.evaluator.ends_with_callable(token)) {
+        let may_be_called = |e: &Expr| self.stream.mode().defers && self.evaluator.ends_with_callable(e);
+        if self.next_is_complete(compares) && !matches!(token, Token::Expr(e) if may_be_called(e)) {
             match token {
                 Token::Expr(e) if compares || !e.compares() => {
                     self.stream.advance();
@@ -169,9 +170,7 @@ impl<'a> Interpreter<'a> {
                 Ok((Value::Color(color), span))
             }
             // One of durer's own words may also be a declared name: `camera { eye eye }`.
-            Token::Word(word)
-                if let Some(symbol) = self.inputs.names.find(word).filter(|s| self.evaluator.is_declared(*s)) =>
-            {
+            Token::Word(word) if let Some(symbol) = self.evaluator.declared_symbol(word) => {
                 self.stream.advance();
                 Ok((self.evaluate_name(symbol, span)?, span))
             }
@@ -247,7 +246,9 @@ impl<'a> Interpreter<'a> {
                     return Err(self.unclosed_vector_error(start).into());
                 }
                 // A colour is a value, although no vector can hold one.
-                Token::Word(word) if self.evaluator.ends_vector(word) => {
+                Token::Word(word)
+                    if !super::reader::begins_color(word) && self.evaluator.declared_symbol(word).is_none() =>
+                {
                     return Err(self.unclosed_vector_error(start).into());
                 }
                 Token::Block(_) => return Err(self.unclosed_vector_error(start).into()),

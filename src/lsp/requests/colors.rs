@@ -41,8 +41,8 @@ pub fn colors<S: Client>(server: &mut Server<S>, params: &DocumentColorParams) -
 fn color(word: &str, numbers: &str) -> Option<Color> {
     let read: Result<Vec<f64>, _> = numbers.split(',').map(|number| number.trim().parse::<f64>()).collect();
     let read = read.ok().filter(|read| (3..=5).contains(&read.len()))?;
-    let shown = |x: f64| if word.starts_with('s') { x } else { srgb_encode(x.clamp(0.0, 1.0)) };
-    let [red, green, blue] = [0, 1, 2].map(|i| shown(read[i]).clamp(0.0, 1.0) as f32);
+    let encoded = |x: f64| if word.starts_with('s') { x } else { srgb_encode(x.clamp(0.0, 1.0)) };
+    let [red, green, blue] = [0, 1, 2].map(|i| encoded(read[i]).clamp(0.0, 1.0) as f32);
     let clear: f64 = read[3..].iter().sum();
     Some(Color { red, green, blue, alpha: (1.0 - clear).clamp(0.0, 1.0) as f32 })
 }

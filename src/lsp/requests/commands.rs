@@ -35,7 +35,7 @@ impl Drop for Watches {
     }
 }
 
-/// Starts a command. Its result is shown in the editor later.
+/// Starts a command. The editor displays its result later.
 pub fn execute<S: Client>(server: &mut Server<S>, params: &ExecuteCommandParams) -> Option<Value> {
     let argument = params.arguments.first()?.as_str()?;
     match params.command.as_str() {
@@ -43,20 +43,22 @@ pub fn execute<S: Client>(server: &mut Server<S>, params: &ExecuteCommandParams)
         WATCH => watch(server, Path::new(argument)),
         EXPLAIN => {
             let found = codes::find(argument)?;
-            server.client.send(say(MessageType::INFO, format!("{}: {}\n\n{}", found.code, found.title, found.text)));
+            server
+                .client
+                .send(show_message(MessageType::INFO, format!("{}: {}\n\n{}", found.code, found.title, found.text)));
         }
         _ => {}
     }
     None
 }
 
-fn say(typ: MessageType, message: String) -> Message {
+fn show_message(typ: MessageType, message: String) -> Message {
     let params = ShowMessageParams { typ, message };
     Message::Notification(Notification::new("window/showMessage".into(), params))
 }
 
 /// The request to open an address in a browser or another program.
-fn show(uri: Uri, number: i32) -> Message {
+fn show_document(uri: Uri, number: i32) -> Message {
     let params = ShowDocumentParams { uri, external: Some(true), take_focus: None, selection: None };
     // The response is ignored.
     Message::Request(Request::new(number.into(), "window/showDocument".into(), params))
@@ -80,11 +82,13 @@ fn render(scene: &Path, events: Sender<Event>) {
             durer(&["-q", "render", "-o", &picture.to_string_lossy()], &scene).and_then(|mut command| command.output());
         let messages = match rendered {
             Ok(out) if out.status.success() => {
-                let shown = uri_of(&picture).map(|uri| show(uri, 1));
-                [Some(say(MessageType::INFO, format!("{name} is rendered"))), shown]
+                let document = uri_of(&picture).map(|uri| show_document(uri, 1));
+                [Some(show_message(MessageType::INFO, format!("{name} is rendered"))), document]
             }
-            Ok(out) => [Some(say(MessageType::ERROR, String::from_utf8_lossy(&out.stderr).into_owned())), None],
-            Err(error) => [Some(say(MessageType::ERROR, format!("cannot start durer: {error}"))), None],
+            Ok(out) => {
+                [Some(show_message(MessageType::ERROR, String::from_utf8_lossy(&out.stderr).into_owned())), None]
+            }
+            Err(error) => [Some(show_message(MessageType::ERROR, format!("cannot start durer: {error}"))), None],
         };
         messages.into_iter().flatten().for_each(|message| _ = events.send(Event::Send(message)));
     };
@@ -107,10 +111,10 @@ fn watch<S: Client>(server: &mut Server<S>, scene: &Path) {
     };
     match begun {
         Ok(address) => {
-            server.client.send(say(MessageType::INFO, format!("{address} shows {}", scene.display())));
-            Uri::from_str(&address).iter().for_each(|uri| server.client.send(show(uri.clone(), 2)));
+            server.client.send(show_message(MessageType::INFO, format!("{address} shows {}", scene.display())));
+            Uri::from_str(&address).iter().for_each(|uri| server.client.send(show_document(uri.clone(), 2)));
         }
-        Err(reason) => server.client.send(say(MessageType::ERROR, reason)),
+        Err(reason) => server.client.send(show_message(MessageType::ERROR, reason)),
     }
 }
 

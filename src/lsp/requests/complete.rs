@@ -127,7 +127,7 @@ fn names(reached: &[ReachableText], within: Option<usize>) -> Vec<CompletionItem
     let mut out: Vec<CompletionItem> = vec![];
     let mut seen = std::collections::HashSet::new();
     for (i, one) in reached.iter().enumerate() {
-        let is_seen = |d: &&Declaration| match d.what {
+        let is_seen = |d: &&Declaration| match d.kind {
             DeclarationKind::Declare | DeclarationKind::Macro => true,
             DeclarationKind::Counter | DeclarationKind::Local => i == 0 && (d.scope.is_none() || d.scope == within),
             DeclarationKind::Parameter => i == 0 && d.scope == within,
@@ -156,7 +156,7 @@ fn item_of_name(one: &ReachableText, d: &Declaration, file: String) -> Completio
     });
     let detail = parameters.map_or(file.clone(), |parameters| format!("({}) {file}", parameters.join(", ")));
     CompletionItem {
-        kind: Some(if d.what == DeclarationKind::Macro {
+        kind: Some(if d.kind == DeclarationKind::Macro {
             CompletionItemKind::METHOD
         } else {
             CompletionItemKind::VARIABLE
@@ -170,7 +170,7 @@ fn item_of_name(one: &ReachableText, d: &Declaration, file: String) -> Completio
 
 /// The parameters of a macro.
 pub fn parameters(one: &ReachableText, d: &Declaration) -> Option<Vec<String>> {
-    let found = one.scan.macros.iter().find(|m| d.what == DeclarationKind::Macro && m.whole.start == d.whole.start);
+    let found = one.scan.macros.iter().find(|m| d.kind == DeclarationKind::Macro && m.whole.start == d.whole.start);
     found.map(|m| m.parameters.clone())
 }
 

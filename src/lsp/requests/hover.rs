@@ -56,7 +56,7 @@ fn declared(related: &[ReachableText], name: &str, scope: Option<usize>, own: Op
     let line = one.text.position(d.at.start).line + 1;
     let place = place.map(|file| format!("{file}, line {line}")).unwrap_or(format!("line {line}"));
     let text = one.text.as_str();
-    let shown = match d.what {
+    let code = match d.kind {
         DeclarationKind::Macro => {
             let about = comment_before(text, d.whole.start);
             let parameters = complete::parameters(one, d).unwrap_or_default();
@@ -66,7 +66,7 @@ fn declared(related: &[ReachableText], name: &str, scope: Option<usize>, own: Op
         _ => format!("{}{}", comment_before(text, d.whole.start), statement(&text[d.whole.start..])),
     };
     let more = if found.len() > 1 { format!("; declared {} times", found.len()) } else { String::new() };
-    Some(format!("```pov\n{shown}\n```\n{place}{more}"))
+    Some(format!("```pov\n{code}\n```\n{place}{more}"))
 }
 
 /// Comments directly above a line.

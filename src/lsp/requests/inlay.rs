@@ -18,7 +18,7 @@ pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Opt
     let (from, to) = (text.offset(params.range.start), text.offset(params.range.end));
     let mut parameters: HashMap<&str, Vec<String>> = HashMap::new();
     for one in &related {
-        for d in one.scan.declarations.iter().filter(|d| d.what == DeclarationKind::Macro) {
+        for d in one.scan.declarations.iter().filter(|d| d.kind == DeclarationKind::Macro) {
             parameters.entry(&d.name).or_insert_with(|| complete::parameters(one, d).unwrap_or_default());
         }
     }
@@ -46,7 +46,7 @@ pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Opt
 }
 
 fn is_definition(scan: &crate::lsp::scan::Scan, pair: &Pair) -> bool {
-    scan.declarations.iter().any(|d| d.what == DeclarationKind::Macro && d.at == pair.named)
+    scan.declarations.iter().any(|d| d.kind == DeclarationKind::Macro && d.at == pair.named)
 }
 
 /// Byte offsets of the arguments of a call.

@@ -157,7 +157,7 @@ pub fn rename<S: Client>(server: &mut Server<S>, params: &RenameParams) -> Resul
         return Err(format!("`{}` belongs to `{file}`, which other scenes include", named.name));
     }
     let taken = all.iter().any(|(_, reached, _)| {
-        reached.scan.declarations.iter().any(|d| d.name == new && d.what != DeclarationKind::Parameter)
+        reached.scan.declarations.iter().any(|d| d.name == new && d.kind != DeclarationKind::Parameter)
     });
     if taken && new != named.name {
         return Err(format!("`{new}` is declared already"));

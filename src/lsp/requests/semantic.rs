@@ -42,12 +42,12 @@ pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) 
         one.scan
             .declarations
             .iter()
-            .filter(|d| d.what == DeclarationKind::Macro)
+            .filter(|d| d.kind == DeclarationKind::Macro)
             .map(|d| d.name.clone())
             .collect::<Vec<_>>()
     };
     let macros: std::collections::HashSet<String> = related.iter().flat_map(declared).collect();
-    let own: HashMap<usize, DeclarationKind> = scan.declarations.iter().map(|d| (d.at.start, d.what)).collect();
+    let own: HashMap<usize, DeclarationKind> = scan.declarations.iter().map(|d| (d.at.start, d.kind)).collect();
     let sorts = sorts();
     let (mut data, mut last) = (vec![], lsp_types::Position::default());
     for token in &scan.tokens {
@@ -64,7 +64,7 @@ pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) 
             TokenKind::Name => {
                 let scope = scan.macro_at(token.at.end);
                 let is = |what: DeclarationKind| {
-                    scan.declarations.iter().any(|d| d.scope == scope && d.what == what && d.name == word)
+                    scan.declarations.iter().any(|d| d.scope == scope && d.kind == what && d.name == word)
                 };
                 if scope.is_some() && is(DeclarationKind::Parameter) { Type::Parameter } else { Type::Variable }
             }

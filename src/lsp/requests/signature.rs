@@ -18,7 +18,7 @@ pub fn help<S: Client>(server: &mut Server<S>, params: &SignatureHelpParams) -> 
     let offset = document.text.offset(at.position);
     let call = document.scan.around(offset, |pair| pair.open == b'(' && !pair.name.is_empty())?;
     let declared = related.iter().find_map(|one| {
-        let d = one.scan.declarations.iter().find(|d| d.what == DeclarationKind::Macro && d.name == call.name)?;
+        let d = one.scan.declarations.iter().find(|d| d.kind == DeclarationKind::Macro && d.name == call.name)?;
         complete::parameters(one, d)
     });
     let (parameters, about) = match declared {

@@ -15,7 +15,7 @@ const MAX_SYMBOLS: usize = 1000;
 pub fn of_document<S: Client>(server: &mut Server<S>, params: &DocumentSymbolParams) -> Option<DocumentSymbolResponse> {
     let document = server.document(&params.text_document.uri)?;
     let scan = &document.scan;
-    let declared = scan.declarations.iter().filter(|d| d.scope.is_none() || d.what == DeclarationKind::Macro);
+    let declared = scan.declarations.iter().filter(|d| d.scope.is_none() || d.kind == DeclarationKind::Macro);
     let mut all: Vec<DocumentSymbol> = declared.map(|d| of_declaration(document, d)).collect();
     let is_outer = |pair: &&Pair| pair.open == b'{' && pair.outer.is_none() && !pair.name.is_empty();
     let is_value = |pair: &Pair| {
@@ -38,7 +38,7 @@ fn of_declaration(document: &Document, d: &Declaration) -> DocumentSymbol {
             && document.text.as_str().get(d.at.end..pair.named.start).is_some_and(|between| between.trim() == "=")
     });
     let end = value.map_or(d.whole.end, |pair| pair.whole.end);
-    symbol(document, &d.name, kind(d.what), d.whole.start..end.max(d.at.end), d.at.clone())
+    symbol(document, &d.name, kind(d.kind), d.whole.start..end.max(d.at.end), d.at.clone())
 }
 
 fn kind(what: DeclarationKind) -> SymbolKind {
@@ -86,13 +86,13 @@ pub fn of_workspace<S: Client>(
                 continue;
             }
             let fits = |d: &&Declaration| {
-                d.what != DeclarationKind::Parameter && d.scope.is_none() | (d.what == DeclarationKind::Macro)
+                d.kind != DeclarationKind::Parameter && d.scope.is_none() | (d.kind == DeclarationKind::Macro)
             };
             for d in reached.scan.declarations.iter().filter(fits).filter(|d| d.name.to_lowercase().contains(&wanted)) {
                 let location = Location { uri: uri.clone(), range: reached.text.range(d.at.clone()) };
                 out.push(WorkspaceSymbol {
                     name: d.name.clone(),
-                    kind: kind(d.what),
+                    kind: kind(d.kind),
                     tags: None,
                     container_name: None,
                     location: OneOf::Left(location),

@@ -27,41 +27,41 @@ use rustc_hash::FxHashMap;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// No direction is halved more often: nobody sees the thousandth part of a patch.
+/// Maximum number of subdivisions in one direction.
 const MOST_STEPS: u32 = 10;
-/// Nor are both together.
+/// Maximum number of subdivisions in both directions together.
 const MOST_OF_BOTH: u32 = 16;
 
-/// A curved sheet.
+/// A bicubic Bézier patch.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BicubicPatch {
-    /// Four rows of four.
+    /// Control points, four rows of four.
     pub points: [DVec3; 16],
-    /// How often it is halved between the rows.
+    /// Subdivisions between the rows.
     pub u_steps: u32,
-    /// How often along them.
+    /// Subdivisions along the rows.
     pub v_steps: u32,
-    /// Pieces flatter than this are not halved.
+    /// Flatness at which a piece is not subdivided.
     pub flatness: f64,
-    /// Surface coordinates of the corners: where the first row begins and ends, where the last row ends and begins.
+    /// Surface coordinates of the corners: start and end of the first row, end and start of the last row.
     pub uvs: [DVec2; 4],
     #[serde(skip)]
     corners: Vec<Corner>,
-    /// Numbers of corners: first and last of the first row, first and last of the last row.
+    /// Indices of the corners of each cell: first and last of the first row, first and last of the last row.
     #[serde(skip)]
     cells: Vec<[u32; 4]>,
-    /// Over the cells, which are in its order.
+    /// Hierarchy over the cells, which are in its order.
     #[serde(skip)]
     bvh: Bvh,
     #[serde(skip)]
     bounds: Aabb,
 }
 
-/// The corners of both triangles of a cell: each begins at its first corner and has its last one.
+/// Corners of both triangles of a cell: each starts at the cell's first corner and contains its last.
 const TRIANGLES: [[usize; 3]; 2] = [[0, 1, 3], [0, 3, 2]];
 
 impl BicubicPatch {
-    /// A patch with these points.
+    /// A patch with these control points.
     pub fn new(points: [DVec3; 16], u_steps: u32, v_steps: u32, flatness: f64) -> Self {
         let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
         Self {
@@ -78,7 +78,7 @@ impl BicubicPatch {
         .divided(&Transform::IDENTITY)
     }
 
-    /// Its image under M tells where it is flat and how normals are interpolated (measured on POV-Ray 3.7).
+    /// Subdivides the patch; flatness and normals are evaluated under the transform M (quirk: `patch_under_transform`).
     fn divided(mut self, m: &Transform) -> Self {
         let rows = self.u_steps.min(MOST_STEPS);
         let columns = self.v_steps.min(MOST_STEPS);
@@ -93,7 +93,7 @@ impl BicubicPatch {
                     let (point, normal) = (m.inverse_point(corner.point), m.inverse_normal(corner.normal));
                     corner = Corner { point, normal, ..corner };
                 }
-                // (Where an edge is one point, pieces side by side may have other normals there.)
+                // (Where an edge collapses to a point, neighbouring pieces can have different normals there.)
                 let ([u, v], [x, y, z]) = (corner.place.to_array(), corner.normal.to_array());
                 *known.entry([u, v, x, y, z].map(f64::to_bits)).or_insert_with(|| {
                     corners.push(corner);
@@ -113,7 +113,7 @@ impl BicubicPatch {
 }
 
 impl BicubicPatch {
-    /// What lies at a hit between the values at its triangle's corners.
+    /// Interpolates values of a triangle's corners at a hit.
     fn between<T>(&self, hit: &Hit, value: impl Fn(&Corner) -> T) -> T
     where
         T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
@@ -123,7 +123,7 @@ impl BicubicPatch {
         a * (1.0 - hit.uv.x - hit.uv.y) + b * hit.uv.x + c * hit.uv.y
     }
 
-    /// Hands what the ray meets in the range to `visit`, which says how far hits count from now on.
+    /// Calls `visit` with each hit in the range; `visit` returns the distance up to which hits are still of interest.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
         let sheared = Sheared::new(ray);
         self.bvh.traverse(ray, range, |cell, mut max| {
@@ -185,7 +185,7 @@ impl Readable for BicubicPatch {
             *point = r.vector()?;
         }
         finite(span, &patch.points, &[flatness, steps[0], steps[1]])?;
-        // (A cast stops at 0 and at the largest number.)
+        // (The cast saturates at 0 and at the largest number.)
         [patch.u_steps, patch.v_steps] = steps.map(|steps| steps as u32);
         Ok(Self { flatness, ..patch }.divided(&Transform::IDENTITY))
     }
@@ -202,7 +202,7 @@ impl Readable for BicubicPatch {
     }
 }
 
-/// 0 or 1; POV-Ray 3.7 takes others for 1.
+/// 0 or 1; other numbers count as 1, as in POV-Ray.
 fn read_type(span: Span, r: &mut dyn Reader) -> Result<()> {
     let kind = r.float()?;
     if kind >= 0.0 {
@@ -222,7 +222,7 @@ impl Kernel for BicubicPatch {
         Aabb::from_points(self.cells.iter().flatten().map(|&i| m.point(self.corners[i as usize].point)))
     }
 
-    /// That of its points.
+    /// Box of the control points (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         Aabb::from_points(self.points.iter().map(|p| m.point(*p)))
     }
@@ -277,7 +277,7 @@ impl Kernel for BicubicPatch {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * size;
         let even = near(y.length_squared(), size) && near(z.length_squared(), size);
         let straight = near(x.dot(y), 0.0) && near(y.dot(z), 0.0) && near(z.dot(x), 0.0);
-        // Turned, moved, or made larger, it is divided alike.
+        // A similarity transform leaves the subdivision unchanged.
         let alike = even && straight && x.cross(y).dot(z) > 0.0 && (self.flatness <= 0.0 || near(size, 1.0));
         (!alike).then(|| self.clone().divided(m))
     }
@@ -288,7 +288,7 @@ mod tests {
     use super::*;
     use crate::shape::testing::{all, read};
 
-    /// A height over a square of side 3: as high as `a` by its row, and as `b` by its column.
+    /// Heights over a square of side 3, with height `a` by row and `b` by column.
     fn tent(a: f64, b: f64, steps: u32, flatness: f64) -> BicubicPatch {
         let inner = |k: usize| f64::from(u8::from(k == 1 || k == 2));
         let point = |k: usize| DVec3::new((k % 4) as f64, (k / 4) as f64, a * inner(k / 4) + b * inner(k % 4));
@@ -299,7 +299,7 @@ mod tests {
         patch.closest(&Ray::new(DVec3::new(x, y, -50.0), DVec3::Z), Range::FORWARD).unwrap().t - 50.0
     }
 
-    /// All seen in POV-Ray's `trace()`.
+    /// All numbers from POV-Ray's `trace()`.
     #[test]
     fn as_flat_as_pov_ray_draws() {
         let near = |patch: BicubicPatch, want: [f64; 2]| {
@@ -311,7 +311,7 @@ mod tests {
         near(tent(1.0, 0.2, 4, 0.2), [0.564, 0.12]);
         near(tent(0.2, 1.0, 4, 0.1), [0.12, 0.564]);
         near(tent(1.0, 0.0, 6, 0.0), [0.5625, 0.009843750]);
-        // What is scaled is as flat as its image, and so are its normals.
+        // Flatness and normals are those of the scaled image.
         let far = Transform::scale(DVec3::new(1.0, 1.0, 5.0)).unwrap();
         let patch = tent(0.5, 0.1, 2, 0.99);
         let patch = patch.changed_under(&far).unwrap();
@@ -327,7 +327,7 @@ mod tests {
         let mut points = tent(1.0, 0.0, 0, 0.0).points;
         points[..4].fill(DVec3::ZERO);
         let patch = BicubicPatch::new(points, 0, 0, 0.0);
-        // A normal along x where the edge is one point.
+        // The normal is along x where the edge is one point.
         let hits = all(&patch, &Ray::new(DVec3::new(0.1, 0.5, -5.0), DVec3::Z));
         assert_eq!(hits.len(), 1, "{hits:?}");
         let flat = |points| BicubicPatch::new(points, 1, 1, 100.0).cells.len();

@@ -1,4 +1,4 @@
-//! The sixteen points that pull at a patch, and how it is halved until its pieces are taken for flat.
+//! The control net of a patch, and its subdivision into flat pieces.
 
 use crate::math::{DVec2, DVec3};
 
@@ -6,25 +6,25 @@ use crate::math::{DVec2, DVec3};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Net(pub [DVec3; 16]);
 
-/// A place on a patch.
+/// A point of a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
-    /// Where it is.
+    /// Position.
     pub point: DVec3,
-    /// Of length 1.
+    /// Normal of length 1.
     pub normal: DVec3,
-    /// Along the rows, and from row to row, from 0 to 1.
+    /// Parameters along the rows and from row to row, from 0 to 1.
     pub place: DVec2,
 }
 
-/// How far a patch is halved.
+/// Limits of the subdivision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steps {
-    /// How often between the rows.
+    /// Maximum subdivisions between the rows.
     pub rows: u32,
-    /// How often along the rows.
+    /// Maximum subdivisions along the rows.
     pub columns: u32,
-    /// A piece is flat if no point pulls it further than this; 0 halves each.
+    /// Distance of control points from a plane below which a piece is flat; 0 to subdivide always.
     pub flatness: f64,
 }
 
@@ -33,8 +33,8 @@ impl Net {
         self.0[4 * row + column]
     }
 
-    /// Both halves of each of four curves, whose points lie `step` apart; the curves lie `other` apart. (De Casteljau's scheme; means
-    /// of two do not depend on their order, so that neighbours share their borders to the last bit.)
+    /// Halves four curves, whose points are `step` apart; the curves are `other` apart. (De Casteljau's algorithm; the
+    /// mean of two points does not depend on their order, so neighbours share their borders exactly.)
     fn halves(&self, step: usize, other: usize) -> [Net; 2] {
         let mean = |p: DVec3, q: DVec3| 0.5 * (p + q);
         let (mut first, mut second) = (*self, *self);
@@ -51,8 +51,8 @@ impl Net {
         [first, second]
     }
 
-    /// Does no point pull it further than this from the plane through three of its corners? If two of the first three lie in one place,
-    /// the fourth takes part; where that does not help it is not flat (all measured on POV-Ray 3.7).
+    /// True if no control point is farther than `flatness` from the plane through three of the corners. If two of the
+    /// first three coincide, the fourth is used; without any plane the piece is not flat (quirk: `patch_flatness`).
     fn is_flat(&self, flatness: f64) -> bool {
         let [a, b, c, d] = [self.at(0, 0), self.at(0, 3), self.at(3, 0), self.at(3, 3)];
         let plane = [(b, c), (c, d)].map(|(p, q)| (p - a).cross(q - a));
@@ -60,7 +60,7 @@ impl Net {
         self.0.iter().all(|p| (p - a).dot(normal).abs() < flatness)
     }
 
-    /// A corner's normal by its neighbours on the borders; along x where they give none (measured on POV-Ray 3.7).
+    /// Normal of a corner by its neighbours on the borders; along x if they coincide (quirk: `patch_flatness`).
     fn normal(&self, row: usize, column: usize) -> DVec3 {
         let between = |at: usize, near: DVec3, far: DVec3| if at == 0 { near } else { far };
         let downwards = between(row, self.at(1, column) - self.at(0, column), self.at(3, column) - self.at(2, column));
@@ -68,7 +68,7 @@ impl Net {
         downwards.cross(along).try_normalize().unwrap_or(DVec3::X)
     }
 
-    /// Hands each flat piece to `leaf`: the corners first and last of the first row, first and last of the last row.
+    /// Calls `leaf` with each flat piece: the corners first and last of the first row, first and last of the last row.
     pub fn divide(&self, steps: Steps, leaf: &mut dyn FnMut([Corner; 4])) {
         self.divide_from(steps, [DVec2::ZERO, DVec2::ONE], leaf);
     }

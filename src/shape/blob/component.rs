@@ -1,4 +1,4 @@
-//! The parts of a blob: balls and rods whose fields end at their radius.
+//! Components of a blob: spheres and cylinders whose fields end at their radius.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DQuat, DVec3, Ray, Transform, solve_quadratic};
@@ -8,32 +8,33 @@ use crate::value::{Next, Reader};
 use serde::Serialize;
 use smallvec::SmallVec;
 
-/// A ball or a rod.
+/// A sphere or cylinder.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Component {
-    /// The middle of a ball, or one end of a rod's axis.
+    /// Centre of a sphere, or one end of a cylinder's axis.
     pub base: DVec3,
-    /// From there to the other end; zero of a ball.
+    /// Vector to the other end; zero for a sphere.
     pub axis: DVec3,
-    /// How far the field reaches.
+    /// Distance at which the field ends.
     pub radius: f64,
-    /// In the middle; it may be negative.
+    /// Strength at the centre; can be negative.
     pub strength: f64,
-    /// The blob's space from its own, if it was moved.
+    /// Blob space from component space, if the component is transformed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<Box<Transform>>,
-    /// Its texture (see [`Paints`]).
+    /// Number of its texture (see [`Paints`]).
     pub slot: u32,
-    /// How many radii wide POV-Ray 3.7 believes it to be (see [`Component::pov_bounds`]).
+    /// Half width of the component in radii, for [`Component::pov_bounds`].
     #[serde(skip)]
     widening: f64,
 }
 
-/// What POV-Ray 3.7 takes for the unit cube around a ball (as was measured): a ball stays one while it is moved, rotated and scaled
-/// evenly by words of their own; by any other it becomes the image of its cube, as a rod is from the start, which it turns from z.
+/// The unit cube around a sphere, for [`Component::pov_bounds`]: a sphere stays a sphere under translations, rotations
+/// and uniform scales; any other transform makes it the image of its cube, which a cylinder is from the start (quirk:
+/// `blob_component_boxes`).
 struct Cube {
     is_ball: bool,
-    /// Where the axes go.
+    /// Images of the axes.
     columns: [DVec3; 3],
 }
 
@@ -54,13 +55,13 @@ impl Cube {
         self.is_ball &= even && word == Next::Word("scale");
     }
 
-    /// Along the axis on which it is widest.
+    /// Half width along the widest axis.
     fn half_width(&self) -> f64 {
         self.columns.iter().map(|side| side.abs()).sum::<DVec3>().max_element()
     }
 }
 
-/// What a component adds in a stretch of a ray: s·(1 - (a·t² + b·t + c))².
+/// Field of a component along a stretch of a ray: s·(1 - (a·t² + b·t + c))².
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch {
     pub from: f64,
@@ -76,7 +77,7 @@ impl Component {
         self.place.as_ref().map_or(p, |m| m.inverse_point(p))
     }
 
-    /// From the nearest point of its middle, in radii.
+    /// Vector from the nearest point of the axis or centre, in radii.
     fn way_from_middle(&self, p: DVec3) -> DVec3 {
         let from_base = self.local(p) - self.base;
         let along = from_base.dot(self.axis) / self.axis.length_squared().max(f64::MIN_POSITIVE);
@@ -88,7 +89,7 @@ impl Component {
         if u > 0.0 { self.strength * u * u } else { 0.0 }
     }
 
-    /// The gradient of its field: s·2u·(-2d/r²), where d is the way from its middle; by Mᵀ⁻¹ like a normal.
+    /// Gradient of the field: s·2u·(-2d/r²), where d is the vector from the axis; transformed by M⁻ᵀ as a normal.
     pub(super) fn gradient(&self, p: DVec3) -> DVec3 {
         let d = self.way_from_middle(p);
         let u = 1.0 - d.length_squared();
@@ -99,19 +100,19 @@ impl Component {
         self.place.as_ref().map_or(local, |m| m.normal(local))
     }
 
-    /// A rod lies between the balls at its ends.
+    /// Bounding box: that of the spheres at both ends.
     pub(super) fn bounds(&self) -> Aabb {
         self.ball(self.base, self.radius).union(self.ball(self.base + self.axis, self.radius))
     }
 
-    /// The box around a ball of its own space.
+    /// Box around a sphere in component space.
     fn ball(&self, center: DVec3, radius: f64) -> Aabb {
         let ball = Sphere { center, radius };
         self.place.as_ref().map_or(ball.bounds(), |m| ball.bounds_under(m))
     }
 
-    /// As POV-Ray 3.7 sees it (as was measured): cubes around its balls, as wide as the longest side of the image of a cube; a rod
-    /// without its ends lies in a ball, too.
+    /// POV-Ray's box: cubes around the spheres, as wide as the longest side of the image of a cube; a cylinder without
+    /// its ends is in a sphere too (quirk: `blob_component_boxes`).
     pub(super) fn pov_bounds(&self) -> Aabb {
         let cube = |center: DVec3, radius: f64| {
             let center = self.place.as_ref().map_or(center, |m| m.point(center));
@@ -123,7 +124,7 @@ impl Component {
         if self.axis == DVec3::ZERO { ends } else { ends.union(cube(self.base + half, around)) }
     }
 
-    /// Where the ray is in reach of it, and how far it is from its middle there.
+    /// Appends the stretches of a ray within reach of the component, with the squared distance from its axis or centre.
     pub(super) fn stretches(&self, ray: &Ray, out: &mut Stretches) {
         let local = self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray));
         let (o, d) = ((local.origin - self.base) / self.radius, local.dir / self.radius);
@@ -140,7 +141,7 @@ impl Component {
         }
         let axis = self.axis / self.radius;
         let length = axis.length_squared();
-        // How far along the axis, from 0 to 1 between the ends.
+        // Position along the axis, from 0 to 1 between the ends.
         let (start, speed) = (o.dot(axis) / length, d.dot(axis) / length);
         let (at_base, at_cap) = (-start / speed, (1.0 - start) / speed);
         let (before, behind) = match speed {
@@ -193,7 +194,7 @@ impl Component {
 }
 
 impl Stretch {
-    /// Adds what it adds, as a polynomial of t - middle.
+    /// Adds the field as a polynomial of t - middle.
     pub fn add(&self, middle: f64, sum: &mut [f64; 5]) {
         let [a, b, c] = self.squared_distance;
         // u = 1 - (a·t² + b·t + c), then s·u²

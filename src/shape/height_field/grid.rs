@@ -1,31 +1,32 @@
-//! Heights in rows, and how a line passes them: a pyramid of least and largest heights tells what it passes over or under as a whole
-//! (Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering", 2008).
+//! A grid of heights, and its intersection with lines: a pyramid of minimum and maximum heights skips what the line is
+//! entirely above or below (Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height
+//! Field Rendering", 2008).
 
 use super::normals::Normals;
 use crate::math::{DVec2, DVec3, Range, Ray};
 use std::sync::OnceLock;
 
-/// Heights of 1 are this many steps.
+/// Steps of height in a unit.
 pub const STEPS: f64 = 65536.0;
-/// Cells along a side of the smallest squares whose heights the pyramid knows.
+/// Side of the smallest squares in the pyramid, in cells.
 const BLOCK: usize = 4;
-/// A line that is farther than so many steps over or under heights is so whatever is rounded.
+/// Distance in steps above or below heights that exceeds all rounding.
 const SLACK: f64 = 1e-3;
 
-/// Corners of cells in rows: x grows along a row, z from row to row.
+/// Heights at the corners of cells, row by row: x grows along a row, z from row to row.
 #[derive(Debug)]
 pub struct Grid {
-    /// Cells along x.
+    /// Number of cells along x.
     pub across: usize,
-    /// Cells along z.
+    /// Number of cells along z.
     pub deep: usize,
     heights: Box<[u16]>,
     pyramid: Vec<Level>,
-    /// If it was asked for any.
+    /// Normals at corners, once any is requested.
     normals: OnceLock<Normals>,
 }
 
-/// Fields of the same heights are equal, whatever is known of their normals.
+/// Grids of equal heights are equal, whatever is cached of their normals.
 impl PartialEq for Grid {
     fn eq(&self, other: &Self) -> bool {
         (self.across, self.deep, &self.heights) == (other.across, other.deep, &other.heights)
@@ -37,37 +38,37 @@ impl PartialEq for Grid {
 struct Level {
     across: usize,
     deep: usize,
-    /// Cells along a square's side.
+    /// Side of a square in cells.
     size: usize,
-    /// Least and largest height in each.
+    /// Minimum and maximum height in each square.
     ranges: Box<[[u16; 2]]>,
 }
 
-/// A cell, and which of its triangles: the one at its lower or at its upper corner.
+/// A cell and one of its triangles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Along x.
+    /// Index along x.
     pub i: usize,
-    /// Along z.
+    /// Index along z.
     pub k: usize,
-    /// The triangle of the corners (1, 1), (1, 0) and (0, 1).
+    /// True for the triangle of the corners (1, 1), (1, 0) and (0, 1).
     pub upper: bool,
 }
 
-/// A ray whose units are cells and steps of height, and where it is over or in the grid.
+/// A ray in units of cells and steps of height, and the part of it over the grid.
 struct Line<'v> {
     o: DVec3,
     d: DVec3,
     inverse: DVec2,
-    /// In the grid's box.
+    /// Distance at which the ray enters the grid's box.
     near: f64,
     far: f64,
-    /// Where hits count.
+    /// Range in which hits count.
     range: Range,
     visit: &'v mut dyn FnMut(f64, Place) -> bool,
 }
 
-/// A piece of a line: from where to where, and how high it is there.
+/// A piece of a line: its ends, and the heights there.
 #[derive(Clone, Copy)]
 struct Way {
     t: [f64; 2],
@@ -75,14 +76,14 @@ struct Way {
 }
 
 impl Way {
-    /// Is it over or under all of these heights?
+    /// True if the piece is entirely above or below these heights.
     fn misses(&self, [lo, hi]: [u16; 2]) -> bool {
         let [y0, y1] = self.y;
         let (least, most) = if y0 < y1 { (y0, y1) } else { (y1, y0) };
         least > f64::from(hi) + SLACK || most < f64::from(lo) - SLACK
     }
 
-    /// What is before both of two places, between them, and behind them.
+    /// Splits the piece at two distances.
     fn cut(&self, first: f64, second: f64, line: &Line) -> [Option<Self>; 3] {
         let Self { t: [near, far], y: [y_near, y_far] } = *self;
         let (a, ya) = if first > far { (far, y_far) } else { (first, line.y_at(first)) };
@@ -101,8 +102,8 @@ impl Way {
     }
 }
 
-/// Where a line passes from one half of a square to the other, along one axis: `at`, unless it runs beside the middle, or there is nothing
-/// beyond it.
+/// Returns where a line crosses the middle of a square along one axis: `at`, unless the line does not cross it or
+/// nothing is beyond.
 fn middle(o: f64, d: f64, middle: usize, end: usize, at: f64) -> f64 {
     let is_whole = middle >= end;
     if d == 0.0 {
@@ -117,7 +118,7 @@ fn middle(o: f64, d: f64, middle: usize, end: usize, at: f64) -> f64 {
 }
 
 impl Grid {
-    /// Of rows with `width` heights each, two at least in each direction.
+    /// A grid with `width` heights in each row, at least two in each direction.
     pub fn new(width: usize, heights: Vec<u16>) -> Self {
         let (across, deep) = (width.max(2) - 1, (heights.len() / width.max(1)).max(2) - 1);
         let mut grid = Self { across, deep, heights: heights.into(), pyramid: vec![], normals: OnceLock::new() };
@@ -128,22 +129,22 @@ impl Grid {
         grid
     }
 
-    /// From object space to cells and steps of height.
+    /// Factors from object space to cells and steps of height.
     pub fn scale(&self) -> DVec3 {
         DVec3::new(self.across as f64, STEPS, self.deep as f64)
     }
 
-    /// The height of a corner in steps.
+    /// Height of a corner in steps.
     pub fn at(&self, i: usize, k: usize) -> f64 {
         f64::from(self.heights[k * (self.across + 1) + i])
     }
 
-    /// The normal at a corner of a smooth field, in object space less its scale in steps and cells.
+    /// Normal at a corner of a smooth field, in object space without its scale in steps and cells.
     pub fn normal(&self, i: usize, k: usize) -> DVec3 {
         self.normals.get_or_init(|| Normals::new(self.heights.len())).at(self, i, k)
     }
 
-    /// The least and the largest height, in steps.
+    /// Minimum and maximum height in steps.
     pub fn range(&self) -> [f64; 2] {
         self.pyramid.last().map_or([0.0; 2], |level| level.ranges[0].map(f64::from))
     }
@@ -159,32 +160,32 @@ impl Grid {
         Level { across, deep, size: BLOCK, ranges: (0..across * deep).map(range).collect() }
     }
 
-    /// Heights over the corners of a cell: at (0, 0), (1, 0), (0, 1) and (1, 1).
+    /// Heights at the corners of a cell: (0, 0), (1, 0), (0, 1) and (1, 1).
     pub fn corners(&self, i: usize, k: usize) -> [f64; 4] {
         [self.at(i, k), self.at(i + 1, k), self.at(i, k + 1), self.at(i + 1, k + 1)]
     }
 
-    /// The place under a point, in cells; those outside count to the nearest cell.
+    /// Cell under a point, and position within it, in cells; points outside belong to the nearest cell.
     pub fn place(&self, x: f64, z: f64) -> (Place, DVec2) {
         let (i, k) = ((x as usize).min(self.across - 1), (z as usize).min(self.deep - 1));
         let rest = DVec2::new(x - i as f64, z - k as f64).clamp(DVec2::ZERO, DVec2::ONE);
         (Place { i, k, upper: rest.x + rest.y > 1.0 }, rest)
     }
 
-    /// The height of a triangle's plane there.
+    /// Height of a triangle's plane at a position.
     pub fn height(&self, place: Place, rest: DVec2) -> f64 {
         let slope = self.slope(place);
         let Place { i, k, upper } = place;
         if upper { self.at(i + 1, k + 1) + slope.dot(rest - 1.0) } else { self.at(i, k) + slope.dot(rest) }
     }
 
-    /// How much a triangle rises from cell to cell, along x and z.
+    /// Slope of a triangle along x and z, in steps a cell.
     pub fn slope(&self, place: Place) -> DVec2 {
         let [h00, h10, h01, h11] = self.corners(place.i, place.k);
         if place.upper { DVec2::new(h11 - h01, h11 - h10) } else { DVec2::new(h10 - h00, h01 - h00) }
     }
 
-    /// Tells where a ray, given in cells and steps, meets the surface: ascending, until `visit` says that it has enough.
+    /// Calls `visit` with each hit of a ray, which is in cells and steps, ascending, until it returns true.
     pub fn meet(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(f64, Place) -> bool) {
         let (o, d) = (ray.origin, ray.dir);
         let mut line =
@@ -210,7 +211,7 @@ impl Grid {
         }
     }
 
-    /// Passes a square of a level, over which the line is along `way`; true if there is enough.
+    /// Searches a square of a level, over which the line is along `way`; returns true if `visit` did.
     fn descend(&self, level: usize, [a, b]: [usize; 2], way: Way, line: &mut Line) -> bool {
         let Level { across, ranges, .. } = &self.pyramid[level];
         if way.misses(ranges[b * across + a]) {
@@ -220,7 +221,8 @@ impl Grid {
         if level == 0 {
             return self.pass_cells(from, to, line);
         }
-        // Where the line passes the middle of the square, each way; so it goes over three of the four quarters at most.
+        // The line crosses the middle of the square once along each axis, so it is over three of the four quarters at
+        // most.
         let half = self.pyramid[level - 1].size;
         let x_middle = middle(line.o.x, line.d.x, from[0] + half, to[0], line.x_at(from[0] + half));
         let z_middle = middle(line.o.z, line.d.z, from[1] + half, to[1], line.z_at(from[1] + half));
@@ -235,22 +237,22 @@ impl Grid {
         })
     }
 
-    /// The first cell of a square, and the one beyond its last.
+    /// Returns the first cell of a square, and the one beyond its last.
     fn square(&self, level: usize, a: usize, b: usize) -> [[usize; 2]; 2] {
         let size = self.pyramid[level].size;
         let from = [a * size, b * size];
         [from, [(from[0] + size).min(self.across), (from[1] + size).min(self.deep)]]
     }
 
-    /// Passes the cells of a block one by one. Whether the line is over or under the surface is asked where it crosses the cells' edges
-    /// and diagonals alone, and both sides of an edge get the same answer: nothing slips through between them.
+    /// Searches the cells of a block. Whether the line is above or below the surface is evaluated only where it crosses
+    /// edges and diagonals of cells, and both sides of an edge get the same result, so no line passes between them.
     fn pass_cells(&self, from: [usize; 2], to: [usize; 2], line: &mut Line) -> bool {
         let (enter, leave) = self.under(line, from, to);
         let (mut t, end) = (enter.max(line.near), leave.min(line.far));
         let (x, z) = (line.o.x + line.d.x * t, line.o.z + line.d.z * t);
         let mut i = (x.max(0.0) as usize).clamp(from[0], to[0] - 1);
         let mut k = (z.max(0.0) as usize).clamp(from[1], to[1] - 1);
-        // (Asked for only where the line comes near the surface.)
+        // (Evaluated only where the line comes near the surface.)
         let mut known = None;
         loop {
             let next_x = if line.d.x == 0.0 { f64::INFINITY } else { line.x_at(i + usize::from(line.d.x > 0.0)) };
@@ -279,7 +281,8 @@ impl Grid {
         }
     }
 
-    /// From where to where a line is over a rectangle of cells. One that runs along its upper side is not, but at the end of the field.
+    /// Returns the interval in which a line is over a rectangle of cells. A line along the upper side is not, except at
+    /// the end of the field.
     fn under(&self, line: &Line, from: [usize; 2], to: [usize; 2]) -> (f64, f64) {
         let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut narrow = |o: f64, d: f64, a: f64, b: f64, ends: [usize; 2], last: usize| {
@@ -296,7 +299,7 @@ impl Grid {
         (near, far)
     }
 
-    /// Is a piece of a line neither over all of a cell nor under it?
+    /// True if a piece of a line is neither entirely above a cell nor entirely below.
     fn is_near(&self, i: usize, k: usize, t: [f64; 2], line: &Line) -> bool {
         let row = k * (self.across + 1) + i;
         let (first, second) = (&self.heights[row..row + 2], &self.heights[row + self.across + 1..][..2]);
@@ -308,7 +311,7 @@ impl Grid {
         y[0].min(y[1]) <= f64::from(hi) + SLACK && y[0].max(y[1]) >= f64::from(lo) - SLACK
     }
 
-    /// Between two places of a line in a cell.
+    /// Searches a cell between two distances.
     fn pass_cell(&self, i: usize, k: usize, t: [f64; 2], over: [f64; 2], line: &mut Line) -> bool {
         let diagonal = ((i + k + 1) as f64 - line.o.x - line.o.z) / (line.d.x + line.d.z);
         if !(diagonal > t[0] && diagonal < t[1]) {
@@ -323,7 +326,7 @@ impl Grid {
             || line.cross(Place { i, k, upper: !first }, [diagonal, t[1]], [middle, over[1]])
     }
 
-    /// How far over the surface the line is at the edge of a cell, or in it.
+    /// Height of the line above the surface at the edge of a cell, or within it.
     fn over(&self, i: usize, k: usize, t: f64, line: &Line) -> f64 {
         let (y, rest) = line.rest(i, k, t);
         let along = |a: f64, b: f64, s: f64| a + (b - a) * s;
@@ -340,7 +343,7 @@ impl Grid {
 }
 
 impl Level {
-    /// That of squares twice as large.
+    /// Pyramid level with squares twice as large.
     fn next(&self) -> Self {
         let (across, deep) = (self.across.div_ceil(2), self.deep.div_ceil(2));
         let range = |place: usize| {
@@ -366,13 +369,13 @@ impl Line<'_> {
         self.o.y + self.d.y * t
     }
 
-    /// Its height, and where it is over a cell.
+    /// Height of the line, and its position within a cell.
     fn rest(&self, i: usize, k: usize, t: f64) -> (f64, DVec2) {
         let p = self.o + self.d * t;
         (p.y, DVec2::new(p.x - i as f64, p.z - k as f64).clamp(DVec2::ZERO, DVec2::ONE))
     }
 
-    /// Tells the place where it goes through a plane, if it is over it at one end and under it at the other.
+    /// Visits the hit on a plane if the line is above it at one end and below at the other.
     fn cross(&mut self, place: Place, t: [f64; 2], over: [f64; 2]) -> bool {
         if (over[0] < 0.0) == (over[1] < 0.0) {
             return false;
@@ -382,7 +385,7 @@ impl Line<'_> {
     }
 }
 
-/// To the next cell; false at the end.
+/// Moves to the next cell; returns false at the end.
 fn step(i: &mut usize, d: f64, from: usize, to: usize) -> bool {
     if d > 0.0 {
         *i += 1;

@@ -1,14 +1,14 @@
-//! What heights the pixels of a picture stand for, and the values of a function (measured on POV-Ray 3.7).
+//! Heights from the pixels of a picture, and from the values of a function (quirk: `height_field_heights`).
 
 use crate::color::{GRAY_WEIGHTS, Gamma};
 use crate::image_io::{Picture, Samples, kept_gray, spread};
 
-/// A number that 16 bits keep: those below 0 and above 1 come round again.
+/// Converts a number to 16 bits; numbers below 0 and above 1 wrap.
 pub fn wrapped(x: f64) -> u16 {
     (x * 65535.0) as i64 as u16
 }
 
-/// The brightness of a colour of which each channel is kept in 16 bits.
+/// Brightness of a colour whose channels have 16 bits each.
 pub fn gray([r, g, b]: [u16; 3]) -> u16 {
     if r == g && g == b {
         return r;
@@ -17,8 +17,8 @@ pub fn gray([r, g, b]: [u16; 3]) -> u16 {
     (wr * f64::from(r) + wg * f64::from(g) + wb * f64::from(b)) as u16
 }
 
-/// Of each pixel, row by row from below. Numbers of a palette are heights by themselves; colours of 16 bits are by their brightness; of
-/// all others red is the higher, and green the lower byte.
+/// Returns the height of each pixel, row by row from below. Palette indices are heights; colours of 16 bits count by
+/// their brightness; of other colours red is the higher and green the lower byte.
 pub fn of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
     let pixels = &picture.pixels;
     let (width, channels) = (pixels.width, pixels.channels);
@@ -59,7 +59,8 @@ pub fn of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
     }
 }
 
-/// Of a pot file, rows of so many palette numbers as higher bytes: those of the right half are the lower bytes of the left one.
+/// Returns the heights of a pot file from rows of palette indices: the left half holds the higher bytes, the right half
+/// the lower.
 pub fn of_halves(all: &[u16], width: usize) -> Vec<u16> {
     let half = width / 2;
     let row = |row: &[u16]| (0..half).map(|x| row[x] | row[x + width - half] >> 8).collect::<Vec<_>>();

@@ -26,40 +26,39 @@ use grid::{Grid, Place, STEPS};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Names of file formats. The bytes tell what a file is; `pot` alone says how it is meant.
+/// Words of file formats. The format is recognised by the file's bytes; only `pot` changes the meaning of the pixels.
 const FORMATS: &[&str] = &["exr", "gif", "hdr", "iff", "jpeg", "pgm", "png", "ppm", "sys", "tga", "tiff", "pot", "bmp"];
 
-/// `water_level` leaves out what is lower than so many steps below it (measured on POV-Ray 3.7: 0.001 of a step to nine digits, of flat
-/// fields and of slopes, whatever the ray).
+/// Depth below `water_level`, in steps, from which on the surface is removed (quirk: `water_level_depth`).
 const SHALLOW: f64 = 0.001;
 
-/// A landscape.
+/// A height field.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HeightField {
-    /// Heights across and deep.
+    /// Number of heights along x and z.
     pub size: [usize; 2],
-    /// Normals change evenly from corner to corner.
+    /// True to interpolate normals.
     pub smooth: bool,
-    /// What is lower is left out.
+    /// Heights below are removed.
     pub water_level: f64,
-    /// `gamma`: how the file's numbers stand to heights.
+    /// `gamma`: relation between the file's numbers and heights.
     #[serde(skip)]
     gamma: Option<Gamma>,
-    /// Of a picture that is written `pot`: its right half holds the lower bytes of its left half.
+    /// True for a `pot` picture, whose right half holds the lower bytes of its left half.
     #[serde(skip)]
     is_pot: bool,
     #[serde(skip)]
     picture: Option<Arc<Picture>>,
-    /// `None` where there is no cell.
+    /// The heights; `None` without any cell.
     #[serde(skip)]
     grid: Option<Arc<Grid>>,
-    /// M, for normals between corners.
+    /// World from object, for normals at corners.
     #[serde(skip)]
     place: Option<Box<Transform>>,
 }
 
 impl HeightField {
-    /// Of rows with `width` heights each, from z = 0 on; 65535 is (nearly) 1.
+    /// A field with `width` heights in each row, from z = 0 on; 65535 is (nearly) 1.
     pub fn new(width: usize, heights: Vec<u16>, smooth: bool, water_level: f64) -> Self {
         let size = [width, heights.len().checked_div(width).unwrap_or(0)];
         let is_there = size[0] > 1 && size[1] > 1;
@@ -67,7 +66,7 @@ impl HeightField {
         Self { size, smooth, water_level, gamma: None, is_pot: false, picture: None, grid, place: None }
     }
 
-    /// What is lower is not seen, so that a flat field just at `water_level` is seen as a whole.
+    /// Height below which the surface is removed; a flat field exactly at `water_level` is visible.
     fn waterline(&self) -> f64 {
         self.water_level - SHALLOW / STEPS
     }
@@ -75,7 +74,7 @@ impl HeightField {
     fn search(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Hit) -> bool) {
         let Some(grid) = &self.grid else { return };
         let scale = grid.scale();
-        // Counted from where it comes near, so that a far eye loses nothing.
+        // Start where the ray enters the box, so that a distant eye costs no digits.
         let Some((enter, leave)) = self.bounds().grown(1e-4).slabs(ray, Range::ALL) else { return };
         if !(enter <= range.max && leave >= range.min && enter.is_finite()) {
             return;
@@ -90,7 +89,7 @@ impl HeightField {
         });
     }
 
-    /// Between those of the four corners, which have length 1 where the field stands.
+    /// Interpolates the normals of four corners, which have length 1 in world space.
     fn smooth_normal(&self, grid: &Grid, place: Place, rest: DVec2) -> DVec3 {
         let (m, scale) = (self.place.as_deref().unwrap_or(&Transform::IDENTITY), grid.scale());
         let corner = |i: usize, k: usize| m.normal(grid.normal(place.i + i, place.k + k) * scale).normalize_or_zero();
@@ -100,7 +99,7 @@ impl HeightField {
     }
 }
 
-/// `function W, H { … }`, row by row from z = 0 on.
+/// Reads `function W, H { … }`, row by row from z = 0 on.
 fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
     let at = r.span();
     let Some(([width, height], thing)) = r.sized_function()? else {
@@ -117,7 +116,7 @@ fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
     for j in (0..height).rev() {
         all.extend((0..width).map(|i| {
             let [r, g, b, ..] = function.call(&[step(i, width), step(j, height), 0.0]);
-            // (Both begin with 24 bits, but only that of a number ends so: measured on POV-Ray 3.7.)
+            // quirk: height_field_function_precision
             let kept = |x: f64| heights::wrapped(f64::from(x as f32));
             if colored { heights::gray([r, g, b].map(kept)) } else { wrapped(r as f32) }
         }));
@@ -191,7 +190,7 @@ impl Readable for HeightField {
     }
 }
 
-/// `gamma srgb`, or a number.
+/// Reads `gamma srgb` or a number.
 fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
     if r.accept("srgb")? { Ok(Gamma::Srgb) } else { r.float().map(Gamma::Power) }
 }
@@ -222,7 +221,7 @@ impl Kernel for HeightField {
         nearest(&all)
     }
 
-    /// What lies under it or under the water, without a bottom (measured on POV-Ray 3.7).
+    /// The inside is below the surface or the water, without a bottom (quirk: `height_field_inside`).
     fn inside(&self, p: DVec3) -> bool {
         let Some(grid) = &self.grid else { return false };
         if !(0.0..=1.0).contains(&p.x) || !(0.0..=1.0).contains(&p.z) {
@@ -241,7 +240,7 @@ impl Kernel for HeightField {
         true
     }
 
-    /// With the means of directions taken where it stands, as in POV-Ray.
+    /// The field with normals that are averaged in world space, as in POV-Ray.
     fn changed_under(&self, m: &Transform) -> Option<Self> {
         self.smooth.then(|| Self { place: Some(Box::new(*m)), ..self.clone() })
     }

@@ -1,23 +1,24 @@
-//! Normals at the corners of a smooth height field, each computed when it is first asked for.
+//! Normals at the corners of a smooth height field, each computed at its first use.
 
 use super::grid::Grid;
 use crate::math::DVec3;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Set where a corner's normal is known.
+/// Flag of a known normal.
 const KNOWN: u64 = 1 << 48;
 
-/// Three coordinates of 16 bits a corner, in rows, as in POV-Ray 3.7, which keeps no more (measured).
+/// Three coordinates of 16 bits for each corner, row by row (quirk: `height_field_normals`).
 #[derive(Debug)]
 pub struct Normals(Box<[AtomicU64]>);
 
 impl Normals {
-    /// Of so many corners.
+    /// Space for this number of corners.
     pub fn new(count: usize) -> Self {
         Self((0..count).map(|_| AtomicU64::new(0)).collect())
     }
 
-    /// The normal at a corner in object space, about 32767 long in steps. (Whoever asks first computes it; all compute the same.)
+    /// Returns the normal at a corner in object space, with a length of about 32767 steps. Any thread may compute it
+    /// first; all compute the same.
     pub fn at(&self, grid: &Grid, i: usize, k: usize) -> DVec3 {
         let kept = &self.0[k * (grid.across + 1) + i];
         let mut packed = kept.load(Ordering::Relaxed);
@@ -29,8 +30,7 @@ impl Normals {
     }
 }
 
-/// The mean of the directions that a corner's neighbours to one side and to another make with it, in cells and steps (measured on POV-Ray
-/// 3.7).
+/// Mean of the normals by a corner's neighbours to each side, in cells and steps (quirk: `height_field_normals`).
 fn mean(grid: &Grid, i: usize, k: usize) -> DVec3 {
     let here = grid.at(i, k);
     let left = (i > 0).then(|| here - grid.at(i - 1, k));
@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn kept_normals_are_those_of_planes() {
-        // heights of 3 i + 2 k
+        // Heights of 3 i + 2 k
         let grid = Grid::new(4, (0..16).map(|at| 3 * (at % 4) + 2 * (at / 4)).collect());
         let normals = Normals::new(16);
         let expected = (DVec3::new(-3.0, 1.0, -2.0).normalize() * 32767.0).trunc();

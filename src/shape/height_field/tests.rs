@@ -18,12 +18,12 @@ fn heights_of_corners_and_triangles() {
     let h = field(false, 0.0);
     let close = |found: (usize, f64), want: f64| assert!(found.0 == 1 && (found.1 - want).abs() < 1e-9, "{found:?}");
     close(down(0.5, 0.5, &h), 8.0);
-    // A cell is cut from its corner at the right below to that at the left above.
+    // The diagonal of a cell is from its lower right to its upper left corner.
     close(down(0.25, 0.25, &h), 3.0);
     close(down(0.125, 0.125, &h), 1.0 + 0.25 + 0.75);
     close(down(0.375, 0.375, &h), 8.0 - 0.25 * 4.0 - 0.25 * 6.0);
     assert_eq!(down(1.01, 0.5, &h).0, 0);
-    // Below the water there is nothing to see, but an inside.
+    // Below the water there is an inside but no surface.
     let wet = field(false, 3.5 * EIGHTH);
     assert_eq!(down(0.25, 0.25, &wet).0, 0);
     assert!(wet.inside(DVec3::new(0.25, 0.1, 0.25)) && wet.inside(DVec3::new(0.25, 3.1 * EIGHTH, 0.25)));
@@ -39,7 +39,7 @@ fn nothing_slips_through() {
     let h = HeightField::new(width, heights, false, 0.0);
     for k in 0..20_000 {
         let at = |m: usize| (k * m % 9973) as f64 / 9973.0;
-        // Some along edges and diagonals, and through corners.
+        // Some rays along edges and diagonals, and through corners.
         let snap = |x: f64| if k % 3 == 0 { (x * 22.0).round() / 22.0 } else { x };
         let from = DVec3::new(snap(at(13)), 1.5, at(29));
         let to = DVec3::new(snap(at(31)), -0.5, at(17));
@@ -59,7 +59,7 @@ fn nothing_slips_through() {
 
 #[test]
 fn smooth_normals_as_povray_has_them() {
-    // By trace() of POV-Ray 3.7, of a picture of 3 by 3 gray bytes (first row: 0 40 250; then 90 200 10; 30 60 120).
+    // POV-Ray's trace() of a picture of 3 by 3 gray bytes (first row: 0 40 250; then 90 200 10; 30 60 120).
     let bytes = [30, 60, 120, 90, 200, 10, 0, 40, 250];
     let h = HeightField::new(3, bytes.map(|b: u16| b * 257).to_vec(), true, 0.0);
     for (x, z, want) in [
@@ -96,7 +96,7 @@ fn numbers_of_pictures() {
 
 #[test]
 fn halves_of_a_pot_file() {
-    // Seen in POV-Ray 3.7: 9 and 15 make 2304 + 15.
+    // POV-Ray: 9 and 15 make 2304 + 15.
     assert_eq!(
         heights::of_halves(&[9 << 8, 10 << 8, 0, 15 << 8, 1 << 8, 2 << 8, 3 << 8, 4 << 8], 4),
         [2304, 2575, 259, 516]

@@ -1,50 +1,51 @@
-//! The container of an isosurface in cells, with bounds of the function's gradient in each cell that may hold a piece of the surface.
+//! The container of an isosurface in cells, with bounds of the function's gradient in each cell that can hold a piece
+//! of the surface.
 //!
-//! Where nothing is known of the gradient, such as next to jumps, a cell is divided into smaller ones when the first ray comes there:
-//! most of them are empty or known.
+//! Where the gradient has no bounds, such as at jumps, a cell is subdivided when the first ray enters it: most of the
+//! smaller cells are empty or have bounds.
 
 use crate::function::{Interval, Slope};
 use crate::math::{Aabb, DVec3, Ray, fp};
 use crate::shape::formula::Formula;
 use std::sync::OnceLock;
 
-/// About so many cells.
+/// Approximate number of cells.
 const COUNT: f64 = 5000.0;
-/// And no more than these along an axis.
+/// Maximum number of cells along an axis.
 const MOST: f64 = 64.0;
-/// So often a cell may be halved along each axis. (More take longer than they save in small pictures.)
+/// Maximum number of subdivisions. (More cost more than they save in small pictures.)
 const HALVINGS: u32 = 2;
 
 /// The cells of one isosurface.
 #[derive(Debug)]
 pub struct Cells {
-    /// What is 0 on the surface, and more than that by the threshold.
+    /// The function, whose value on the surface is the threshold.
     formula: Formula,
     threshold: f64,
     grid: Grid,
 }
 
-/// A box in cells.
+/// A box of cells.
 #[derive(Debug)]
 struct Grid {
     bounds: Aabb,
     count: [usize; 3],
-    /// Cells per unit.
+    /// Cells a unit.
     scale: DVec3,
-    /// One more than the number of a cell; 0 where there is no surface.
+    /// Number of the cell plus one; 0 without surface.
     places: Box<[u16]>,
     cells: Vec<Cell>,
 }
 
-/// A cell that may hold a piece of the surface.
+/// A cell that can hold a piece of the surface.
 #[derive(Debug)]
 struct Cell {
     gradient: Gradient,
-    /// Smaller ones, when a ray has been there.
+    /// Smaller cells, built when a ray enters.
     halves: OnceLock<Option<Box<Grid>>>,
 }
 
-/// Where the function's gradient lies in a cell; see [`Slope`].
+/// Bounds of the function's gradient in a cell; see [`Slope`].
 #[derive(Clone, Copy, Debug)]
 pub struct Gradient {
     by: [[f32; 2]; 3],
@@ -54,7 +55,7 @@ pub struct Gradient {
 
 impl Gradient {
     fn new(slope: &Slope) -> Self {
-        // (Wider than that, because of rounding.)
+        // Widen the bounds for rounding.
         let wider = |i: Interval| [(i.lo - i.lo.abs() * 1e-6) as f32, (i.hi + i.hi.abs() * 1e-6) as f32];
         Self { by: slope.by.map(wider), around: (slope.around * 1.000_001) as f32, rough: slope.rough }
     }
@@ -63,8 +64,8 @@ impl Gradient {
         self.by.iter().flatten().chain([&self.around]).all(|by| by.is_finite())
     }
 
-    /// Bounds of the derivative along a direction of length `length`; `unknown` where there are none, and where those are wider that
-    /// are rough.
+    /// Bounds of the derivative along `d`, whose length is `length`; `unknown` without bounds, or where rough bounds
+    /// are wider than that.
     pub fn along(&self, d: DVec3, length: f64, unknown: Interval) -> Interval {
         let far = f64::from(self.around) * length;
         let (mut lo, mut hi) = (-far, far);
@@ -81,18 +82,18 @@ impl Gradient {
     }
 }
 
-/// Part of a grid: the first cell and the one behind the last, along each axis.
+/// Part of a grid: the first cell and the one beyond the last, along each axis.
 type Block = [[usize; 2]; 3];
 
-/// Hears of the pieces of a line in order, until it says that it has enough: from where to where, and the gradient there; `None` where
-/// there is no surface.
+/// Called with the pieces of a line in order: both ends, and the gradient's bounds, `None` without surface. Returns
+/// true to stop.
 pub type Visit<'a> = &'a mut dyn FnMut(f64, f64, Option<&Gradient>) -> bool;
 
 impl Cells {
-    /// Finds the cells in which the function may have this value.
+    /// Finds the cells in which the function can have the threshold's value.
     pub fn new(formula: &Formula, threshold: f64, bounds: Aabb) -> Self {
         let size = bounds.size().max(DVec3::splat(f64::MIN_POSITIVE));
-        // Cells as near to cubes as may be.
+        // Make cells nearly cubes.
         let mut side = fp::pow(size.x * size.y * size.z / COUNT, 1.0 / 3.0);
         side = side.max(size.max_element() / MOST);
         let count = [0, 1, 2].map(|axis| (size[axis] / side).round().clamp(1.0, MOST) as usize);
@@ -101,7 +102,7 @@ impl Cells {
         Self { formula: formula.clone(), threshold, grid }
     }
 
-    /// Passes the cells along a line.
+    /// Visits the cells along a line.
     pub fn pass(&self, ray: &Ray, from: f64, to: f64, visit: Visit) -> bool {
         self.pass_in(&self.grid, HALVINGS, ray, (from, to), visit)
     }
@@ -143,7 +144,7 @@ impl Cells {
         }
     }
 
-    /// The eight halves of a cell, unless they are no better: if there is surface in all and nothing known of any.
+    /// Returns the eight parts of a cell; `None` if all of them hold surface and none has bounds.
     fn halves<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
         let halves = inner.halves.get_or_init(|| {
             let mut eight = Grid::empty(grid.box_of(cell.map(|i| [i, i + 1])), [2; 3]);
@@ -154,7 +155,7 @@ impl Cells {
         halves.as_deref()
     }
 
-    /// The diagonal of a cell.
+    /// Diagonal of a cell.
     pub fn side(&self) -> f64 {
         self.grid.scale.recip().length()
     }
@@ -204,7 +205,7 @@ impl Grid {
         (cell[2] * self.count[1] + cell[1]) * self.count[0] + cell[0]
     }
 
-    /// A cell, unless there is no surface in it.
+    /// The cell, unless there is no surface in it.
     fn at(&self, cell: [usize; 3]) -> Option<&Cell> {
         self.cells.get((self.places[self.index(cell)] as usize).wrapping_sub(1))
     }

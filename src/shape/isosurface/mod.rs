@@ -29,41 +29,41 @@ use walk::Walk;
 
 const SURFACE: u32 = 0;
 const FACE: u32 = 1;
-/// Parts of a cell's diagonal beyond which `accuracy` is not obeyed: where the gradient is known, and where it is not. No more pieces of a cell
-/// than so many are looked at, however steep the function may be.
+/// Lower limits of `accuracy`, relative to a cell's diagonal: with known and with unknown gradient. They bound the
+/// number of pieces in a cell, however steep the function is.
 const FINEST: f64 = 1e-5;
 const COARSEST: f64 = 1e-3;
-/// A ray that enters its container nearer than this begins in it (measured on POV-Ray 3.7).
+/// Distance to the container below which a ray starts inside it (quirk: `isosurface_start`).
 const BEGINS: f64 = 1e-6;
-/// Points along each side of the container where the gradient is looked at.
+/// Number of points along each side of the container at which the gradient is sampled.
 const POINTS: usize = 12;
-/// How much longer the gradient must be than was said before that is told.
+/// Factor by which a sampled gradient must exceed `max_gradient` to be reported.
 const STEEPER: f64 = 1.5;
 
 /// The surface of a function.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Isosurface {
-    /// Of x, y and z.
+    /// The function of x, y and z.
     pub function: Formula,
-    /// Its value on the surface; less is inside.
+    /// Value on the surface; smaller values are inside.
     pub threshold: f64,
-    /// Where it ends.
+    /// The solid that bounds the surface.
     pub container: Container,
-    /// Whether it has no faces where it reaches out of that.
+    /// True without faces on the container.
     pub open: bool,
-    /// How far behind the surface hits may lie, and the length of the steps by which normals are found.
+    /// Maximum distance of a hit behind the surface, and the step of differences for normals.
     pub accuracy: f64,
-    /// The longest gradient, where nothing is known of the function.
+    /// Maximum gradient, for functions without bounds.
     pub max_gradient: f64,
-    /// How many hits of one ray count.
+    /// Maximum number of hits of one ray in CSG.
     pub max_trace: u32,
-    /// Whether POV-Ray adapts `max_gradient`: `evaluate` was said.
+    /// True for `evaluate`, which adapts `max_gradient` in POV-Ray.
     pub adapts: bool,
     #[serde(skip)]
     cells: Lazy,
 }
 
-/// Made when the first ray asks.
+/// Built when the first ray arrives.
 #[derive(Clone, Debug, Default)]
 struct Lazy(Arc<OnceLock<Cells>>);
 
@@ -74,7 +74,7 @@ impl PartialEq for Lazy {
 }
 
 impl Isosurface {
-    /// With the values that POV-Ray's manual gives for what is not said.
+    /// An isosurface with POV-Ray's defaults.
     pub fn new(function: Formula) -> Self {
         Self {
             function,
@@ -93,27 +93,27 @@ impl Isosurface {
         self.cells.0.get_or_init(|| Cells::new(&self.function, self.threshold, self.container.bounds()))
     }
 
-    /// Below 0 inside. What is no number is outside, and tells nothing of how far.
+    /// Value minus threshold: negative inside. NaN counts as outside.
     fn value(&self, p: DVec3) -> f64 {
         let value = self.function.at(p) - self.threshold;
         if value.is_nan() { self.accuracy * self.max_gradient } else { value }
     }
 
-    /// Tells each hit in the range, ascending, until `found` says that it has enough.
+    /// Calls `found` with each hit in the range, ascending, until it returns true.
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(Hit) -> bool) {
         let Some((enter, leave)) = self.container.stretch(ray) else { return };
         if !(enter < range.max && leave > range.min) {
             return;
         }
-        // Counted from where it enters, so that a far eye loses nothing.
+        // Start where the ray enters the container, so that a distant eye costs no digits.
         let near = Ray::new(ray.at(enter), ray.dir);
         let mut tell = |t: f64, part: u32| range.contains(t + enter) && found(Hit::on(t + enter, part));
         let value = |t: f64| self.value(near.at(t));
         let to = leave - enter;
-        // Where the ray begins.
+        // Position of the ray's origin.
         let origin = -enter;
         let begins_outside = enter > BEGINS;
-        // (Nobody asks for the value behind the ray.)
+        // (The value behind the ray is not needed.)
         let first = (begins_outside || range.min <= enter).then(|| value(0.0));
         let is_solid = first.is_some_and(|first| first < 0.0);
         if range.min <= enter && !self.open && is_solid && tell(0.0, FACE) {
@@ -125,7 +125,7 @@ impl Isosurface {
         };
         let from = walk.as_ref().map_or(f64::INFINITY, Walk::from);
         let within = Range { min: from.min(range.min - enter), max: range.max - enter };
-        // What lies behind the ray is told as it is.
+        // Roots behind the ray's origin are reported unchanged.
         let mut tell_root = |t: f64| match &mut walk {
             _ if t <= origin => tell(t, SURFACE),
             Some(walk) => walk.hit(t).is_some_and(|t| tell(t, SURFACE)),
@@ -140,8 +140,8 @@ impl Isosurface {
         }
     }
 
-    /// Passes the cells up to `to` that reach into a range; the ray begins at `origin`, and `known` is a place whose value is known. Pieces
-    /// begin where cells do, so that roots in them hardly depend on the range.
+    /// Searches the cells up to `to` that overlap a range; the ray's origin is at `origin`, and `known` is a point with
+    /// its value. Pieces start where cells do, so that roots hardly depend on the range.
     fn pass(
         &self,
         near: &Ray,
@@ -155,7 +155,7 @@ impl Isosurface {
         let length = near.dir.length();
         let unknown = self.max_gradient * length;
         let unknown = Interval { lo: -unknown, hi: unknown };
-        // Steps of what is unknown are as many as it is steep.
+        // The number of steps grows with the gradient.
         let apart = |exact: f64, least: f64| exact.max(cells.side() * least / length);
         let (fine, coarse) = (apart(0.25 * self.accuracy, FINEST), apart(self.accuracy, COARSEST));
         let exact = 1e-10 * cells.side() / length;
@@ -166,7 +166,7 @@ impl Isosurface {
             known = Some(last);
             Search { value, apart, exact, roughly, ahead: origin, range: within }.between(first, last, rate, found)
         };
-        // Cells of which nothing is known are passed as one.
+        // Consecutive cells without bounds are searched as one piece.
         let mut run: Option<(f64, f64)> = None;
         let ended = cells.pass(near, 0.0, to, &mut |a, b, gradient| {
             if a > within.max && run.is_none() {
@@ -186,7 +186,8 @@ impl Isosurface {
         ended || run.is_some_and(|run| piece(run, unknown, coarse))
     }
 
-    /// The longest gradient found near the surface: where its value changes its sign between two points of a lattice.
+    /// Returns the maximum gradient found near the surface: where the value changes its sign between two points of a
+    /// lattice.
     fn steepest(&self) -> f64 {
         let b = self.container.bounds();
         let step = b.size() / POINTS as f64;
@@ -207,7 +208,7 @@ impl Isosurface {
         found
     }
 
-    /// By the differences along a step, as POV-Ray finds it (measured on 3.7).
+    /// Gradient by differences over a step (quirk: `isosurface_normal`).
     fn slant(&self, p: DVec3, step: f64) -> DVec3 {
         let here = self.function.at(p);
         let rise = |axis: DVec3| self.function.at(p + axis * step) - here;
@@ -300,7 +301,7 @@ impl Kernel for Isosurface {
         });
     }
 
-    /// The first so many in front of the ray's origin, as `max_trace` says, and all behind it.
+    /// The first `max_trace` hits in front of the ray's origin, and all behind it.
     fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if self.max_trace == u32::MAX {
             return self.hits(ray, range, out);

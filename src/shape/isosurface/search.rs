@@ -1,38 +1,39 @@
-//! Where a function of one number is 0, by bounds of its derivative.
+//! Roots of a function of one variable, by bounds of its derivative.
 
 use crate::function::Interval;
 use crate::math::{Range, crossing};
 
-/// A place on the line, and the function's value there.
+/// A position on the line, and the function's value there.
 pub type Point = (f64, f64);
 
-/// A function on a line.
+/// A search on a line.
 pub struct Search<'a> {
-    /// The value.
+    /// The function.
     pub value: &'a dyn Fn(f64) -> f64,
-    /// Roots nearer together than this may count as none.
+    /// Roots closer together than this can be missed.
     pub apart: f64,
-    /// Roots are known as well as this.
+    /// Accuracy of roots.
     pub exact: f64,
-    /// But from `ahead` on it is enough to know them as well as this.
+    /// Accuracy of roots from `ahead` on.
     pub roughly: f64,
-    /// Where the ray begins.
+    /// Position of the ray's origin.
     pub ahead: f64,
-    /// Where roots count.
+    /// Range in which roots count.
     pub range: Range,
 }
 
 impl Search<'_> {
-    /// Tells all roots between two places, ascending, until `found` says that it has enough. The derivative lies in `rate` there.
+    /// Calls `found` with all roots between two points, ascending, until it returns true. `rate` bounds the derivative
+    /// there.
     ///
-    /// From an end on, the value can't come to 0 sooner than by the rate: what is left between both ends is halved (as in Kalra and Barr,
-    /// "Guaranteed Ray Intersections with Implicit Surfaces", 1989).
+    /// From an end on, the value cannot reach 0 sooner than the rate allows: the rest is bisected (as in Kalra and
+    /// Barr, "Guaranteed Ray Intersections with Implicit Surfaces", 1989).
     pub fn between(&self, a: Point, b: Point, rate: Interval, found: &mut dyn FnMut(f64) -> bool) -> bool {
         if b.0 <= self.range.min || a.0 >= self.range.max {
             return false;
         }
         let differ = (a.1 < 0.0) != (b.1 < 0.0);
-        // How quickly the value can come nearer to 0, forwards from a and backwards from b.
+        // Maximum rate at which the value approaches 0, forwards from a and backwards from b.
         let from_a = if a.1 < 0.0 { rate.hi } else { -rate.lo };
         let from_b = if b.1 < 0.0 { -rate.lo } else { rate.hi };
         let reach = |value: f64, speed: f64| if speed > 0.0 { value.abs() / speed } else { f64::INFINITY };
@@ -50,7 +51,7 @@ impl Search<'_> {
         self.between(a, m, rate, found) || self.between(m, b, rate, found)
     }
 
-    /// The only root between two places, if it counts.
+    /// Returns the only root between two points, if it counts.
     fn one(&self, a: Point, b: Point) -> Option<f64> {
         let Range { min, max } = self.range;
         let is_before = |t: f64| ((self.value)(t) < 0.0) != (a.1 < 0.0);

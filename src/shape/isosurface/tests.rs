@@ -5,7 +5,7 @@ use crate::shape::testing::all;
 use crate::syntax::ast::Operator::{self, Add, Mul, Sub};
 use std::sync::atomic::AtomicU8;
 
-/// Puts a formula together.
+/// Builds a formula.
 struct Maker(Graph);
 
 impl Maker {
@@ -57,7 +57,7 @@ fn a_ball_in_closed_form_and_its_faces() {
     assert_eq!(cut.normal(ray.at(hits[0].t), &hits[0]), DVec3::NEG_Y);
     assert!(all(&Isosurface { open: true, ..cut.clone() }, &ray).is_empty());
     assert!(cut.inside(DVec3::ZERO) && !cut.inside(DVec3::Y * 1.1) && !cut.inside(DVec3::ONE * 0.99));
-    // From afar nothing is lost.
+    // A distant eye costs no accuracy.
     let far = all(&ball(0.64), &Ray::new(DVec3::new(0.3, -1e7, 0.2), DVec3::Y));
     assert!((far[0].t - 1e7 + h).abs() < 1e-7, "{far:?}");
 }
@@ -80,7 +80,7 @@ fn only_so_many_hits_as_max_trace_says() {
     assert_eq!([1, 3, u32::MAX].map(count), [1, 3, 5]);
 }
 
-/// Twice as steep as noise may be: what the default `max_gradient` would tear.
+/// Twice as steep as noise usually is: the default `max_gradient` would tear the surface.
 #[test]
 fn steep_functions_have_no_holes() {
     let noise = Arc::new(AtomicU8::new(NoiseGenerator::default().number()));
@@ -99,7 +99,7 @@ fn steep_functions_have_no_holes() {
         let hits = all(&shape, &ray);
         let first = hits.first().filter(|hit| hit.part == SURFACE);
         assert!(first.is_some_and(|hit| shape.value(ray.at(hit.t)).abs() < 1e-8), "{ray:?} {hits:?}");
-        // Nothing before it.
+        // No hit before it.
         let upto = first.map_or(0.0, |hit| hit.t);
         assert!((0..200).all(|i| shape.value(ray.at(upto * 0.999 * f64::from(i) / 200.0)) > 0.0), "{ray:?} {hits:?}");
     }

@@ -1,19 +1,20 @@
-//! Where POV-Ray sees a surface: not where the function is 0, but at the end of a piece of the ray shorter than `accuracy`, a little behind.
+//! Hits where POV-Ray reports them: not at the root of the function, but at the end of a piece of the ray shorter than
+//! `accuracy`, slightly behind the root (quirk: `isosurface_hits`).
 //!
-//! Measured on POV-Ray 3.7 to the last digits, by `trace()` and with first hits clipped away. The way from where the ray begins, or enters the
-//! container, to where it leaves it is halved until its pieces are shorter than `accuracy`, in units of the world. The first piece at whose end
-//! the function has changed its sign is a hit there. The next way begins five times `accuracy` behind it; and so does the first one of a ray
-//! that begins in the container, if the value there is less than 4 times `accuracy` times `max_gradient`.
+//! The ray from its origin, or from where it enters the container, to where it leaves is bisected until its pieces are
+//! shorter than `accuracy`, in world units. The first piece at whose end the function has changed its sign is a hit.
+//! The search goes on five times `accuracy` behind the hit; so does the first search of a ray that starts in the
+//! container, if the value there is less than 4 times `accuracy` times `max_gradient`.
 
-/// How much of `accuracy` is skipped behind a surface.
+/// Distance that is skipped behind a hit, in units of `accuracy`.
 const SKIPPED: f64 = 5.0;
-/// Parts of `accuracy` times `max_gradient` below which a ray begins on the surface or inside.
+/// Value at the origin, in units of `accuracy` times `max_gradient`, below which a ray starts on the surface or inside.
 const NEAR: f64 = 4.0;
 
-/// Roots need be known no better than this part of `accuracy`.
+/// Required accuracy of roots, in units of `accuracy`.
 pub const ROOTS: f64 = 0.002;
-/// Roots that are nearer than this part of a piece to where one ends may lie before that or behind. (Pieces are longer than half of
-/// `accuracy`.)
+/// Distance between a root and the end of a piece, relative to the piece, below which the order of both is uncertain.
+/// (Pieces are longer than half of `accuracy`.)
 const DOUBT: f64 = 0.02;
 
 /// A ray's way through a container, behind the last hit.
@@ -23,14 +24,15 @@ pub struct Walk<'a> {
     accuracy: f64,
     to: f64,
     from: f64,
-    /// How long the pieces are.
+    /// Length of the pieces.
     piece: f64,
-    /// Whether it begins inside of the solid; nobody has asked as yet where it is not known.
+    /// True if the ray starts inside the solid; `None` before it is evaluated.
     inside: Option<bool>,
 }
 
 impl<'a> Walk<'a> {
-    /// Of a ray that comes from outside of the container, and enters the solid with it or not. What is too short to be divided has no hits.
+    /// The way of a ray that enters the container from outside; `inside` is true if it enters the solid there. A way
+    /// shorter than a piece has no hits.
     pub fn entering(value: &'a dyn Fn(f64) -> f64, inside: bool, open: bool, to: f64, accuracy: f64) -> Option<Self> {
         let mut walk = Self { value, accuracy, to, from: 0.0, piece: 0.0, inside: Some(inside) };
         walk.divide();
@@ -41,7 +43,7 @@ impl<'a> Walk<'a> {
         walk.is_long().then_some(walk)
     }
 
-    /// Of a ray that begins within the container.
+    /// The way of a ray that starts within the container.
     pub fn within(value: &'a dyn Fn(f64) -> f64, from: f64, to: f64, accuracy: f64, max_gradient: f64) -> Option<Self> {
         let first = value(from);
         let mut walk = Self { value, accuracy, to, from, piece: 0.0, inside: Some(first < 0.0) };
@@ -52,12 +54,12 @@ impl<'a> Walk<'a> {
         walk.is_long().then_some(walk)
     }
 
-    /// Roots before this are not seen.
+    /// Position before which roots are ignored.
     pub fn from(&self) -> f64 {
         self.from
     }
 
-    /// The hit that POV-Ray sees for a root, if any: roots are told in ascending order.
+    /// Returns POV-Ray's hit for a root, if any; roots must be passed in ascending order.
     pub fn hit(&mut self, root: f64) -> Option<f64> {
         if root <= self.from || !self.is_long() {
             return None;
@@ -70,7 +72,7 @@ impl<'a> Walk<'a> {
         let in_doubt = nearest > 0.0 && (place - nearest).abs() < DOUBT;
         let end = match in_doubt {
             true if has_changed(end_of(nearest)) => end_of(nearest),
-            // Between two roots in one piece nothing is seen.
+            // Two roots in one piece are not seen.
             true => Some(end_of(nearest + 1.0)).filter(|&end| has_changed(end))?,
             false => Some(end_of(place.max(f64::MIN_POSITIVE).ceil())).filter(|&end| has_changed(end))?,
         };
@@ -94,7 +96,7 @@ impl<'a> Walk<'a> {
 
     fn divide(&mut self) {
         self.piece = self.to - self.from;
-        // (What has no end is never short enough.)
+        // (An infinite piece is never short enough.)
         while self.piece.is_finite() && self.piece >= self.accuracy {
             self.piece *= 0.5;
         }

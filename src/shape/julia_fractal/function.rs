@@ -1,4 +1,4 @@
-//! What is done to a number in each round: functions of complex numbers and their derivatives.
+//! Functions of complex numbers that a julia fractal iterates, with their derivatives.
 
 use crate::math::Complex;
 use crate::value::words::word;
@@ -19,29 +19,29 @@ pub enum Function {
     Reciprocal,
     /// sin z
     Sin,
-    /// its inverse
+    /// Inverse of `Sin`.
     Asin,
     /// sinh z
     Sinh,
-    /// its inverse
+    /// Inverse of `Sinh`.
     Asinh,
     /// cos z
     Cos,
-    /// its inverse
+    /// Inverse of `Cos`.
     Acos,
     /// cosh z
     Cosh,
-    /// its inverse
+    /// Inverse of `Cosh`.
     Acosh,
     /// tan z
     Tan,
-    /// its inverse
+    /// Inverse of `Tan`.
     Atan,
     /// tanh z
     Tanh,
-    /// its inverse
+    /// Inverse of `Tanh`.
     Atanh,
-    /// the logarithm
+    /// Natural logarithm.
     Ln,
     /// z to the power x + iy
     Pwr(f64, f64),
@@ -49,7 +49,7 @@ pub enum Function {
 
 use Function::*;
 
-/// Those that have no arguments, and their words.
+/// Functions without arguments, by their words.
 pub const WORDS: [(&str, Function); 17] = [
     ("sqr", Sqr),
     ("cube", Cube),
@@ -74,7 +74,7 @@ const fn applied(name: &'static str, summary: &'static str) -> WordSpec {
     word(name, ValueKind::Nothing, "", summary)
 }
 
-/// The words that choose one.
+/// Words of the functions.
 pub const FUNCTIONS: [WordSpec; 18] = [
     applied("sqr", "each round is h²; so it is without any function"),
     applied("cube", "each round is h³; of hypercomplex numbers h², as in POV-Ray"),
@@ -120,7 +120,7 @@ fn atanh(z: Complex) -> (Complex, Complex) {
     (0.5 * ((ONE + z).ln() - (ONE - z).ln()), ONE / (ONE - z.square()))
 }
 
-/// g(z) = -i·f(i·z) has the derivative f'(i·z): so sin comes from sinh, and its inverse from the other.
+/// Returns g(z) = -i·f(i·z) and its derivative f'(i·z): sin follows from sinh, and asin from asinh.
 fn around(f: fn(Complex) -> (Complex, Complex), z: Complex) -> (Complex, Complex) {
     let (value, slope) = f(z.turned());
     (turned_back(value), slope)

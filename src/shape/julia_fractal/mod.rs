@@ -25,47 +25,47 @@ use function::{FUNCTIONS, WORDS};
 use orbit::{Four, Rule, Trail, mean};
 use serde::Serialize;
 
-/// Nobody sees more rounds than these, and points inside take all of them.
+/// Maximum number of iterations; points inside take all of them.
 const MOST_ROUNDS: usize = 1000;
-/// Steps are no shorter than one part in so many.
+/// Maximum precision: the number of steps in a unit.
 const MOST_PRECISE: f64 = 1000.0;
-/// A step beyond what is known to be alike, in parts of that: further on as much is known, mostly.
+/// Step beyond the proven distance, as a share of that distance: the next distance is usually similar.
 const AHEAD: f64 = 0.6;
 
-/// Two ways to calculate with four numbers.
+/// Algebra of four-dimensional numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Algebra {
-    /// Hamilton's.
+    /// Hamilton's quaternions.
     Quaternion,
     /// Pairs of complex numbers.
     Hypercomplex,
 }
 
-/// A slice of a fractal.
+/// A three-dimensional slice of a fractal.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct JuliaFractal {
-    /// What is added in each round.
+    /// Constant that is added in each iteration.
     pub parameter: Four,
-    /// How to calculate.
+    /// Algebra of the numbers.
     pub algebra: Algebra,
-    /// What is done in each round.
+    /// Function of each iteration.
     pub function: Function,
-    /// How many points of a row must be near the origin, the first included.
+    /// Number of points of an orbit that must be near the origin, the first included.
     pub max_iteration: usize,
-    /// Where steps are counted, so many to a unit.
+    /// Steps a unit where distances are not proven.
     pub precision: f64,
-    /// The slice is perpendicular to this, of length 1 …
+    /// Normal of the slice, length 1.
     pub slice: Four,
-    /// … and so far from the origin.
+    /// Distance of the slice from the origin.
     pub distance: f64,
 }
 
-/// Is told between which two numbers a ray crosses the surface, and what finds the place; true ends the search.
+/// Called with an interval that contains a crossing, and a function that refines it; returns true to stop.
 type Found<'a> = &'a mut dyn FnMut([f64; 2], &dyn Fn() -> f64) -> bool;
 
 impl JuliaFractal {
-    /// That of h² + c in quaternions.
+    /// The fractal of h² + c in quaternions.
     pub fn new(parameter: Four) -> Self {
         Self {
             parameter,
@@ -82,13 +82,13 @@ impl JuliaFractal {
         match (self.algebra, self.function) {
             (Algebra::Quaternion, Function::Cube) => Rule::Cube,
             (Algebra::Quaternion, _) => Rule::Square,
-            // (POV-Ray 3.7 squares here, too.)
+            // quirk: hypercomplex_cube
             (Algebra::Hypercomplex, Function::Cube) => Rule::Pair(Function::Sqr),
             (Algebra::Hypercomplex, function) => Rule::Pair(function),
         }
     }
 
-    /// Beyond it is outside: 1 + |c| for quaternions, 4 for others (measured on POV-Ray 3.7).
+    /// Radius beyond which an orbit has escaped: 1 + |c| for quaternions, 4 for others (quirk: `julia_escape_radius`).
     fn radius(&self) -> f64 {
         match self.algebra {
             Algebra::Quaternion => 1.0 + self.parameter.iter().map(|x| x * x).sum::<f64>().sqrt(),
@@ -96,39 +96,40 @@ impl JuliaFractal {
         }
     }
 
-    /// How far it reaches from the origin, in four dimensions.
+    /// Radius of a ball that contains the fractal, in four dimensions.
     fn ball(&self) -> f64 {
         let radius = self.radius();
         let ball = self.rule().ball(self.parameter, radius, self.rounds());
-        // A trifle more, since all of the ball is filled where c is 0. What ends at `radius` is no surface of functions of pairs.
+        // Slightly more, since the whole ball is inside if c is 0. A surface at the escape radius itself does not count
+        // for pairs.
         let largest = radius * if self.algebra == Algebra::Quaternion { 1.0 + 1e-6 } else { 1.0 - 1e-6 };
         (ball * (1.0 + 1e-6)).min(largest)
     }
 
-    /// How many rounds a point inside must stay.
+    /// Number of iterations that a point inside must stay.
     fn rounds(&self) -> usize {
         self.max_iteration.saturating_sub(1).min(MOST_ROUNDS)
     }
 
-    /// The point of the slice above one of three dimensions.
+    /// Maps a point of three dimensions to the slice.
     fn lifted(&self, p: DVec3) -> Four {
         let [x, y, z, w] = self.slice;
         [p.x, p.y, p.z, (self.distance - x * p.x - y * p.y - z * p.z) / w]
     }
 
-    /// The point of the slice, and what is added in each round.
+    /// Returns the start of an orbit and the constant.
     fn start(&self, p: DVec3) -> [Four; 2] {
         [self.lifted(p), self.parameter]
     }
 
-    /// Is it inside, and how far around it do all points share that?
+    /// Returns true if the point is inside, and a radius around it within which all points share that.
     fn look(&self, p: DVec3, radius: f64, trail: &mut Trail) -> (bool, f64) {
         let (inside, clearance) = self.rule().look(self.start(p), radius, self.rounds(), trail);
-        // (The slice may be steep: its points are further apart than those that are seen.)
+        // (In a steep slice, points are farther apart than their projections.)
         (inside, clearance * self.slice[3].abs())
     }
 
-    /// Below 0 inside, and 1 at most.
+    /// Returns a value below 0 inside, and at most 1.
     fn value(&self, p: DVec3, exit: f64) -> f64 {
         1.0 - exit / self.rule().reach(self.start(p), self.rounds())
     }
@@ -143,16 +144,16 @@ impl JuliaFractal {
         stays
     }
 
-    /// From where to where a line, counted by its length from the place nearest to the origin, is in the ball that holds all.
+    /// Returns the interval of a line within the ball; positions are distances from the point nearest to the origin.
     fn stretch(&self, o: DVec3, from: f64, to: f64) -> Option<(f64, f64)> {
         let ball = self.ball();
         let half = (ball * ball - o.length_squared()).sqrt();
-        // (Not that of a negative number, either.)
+        // (The square root of a negative number is excluded.)
         let (from, to) = (from.max(-half), to.min(half));
         (half > 0.0 && half.is_finite() && from < to).then_some((from, to))
     }
 
-    /// Tells each stretch in which a ray goes in or out, ascending, with what it takes to find the place; true ends the search.
+    /// Calls `found` with each interval in which a ray crosses the surface, ascending, until it returns true.
     fn search(&self, ray: &Ray, range: Range, found: Found) {
         if self.rounds() == 0 {
             return;
@@ -167,13 +168,13 @@ impl JuliaFractal {
         let (radius, mut trail) = (self.radius(), Trail::new());
         let at = |s: f64| o + v * s;
         let t = |s: f64| (s + middle) / length;
-        // (In a huge ball, not too many.)
+        // (Limit the number of steps in a huge ball.)
         let shortest = (1.0 / self.precision).max(2e-5 * radius);
         let (mut s, (mut inside, mut alike)) = (from, self.look(at(from), radius, &mut trail));
         while s < to {
             let mut next = (s + alike + shortest.max(AHEAD * alike)).min(to);
             let mut there = self.look(at(next), radius, &mut trail);
-            // Both places tell of all between them, but for a short piece.
+            // Both points decide for all between them, except for a short piece.
             while next - s - alike - there.1 > 1.001 * shortest {
                 next = (0.5 * (s + alike + next - there.1)).max(s + alike + shortest);
                 there = self.look(at(next), radius, &mut trail);
@@ -189,11 +190,11 @@ impl JuliaFractal {
         }
     }
 
-    /// The round after which h is largest, of those that count.
+    /// Returns the iteration after which h is largest, among those that count.
     fn last_round(&self, p: DVec3) -> usize {
         let (mut k, mut last, mut most) = (0, 0, f64::NEG_INFINITY);
         self.rule().follow(self.start(p), self.rounds(), |squares| {
-            // (What is no number is larger.)
+            // (NaN counts as larger.)
             if mean(squares).total_cmp(&most).is_ge() {
                 (last, most) = (k, mean(squares));
             }
@@ -203,8 +204,8 @@ impl JuliaFractal {
         last
     }
 
-    /// The gradient of |h|² after some rounds, in four dimensions; its fourth number is left out, even where the slice makes it depend on
-    /// the others (measured on POV-Ray 3.7).
+    /// Returns the gradient of |h|² after some iterations; its fourth component is ignored, even if the slice makes it
+    /// depend on the others (quirk: `julia_normal`).
     fn gradient(&self, p: DVec3, rounds: usize) -> DVec3 {
         let rule = self.rule();
         let mut h = self.lifted(p);
@@ -251,7 +252,7 @@ impl Readable for JuliaFractal {
         word("hypercomplex", ValueKind::Nothing, "", "calculates with pairs of complex numbers")
             .sets(|j, _| set(&mut j.algebra, Ok(Algebra::Hypercomplex))),
         word("max_iteration", ValueKind::Float, "20", "how many points of a row must stay near").sets(|j, r| {
-            // (A cast stops at 0 and at the largest number.)
+            // (The cast saturates at 0 and at the largest number.)
             set(&mut j.max_iteration, r.float().map(|n| n as usize))
         }),
         word("precision", ValueKind::Float, "20", "more finds smaller things and takes longer")
@@ -302,7 +303,7 @@ impl Readable for JuliaFractal {
     }
 }
 
-/// Four numbers; one stands for all, and zeros for those that miss.
+/// Reads four numbers; a single number stands for all, and missing ones are 0.
 fn read_four(r: &mut dyn Reader) -> Result<Four> {
     let (value, span) = r.value()?;
     let four = match value {
@@ -377,8 +378,8 @@ impl Kernel for JuliaFractal {
         p.length() <= self.radius() && self.holds(p)
     }
 
-    /// The direction in which h grows fastest after the last round; so in POV-Ray 3.7, but for functions other than `sqr` and `cube`,
-    /// where its directions do not belong to the surface. There it is the round that leads out.
+    /// Direction of the steepest growth of h after the last iteration (quirk: `julia_normal`). POV-Ray's normals of
+    /// functions other than `sqr` and `cube` do not belong to the surface; there the iteration that escapes is used.
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
         let rounds = if self.rule().is_proved() { self.rounds() + 1 } else { self.last_round(p) };
         let n = self.gradient(p, rounds);
@@ -386,7 +387,7 @@ impl Kernel for JuliaFractal {
         if n.is_finite() && n != DVec3::ZERO { n } else { DVec3::Y }
     }
 
-    /// POV-Ray has no mapping for it.
+    /// POV-Ray has no mapping for this shape.
     fn has_uv_mapping(&self) -> bool {
         false
     }
@@ -397,7 +398,7 @@ mod tests {
     use super::*;
     use crate::shape::testing::{all, read};
 
-    /// `trace()` of POV-Ray 3.7 from (-5, y, z) along x: where first, and the normal.
+    /// POV-Ray's `trace()` from (-5, y, z) along x: first hit and normal.
     fn traced(text: &str, y: f64, z: f64, x: f64, normal: [f64; 3]) {
         let fractal = read::<JuliaFractal>(text).0.unwrap();
         let ray = Ray::new(DVec3::new(-5.0, y, z), DVec3::X);

@@ -1,7 +1,7 @@
-//! Where a point of four dimensions goes, round by round: as a quaternion, or as a pair of complex numbers.
+//! Orbits of four-dimensional points: as a quaternion, or as a pair of complex numbers.
 //!
-//! A hypercomplex number x + iy + jz + kw is a pair of complex ones, (x + w) + i(y - z) and (x - w) + i(y + z): sums, products and
-//! functions are those of both, and its square is half the sum of theirs.
+//! A hypercomplex number x + iy + jz + kw is a pair of complex numbers, (x + w) + i(y - z) and (x - w) + i(y + z):
+//! sums, products and functions apply to both, and its squared length is half the sum of theirs.
 
 use super::function::Function;
 use crate::math::{Complex, fp};
@@ -9,24 +9,24 @@ use smallvec::SmallVec;
 use std::array::from_fn;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
-/// After so many rounds back, the ball that holds all hardly shrinks.
+/// Number of iterations back after which the enclosing ball hardly shrinks.
 const BALL_ROUNDS: usize = 6;
 
 /// x + iy + jz + kw.
 pub type Four = [f64; 4];
 
-/// The rounds that may be taken from a point.
+/// Iteration rule.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rule {
     /// h² of a quaternion.
     Square,
     /// h³ of a quaternion.
     Cube,
-    /// Of each number of a pair.
+    /// A function of each number of a pair.
     Pair(Function),
 }
 
-/// Two squared lengths for each round: of both numbers of the pair, or twice that of the quaternion.
+/// Two squared lengths for each iteration: of both numbers of the pair, or twice that of the quaternion.
 pub type Trail = SmallVec<[[f64; 2]; 24]>;
 
 /// Hamilton's product.
@@ -59,7 +59,7 @@ pub fn pair([x, y, z, w]: Four) -> [Complex; 2] {
 }
 
 impl Rule {
-    /// The next round and, of each of three directions, where it turns.
+    /// Returns the next point of the orbit, and the images of three directions.
     pub fn moved(self, h: Four, c: Four, turns: [Four; 3]) -> (Four, [Four; 3]) {
         let twice = |d: Four| sum(product(h, d), product(d, h));
         match self {
@@ -82,7 +82,7 @@ impl Rule {
         }
     }
 
-    /// Goes `count` rounds or fewer. `visit` gets the squared lengths from h₀ on, and says whether to go on.
+    /// Iterates at most `count` times. `visit` receives the squared lengths from h₀ on, and returns false to stop.
     #[inline]
     pub fn follow(self, [h, c]: [Four; 2], count: usize, visit: impl FnMut([f64; 2]) -> bool) {
         match self {
@@ -103,8 +103,8 @@ impl Rule {
         }
     }
 
-    /// Does h never go further than `radius` in so many rounds, and how far around do all points share that? That is 0 where it is
-    /// not known.
+    /// Returns true if the orbit stays within `radius`, and a radius around the start within which all points share
+    /// that; the radius is 0 where nothing is proven.
     #[inline]
     pub fn look(self, start: [Four; 2], radius: f64, count: usize, trail: &mut Trail) -> (bool, f64) {
         trail.clear();
@@ -112,16 +112,16 @@ impl Rule {
         let mut stays = true;
         self.follow(start, count, |squares| {
             trail.push(squares);
-            // A round behind the first that is too far shows better how far around that is so.
+            // One iteration after the escape gives a better radius.
             let goes_on = stays && (proved || mean(squares) <= exit);
-            // (What is no number has gone, too.)
+            // (NaN has escaped too.)
             stays &= mean(squares) <= exit;
             goes_on && squares.iter().all(|x| x.is_finite())
         });
         (stays, if proved { self.clearance(trail, stays, radius) } else { 0.0 })
     }
 
-    /// How far it goes in so many rounds: the largest square, infinite for what is no number.
+    /// Returns the maximum squared length of the orbit; infinite for NaN.
     pub fn reach(self, start: [Four; 2], count: usize) -> f64 {
         let mut most = 0.0;
         self.follow(start, count, |squares| {
@@ -132,9 +132,10 @@ impl Rule {
         if most.is_nan() { f64::INFINITY } else { most }
     }
 
-    /// All that never goes further than `radius` in so many rounds lies no further than this from the origin.
+    /// Returns the radius of a ball that contains every orbit which stays within `radius`.
     ///
-    /// |h² + c| ≥ |h|² - |c|: so what is at r at most after a round was at √(r + |c|) at most, and so for cubes.
+    /// |h² + c| ≥ |h|² - |c|: a point that is at most r after an iteration was at most √(r + |c|) before it, and
+    /// likewise for cubes.
     pub fn ball(self, c: Four, radius: f64, count: usize) -> f64 {
         let steps = 0..count.min(BALL_ROUNDS);
         let size = length_squared(c).sqrt();
@@ -152,14 +153,16 @@ impl Rule {
         }
     }
 
-    /// Is it known how far neighbours stray?
+    /// True if the divergence of neighbouring orbits has a proven bound.
     pub fn is_proved(self) -> bool {
         matches!(self, Rule::Square | Rule::Cube | Rule::Pair(Function::Sqr))
     }
 
-    /// How far a number may stray in a round, so that it strays by no more in the next one than it may there.
+    /// Returns the maximum deviation of a number before an iteration, such that its deviation after it is at most
+    /// `next`.
     ///
-    /// |(h + d)² - h²| ≤ (|h| + |d|)² - |h|², and so for cubes; both are solved for |d|, or by less where it costs less.
+    /// |(h + d)² - h²| ≤ (|h| + |d|)² - |h|², and likewise for cubes; both are solved for |d|, or bounded where that is
+    /// cheaper.
     fn before(self, square: f64, next: Stray) -> Stray {
         let (length, Stray { least: e, most }) = (square.sqrt(), next);
         match self {
@@ -178,22 +181,22 @@ impl Rule {
         }
     }
 
-    /// A radius within which all points share the fate that the trail tells: that h goes further than `radius` in one of its last
-    /// rounds, or in none.
+    /// Returns a radius within which all points share the result of an orbit: escape in one of its last iterations, or
+    /// none.
     fn clearance(self, trail: &[[f64; 2]], stays: bool, radius: f64) -> f64 {
         let within = match (self, stays) {
-            // Both numbers of a pair stray more than the point by √2.
+            // Both numbers of a pair deviate by √2 times the point's deviation.
             (Rule::Pair(_), true) => self.staying::<2>(trail, radius) * FRAC_1_SQRT_2,
             (Rule::Pair(_), false) => self.leaving::<2>(trail, radius) * FRAC_1_SQRT_2,
-            // (Both lengths of a quaternion are one.)
+            // (Both lengths of a quaternion are equal.)
             (_, true) => self.staying::<1>(trail, radius),
             (_, false) => self.leaving::<1>(trail, radius),
         };
-        // (Rounding must not make it larger.)
+        // (Rounding must not increase the radius.)
         within * (1.0 - 1e-9)
     }
 
-    /// How far N numbers may stray before the first round so that they are near in all of them.
+    /// Maximum deviation of N numbers before the first iteration, such that they stay in all of them.
     fn staying<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
         let mut e = [Stray::exactly(f64::INFINITY); N];
         for squares in trail.iter().rev() {
@@ -203,7 +206,7 @@ impl Rule {
         least(&e)
     }
 
-    /// The same for numbers that are far in one of the last rounds.
+    /// The same for numbers that escape in one of the last iterations.
     fn leaving<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
         let mut e = [Stray::exactly(0.0); N];
         for squares in trail.iter().rev() {
@@ -217,8 +220,7 @@ impl Rule {
     }
 }
 
-/// How far a number may stray: by `least` at least, and that is no more than `most`. (Each follows from its own before, so that a
-/// processor need not wait for one to begin with the other.)
+/// Bounds of a deviation. Each is computed from its own predecessor, so that a processor can compute both in parallel.
 #[derive(Clone, Copy)]
 struct Stray {
     least: f64,
@@ -239,7 +241,7 @@ fn least<const N: usize>(e: &[Stray; N]) -> f64 {
     e.iter().fold(f64::INFINITY, |least, stray| least.min(stray.least))
 }
 
-/// The squared length of the point from those of its pair.
+/// Squared length of a point from those of its pair.
 pub fn mean([a, b]: [f64; 2]) -> f64 {
     0.5 * (a + b)
 }

@@ -1,4 +1,4 @@
-//! `mesh { file "NAME" … }`: triangles that another program wrote. An addition of durer's.
+//! `mesh { file "NAME" … }`: triangles from a file of another program. An addition of durer.
 
 use super::ordered::Ordered;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -16,7 +16,7 @@ pub const FILE: WordSpec = word(
     "the triangles of a file that another program wrote: ply, obj, stl, gltf or glb, in place of triangles that are written out",
 );
 
-/// What a file became, for all meshes that name it.
+/// The contents of a file, shared by all meshes that name it.
 #[derive(Debug, PartialEq)]
 pub struct FileMesh {
     pub triangles: Arc<Ordered>,
@@ -30,7 +30,7 @@ impl Thing for FileMesh {
 }
 
 impl FileMesh {
-    /// Reads the file's name, and the file, unless it has been read before.
+    /// Reads the file's name, and the file unless it was read before.
     pub fn read(r: &mut dyn Reader) -> Result<Arc<Self>> {
         let at = r.span();
         let thing = r.mesh_file(|file: MeshFile, pictures| {
@@ -43,7 +43,7 @@ impl FileMesh {
         }
     }
 
-    /// The object's numbers of the file's textures.
+    /// Returns the object's numbers of the file's textures.
     pub fn texture_weights(&self, paints: &mut dyn Paints, r: &mut dyn Reader) -> Result<Vec<u32>> {
         self.materials.iter().map(|(material, picture)| paints.of_file(material, picture.as_ref(), r)).collect()
     }

@@ -1,6 +1,6 @@
-//! Triangles by the million: `mesh` and `mesh2`, which differ only in how they are written, and files that other programs wrote.
+//! `mesh`, `mesh2` and files of other programs: triangles by the million.
 //!
-//! All triangles of one mesh are one shape with a hierarchy of its own, which its copies share. A ray never slips through between two
+//! All triangles of one mesh are one shape with its own hierarchy, which copies share. No ray passes between two
 //! triangles that share a side.
 
 mod face;
@@ -18,15 +18,16 @@ use serde::Serialize;
 use smallvec::smallvec;
 use std::sync::Arc;
 
-/// Triangles, and where their inside is.
+/// Triangles, with a direction that defines their inside.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct TriangleMesh {
-    /// Shared by all that show the same file.
+    /// Triangles; shared by all meshes of one file.
     #[serde(flatten)]
     triangles: Arc<Ordered>,
-    /// A line in this direction crosses the surface an odd number of times from points inside; without it nothing is inside.
+    /// Direction of a line that crosses the surface an odd number of times from points inside; without it nothing is
+    /// inside.
     inside_vector: Option<DVec3>,
-    /// The object's numbers of the textures that the triangles show; empty if they are the same.
+    /// The object's numbers of the embedded textures; empty for a mesh without any.
     #[serde(skip)]
     texture_weights: Vec<u32>,
 }
@@ -50,11 +51,11 @@ impl TriangleMesh {
     }
 }
 
-/// In the first number of a face's textures: the three are one, but were given for each corner, so that each corner's share is looked at
-/// by itself where small ones are not seen (measured on POV-Ray 3.7).
+/// Flag in the first number of a face's textures: the three textures are equal but were given for each corner, so that
+/// each corner's share is compared with `adc_bailout` by itself (quirk: `embedded_shares_below_adc_bailout`).
 const EACH_CORNER: u32 = 1 << 31;
 
-/// A shape that is a mesh under another name.
+/// Implements [`super::Kernel`] for a shape that wraps a mesh.
 macro_rules! mesh_kernel {
     ($name:ident) => {
         impl $crate::shape::Kernel for $name {

@@ -1,4 +1,4 @@
-//! Triangles in the order of a hierarchy, and how rays meet them.
+//! Triangles in the order of a hierarchy, and their intersection with rays.
 
 use super::Face;
 use crate::math::bvh;
@@ -8,23 +8,23 @@ use crate::shape::{Hit, Hits, Triangle};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// Triangles, of which none is added any more.
+/// A complete list of triangles.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Ordered {
-    /// In the hierarchy's order.
+    /// Triangles in the hierarchy's order.
     #[serde(flatten)]
     lists: Triangles,
     #[serde(skip)]
     bvh: bvh::Triangles,
     #[serde(skip)]
     bounds: Option<Aabb>,
-    /// Where each triangle is in that order, in the order in which they were written.
+    /// Position of each triangle in that order, in the order written.
     #[serde(skip)]
     written: Vec<u32>,
 }
 
 impl Ordered {
-    /// Puts the triangles in order for rays; those without area, and those that lie beyond all measure, are left out.
+    /// Builds the hierarchy; leaves out triangles without area and those beyond the range of numbers.
     pub fn new(lists: Triangles) -> Self {
         let mut all = Self { lists, ..Self::default() };
         let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| all.is_solid(i as usize)).collect();
@@ -46,7 +46,7 @@ impl Ordered {
         all
     }
 
-    /// Has it no triangles?
+    /// True without triangles.
     pub fn is_empty(&self) -> bool {
         self.lists.corners.is_empty()
     }
@@ -68,7 +68,7 @@ impl Ordered {
         Aabb::from_points(self.face(face))
     }
 
-    /// All of them in the order in which they were written.
+    /// Returns all triangles in the order written.
     pub fn faces(&self) -> Vec<Face> {
         let face = |&i: &u32| {
             let (i, lists) = (i as usize, &self.lists);
@@ -84,27 +84,27 @@ impl Ordered {
         self.written.iter().map(face).collect()
     }
 
-    /// The numbers that a list has for a triangle.
+    /// The three indices of a triangle in a list.
     fn of(list: &[[u32; 3]], face: usize) -> Option<[u32; 3]> {
         list.get(face).copied().filter(|numbers| *numbers != NONE)
     }
 
-    /// The smallest box around it.
+    /// Bounding box.
     pub fn bounds(&self) -> Aabb {
         self.bounds.unwrap_or(Aabb::EMPTY)
     }
 
-    /// The smallest box around its image under M.
+    /// Bounding box under the transform M.
     pub fn bounds_under(&self, m: &Transform) -> Aabb {
         Aabb::from_points(self.points().map(|p| m.point(p)))
     }
 
-    /// Hands what the ray meets in the range to `visit`, which says how far hits count from now on.
+    /// Calls `visit` with each hit in the range; `visit` returns the distance up to which hits are still of interest.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
         self.bvh.meet(ray, range, |part, t, uv| visit(Hit { t, part, uv }));
     }
 
-    /// All hits in the range.
+    /// Appends all hits in the range.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.meet(ray, range, |hit| {
             out.push(hit);
@@ -112,7 +112,7 @@ impl Ordered {
         });
     }
 
-    /// The nearest one.
+    /// The closest hit.
     pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut best = None;
         self.meet(ray, range, |hit| {
@@ -122,7 +122,7 @@ impl Ordered {
         best
     }
 
-    /// Is there one?
+    /// True if there is any hit.
     pub fn any(&self, ray: &Ray, range: Range) -> bool {
         let mut found = false;
         self.meet(ray, range, |_| {
@@ -132,7 +132,7 @@ impl Ordered {
         found
     }
 
-    /// Does the ray meet an odd number of triangles?
+    /// True if the ray hits an odd number of triangles.
     pub fn is_crossed_oddly(&self, ray: &Ray) -> bool {
         let mut odd = false;
         if self.bounds().contains(ray.origin) {
@@ -144,7 +144,7 @@ impl Ordered {
         odd
     }
 
-    /// Of any length.
+    /// Normal of any length.
     pub fn normal(&self, hit: &Hit) -> DVec3 {
         let face = hit.part as usize;
         let [a, b, c] = self.face(face);
@@ -154,7 +154,7 @@ impl Ordered {
         if sum == DVec3::ZERO { flat } else { sum }
     }
 
-    /// What lies at a hit between the values at the corners.
+    /// Interpolates values of the corners at a hit.
     fn between<T>(&self, hit: &Hit, [a, b, c]: [T; 3]) -> T
     where
         T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
@@ -162,7 +162,7 @@ impl Ordered {
         a * (1.0 - hit.uv.x - hit.uv.y) + b * hit.uv.x + c * hit.uv.y
     }
 
-    /// Where nothing is said, (0, 0) (measured on POV-Ray 3.7).
+    /// Surface coordinates; (0, 0) for a triangle without any (quirk: `mesh_without_uv`).
     pub fn uv(&self, hit: &Hit) -> DVec2 {
         let mapped = Self::of(&self.lists.mapped, hit.part as usize);
         mapped.map_or(DVec2::ZERO, |numbers| self.between(hit, numbers.map(|i| self.lists.uvs[i as usize])))
@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn watertight() {
         let mesh = grid(8);
-        // Along the grid's own lines and corners, where rays would slip through.
+        // Rays along the grid's own lines and corners, where they could pass between triangles.
         for k in 0..=160 {
             for l in 0..=160 {
                 let p = DVec3::new(f64::from(k) / 160.0, f64::from(l) / 160.0, 5.0);

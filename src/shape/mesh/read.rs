@@ -24,7 +24,7 @@ use rustc_hash::FxHashMap;
 use serde::Serialize;
 use std::sync::Arc;
 
-/// More are not believed before they are there.
+/// Maximum number of elements for which memory is reserved before they are read.
 const BELIEVED: usize = 1 << 16;
 
 const INSIDE_VECTOR: WordSpec = word(
@@ -38,33 +38,33 @@ const INSIDE_VECTOR: WordSpec = word(
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Mesh(pub TriangleMesh, #[serde(skip)] Draft);
 
-/// What has been read so far.
+/// Triangles read so far.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Draft {
     triangles: Triangles,
-    /// `file`, which leaves no room for triangles.
+    /// `file`, which excludes triangles.
     file: Option<Arc<FileMesh>>,
     known: Known,
 }
 
-/// Corners that were there before, by their bits.
+/// Indices of known corners, by their bits.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Known {
     vertices: FxHashMap<[u32; 3], u32>,
     normals: FxHashMap<[u32; 3], u32>,
 }
 
-/// Triangles by numbers into lists.
+/// Triangles by indices into lists.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Mesh2(pub TriangleMesh, #[serde(skip)] Lists);
 
-/// What has been read so far of one that is written in lists.
+/// Lists read so far.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Lists {
     triangles: Triangles,
     /// Numbers of the textures in `texture_list`.
     textures: Vec<u32>,
-    /// Where the lists of numbers stand, which are checked at the end.
+    /// Text of the lists of indices, which are checked at the end.
     faces: Option<Span>,
     normals: Option<Span>,
     uvs: Option<Span>,
@@ -146,7 +146,7 @@ fn two_sources(span: Span) -> Fault {
 }
 
 impl Mesh {
-    /// Of triangles that are there already.
+    /// A mesh of existing triangles.
     pub fn of(triangles: Triangles) -> Self {
         Self(TriangleMesh { triangles: Arc::new(Ordered::new(triangles)), ..TriangleMesh::default() }, Draft::default())
     }
@@ -203,7 +203,7 @@ impl Mesh {
     }
 }
 
-/// The number of a point in a list, where it is put if it is new.
+/// Returns the index of a point in a list; appends a new point.
 fn number(known: &mut FxHashMap<[u32; 3], u32>, list: &mut Vec<Vec3>, p: DVec3) -> u32 {
     let p = p.as_vec3();
     *known.entry(p.to_array().map(f32::to_bits)).or_insert_with(|| {
@@ -308,7 +308,7 @@ impl Readable for Mesh2 {
     }
 }
 
-/// How many there are, and so many of them.
+/// Reads a count, and that many elements.
 fn read_list<T>(r: &mut dyn Reader, mut read: impl FnMut(&mut dyn Reader) -> Result<T>) -> Result<Vec<T>> {
     let count = read_count(r)?;
     let mut list = Vec::with_capacity(count.min(BELIEVED));
@@ -327,7 +327,7 @@ fn read_count(r: &mut dyn Reader) -> Result<usize> {
     Ok(count as usize)
 }
 
-/// How many vectors there are, and so many of them.
+/// Reads a count, and that many vectors.
 fn read_vectors<T>(r: &mut dyn Reader, of: impl Fn(DVec3) -> T) -> Result<Vec<T>> {
     let count = read_count(r)?;
     let mut list = Vec::with_capacity(count.min(BELIEVED));
@@ -345,7 +345,7 @@ fn read_vectors<T>(r: &mut dyn Reader, of: impl Fn(DVec3) -> T) -> Result<Vec<T>
     Ok(list)
 }
 
-/// How many triples of numbers there are, and so many of them.
+/// Reads a count, and that many triples of indices.
 fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
     let count = read_count(r)?;
     let mut list = Vec::with_capacity(count.min(BELIEVED));
@@ -358,7 +358,7 @@ fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
     Ok(list)
 }
 
-/// Triples of a long list, up to one that is wrong, which comes next then; returns how many.
+/// Reads triples from a long list of literals, up to the first invalid one; returns their number.
 fn literal_triples(r: &mut dyn Reader, most: usize, list: &mut Vec<[u32; 3]>) -> usize {
     r.literals(3, most, &mut |found| {
         let triple = triple(found);
@@ -375,21 +375,21 @@ fn numbers(found: &[f64], span: Span) -> Result<[u32; 3]> {
     }
 }
 
-/// Three numbers for each triangle.
+/// Three indices for each triangle.
 type Triples = Vec<[u32; 3]>;
 
-/// Three numbers of entries.
+/// Converts three numbers to indices.
 fn triple(found: &[f64]) -> Option<[u32; 3]> {
     let found: [f64; 3] = found.try_into().ok()?;
     found.iter().all(|x| (0.0..f64::from(u32::MAX)).contains(x)).then(|| found.map(|x| x as u32))
 }
 
-/// The corners of each face, and its textures at them, if there are any: one for all, or three.
+/// Reads the corners of each face, and its textures: none, one, or one for each corner.
 fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)> {
     let count = read_count(r)?;
     let mut faces = Vec::with_capacity(count.min(BELIEVED));
     let mut painted: Vec<[u32; 3]> = vec![];
-    // Of the last face.
+    // Number of textures of the last face.
     let mut given = 0;
     while r.next()? == Next::Value {
         match r.value()? {
@@ -400,7 +400,7 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
                 let slot = texture(number, textures, span)?;
                 painted.resize(faces.len(), [0; 3]);
                 if let Some(texture_weights) = painted.last_mut() {
-                    // One is for all corners, until another one comes.
+                    // One texture applies to all corners, until another follows.
                     if given == 0 {
                         *texture_weights = [slot; 3]
                     } else {
@@ -436,7 +436,7 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
     Ok((faces, painted))
 }
 
-/// Textures that were given for each corner, also if they are one.
+/// Marks textures that were given for each corner, even if they are equal.
 fn each([a, b, c]: [u32; 3]) -> [u32; 3] {
     if a == b && b == c { [a | super::EACH_CORNER, b, c] } else { [a, b, c] }
 }
@@ -453,7 +453,7 @@ fn beyond(what: &str, number: f64, list: &str, length: usize, span: Span) -> Dia
     Diagnostic::new(codes::BAD_INDEX, span, message).help("they are counted from 0")
 }
 
-/// An error where a number is beyond its list, or there are not as many triples as triangles.
+/// Returns an error for an index beyond its list, or if the number of triples is not the number of triangles.
 fn check(numbers: &[[u32; 3]], length: usize, faces: usize, (what, list): (&str, &str), span: Span) -> Result<()> {
     if !numbers.is_empty() && numbers.len() != faces {
         let message = format!("these are for {} triangles, and there are {faces}", numbers.len());

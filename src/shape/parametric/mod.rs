@@ -23,26 +23,26 @@ use patches::Patches;
 use serde::Serialize;
 use std::sync::{Arc, OnceLock};
 
-/// A sheet.
+/// A parametric surface.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Parametric {
-    /// x, y and z, of u and v.
+    /// x, y and z as functions of u and v.
     pub functions: [Formula; 3],
-    /// Least u and v.
+    /// Minimum u and v.
     pub from: DVec2,
-    /// Largest u and v.
+    /// Maximum u and v.
     pub to: DVec2,
-    /// Where it ends.
+    /// The solid that bounds the surface.
     pub container: Container,
-    /// How small details are that may be lost.
+    /// Size of details that can be missed.
     pub accuracy: f64,
-    /// The largest derivative, where nothing is known of a function.
+    /// Maximum derivative, for functions without bounds.
     pub max_gradient: f64,
     #[serde(skip)]
     patches: Lazy,
 }
 
-/// Made when the first ray asks.
+/// Built when the first ray arrives.
 #[derive(Clone, Debug, Default)]
 struct Lazy(Arc<OnceLock<Patches>>);
 
@@ -53,7 +53,7 @@ impl PartialEq for Lazy {
 }
 
 impl Parametric {
-    /// Between two corners of the (u, v) plane, with the usual values of the rest.
+    /// A surface between two corners of the (u, v) plane, with defaults.
     pub fn new(functions: [Formula; 3], a: DVec2, b: DVec2) -> Self {
         Self {
             functions,
@@ -66,7 +66,7 @@ impl Parametric {
         }
     }
 
-    /// The point of (u, v).
+    /// The point at (u, v).
     fn point(&self, uv: DVec2) -> DVec3 {
         let p = uv.extend(0.0);
         DVec3::from_array([0, 1, 2].map(|i| self.functions[i].at(p)))
@@ -82,7 +82,7 @@ impl Parametric {
         if min >= max {
             return;
         }
-        // Counted from where it enters, so that a far eye loses nothing.
+        // Start where the ray enters the container, so that a distant eye costs no digits.
         let near = Ray::new(ray.at(enter), ray.dir);
         let within = Range { min: min - enter, max: max - enter };
         self.patches().meet(self, &near, within, nearest, &mut |t, uv| {
@@ -174,14 +174,14 @@ impl Kernel for Parametric {
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.search(ray, range, false, &mut |hit| {
-            // A place on the edge of two pieces is on both.
+            // A point on the common edge of two patches is found twice.
             if out.iter().all(|other| (other.t - hit.t).abs() > 1e-9 * (1.0 + hit.t.abs())) {
                 out.push(hit);
             }
         });
     }
 
-    /// The first one in front of the ray's origin, and those behind it.
+    /// The first hit in front of the ray's origin, and those behind it (quirk: `parametric_in_csg`).
     fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.hits(ray, Range { max: range.max.min(tolerance::SURFACE), ..range }, out);
         let first = self.closest(ray, Range { min: tolerance::SURFACE, max: range.max });
@@ -202,7 +202,7 @@ impl Kernel for Parametric {
         true
     }
 
-    /// ∂p/∂u × ∂p/∂v (measured on POV-Ray 3.7), by differences.
+    /// ∂p/∂u × ∂p/∂v, by differences (quirk: `parametric_normal`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         let step = (self.to - self.from) * 1e-6;
         let along = |step: DVec2| {

@@ -1,5 +1,6 @@
-//! A parametric surface in pieces, each with bounds of its points and of how they move with u and v; and where a ray meets a piece (after
-//! Toth, "On Ray Tracing Parametric Surfaces", 1985: Newton's method where interval arithmetic says that it converges, and halves elsewhere).
+//! A parametric surface in patches with bounds of their points and derivatives, and the intersection of a ray with a
+//! patch (after Toth, "On Ray Tracing Parametric Surfaces", 1985: Newton's method where interval arithmetic proves
+//! convergence, subdivision elsewhere).
 
 use super::Parametric;
 use crate::function::Slope;
@@ -8,27 +9,28 @@ use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
-/// Pieces are halved until each is so small a part of the whole,
+/// Patches are subdivided until each is this part of the whole,
 const PARTS: f64 = 24.0;
-/// or has been halved so often.
+/// or has been subdivided so often.
 const DEPTH: u32 = 13;
-/// And so often more where a ray comes.
+/// Additional subdivisions where a ray hits.
 const MORE: u32 = 24;
 
-/// Pieces, and a hierarchy of their boxes.
+/// Patches with a hierarchy of their boxes.
 #[derive(Debug)]
 pub struct Patches {
     bvh: Bvh,
     patches: Vec<Patch>,
 }
 
-/// Where points lie while u and v lie between two corners.
+/// Bounds of the points for u and v between two corners.
 #[derive(Clone, Copy, Debug)]
 struct Patch {
     from: DVec2,
     to: DVec2,
     bounds: Aabb,
-    /// The point in the middle, its derivatives by u and v, and how far these are from that anywhere, in each coordinate.
+    /// Point and derivatives at the centre, and the maximum deviation of the derivatives from those, in each
+    /// coordinate.
     middle: DVec3,
     by: [DVec3; 2],
     off: [DVec3; 2],
@@ -53,7 +55,7 @@ impl Patch {
                 off[side][axis] = 0.5 * (hi - lo);
                 reach += half[side] * lo.abs().max(hi.abs());
             }
-            // By the values themselves, and by how far the middle's value can change.
+            // Intersect the bounds by the values and by the centre's value with its maximum change.
             bounds.min[axis] = slope.value.lo.max(middle[axis] - reach);
             bounds.max[axis] = slope.value.hi.min(middle[axis] + reach);
         }
@@ -61,7 +63,7 @@ impl Patch {
         Self { from, to, bounds: bounds.grown(size), middle, by, off }
     }
 
-    /// Both halves, along the side on which points lie farther apart.
+    /// Halves the patch along the side on which points are farther apart.
     fn halves(&self, of: &Parametric, room: &mut Vec<Slope>) -> [Self; 2] {
         let size = self.to - self.from;
         let length = |side: usize| (self.by[side].abs() + self.off[side]).length() * size[side];
@@ -73,22 +75,22 @@ impl Patch {
     }
 }
 
-/// A line through the origin of a frame in which it has but one coordinate.
+/// A line, with two directions perpendicular to it.
 struct Line<'a> {
     of: &'a Parametric,
     ray: &'a Ray,
-    /// Two directions across the line.
+    /// Two directions perpendicular to the line.
     across: [DVec3; 2],
     range: Range,
-    /// How far hits still count.
+    /// Distance up to which hits still count.
     far: Cell<f64>,
-    /// Whether they count no farther than the nearest so far.
+    /// True if only the nearest hit counts.
     nearest: bool,
-    /// Pieces smaller than this are not halved.
+    /// Size of patches that are not subdivided.
     smallest: f64,
 }
 
-/// What is known of a line and a piece.
+/// Result of the convergence test for a line and a patch.
 enum Verdict {
     Misses,
     Meets(DVec2),
@@ -96,7 +98,7 @@ enum Verdict {
 }
 
 impl Patches {
-    /// Those of a surface in its container.
+    /// The patches of a surface within its container.
     pub fn new(of: &Parametric) -> Self {
         let mut room = vec![];
         let container = of.container.bounds();
@@ -120,7 +122,7 @@ impl Patches {
         Self { bvh, patches }
     }
 
-    /// Tells where a ray meets the surface, in any order; or, for the `nearest`, each that is nearer than all before.
+    /// Calls `found` with the hits of a ray in any order; with `nearest`, each that is nearer than all before.
     pub fn meet(&self, of: &Parametric, ray: &Ray, range: Range, nearest: bool, found: &mut dyn FnMut(f64, DVec2)) {
         let first = ray.dir.normalize_or_zero().any_orthogonal_vector().normalize_or_zero();
         let across = [first, ray.dir.cross(first).normalize_or_zero()];
@@ -135,7 +137,7 @@ impl Patches {
 }
 
 impl Patch {
-    /// How much the derivatives change in it, as a part of themselves.
+    /// Relative change of the derivatives within the patch.
     fn bends(&self) -> f64 {
         let part = |side: usize| self.off[side].length() / self.by[side].length();
         part(0).max(part(1))
@@ -171,17 +173,18 @@ impl Line<'_> {
         }
     }
 
-    /// Where a point lies beside the line.
+    /// Coordinates of a point perpendicular to the line.
     fn beside(&self, p: DVec3) -> DVec2 {
         DVec2::new(self.across[0].dot(p), self.across[1].dot(p))
     }
 
-    /// With Y the inverse of the derivatives in the middle, x - Y·F(x) comes nearer to a root by the factor by which Y·F' differs from 1.
+    /// Tests convergence: with Y the inverse of the derivatives at the centre, x - Y·F(x) reduces the distance from a
+    /// root by the factor by which Y·F' differs from 1.
     fn judge(&self, patch: &Patch) -> Verdict {
         let (a, b) = (self.beside(patch.by[0]), self.beside(patch.by[1]));
         let det = a.perp_dot(b);
         let half = (patch.to - patch.from) * 0.5;
-        // Rows of Y, in units of the piece's half sides.
+        // Rows of Y, in units of the patch's half sides.
         let y0 = DVec2::new(b.y, -b.x) / (det * half.x);
         let y1 = DVec2::new(-a.y, a.x) / (det * half.y);
         let spread = |i: usize| {
@@ -196,7 +199,7 @@ impl Line<'_> {
         }
         let miss = self.beside(patch.middle - self.ray.origin);
         let step = DVec2::new(y0.dot(miss), y1.dot(miss));
-        // A root x of the piece is -step + (what differs): nearer to -step than q.
+        // A root x of the patch is within q of -step.
         if !(step.x.abs() <= 1.0 + q0 + 1e-9 && step.y.abs() <= 1.0 + q1 + 1e-9) {
             return Verdict::Misses;
         }
@@ -216,7 +219,7 @@ impl Line<'_> {
             let moved = ((next - uv) / half).abs().max_element();
             uv = next;
             if moved < 1e-12 {
-                // At an edge where it would go on, there is no root here.
+                // At an edge beyond which the iteration would go, there is no root in this patch.
                 let rest = (step / half).abs().max_element();
                 return if rest < 1e-7 { Verdict::Meets(uv.clamp(patch.from, patch.to)) } else { Verdict::Misses };
             }

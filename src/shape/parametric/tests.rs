@@ -20,7 +20,7 @@ fn product(graph: &mut Graph, names: [&str; 2], of: [Id; 2]) -> Id {
     graph.add(Operation::Binary(Mul, a, b))
 }
 
-/// A ball of radius 1.
+/// A sphere of radius 1.
 fn ball() -> Parametric {
     let x = formula(|g, u, v| product(g, ["sin", "cos"], [u, v]));
     let y = formula(|g, u, v| product(g, ["sin", "sin"], [u, v]));
@@ -40,7 +40,7 @@ fn a_ball_has_the_hits_of_a_sphere() {
         let at = |m: usize| (k * m % 997) as f64 / 498.5 - 1.0;
         let ray = Ray::new(DVec3::new(at(13), at(29), at(5)) * 3.0, DVec3::new(at(7), at(11), at(3)));
         let (found, want) = (all(&shape, &ray), all(&sphere, &ray));
-        // (Grazed, it may be missed, or met once too often.)
+        // (A grazing ray may miss it, or hit once too often.)
         if want.len() == 2 && (want[1].t - want[0].t) * ray.dir.length() > 0.05 {
             met += 1;
             assert_eq!(found.len(), 2, "{ray:?} {found:?} {want:?}");
@@ -61,7 +61,7 @@ fn a_ball_has_the_hits_of_a_sphere() {
 
 #[test]
 fn it_ends_with_its_parameters_and_its_container() {
-    // A plane over a square, bent up a little.
+    // A slightly curved sheet over a square.
     let square = |size: f64| {
         let (x, z) = (formula(|_, u, _| u), formula(|_, _, v| v));
         let y = formula(|g, u, v| {
@@ -73,7 +73,7 @@ fn it_ends_with_its_parameters_and_its_container() {
     let down = |x: f64, z: f64, shape: &Parametric| all(shape, &Ray::new(DVec3::new(x, 5.0, z), DVec3::NEG_Y)).len();
     let small = square(0.5);
     assert_eq!([down(0.2, 0.3, &small), down(0.499, -0.499, &small), down(0.501, 0.0, &small)], [1, 1, 0]);
-    // Higher than 1 it leaves its container.
+    // Above 1 it leaves its container.
     let large = square(2.0);
     assert_eq!([down(0.7, 0.7, &large), down(0.75, 0.75, &large)], [1, 0]);
     let hit = small.closest(&Ray::new(DVec3::new(0.2, 5.0, 0.3), DVec3::NEG_Y), Range::FORWARD).unwrap();

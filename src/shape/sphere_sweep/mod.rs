@@ -27,30 +27,30 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// How the balls are joined.
+/// Interpolation between spheres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sweep {
-    /// By straight tubes.
+    /// Straight tubes.
     Linear,
-    /// Near them, by a uniform cubic B-spline.
+    /// A uniform cubic B-spline, which does not touch the spheres.
     BSpline,
-    /// Through them, by two balls and their neighbours.
+    /// A spline through two spheres, by their neighbours.
     Cubic,
 }
 
-/// A swept ball.
+/// A swept sphere.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SphereSweep {
-    /// How the balls are joined.
+    /// Interpolation between spheres.
     pub kind: Sweep,
-    /// Their way, in the order of the hierarchy.
+    /// Pieces of the path, in the order of the hierarchy.
     pub pieces: Vec<Piece>,
     #[serde(skip)]
     bvh: Bvh,
     #[serde(skip)]
     bounds: Aabb,
-    /// What POV-Ray tells.
+    /// POV-Ray's bounding box.
     #[serde(skip)]
     pov_bounds: Aabb,
 }
@@ -75,7 +75,7 @@ impl Sweep {
         if self == Sweep::Linear {
             return balls.windows(2).map(|w| Piece::straight(w[0], w[1])).collect();
         }
-        // Weighted sums of balls, in sixths.
+        // Weighted sums of spheres, in sixths.
         let mixed = |w: &[(DVec3, f64)], by: [f64; 4]| {
             let sum = |(c, r): (DVec3, f64), ((center, radius), by): (&(DVec3, f64), f64)| {
                 (c + *center * by, r + radius * by)
@@ -92,14 +92,14 @@ impl Sweep {
 }
 
 impl SphereSweep {
-    /// The way through or near these balls: centres and radii.
+    /// The sweep of these spheres: centres and radii.
     pub fn new(kind: Sweep, balls: &[(DVec3, f64)]) -> Self {
         let mut pieces = kind.pieces(balls);
         pieces.retain(|piece| bvh::fits(&piece.bounds()));
         let (bvh, order) = Bvh::build(pieces.iter().map(Piece::bounds));
         let pieces: Vec<Piece> = order.into_iter().map(|i| pieces[i as usize].clone()).collect();
         let bounds = pieces.iter().map(Piece::bounds).fold(Aabb::EMPTY, Aabb::union);
-        // (Measured on POV-Ray 3.7, which forgets that a radius may be negative.)
+        // quirk: extent_boxes (a negative radius is not considered)
         let reach = if kind == Sweep::Cubic { 2.0 } else { 1.0 };
         let around =
             |(center, radius): &(DVec3, f64)| Aabb { min: *center - reach * radius, max: *center + reach * radius };
@@ -107,8 +107,8 @@ impl SphereSweep {
         Self { kind, pieces, bvh, bounds, pov_bounds }
     }
 
-    /// What is covered of a ray, ascending and without overlaps. Of a range that begins outside of everything, `first` alone may be
-    /// right, if only that is asked for.
+    /// Returns the covered intervals of a ray, ascending and without overlaps. If the range starts outside of
+    /// everything, with `first` only the first interval is correct.
     fn covers(&self, ray: &Ray, range: Range, first: bool) -> Covers {
         let length = ray.dir.length();
         let line = Line { o: ray.origin, v: ray.dir / length };
@@ -119,7 +119,7 @@ impl SphereSweep {
                 let ends = cover.map(|(s, at)| Hit { t: s / length, part: i as u32, uv: DVec2::new(at, 0.0) });
                 let is_ahead = ends[0].t > range.min;
                 starts_inside |= !is_ahead && ends[1].t > range.min;
-                // What is met first hides what is behind.
+                // The first interval hides what is behind.
                 max = if first && is_ahead { max.min(ends[0].t) } else { max };
                 all.push(ends);
             });
@@ -140,7 +140,7 @@ impl SphereSweep {
     }
 }
 
-/// Stretches of a ray.
+/// Intervals of a ray.
 type Covers = SmallVec<[[Hit; 2]; 4]>;
 
 impl Readable for SphereSweep {
@@ -213,7 +213,7 @@ impl Kernel for SphereSweep {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        // (All of the line, because what is covered before the range may reach into it.)
+        // (The whole line, because an interval before the range can extend into it.)
         let ends = self.covers(ray, Range::ALL, false).into_iter().flatten();
         out.extend(ends.filter(|hit| range.contains(hit.t)));
     }
@@ -231,14 +231,14 @@ impl Kernel for SphereSweep {
         inside
     }
 
-    /// Away from the middle of the ball; towards it where POV-Ray 3.7 has a negative radius.
+    /// Away from the centre of the sphere; towards it for a negative radius (quirk: `sphere_sweep_negative_radius`).
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         let (center, radius) = self.pieces[hit.part as usize].ball(hit.uv.x);
         let n = if radius < 0.0 { center - p } else { p - center };
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
 
-    /// POV-Ray has no mapping for it.
+    /// POV-Ray has no mapping for this shape.
     fn has_uv_mapping(&self) -> bool {
         false
     }
@@ -251,7 +251,7 @@ mod tests {
 
     const BALLS: &str = "5 <-2,0,0> .4 <-1,1,0> .3 <1,1.5,0> .5 <2,0,1> .2 <0,-1,0> .3";
 
-    /// `trace()` of POV-Ray 3.7 along a ray: a coordinate, and the normal.
+    /// POV-Ray's `trace()` along a ray: one coordinate of the hit, and the normal.
     fn traced(text: &str, ray: Ray, want: &[(f64, [f64; 3])]) {
         let sweep = read::<SphereSweep>(text).0.unwrap();
         let hits = all(&sweep, &ray);
@@ -270,7 +270,7 @@ mod tests {
         let (level, up) =
             (Ray::new(DVec3::new(-5.0, 0.8, 0.02), DVec3::X), Ray::new(DVec3::new(1.1, -5.0, 0.2), DVec3::Y));
         let b_spline = format!("b_spline {BALLS}");
-        // (Begun within the first stretch, POV-Ray's `trace` misses the gap behind it.)
+        // (From within the first interval, POV-Ray's `trace` misses the gap behind it.)
         let hits = all(&read::<SphereSweep>(&b_spline).0.unwrap(), &level);
         let at: Vec<f64> = hits.iter().map(|hit| level.at(hit.t).x).collect();
         assert!(at.len() == 4 && (at[0] + 1.162709849).abs() < 1e-6 && (at[3] - 1.371521912).abs() < 1e-6, "{at:?}");
@@ -297,7 +297,7 @@ mod tests {
             ray,
             &[(-1.396358424, [-0.990896, 0.125, 0.05]), (1.308782458, [0.988999, -0.133333, 0.064058])],
         );
-        // One ball in the other.
+        // One sphere within the other.
         traced(
             "linear_spline 2 0 1 <0.3,0,0> 0.2",
             ray,

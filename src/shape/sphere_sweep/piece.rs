@@ -1,8 +1,9 @@
-//! One piece of a sweep: a ball whose centre and radius are polynomials of a parameter from 0 to 1.
+//! One piece of a sweep: a sphere whose centre and radius are polynomials of a parameter from 0 to 1.
 //!
-//! On a ray o + s·v with |v| = 1, the ball at the parameter t lies between b(t) ± √Δ(t), where b is how far along its centre is and
-//! Δ = r² - |way from the ray to the centre|². Where Δ ≥ 0 on a stretch of t, all these balls together cover one stretch of the ray,
-//! from the least of b - √Δ to the most of b + √Δ. There Δ'² = 4·b'²·Δ; an error in such a t counts but by its square.
+//! On a ray o + s·v with |v| = 1, the sphere at the parameter t covers b(t) ± √Δ(t), where b is the position of its
+//! centre along the ray and Δ = r² - |vector from the ray to the centre|². Where Δ ≥ 0 on an interval of t, all these
+//! spheres together cover one interval of the ray, from the minimum of b - √Δ to the maximum of b + √Δ. There Δ'² =
+//! 4·b'²·Δ; an error in such a t has only a quadratic effect.
 
 use crate::math::{Aabb, DVec3, bernstein_roots};
 use serde::Serialize;
@@ -27,21 +28,22 @@ const BINOMIALS: [[f64; 11]; 11] = {
 /// Bernstein coefficients of centre and radius.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Piece {
-    /// Of the way of the centre.
+    /// Coefficients of the centre.
     pub centers: [DVec3; 4],
-    /// Of the radius.
+    /// Coefficients of the radius.
     pub radii: [f64; 4],
-    /// 1 or 3; at 1 the last two coefficients are not used.
+    /// 1 or 3; at 1 the last two coefficients are unused.
     pub degree: usize,
 }
 
-/// What balls of one piece cover of a ray without a gap: from the first to the second, each with its t.
+/// Interval of a ray that spheres of one piece cover without a gap; each end with its t.
 pub type Cover = [(f64, f64); 2];
 
-/// Is told what is covered; pieces that cover nothing tell nothing.
+/// Called with each covered interval.
 type Tell<'a> = &'a mut dyn FnMut(Cover);
 
-/// A polynomial of the degree N - 1: its Bernstein coefficients, each times C(n, k). So products are plain sums.
+/// A polynomial of degree N - 1: its Bernstein coefficients, each multiplied by C(n, k), so that products are plain
+/// sums.
 #[derive(Clone, Copy)]
 struct Scaled<const N: usize>([f64; N]);
 
@@ -70,7 +72,7 @@ impl<const N: usize> Scaled<N> {
     }
 }
 
-/// The value at t of what has these Bernstein coefficients, by de Casteljau's scheme.
+/// Value at t of a polynomial with these Bernstein coefficients, by de Casteljau's algorithm.
 fn blend<const N: usize>(mut b: [f64; N], t: f64) -> f64 {
     for last in (1..N).rev() {
         for i in 0..last {
@@ -86,17 +88,17 @@ fn slope<const N: usize, const M: usize>(b: &[f64; N]) -> [f64; M] {
 }
 
 impl Piece {
-    /// The balls on a straight way between two.
+    /// Spheres on a straight path.
     pub fn straight(from: (DVec3, f64), to: (DVec3, f64)) -> Self {
         Self { centers: [from.0, to.0, to.0, to.0], radii: [from.1, to.1, to.1, to.1], degree: 1 }
     }
 
-    /// From Bernstein coefficients.
+    /// A piece from Bernstein coefficients.
     pub fn curved(b: [(DVec3, f64); 4]) -> Self {
         Self { centers: b.map(|ball| ball.0), radii: b.map(|ball| ball.1), degree: 3 }
     }
 
-    /// A box around it.
+    /// Bounding box.
     pub fn bounds(&self) -> Aabb {
         let ball = |k: usize| {
             let reach = DVec3::splat(self.radii[k].abs());
@@ -105,7 +107,7 @@ impl Piece {
         (0..=self.degree).map(ball).fold(Aabb::EMPTY, Aabb::union)
     }
 
-    /// The centre of a ball, and its radius.
+    /// Centre and radius of a sphere.
     pub fn ball(&self, t: f64) -> (DVec3, f64) {
         let b = &self.centers;
         if self.degree == 1 {
@@ -115,7 +117,7 @@ impl Piece {
         (DVec3::new(along(0), along(1), along(2)), blend(self.radii, t))
     }
 
-    /// Is the point in one of the balls?
+    /// True if the point is in one of the spheres.
     pub fn holds(&self, p: DVec3) -> bool {
         match self.degree {
             1 => self.holds_by::<2, 3>(p),
@@ -144,7 +146,7 @@ impl Piece {
         (0..3).fold(radius2, |sum, axis| sum.minus(square(&|k| ways[k][axis]), 1.0))
     }
 
-    /// Tells what the balls cover of the line, stretch by stretch in any order; stretches may overlap.
+    /// Calls `tell` with the intervals that the spheres cover, in any order; intervals can overlap.
     pub fn cover(&self, line: &Line, tell: Tell) {
         match self.degree {
             1 => self.cover_by::<2, 1, 1, 3, 2, 3>(line, tell),
@@ -152,13 +154,13 @@ impl Piece {
         }
     }
 
-    /// The numbers count the coefficients: of the centre, of b', of b'², of Δ, of Δ', and of Δ'² - 4·b'²·Δ.
+    /// The type parameters count coefficients: of the centre, of b', of b'², of Δ, of Δ', and of Δ'² - 4·b'²·Δ.
     fn cover_by<const N: usize, const B: usize, const B2: usize, const D: usize, const S: usize, const Q: usize>(
         &self,
         line: &Line,
         tell: Tell,
     ) {
-        // From the ray's point nearest to a point of the piece: nothing is lost by a far origin.
+        // Start from the ray's point nearest to a point of the piece, so that a distant origin costs no digits.
         let start = (self.centers[0] - line.o).dot(line.v);
         let o = line.o + line.v * start;
         let scaled = self.depth::<N, D>(|center| {
@@ -179,7 +181,7 @@ impl Piece {
             false
         };
         bernstein_roots(&extremes.coefficients(), &mut keep);
-        // Where b' is about 0, both extremes are here, too near to each other to be told apart.
+        // Where b' is nearly 0, both extrema are here, too close to be separated.
         bernstein_roots(&bend, &mut keep);
         let mut reach = |from: f64, to: f64| {
             let mut cover = [(f64::INFINITY, from), (f64::NEG_INFINITY, from)];
@@ -208,12 +210,12 @@ impl Piece {
     }
 }
 
-/// Points o + s·v, |v| = 1.
+/// A line o + s·v with |v| = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// Where s is 0.
+    /// Point at s = 0.
     pub o: DVec3,
-    /// Its direction.
+    /// Direction.
     pub v: DVec3,
 }
 
@@ -233,7 +235,7 @@ mod tests {
         assert_eq!(covers(&rod, [2.0, 0.6, -5.0], DVec3::Z), [[4.2, 5.8]]);
         assert_eq!(covers(&rod, [2.0, 1.1, -5.0], DVec3::Z), [[0.0; 2]; 0]);
         assert_eq!(covers(&rod, [-5.0, 0.0, 0.0], DVec3::X), [[4.0, 10.0]]);
-        // A cone that touches the balls where its sine is 1/4.
+        // A cone that touches the spheres where its sine is 1/4.
         let cone = Piece::straight((DVec3::ZERO, 0.0), (DVec3::X * 4.0, 1.0));
         let tangent = 0.25 / (1.0_f64 - 0.0625).sqrt();
         let [[near, far]] = covers(&cone, [2.0, -5.0, 0.0], DVec3::Y)[..] else { unreachable!() };
@@ -253,7 +255,7 @@ mod tests {
         both.sort_by(|a, b| a[0].total_cmp(&b[0]));
         assert!(both.len() == 2 && both[0][1] < 7.0 && both[1][0] > 7.0, "{both:?}");
         assert!((both[0][0] + both[1][1] - 14.0).abs() < 1e-12, "{both:?}");
-        // As a fine row of balls has it.
+        // Compare with a dense row of spheres.
         let nearest = (0..=100_000).filter_map(|k| {
             let (c, r) = arch.ball(f64::from(k) / 1e5);
             let depth = r * r - (c.y - 1.5).powi(2);

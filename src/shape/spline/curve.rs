@@ -1,18 +1,18 @@
-//! A row of Bézier segments, each from (0) to (1); those of one row have one degree, 1 to 3.
+//! A chain of Bézier segments with parameters from 0 to 1; all segments of a chain have one degree, 1 to 3.
 
 use crate::math::{DVec2, bernstein_roots, solve_quadratic};
 use serde::Serialize;
 
-/// A curve. Where a segment ends, the next begins at the very same numbers, unless it is another outline's.
+/// A curve. Each segment starts at exactly the end of the one before, unless it belongs to another outline.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Curve {
-    /// How many control points a segment has beyond the first.
+    /// Degree: number of control points of a segment after the first.
     pub degree: usize,
-    /// Control points; those behind the degree are not used.
+    /// Control points; those beyond the degree are unused.
     pub segments: Vec<[DVec2; 4]>,
 }
 
-/// The value at t of what has these Bernstein coefficients, by de Casteljau's scheme.
+/// Value at t of a polynomial with these Bernstein coefficients, by de Casteljau's algorithm.
 #[inline]
 pub fn blend(b: &[f64], t: f64) -> f64 {
     let between = |a: f64, b: f64| a + (b - a) * t;
@@ -37,18 +37,18 @@ fn blend_many(b: &[f64], t: f64) -> f64 {
     b[0]
 }
 
-/// Its derivative by t.
+/// Derivative by t.
 pub fn blend_slope(b: &[f64], t: f64) -> f64 {
     let rises: smallvec::SmallVec<[f64; 8]> = b.windows(2).map(|w| w[1] - w[0]).collect();
     rises.len() as f64 * blend(&rises, t)
 }
 
-/// C(n, k)
+/// Binomial coefficient C(n, k).
 fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
 }
 
-/// Bernstein coefficients of a product. The first and last are the products of the first and last ones, to the last bit.
+/// Bernstein coefficients of a product. The first and last are exactly the products of the first and last factors.
 pub fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
     let (m, n) = (f.len() - 1, g.len() - 1);
     let term = |i: usize, k: usize| binomial(m, i) * binomial(n, k - i) / binomial(m + n, k) * (f[i] * g[k - i]);
@@ -56,32 +56,32 @@ pub fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
 }
 
 impl Curve {
-    /// The control points of a segment.
+    /// Control points of a segment.
     #[inline]
     pub fn controls(&self, segment: usize) -> &[DVec2] {
         &self.segments[segment][..=self.degree]
     }
 
-    /// A point of a segment.
+    /// Point of a segment.
     #[inline]
     pub fn at(&self, segment: usize, t: f64) -> DVec2 {
         let along = |axis: usize| blend(&self.coordinates(segment, |p| p[axis]), t);
         DVec2::new(along(0), along(1))
     }
 
-    /// The direction of a segment, in which t grows; zero only where nothing else can be said.
+    /// Direction of a segment at t; zero only if all control points coincide.
     pub fn tangent(&self, segment: usize, t: f64) -> DVec2 {
         let along = |axis: usize| blend_slope(&self.coordinates(segment, |p| p[axis]), t);
         let tangent = DVec2::new(along(0), along(1));
         if tangent != DVec2::ZERO {
             return tangent;
         }
-        // A cusp, or control points in one place.
+        // A cusp, or coinciding control points.
         let c = self.controls(segment);
         c[self.degree] - c[0]
     }
 
-    /// Bernstein coefficients of a function of the control points that keeps their weighted means.
+    /// Bernstein coefficients of an affine function of the control points.
     #[inline]
     pub fn coordinates(&self, segment: usize, f: impl Fn(DVec2) -> f64) -> smallvec::SmallVec<[f64; 4]> {
         let mut all = [0.0; 4];
@@ -89,8 +89,8 @@ impl Curve {
         smallvec::SmallVec::from_buf_and_len(all, self.controls(segment).len())
     }
 
-    /// Where p lies among its outlines: how many are crossed on the way from it in the direction in which x grows is odd.
-    /// `beyond` tells which x are on this way; what lies between two of a kind is of that kind.
+    /// True if the number of crossings between the outlines and a half-line at height y is odd. `beyond` returns true
+    /// for an x on the half-line; all x between two such x are on it too.
     pub fn surrounds(&self, y: f64, beyond: impl Fn(f64) -> bool) -> bool {
         let mut odd = false;
         for segment in 0..self.segments.len() {
@@ -104,7 +104,7 @@ impl Curve {
                 continue;
             }
             if all {
-                // An odd number of roots lies between values of different signs, and wherever they are, all count.
+                // Between values of different signs there is an odd number of roots, and all of them count.
                 odd ^= (height[0] < 0.0) != (height[self.degree] < 0.0);
                 continue;
             }
@@ -116,7 +116,7 @@ impl Curve {
         odd
     }
 
-    /// The smallest and largest coordinates of its points.
+    /// Minimum and maximum of the points of the curve.
     pub fn ends(&self) -> (DVec2, DVec2) {
         let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         let mut reach = |p: DVec2| (min, max) = (min.min(p), max.max(p));
@@ -132,14 +132,14 @@ impl Curve {
         (min, max)
     }
 
-    /// The same of the control points.
+    /// Minimum and maximum of the control points.
     pub fn hull(&self) -> (DVec2, DVec2) {
         let all = (0..self.segments.len()).flat_map(|segment| self.controls(segment).iter().copied());
         all.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(min, max), p| (min.min(p), max.max(p)))
     }
 }
 
-/// Where the derivative is 0 between 0 and 1, of a degree up to 3.
+/// Roots of the derivative between 0 and 1, for a degree up to 3.
 pub fn turns(b: &[f64]) -> [Option<f64>; 2] {
     let rise: smallvec::SmallVec<[f64; 4]> = b.windows(2).map(|w| w[1] - w[0]).collect();
     let (x, y) = match rise[..] {

@@ -1,4 +1,4 @@
-//! Curves in a plane, which `prism` and `lathe` sweep: rows of Bézier segments (Farin, Curves and Surfaces, 1988).
+//! Plane curves that `prism` and `lathe` sweep: chains of Bézier segments (Farin, Curves and Surfaces, 1988).
 
 mod curve;
 mod points;

@@ -1,4 +1,4 @@
-//! How points become curves: what each kind of spline makes of them, and where one outline ends and the next begins.
+//! From points to curves: interpolation, and the division into outlines.
 
 use super::Curve;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -8,16 +8,16 @@ use crate::value::words::word;
 use crate::value::{Reader, ReaderExt, Value, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// How the points are joined.
+/// Interpolation between points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Interpolation {
-    /// By straight lines.
+    /// Straight lines.
     #[default]
     Linear,
-    /// By the parabola through two points and the one before them.
+    /// The parabola through two points and the one before them.
     Quadratic,
-    /// Smoothly, by two points and their neighbours (Catmull & Rom, 1974).
+    /// A smooth curve by two points and their neighbours (Catmull & Rom, 1974).
     Cubic,
     /// Each four points are a Bézier segment.
     Bezier,
@@ -25,7 +25,7 @@ pub enum Interpolation {
 
 use Interpolation::*;
 
-/// The words that choose one, before the points.
+/// Words of the interpolations.
 pub const KINDS: [WordSpec; 4] = [
     word("linear_spline", ValueKind::Nothing, "", "straight lines join the points; so it is without any such word"),
     word(
@@ -44,10 +44,10 @@ pub const KINDS: [WordSpec; 4] = [
 ];
 
 impl Interpolation {
-    /// Reads the word of a kind, if it comes next.
+    /// Reads the word of an interpolation, if it is next.
     ///
     /// # Errors
-    /// That of the reading.
+    /// Errors of the reader.
     pub fn read(r: &mut dyn Reader) -> Result<Option<Self>> {
         for (kind, word) in [Linear, Quadratic, Cubic, Bezier].into_iter().zip(KINDS) {
             if r.accept(word.name)? {
@@ -65,12 +65,12 @@ impl Interpolation {
         }
     }
 
-    /// The fewest points that make a curve.
+    /// Minimum number of points.
     fn fewest(self) -> usize {
         self.degree() + 1
     }
 
-    /// The segments of one row of points.
+    /// Segments of one row of points.
     fn segments(self, points: &[DVec2]) -> Vec<[DVec2; 4]> {
         let none = DVec2::ZERO;
         let inner = |p: &[DVec2]| [p[1], p[1] + (p[2] - p[0]) / 6.0, p[2] - (p[3] - p[1]) / 6.0, p[2]];
@@ -84,10 +84,10 @@ impl Interpolation {
     }
 }
 
-/// Reads how many points follow, and the points. `block` is the shape's word.
+/// Reads the number of points, and the points. `block` is the shape's word.
 ///
 /// # Errors
-/// E0302 if they are too few for this kind; others for what is no point.
+/// E0302 for fewer points than the interpolation needs; a diagnostic for anything that is not a point.
 pub fn read_points(block: &str, kind: Interpolation, fewest: usize, r: &mut dyn Reader) -> Result<Vec<DVec2>> {
     let span = r.span();
     let count = r.float()?.floor();
@@ -126,12 +126,12 @@ pub fn single_row(kind: Interpolation, points: &[DVec2]) -> Curve {
     Curve { degree: kind.degree(), segments: kind.segments(points) }
 }
 
-/// Closed outlines: one ends where its first point comes again, and the next begins behind it. Is the last one left open? A
-/// `linear_spline` is closed then, any other is left out.
+/// Returns closed outlines: an outline ends where its first point is repeated, and the next starts after it. Also
+/// returns true if the last outline is open: a `linear_spline` is then closed, any other is left out.
 pub fn outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
     let same = |p: DVec2, q: DVec2| (p - q).abs().max_element() < tolerance::SAME_POINT;
     let mut curve = Curve { degree: kind.degree(), segments: vec![] };
-    // Points before the first of an outline, and behind its last, that only give directions.
+    // Number of points before the first and after the last of an outline that only give directions.
     let (before, behind) = match kind {
         Linear | Bezier => (0, 0),
         Quadratic => (1, 0),
@@ -150,7 +150,7 @@ pub fn outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
             return (curve, true);
         };
         let mut row = rest[..=end].to_vec();
-        // The very same numbers, so that no ray slips through between them.
+        // Exactly the same numbers, so that no ray passes between them.
         row[end - behind] = first;
         curve.segments.extend(kind.segments(&row));
         rest = &rest[end + 1..];
@@ -159,7 +159,7 @@ pub fn outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
     (curve, unclosed)
 }
 
-/// Tells of an outline that is not closed.
+/// Reports an outline that is not closed.
 pub fn report_open(block: &str, kind: Interpolation, span: Span, r: &mut dyn Reader) {
     let done = if kind == Linear { "closed now" } else { "left out" };
     let message = format!("the last outline of this `{block}` is not closed; it is {done}");
