@@ -56,7 +56,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn who_looks_at_what_as_measured() {
+    fn light_by_view_and_version() {
         let color = Color { rgb: Rgb::new(1.0, 0.8, 0.6), filter: 0.3, transmit: 0.2 };
         let radiance = |by_picture, beholder| Background { color, by_picture }.seen_by(beholder).radiance;
         for (by_picture, beholder, share) in [

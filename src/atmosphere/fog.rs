@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn filter_and_transmit_as_measured() {
+    fn filter_and_transmit() {
         // POV-Ray: a background <1, 0.5, 0.25> behind infinite fog
         let color = Color { rgb: Rgb::new(0.2, 0.4, 0.6), filter: 0.3, transmit: 0.5 };
         let fog = Fog { distance: 20.0, color, ..Fog::default() };

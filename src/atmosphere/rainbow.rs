@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn as_measured() {
+    fn light_of_one_and_two_rainbows() {
         // POV-Ray: before a plane z = 50 of <1, 0.5, 0.25>
         let plane = 50.0 / fp::cos(20f64.to_radians());
         let color = |filter, transmit| Color { rgb: Rgb::new(0.2, 0.4, 0.6), filter, transmit };

@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn a_grid_and_a_disc_as_measured() {
+    fn offsets_of_a_grid_and_a_disc() {
         // Positions seen through a pinhole in POV-Ray
         let area = Area { axes: [DVec3::X * 4.0, DVec3::Y * 2.0], size: [4, 3], circular: true, ..Area::default() };
         let places = places(&area);

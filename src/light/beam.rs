@@ -21,7 +21,7 @@ pub enum Beam {
     Cylinder(Edge),
 }
 
-/// How a beam fades towards its sides.
+/// Fall-off of a beam towards its sides.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Edge {
     /// Up to here the light has its full strength.
@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn as_measured() {
+    fn profiles_of_spotlight_and_cylinder() {
         // Light on a white sphere about the light source, as POV-Ray renders it
         for (edge, degrees, seen) in [
             ([30.0, 45.0, 0.0], 35.0, 0.79033),

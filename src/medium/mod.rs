@@ -1,4 +1,4 @@
-//! What light passes between surfaces: the interior of shapes. One file a medium.
+//! Media between surfaces: the interior of shapes. One file a medium.
 
 mod interior;
 

@@ -7,13 +7,13 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "background_before_3_7",
         "Before `#version 3.7` a background is absent from pictures with alpha and complete in others, whatever it \
          transmits.",
-        &["src/atmosphere/background.rs::who_looks_at_what_as_measured"],
+        &["src/atmosphere/background.rs::light_by_view_and_version"],
     ),
     emulated(
         "background_by_view",
         "Reflections show the whole background; pictures with alpha show the part that it does not transmit, and \
          others also the light that it filters.",
-        &["src/atmosphere/background.rs::who_looks_at_what_as_measured"],
+        &["src/atmosphere/background.rs::light_by_view_and_version"],
     ),
     emulated(
         "fog_far",
@@ -38,13 +38,13 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
         "rainbows_average",
         "Several rainbows at one point show their mean.",
-        &["src/atmosphere/rainbow.rs::as_measured"],
+        &["src/atmosphere/rainbow.rs::light_of_one_and_two_rainbows"],
     ),
     emulated(
         "sky_by_share",
         "Before `#version 3.7`, each layer of a `sky_sphere` counts by the share that the layers above transmit, \
          light that passes all layers takes the product of their colours, and pictures with alpha show no sky.",
-        &["light_cases/sky_sphere_before_37", "src/world/sky.rs::layers_as_measured"],
+        &["light_cases/sky_sphere_before_37", "src/world/sky.rs::layers_by_version"],
     ),
     emulated(
         "sky_sphere_pigment",

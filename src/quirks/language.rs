@@ -7,7 +7,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "background_by_version",
         "Before `#version 3.7`, a picture with alpha leaves out the `background` and any other picture shows it in full, whatever its \
          `transmit`.",
-        &["src/atmosphere/background.rs::who_looks_at_what_as_measured"],
+        &["src/atmosphere/background.rs::light_by_view_and_version"],
     ),
     emulated(
         "call_runs_directives",

@@ -29,12 +29,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
         "beam_without_axis",
         "A spotlight, cylinder or parallel light whose `point_at` is its location illuminates nothing.",
-        &["src/light/beam.rs::as_measured"],
+        &["src/light/beam.rs::profiles_of_spotlight_and_cylinder"],
     ),
     emulated(
         "circular_area_light",
         "Lights of a circular grid are displaced by 0.002 of half a side.",
-        &["src/light/area.rs::a_grid_and_a_disc_as_measured", "light_cases/area_light_circular_beside"],
+        &["src/light/area.rs::offsets_of_a_grid_and_a_disc", "light_cases/area_light_circular_beside"],
     ),
     emulated(
         "double_illuminate_highlights",
@@ -118,6 +118,6 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "spotlight_profile",
         "Between `radius` and `falloff` light follows 3x^2 - 2x^3 of the cosine, times the cosine to the power of \
          `tightness`.",
-        &["light_cases/spotlight", "src/light/beam.rs::as_measured"],
+        &["light_cases/spotlight", "src/light/beam.rs::profiles_of_spotlight_and_cylinder"],
     ),
 ];

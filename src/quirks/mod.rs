@@ -4,8 +4,8 @@
 //! (`quirk: shadow_min_distance`); the text of a comment needs no other reference to measurements. The manual's page "What POV-Ray 3.7
 //! really does" is generated from the tables.
 //!
-//! To add a quirk: add a row to the topic's file, in alphabetical order of ids, and cite the id where the code obeys it. `tests/suite/quirks.rs`
-//! checks that ids are unique, that every emulated quirk is cited, that every cited id exists, and that all evidence exists.
+//! To add a quirk: add a row to the topic's file, in alphabetical order of ids, and cite the id where the code obeys it.
+//! `tests/suite/quirks.rs` checks that ids are unique, that every emulated quirk is cited, that every cited id exists, and that all evidence exists.
 
 mod atmosphere;
 mod camera;
@@ -24,11 +24,11 @@ mod texture;
 pub struct Quirk {
     /// Name by which code and tests cite the quirk, in snake case.
     pub id: &'static str,
-    /// What POV-Ray 3.7 does: one sentence (or two) in Markdown for users, with a full stop.
+    /// Behaviour of POV-Ray 3.7: one or two sentences in Markdown for users, with a full stop.
     pub summary: &'static str,
-    /// Where POV-Ray's own numbers prove it, see [`Evidence`].
+    /// Places with POV-Ray's own numbers that prove the behaviour, see [`Evidence`].
     pub evidence: Evidence,
-    /// Whether durer does the same.
+    /// True to POV-Ray, or different on purpose.
     pub status: Status,
 }
 
@@ -40,7 +40,7 @@ pub struct Quirk {
 /// - `conformance/SCENE`: one of POV-Ray's own scenes, whose verdict in `tests/conformance.json` is `same` or `close`.
 pub type Evidence = &'static [&'static str];
 
-/// What durer does about a quirk.
+/// Behaviour of durer where POV-Ray has a quirk.
 #[derive(Clone, Copy, Debug)]
 pub enum Status {
     /// durer does the same as POV-Ray.

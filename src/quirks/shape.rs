@@ -121,6 +121,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["src/shape/torus.rs::negative_radii"],
     ),
     emulated(
+        "ovus_shape",
+        "The band between the two balls of an `ovus` is an arc with twice the larger radius.",
+        &["src/shape/ovus.rs::as_pov_ray_traces"],
+    ),
+    emulated(
         "ovus_uv",
         "v of an ovus is the angle seen from the middle of its height.",
         &["src/shape/ovus.rs::as_pov_ray_traces"],
@@ -220,7 +225,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
         "torus_uv",
         "v of a torus runs around the tube from the inside of the hole.",
-        &["src/shape/torus.rs::uv_as_measured"],
+        &["src/shape/torus.rs::uv_around_ring_and_tube"],
     ),
     emulated(
         "twisted_smooth_triangle",

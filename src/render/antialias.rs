@@ -12,7 +12,7 @@ use crate::math::fp;
 use crate::transport::Radiance;
 use crate::world::World;
 
-/// How samples become the pixels of a picture.
+/// Method that turns samples into the pixels of a picture.
 pub(super) struct Method {
     kind: MethodKind,
     sampling: Sampling,

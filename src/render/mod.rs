@@ -23,7 +23,7 @@ use crate::world::World;
 use sampler::FrameCamera;
 use workers::Workers;
 
-/// How a picture is rendered. Size, anti-aliasing, quality, region, frame and alpha determine every byte of it; the number of threads
+/// Options of a render. Size, anti-aliasing, quality, region, frame and alpha determine every byte of it; the number of threads
 /// does not.
 #[derive(Clone, Debug)]
 pub struct Options {
@@ -33,7 +33,7 @@ pub struct Options {
     pub height: usize,
     /// Threshold of adaptive anti-aliasing; `None` for one sample a pixel.
     pub antialias: Option<f64>,
-    /// Where the samples of anti-aliasing are.
+    /// Samples of anti-aliasing.
     pub sampling: Sampling,
     /// Quality level, 0 to 11, as POV-Ray's `+Q`.
     pub quality: u8,
@@ -67,7 +67,7 @@ impl Options {
 /// Samples of anti-aliasing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
-    /// Where samples are.
+    /// Positions of the samples.
     pub layout: SampleLayout,
     /// Rows and columns of a grid, 1 to 9; for corners, the number of subdivisions, plus one.
     pub depth: u32,
@@ -83,7 +83,7 @@ impl Default for Sampling {
     }
 }
 
-/// Where the samples of anti-aliasing are.
+/// Positions of the samples of anti-aliasing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SampleLayout {
     /// Points of a lattice; depth and jitter have no effect.
@@ -157,7 +157,7 @@ impl Region {
     }
 }
 
-/// Why a render ended early.
+/// Reason of an early end of a render.
 #[derive(Debug)]
 pub enum Stopped {
     /// The caller cancelled it.

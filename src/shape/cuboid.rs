@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn uv_as_measured() {
+    fn uv_is_a_cross_of_squares() {
         // POV-Ray's colours at pixel centres of box { -2, 2 } (sRGB bytes, so to 0.01).
         let cube = Cuboid::new(DVec3::splat(-2.0), DVec3::splat(2.0));
         let uv = |x: f64, y: f64, z: f64, part| cube.uv(DVec3::new(x, y, z), &Hit::on(0.0, part));

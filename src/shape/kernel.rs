@@ -87,7 +87,7 @@ pub type HalfSpaces = smallvec::SmallVec<[HalfSpace; 10]>;
 
 /// The interface of a shape, in object space. Rays have directions of any length.
 pub trait Kernel {
-    /// How POV-Ray's version of the shape departs from this model.
+    /// Departures of POV-Ray's shape from this model.
     const QUIRKS: Quirks = Quirks::NONE;
 
     /// Bounding box; infinite for an infinite shape.

@@ -203,7 +203,7 @@ fn with_usage(mut fault: Fault, spec: &Spec) -> Fault {
     fault
 }
 
-/// How a shape is read.
+/// Reader of a shape.
 pub trait Readable: Sized + 'static {
     /// Name, words and parameters.
     const SPEC: Spec;

@@ -1,8 +1,8 @@
 //! `ovus { bottom_radius, top_radius }`: an egg (manual, "Ovus").
 //!
-//! A ball around the origin, another one whose middle is the first one's top, and between them a band that touches both: an arc about
-//! the y axis, with twice the larger radius (measured on POV-Ray 3.7). Where the upper ball is twice as large as the lower one, or
-//! larger, it is all there is.
+//! A ball around the origin, a second ball whose centre is the top of the first, and between them a band that touches both: an arc
+//! about the y axis, with twice the larger radius (quirk: `ovus_shape`). If the upper ball is at least twice as large as the
+//! lower one, the shape is the upper ball.
 //!
 //! ```pov
 //! ovus { 1, 0.6 translate y pigment { color rgb <0.9, 0.8, 0.6> } }

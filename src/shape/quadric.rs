@@ -292,7 +292,7 @@ mod tests {
         assert!(hole.bounds().is_finite() && !hole.is_convex() && ball.is_convex());
     }
 
-    /// Where `crossing` says that a line is inside, `inside` agrees.
+    /// `inside` agrees with the intervals of `crossing`.
     #[test]
     fn crossings_agree_with_inside() {
         let surfaces = [

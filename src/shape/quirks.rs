@@ -2,12 +2,13 @@
 
 use crate::math::tolerance;
 
-/// What POV-Ray 3.7 does differently for one shape. Each shape's kernel names its own: `const QUIRKS: Quirks = Quirks { … ..Quirks::NONE }`.
+/// Departures of POV-Ray 3.7 from the model for one shape. Each kernel states its own:
+/// `const QUIRKS: Quirks = Quirks { … ..Quirks::NONE }`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quirks {
     /// Minimum distance of a hit from the ray's origin, in world units (quirk: `blob_min_distance`).
     pub min_distance: f64,
-    /// How `bounded_by` of an object that is this shape alone is obeyed.
+    /// Effect of `bounded_by` on an object that is this shape alone.
     pub bounding: Bounding,
     /// True if `clipped_by` has no effect (quirk: `patch_never_clipped`).
     pub ignores_clipping: bool,
@@ -21,7 +22,7 @@ pub struct Quirks {
     pub moves_embedded_textures: bool,
 }
 
-/// How `bounded_by` of a lone shape is obeyed.
+/// Effect of `bounded_by` on a single shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bounding {
     /// By the bounding box of the bounding objects (quirk: `bounded_by_box`).

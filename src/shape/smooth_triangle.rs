@@ -35,7 +35,7 @@ impl SmoothTriangle {
         self.is_twisted_under(&Transform::IDENTITY)
     }
 
-    /// The same under the transform M, which can change the angles between the normals (quirk:
+    /// True if the normals point to both sides under the transform M, which can change their angles (quirk:
     /// `twisted_smooth_triangle`).
     fn is_twisted_under(&self, m: &Transform) -> bool {
         let face = m.normal(self.flat.face_normal());

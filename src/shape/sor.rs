@@ -1,7 +1,7 @@
 //! `sor { number_of_points, points … }`: a surface of revolution, whose radius is a function of the height.
 //!
-//! Each point is a distance from the y axis and a height; the heights rise. The first and the last point only give directions. `open` leaves off
-//! the two lids. (A `lathe` turns any curve, a `sor` is a solid at once.)
+//! Each point is a distance from the y axis and a height; the heights rise. The first and the last point only give directions.
+//! `open` leaves off the two lids. (A `lathe` turns any curve, a `sor` is a solid at once.)
 //!
 //! ```pov
 //! sor {

@@ -1,6 +1,6 @@
 //! `superellipsoid { <e, n> }`: between box, ball and octahedron, from -1 to 1 along each axis.
 //!
-//! Where (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) is 1. `e` rounds the outline seen along z, `n` that seen from the side: near 0 they are
+//! The points at which (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) is 1. `e` rounds the outline seen along z, `n` that seen from the side: near 0 they are
 //! square, 1 is a circle, 2 a rhombus, and above 2 a star. `<0.2, 0.2>` is a box with round edges, `<1, 0.2>` such a drum.
 //!
 //! ```pov
@@ -244,8 +244,8 @@ impl Superellipsoid {
         s
     }
 
-    /// Calls `tell` with the entry and exit of a convex shape, unless they are before `start`.
-    fn search_convex(&self, line: &Line, (lo, hi): (f64, f64), start: f64, tell: &mut dyn FnMut(f64) -> bool) {
+    /// Calls `visit` with the entry and exit of a convex shape, unless they are before `start`.
+    fn search_convex(&self, line: &Line, (lo, hi): (f64, f64), start: f64, visit: &mut dyn FnMut(f64) -> bool) {
         let mut last = start;
         // Within the cube one evaluation decides whether a ray starts inside or moves away: most are shadow rays that
         // leave the surface.
@@ -255,13 +255,13 @@ impl Superellipsoid {
                 return;
             }
             let Some(first) = self.seen_from(line, lo, hi) else { return };
-            if tell(first) {
+            if visit(first) {
                 return;
             }
             last = first;
         }
         // At a grazing ray rounding can put the exit before the entry.
-        tell(self.seen_from(line, hi, lo).map_or(last, |s| s.max(last)));
+        visit(self.seen_from(line, hi, lo).map_or(last, |s| s.max(last)));
     }
 
     /// Calls `found` with each hit in the range, ascending, until it returns true.
@@ -277,19 +277,19 @@ impl Superellipsoid {
         let middle = -ray.origin.dot(v);
         let line = Line { o: ray.origin + middle * v, v };
         let (lo, hi) = (near * length - middle, far * length - middle);
-        let mut tell = |s: f64| {
+        let mut visit = |s: f64| {
             let t = (s + middle) / length;
             range.contains(t) && found(t)
         };
         if self.e <= 2.0 && self.n <= 2.0 {
-            return self.search_convex(&line, (lo, hi), range.min * length - middle, &mut tell);
+            return self.search_convex(&line, (lo, hi), range.min * length - middle, &mut visit);
         }
         let within = Range { min: range.min * length - middle, max: range.max * length - middle };
         let mut cuts: smallvec::SmallVec<[f64; 5]> = smallvec::smallvec![lo, hi];
         cuts.extend((0..3).map(|axis| -line.o[axis] / v[axis]).filter(|s| *s > lo && *s < hi));
         cuts.sort_by(f64::total_cmp);
         let ends: smallvec::SmallVec<[End; 5]> = cuts.iter().map(|&s| End::new(&line, s)).collect();
-        let _ = ends.windows(2).any(|w| w[0].s < w[1].s && self.in_octant(&line, w[0], w[1], within, &mut tell));
+        let _ = ends.windows(2).any(|w| w[0].s < w[1].s && self.in_octant(&line, w[0], w[1], within, &mut visit));
     }
 }
 

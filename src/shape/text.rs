@@ -1,8 +1,7 @@
 //! `text { ttf "font.ttf" "string" depth, offset }`: a line of letters as solids (manual, "Text").
 //!
-//! Letters stand on y = 0, from x = 0 on, with an em of 1, and reach from z = 0 to z = `depth`. `offset` is added between one letter
-//! and the next. Of a `depth` below 0 both ends are all there is, without any inside (measured on POV-Ray 3.7). All of it is turned a
-//! little, see [`TILT`].
+//! The baseline is y = 0, from x = 0 on; an em is 1, and letters extend from z = 0 to z = `depth`. `offset` is added between one
+//! letter and the next. With a `depth` below 0 there are only both ends, without any inside (quirk: `text_without_depth`).
 //!
 //! ```pov
 //! text { ttf "timrom.ttf" "durer" 0.2, 0 pigment { color rgb <0.8, 0.3, 0.1> } scale 1.6 translate -1.6*x }

@@ -1,8 +1,8 @@
 //! `torus { major, minor }`: a ring around the y axis, its middle at the origin.
 //!
 //! `major` reaches from the centre of the hole to the middle of the rim, `minor` is the radius of the rim. With a `minor`
-//! larger than `major` the hole closes. Negative radii show parts of the ring, or nothing of it, as in POV-Ray 3.7. `sturm` chooses a slower, more exact method in POV-Ray; here the method is
-//! always exact, so the word is taken and changes nothing.
+//! larger than `major` the hole closes. Negative radii show parts of the ring, or nothing of it, as in
+//! POV-Ray 3.7. `sturm` chooses a slower, more exact method in POV-Ray; here the method is always exact, so the word has no effect.
 //!
 //! ```pov
 //! torus { 1, 0.25 pigment { color rgb <0.9, 0.2, 0.2> } }
@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn uv_as_measured() {
+    fn uv_around_ring_and_tube() {
         let uv = |x: f64, y: f64, z: f64| RING.uv(DVec3::new(x, y, z), &Hit::at(0.0));
         assert!(uv(0.0, 0.0, -1.25).distance(DVec2::new(0.75, 0.5)) < 1e-12);
         assert!(uv(0.0, 0.25, 1.0).distance(DVec2::new(0.25, 0.75)) < 1e-12);

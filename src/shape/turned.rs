@@ -69,13 +69,13 @@ impl Walls {
             if piece.most < distance2 {
                 continue;
             }
-            let mut tell = |s: f64, at: f64| {
+            let mut visit = |s: f64, at: f64| {
                 let t = (s + line.middle) / line.length;
                 if range.contains(t) {
                     out.push(Hit { t, part: part as u32, uv: DVec2::new(at, 0.0) });
                 }
             };
-            if v.y.abs() < LEVEL { piece.level_hits(&line, &mut tell) } else { piece.hits(&line, &mut tell) }
+            if v.y.abs() < LEVEL { piece.level_hits(&line, &mut visit) } else { piece.hits(&line, &mut visit) }
         }
     }
 
@@ -104,9 +104,9 @@ fn closest_to_axis(o: DVec3, v: DVec3) -> f64 {
 }
 
 impl Piece {
-    /// Calls `tell` with the hits on one segment. The ray is at height y where s = (y - o_y)/v_y, and there |(o +
+    /// Calls `visit` with the hits on one segment. The ray is at height y where s = (y - o_y)/v_y, and there |(o +
     /// s·v)ₓ𝓏|² = r². Times v_y², that is a polynomial along the segment.
-    fn hits(&self, line: &Line, tell: &mut dyn FnMut(f64, f64)) {
+    fn hits(&self, line: &Line, visit: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let (k, m, q) = (v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z, o.x * o.x + o.z * o.z);
         let by_height = 2.0 * (v.y * m - k * o.y);
@@ -117,28 +117,28 @@ impl Piece {
         bernstein_roots(&b, &mut |at| {
             let s = (blend(&self.height, at) - o.y) / v.y;
             if v.y.abs() > STEEP {
-                tell(s, at);
+                visit(s, at);
                 return false;
             }
             // Select the nearer of the two points at this distance from the axis.
             let c = q - blend(&self.radius2, at);
             if let Some((s1, s2)) = stable_pair(k, m, c, (m * m - k * c).max(0.0)) {
-                tell(if (s - s1).abs() < (s - s2).abs() { s1 } else { s2 }, at);
+                visit(if (s - s1).abs() < (s - s2).abs() { s1 } else { s2 }, at);
             }
             false
         });
     }
 
     /// Hits of a level ray: where the segment has the ray's height, two points of the ray have its radius.
-    fn level_hits(&self, line: &Line, tell: &mut dyn FnMut(f64, f64)) {
+    fn level_hits(&self, line: &Line, visit: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let b: SmallVec<[f64; 8]> = self.height.iter().map(|y| y - o.y).collect();
         bernstein_roots(&b, &mut |at| {
             let (k, m) = (v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z);
             let c = o.x * o.x + o.z * o.z - blend(&self.radius2, at);
             if let Some((s1, s2)) = stable_pair(k, m, c, m * m - k * c) {
-                tell(s1, at);
-                tell(s2, at);
+                visit(s1, at);
+                visit(s2, at);
             }
             false
         });

@@ -1,4 +1,4 @@
-//! What all rays of a frame share.
+//! Data that all rays of a frame share.
 
 use super::interface::{Interiors, copy_of};
 use crate::math::DVec3;
@@ -35,7 +35,7 @@ impl Quality {
     }
 }
 
-/// Where camera rays come from, as far as transport needs to know.
+/// Origin and reach of camera rays.
 #[derive(Clone, Copy, Debug)]
 pub struct CameraOrigin {
     /// Common origin of all camera rays, in world space; `None` if each ray has its own.

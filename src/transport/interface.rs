@@ -28,7 +28,7 @@ pub(super) struct Interface {
 }
 
 impl Interface {
-    /// The same medium on both sides.
+    /// No boundary: one medium on both sides.
     pub const NONE: Interface = Interface { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
     /// The boundary of interior `own` for a ray inside `inside`: the ray leaves the interior if it is in the list, and enters it otherwise.
@@ -44,7 +44,7 @@ impl Interface {
         Self { n1, n2, mirror: (own_ior, beyond), leaves: Some(at) }
     }
 
-    /// The same boundary for one hue (see [`Interior::ior_of`]); reflection stays that of white light (quirk: `dispersion_ior`).
+    /// Returns the boundary for one hue (see [`Interior::ior_of`]); reflection stays that of white light (quirk: `dispersion_ior`).
     pub fn of_hue(self, hue: f64, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of(hue));
         Self { n1: ior(inside.last().copied()), n2: ior(self.beyond(inside, own)), ..self }

@@ -3,7 +3,7 @@
 
 use crate::math::rng;
 
-/// What a number is used for.
+/// Use of a random number.
 #[derive(Clone, Copy, Debug)]
 pub enum Purpose {
     /// Position of a sample in its pixel.

@@ -18,7 +18,7 @@ pub(super) struct Boundary<'a, 'w> {
     pub attenuation: Rgb,
 }
 
-/// What happens to the light that one material transmits.
+/// Fate of the light that one material transmits.
 pub(super) enum Transmission {
     /// Nothing continues: opaque, too faint, or too deep.
     Ends,

@@ -57,7 +57,7 @@ impl Tracer<'_> {
         self.context.world.interiors[interior as usize].attenuation(length)
     }
 
-    /// The same for a shadow ray, which a `fade_power` of 0 does not attenuate (quirk: `fade_power_0_shadow`).
+    /// Returns the transmittance of an interior for a shadow ray, which a `fade_power` of 0 does not attenuate (quirk: `fade_power_0_shadow`).
     pub(super) fn shadow_attenuation(&self, interior: u32, length: f64) -> Rgb {
         let interior = &self.context.world.interiors[interior as usize];
         if interior.fade_power > 0.0 { interior.attenuation(length) } else { Rgb::ONE }

@@ -92,7 +92,7 @@ impl Tracer<'_> {
         transmittance
     }
 
-    /// The same where light also changes between surfaces: multiplies segment by segment, from the nearest surface to the farthest.
+    /// Returns the transmittance where light also changes between surfaces: multiplies segment by segment, from the nearest surface to the farthest.
     /// `air_distance` is the distance of a light that air attenuates.
     fn segmented_transmittance(
         &mut self,

@@ -107,7 +107,7 @@ pub struct LoweredFinish {
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LayerColor {
-    /// The same colour everywhere.
+    /// One colour everywhere.
     Solid(Color),
     /// A colour for each point.
     PigmentProgram(Box<PigmentProgram>),

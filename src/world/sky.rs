@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn layers_as_measured() {
+    fn layers_by_version() {
         assert!(seen(false).distance(Rgb::new(0.348, 0.7228, 0.2796)) < 2e-5, "{}", seen(false));
         assert!(seen(true).distance(Rgb::new(0.3175, 0.614, 0.4152)) < 2e-5, "{}", seen(true));
     }

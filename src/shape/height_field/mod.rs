@@ -6,7 +6,10 @@
 //! heights, for x and y from 0 to 1, y on top being 0; `smooth` lets the surface look round, `water_level` leaves out what is below it.
 //!
 //! ```pov
-//! height_field { function 60, 60 { 0.3 + 0.2*sin(9*x)*cos(7*y) } smooth translate <-0.5, 0, -0.5> scale 6 pigment { color rgb <0.4, 0.7, 0.3> } }
+//! height_field {
+//!   function 60, 60 { 0.3 + 0.2*sin(9*x)*cos(7*y) } smooth translate <-0.5, 0, -0.5> scale 6
+//!   pigment { color rgb <0.4, 0.7, 0.3> }
+//! }
 //! ```
 
 mod grid;

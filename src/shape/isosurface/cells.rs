@@ -1,7 +1,7 @@
 //! The container of an isosurface in cells, with bounds of the function's gradient in each cell that can hold a piece
 //! of the surface.
 //!
-//! Where the gradient has no bounds, such as at jumps, a cell is subdivided when the first ray enters it: most of the
+//! If the gradient has no bounds, such as at jumps, a cell is subdivided when the first ray enters it: most of the
 //! smaller cells are empty or have bounds.
 
 use crate::function::{Interval, Slope};

@@ -6,7 +6,10 @@
 //! most of those behind `functions.inc`) it searches by that, as POV-Ray always does, and a value that is too small makes holes.
 //!
 //! ```pov
-//! isosurface { function { x*x + y*y + z*z - 1 + 0.3*sin(8*x)*sin(8*y)*sin(8*z) } contained_by { sphere { 0, 1.2 } } pigment { color rgb <0.9, 0.6, 0.2> } }
+//! isosurface {
+//!   function { x*x + y*y + z*z - 1 + 0.3*sin(8*x)*sin(8*y)*sin(8*z) } contained_by { sphere { 0, 1.2 } }
+//!   pigment { color rgb <0.9, 0.6, 0.2> }
+//! }
 //! ```
 
 mod cells;

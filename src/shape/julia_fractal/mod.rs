@@ -7,7 +7,10 @@
 //! those that POV-Ray misses.
 //!
 //! ```pov
-//! julia_fractal { <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 100 translate y pigment { color rgb <0.4, 0.7, 0.6> } }
+//! julia_fractal {
+//!   <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 100
+//!   translate y pigment { color rgb <0.4, 0.7, 0.6> }
+//! }
 //! ```
 
 mod function;
@@ -303,7 +306,7 @@ impl Readable for JuliaFractal {
     }
 }
 
-/// Reads four numbers; a single number stands for all, and missing ones are 0.
+/// Reads four numbers; a single number is used for all, and missing ones are 0.
 fn read_four(r: &mut dyn Reader) -> Result<Four> {
     let (value, span) = r.value()?;
     let four = match value {

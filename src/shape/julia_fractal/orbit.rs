@@ -206,7 +206,7 @@ impl Rule {
         least(&e)
     }
 
-    /// The same for numbers that escape in one of the last iterations.
+    /// Maximum deviation of N numbers before the first iteration, such that they escape in one of the last iterations.
     fn leaving<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
         let mut e = [Stray::exactly(0.0); N];
         for squares in trail.iter().rev() {

@@ -1,4 +1,4 @@
-//! How meshes are written (manual, "Mesh", "Mesh2").
+//! Notation of meshes (manual, "Mesh", "Mesh2").
 //!
 //! ```pov
 //! mesh { triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } triangle { <1, 0, 0>, <1, 1, 0>, <0, 1, 0> } pigment { color rgb 1 } }

@@ -306,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn extents_as_measured() {
+    fn pov_bounds_of_each_kind() {
         let pov_bounds =
             |kind: &str| read::<SphereSweep>(&format!("{kind} {BALLS}")).0.unwrap().pov_bounds(&Transform::IDENTITY);
         assert_eq!(pov_bounds("b_spline").min, DVec3::new(-2.4, -1.3, -0.5));

@@ -40,7 +40,7 @@ pub struct Piece {
 pub type Cover = [(f64, f64); 2];
 
 /// Called with each covered interval.
-type Tell<'a> = &'a mut dyn FnMut(Cover);
+type Visit<'a> = &'a mut dyn FnMut(Cover);
 
 /// A polynomial of degree N - 1: its Bernstein coefficients, each multiplied by C(n, k), so that products are plain
 /// sums.
@@ -146,11 +146,11 @@ impl Piece {
         (0..3).fold(radius2, |sum, axis| sum.minus(square(&|k| ways[k][axis]), 1.0))
     }
 
-    /// Calls `tell` with the intervals that the spheres cover, in any order; intervals can overlap.
-    pub fn cover(&self, line: &Line, tell: Tell) {
+    /// Calls `visit` with the intervals that the spheres cover, in any order; intervals can overlap.
+    pub fn cover(&self, line: &Line, visit: Visit) {
         match self.degree {
-            1 => self.cover_by::<2, 1, 1, 3, 2, 3>(line, tell),
-            _ => self.cover_by::<4, 3, 5, 7, 6, 11>(line, tell),
+            1 => self.cover_by::<2, 1, 1, 3, 2, 3>(line, visit),
+            _ => self.cover_by::<4, 3, 5, 7, 6, 11>(line, visit),
         }
     }
 
@@ -158,7 +158,7 @@ impl Piece {
     fn cover_by<const N: usize, const B: usize, const B2: usize, const D: usize, const S: usize, const Q: usize>(
         &self,
         line: &Line,
-        tell: Tell,
+        visit: Visit,
     ) {
         // Start from the ray's point nearest to a point of the piece, so that a distant origin costs no digits.
         let start = (self.centers[0] - line.o).dot(line.v);
@@ -194,7 +194,7 @@ impl Piece {
                     cover[1] = (middle + half, t);
                 }
             }
-            tell(cover);
+            visit(cover);
         };
         let mut from = if delta[0] < 0.0 { None } else { Some(0.0) };
         bernstein_roots(&delta, &mut |t| {

@@ -424,7 +424,7 @@ impl Lowering {
                     opaque &= solid.opaque;
                     nodes.push(solid.node);
                 }
-                // A difference of nothing is empty, and so is an intersection with nothing.
+                // A difference without its first part is empty, and so is an intersection with an empty part.
                 None if op == CsgOp::Intersection || (op == CsgOp::Difference && i == 0) => return Ok(None),
                 None => {}
             }

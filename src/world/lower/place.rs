@@ -58,7 +58,7 @@ fn composed(inner: &SharedDefault<Transform>, outer: &SharedDefault<Transform>) 
     }
 }
 
-/// The same, checked for a singular result.
+/// Returns `inner` followed by `outer`, checked for a singular result.
 fn moved(
     inner: &SharedDefault<Transform>,
     outer: &SharedDefault<Transform>,

@@ -56,7 +56,7 @@ pub enum SolidKind {
     Leaf(Leaf),
     /// All surfaces of all children.
     Union(Vec<SolidNode>),
-    /// What is inside all children.
+    /// Points inside all children.
     Intersection(Vec<SolidNode>),
     /// A union without its inner surfaces.
     Merge(Vec<SolidNode>),
@@ -79,7 +79,7 @@ impl SolidNode {
         Self::new(SolidKind::Union(children), object)
     }
 
-    /// What is inside all children.
+    /// Points inside all children.
     pub fn intersection(children: Vec<SolidNode>, object: u32) -> Self {
         // Flatten nested intersections.
         let parts = children.into_iter().flat_map(|child| match (child.is_whole(), child.kind) {
@@ -220,7 +220,7 @@ impl SolidNode {
         self.hits_as(false, ray, range, out);
     }
 
-    /// The same; `part` is true for a part of a CSG object; see [`Kernel::hits_in_csg`].
+    /// Appends every hit in the range; `part` is true for a part of a CSG object; see [`Kernel::hits_in_csg`].
     pub(super) fn hits_as<'a>(&'a self, part: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         if !self.is_met(ray) {
             return;
