@@ -52,7 +52,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/empty_intersection"],
     ),
     emulated(
-        "extent_boxes",
+        "csg_extent_boxes",
         "The boxes that `min_extent` and `max_extent` return are not the smallest ones: each transform is applied to the box of a CSG object, and not to its parts.",
         &["tests/lang/geometry.scene"],
     ),

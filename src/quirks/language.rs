@@ -4,12 +4,6 @@ use super::{Quirk, differs, emulated};
 
 pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
-        "background_by_version",
-        "Before `#version 3.7`, a picture with alpha leaves out the `background` and any other picture shows it in full, whatever its \
-         `transmit`.",
-        &["src/atmosphere/background.rs::light_by_view_and_version"],
-    ),
-    emulated(
         "call_runs_directives",
         "To find out whether the name of a function is called, directives after the name run, even where directives after a value wait until \
          the value has been used.",
@@ -95,12 +89,6 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "seed_overflow",
         "A seed beyond 32 bits is the seed -2147483648.",
         &["tests/lang/numeric_functions.scene"],
-    ),
-    emulated(
-        "sky_by_version",
-        "Before `#version 3.7`, a pigment of a `sky_sphere` transmits those below it by the amount of its filter whatever its colour, and \
-         pictures with alpha leave out the sky.",
-        &["light_cases/sky_sphere_before_37"],
     ),
     emulated(
         "srgb_files_since_3_7",

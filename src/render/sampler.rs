@@ -62,6 +62,7 @@ impl<'w> Sampler<'w> {
     }
 
     /// Returns the radiance through a point: the mean over all rays of a camera that has several.
+    #[inline]
     pub fn sample(&mut self, x: f64, y: f64) -> Radiance {
         let view = &self.camera.view;
         let count = view.count();

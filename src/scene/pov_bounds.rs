@@ -1,5 +1,5 @@
 //! The boxes that `min_extent` and `max_extent` return. Scenes place objects by these boxes, so they are POV-Ray's and
-//! not always the smallest ones (quirk: `extent_boxes`). The box of a shape is that of its object space, transformed
+//! not always the smallest ones (quirk: `csg_extent_boxes`). The box of a shape is that of its object space, transformed
 //! once. The box of a CSG object is the union or intersection of its parts' boxes; each later transform acts on this
 //! box.
 

@@ -36,20 +36,19 @@ impl<'w> Tracer<'w> {
     }
 
     /// Returns the radiance along a ray: traces the ray and all rays that it spawns, the last spawned first.
-    pub(super) fn radiance(&mut self, first: RayState) -> Radiance {
+    pub(super) fn radiance(&mut self, mut state: RayState) -> Radiance {
         let mut sum = Radiance::ZERO;
         // A nested query leaves the states of the query around it in the queue.
         let pending = self.queue.len();
-        self.queue.push(first);
-        while self.queue.len() > pending
-            && let Some(mut state) = self.queue.pop()
-        {
-            if self.is_stopped_at_next_surface() {
-                break;
-            }
+        while !self.is_stopped_at_next_surface() {
             if state.n_surfaces < MAX_SURFACES {
                 self.trace(&mut state, &mut sum);
             }
+            if self.queue.len() == pending {
+                break;
+            }
+            let Some(next) = self.queue.pop() else { break };
+            state = next;
         }
         self.queue.truncate(pending);
         sum

@@ -34,6 +34,7 @@ pub(super) struct RayState {
 
 impl RayState {
     /// The state of a camera ray.
+    #[inline]
     pub fn camera(ray: Ray, inside: Interiors) -> Self {
         Self {
             ray,
@@ -50,12 +51,14 @@ impl RayState {
     }
 
     /// Multiplies the factors by the transmittance of a segment.
+    #[inline]
     pub fn attenuate(&mut self, segment: &Segment) {
         self.throughput *= segment.transmittance;
         self.transparency *= gray(segment.transmittance);
     }
 
     /// The state of a ray that continues along `ray` from a surface with a share of this ray's light; all else stays.
+    #[inline]
     pub fn continued(&self, ray: Ray, share: Rgb) -> Self {
         Self {
             ray,

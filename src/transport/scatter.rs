@@ -133,17 +133,13 @@ impl Tracer<'_> {
             let reflectance = |light| reflect::reflected(&mirrors, shading.point, context, bounce, out, light);
             let is_linear = reflect::is_linear(&mirrors, context, bounce);
             let share = if is_linear { reflectance(Rgb::ONE) } else { Rgb::ONE };
-            let reflected = RayState {
-                level: state.level + 1,
-                weight: bounce.weight,
-                is_reflected: true,
-                ..state.continued(Ray::new(shading.point, out), share)
-            };
+            let mut reflected = state.continued(Ray::new(shading.point, out), share);
+            (reflected.level, reflected.weight, reflected.is_reflected) = (state.level + 1, bounce.weight, true);
             if is_linear {
                 self.queue.push(reflected);
             } else {
-                let nested = RayState { throughput: Rgb::ONE, ..reflected };
-                let light = self.radiance(nested).rgb;
+                reflected.throughput = Rgb::ONE;
+                let light = self.radiance(reflected).rgb;
                 sum.rgb += state.throughput * reflectance(light);
             }
         }

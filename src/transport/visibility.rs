@@ -24,6 +24,7 @@ struct ShadowRay<'a> {
 impl Tracer<'_> {
     /// Returns the visibility of a light from a point, per channel: 0 in full shadow, 1 without any occluder. `state` is the ray that hit
     /// the point.
+    #[inline]
     pub(super) fn visibility(
         &mut self,
         light: &LightSource,

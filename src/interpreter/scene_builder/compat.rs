@@ -35,14 +35,14 @@ pub fn has_opacity_by_color(version: Option<u32>) -> bool {
 }
 
 /// True if a sky's pigment transmits the pigments below it by the amount of its filter, whatever its colour, and if the
-/// sky is left out of pictures with alpha; `version` is that at the end of the scene (quirk: `sky_by_version`; manual,
+/// sky is left out of pictures with alpha; `version` is that at the end of the scene (quirk: `sky_by_share`; manual,
 /// "Sky Sphere").
 pub fn has_sky_by_share(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
 /// True if a picture with alpha leaves out the background whatever its transparency, and any other picture shows it;
-/// `version` is that at the `background` (quirk: `background_by_version`).
+/// `version` is that at the `background` (quirk: `background_before_3_7`).
 pub fn has_background_by_picture(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
