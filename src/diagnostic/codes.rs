@@ -42,10 +42,10 @@ codes! {
 "A scene is a text file. This one holds bytes that no text holds, as pictures, archives and programs do.
 Text in UTF-16, as some editors write it, has to be saved as UTF-8."
     FILE_NOT_FOUND "E0002" "there is no such file"
-"No file of this name is there. Names are looked up in the current folder unless they start with `/`; upper and lower
-case letters differ on most systems. `-` stands for standard input."
+"No file has this name. Names are relative to the current folder unless they start with `/`; upper and lower
+case letters differ on most systems. `-` is standard input."
     FILE_UNREADABLE "E0003" "the file can't be read"
-"It is there, but it is a folder, or larger than 4 GB, or the system doesn't let you read it."
+"The file exists, but it is a folder, or larger than 4 GB, or the system doesn't let you read it."
     FILE_UNWRITABLE "E0004" "the file can't be written"
 "Its folder doesn't exist, or you may not write there, or the disk is full. A picture is written whole or not at all: first
 into a temporary file in the same folder, which then takes the name. So the folder itself has to be writable. Nothing was
@@ -64,35 +64,35 @@ smaller with `--size`. More than 68 719 476 736 pixels are never drawn: that wou
 "It is damaged, cut off, or of another kind than its name says."
     FORMAT_LIMIT "E0008" "the picture format can't hold this picture"
 "Every format has limits: jpg holds 65535 pixels a side, bmp, tga and jpg hold 8 bits a channel, exr and hdr always hold
-floating-point numbers, and only png, tiff, bmp, tga and exr know transparency. Choose another format, for example png."
+floating-point numbers, and only png, tiff, bmp, tga and exr have transparency. Choose another format, for example png."
     OUTSIDE_PICTURE "E0010" "this part is not inside the picture"
 "Pixels are counted from the top left, starting with 0: a picture of 640x480 goes from 0,0 to 639,479. `--size` says how large
 the picture is."
     UNKNOWN_OPTION "E0011" "there is no such option"
-"durer takes its own options (`durer render --help`) and those of POV-Ray (`+W640`, `Width=640`). This is neither."
+"durer accepts its own options (`durer render --help`) and those of POV-Ray (`+W640`, `Width=640`). This is neither."
     OPTION_IGNORED "W0012" "a POV-Ray option that has no effect here"
-"POV-Ray has this option and durer knows it, but doesn't do what it asks for. The picture is drawn without it."
+"durer accepts this option of POV-Ray and ignores it. The picture is rendered without it."
     INI_SECTION "W0013" "an INI file has no such section"
-"`durer anim.ini[low]` reads what stands before the first label of the file, and then what follows the label `[low]`. Without that
+"`durer anim.ini[low]` reads the lines before the first label of the file, and then those after the label `[low]`. Without that
 label, only the first part is read, as POV-Ray does."
     INI_REST "W0014" "a part of a line is not read"
 "In an INI file, a setting such as `Width=320` ends its line. POV-Ray reads no further, and so does durer."
     INI_SYNTAX "E0015" "a line of an INI file can't be read"
 "A line holds settings (`Width=320`), switches (`+W320`), the name of another INI file, or a section's label (`[low]`). Comments
-begin with `;` or `#`. What doesn't fit the line can't be found out from the rest, so nothing is drawn."
+begin with `;` or `#`. The meaning of any other line is unknown, so nothing is rendered."
     NO_SCENE "E0016" "an INI file names no scene"
 "`durer render anim.ini` draws the scene that the line `Input_File_Name=scene.pov` of the file names. An INI file without such a
 line holds options only; `durer scene.pov low.ini` uses both."
     INI_LOOP "E0017" "an INI file reads itself"
-"An INI file may name another on a line of its own. One that comes back to itself would never end."
+"An INI file may name another on a line of its own. A file that names itself, directly or through others, would never end."
     MESH_BROKEN "E0018" "the mesh's file can't be read"
-"`mesh { file \"NAME\" }` takes PLY, OBJ, STL and glTF files (ply, obj, stl, gltf, glb). The message names the line, or the byte counted
-from 0, where the file stops making sense: it ends early, a corner's number is beyond the list, a place is not a number."
-    SYNTAX "E0100" "something stands where nothing of the kind can stand"
+"`mesh { file \"NAME\" }` reads PLY, OBJ, STL and glTF files (ply, obj, stl, gltf, glb). The message gives the reason, and the line or the
+byte (counted from 0) where it is known: the file ends early, a corner's index is too large, a coordinate is not a number."
+    SYNTAX "E0100" "unexpected text"
 "The text can't be read as a scene from this place on."
     UNCLOSED "E0101" "something is opened and never closed"
-"A `{`, `(`, `[`, string, comment or directive has no end. The message stands at the opener, since the text gives no
-sign of where the end was meant to be.\n\n    sphere { <0, 0, 0>, 1\n    // the `}` is missing"
+"A `{`, `(`, `[`, string, comment or directive has no end. The message marks the opener, since the intended end
+is unknown.\n\n    sphere { <0, 0, 0>, 1\n    // the `}` is missing"
     UNMATCHED_CLOSER "E0102" "something is closed that was never opened"
 "A `}`, `)`, `]` or `#end` has no opener. Often one too many was typed, or the opener was deleted."
     UNKNOWN_DIRECTIVE "E0103" "no directive of this name"
@@ -100,10 +100,10 @@ sign of where the end was meant to be.\n\n    sphere { <0, 0, 0>, 1\n    // the 
     TOO_DEEP "E0104" "brackets are nested too deeply"
 "A thousand brackets, directives or choices inside each other are more than any scene needs: the file is probably damaged."
     WRONG_TYPE "E0200" "a value of another kind is needed here"
-"For example a colour where a number belongs, or a texture where an object belongs. A number does stand for a vector or a
-colour of equal parts: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>, rgb 1 }   // the radius is a number"
+"For example a colour where a number belongs, or a texture where an object belongs. A number is accepted as a vector or a
+colour with equal components: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>, rgb 1 }   // the radius is a number"
     EXPECTED_VALUE "E0201" "a number, vector, colour or text is needed here"
-"A word, a block or the end of a block stands where the value belongs that the word before it needs.\n\n    rotate translate y   // rotate by how much?"
+"A word, a block or the end of a block is where the previous word needs a value.\n\n    rotate translate y   // rotate by how much?"
     WRONG_COUNT "E0202" "too few or too many values"
 "A vector has two to five numbers, a macro takes as many arguments as its definition names, a `matrix` twelve numbers."
     UNDECLARED "E0203" "a name that nothing was declared for"
@@ -111,23 +111,23 @@ colour of equal parts: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0, 0, 0>
     UNKNOWN_WORD "E0204" "a block does not take this word"
 "Each block takes words of its own; the message lists them, or names the nearest."
     EXPECTED "E0205" "something else is needed here"
-"The message says what was found and what can stand there."
+"The message gives the found and the expected text."
     NO_COMPONENT "E0206" "a vector has no such component"
 "Vectors have x y z, and u v t; colours have red green blue filter transmit and gray."
     NOT_CALLABLE "E0207" "only macros and functions are called"
 "A name with arguments in parentheses must be a macro or a function; this one is something else."
     RESERVED_NAME "E0208" "a word of the language can't be declared"
-"All words of the language are in small letters: a name with a capital letter never collides with one, nor with one that a later version brings."
+"All words of the language are in lower case: a name with a capital letter never collides with one, nor with a word of a later version."
     BAD_ARGUMENT "E0209" "a function can't be computed for this value"
 "For example the root of a negative number or the logarithm of 0."
     NOT_FINITE "E0210" "a number is infinite or not a number"
-"Something was divided by zero or grew beyond all bounds before it got here."
+"An earlier division by zero or overflow gave this number."
     SINGULAR "E0211" "a transform flattens space"
 "A factor of 0 in `scale`, or a `matrix` whose rows lie in one plane, has no inverse: no ray could be brought into the object's space.\n\n    scale <1, 0, 1>   // use a tiny number, or a disc"
     ZERO_VECTOR "E0212" "a direction has no length"
 "A normal, an axis or a direction is `<0, 0, 0>` and points nowhere."
     BAD_CAMERA "E0213" "a camera that can't see"
-"Its vectors are zero or parallel, or its angle lies outside of what its kind can show."
+"Its vectors are zero or parallel, or its angle is outside of the range of its projection."
     EMPTY_MAP "E0214" "a map without entries"
 "A map needs at least one entry such as `[0.5 color rgb 1]`."
     UNCLOSED_BLOCK "E0215" "a block that never ends"
@@ -169,50 +169,50 @@ first. `--allow-read DIR` and `--allow-write DIR` allow more. No scene can start
 "The scene itself, or a file it includes, has something to say."
     DEPRECATED "W0203" "a name that should not be used any more"
 "Whoever declared it marked it as `deprecated` and says what to use instead."
-    NEWER_VERSION "W0204" "a version of the language that is not known"
-"The scene may use words that durer does not know, or know otherwise."
-    EMPTY_BLOCK "W0205" "a block that holds nothing"
-"It is read and has no effect."
+    NEWER_VERSION "W0204" "an unknown version of the language"
+"The scene may use words that durer does not support, or with another meaning."
+    EMPTY_BLOCK "W0205" "an empty block"
+"It has no effect."
     NO_CAMERA "W0206" "a scene without a camera"
 "POV-Ray's default camera is used: at the origin, looking along z."
     ZERO_SCALE "W0207" "a scale of 0"
 "It would flatten the object; POV-Ray uses 1 for that axis instead, and so does durer."
     OTHER_SPELLING "W0208" "a file is there, but not under this name"
-"Some systems take `COLORS.INC` for `colors.inc`, and `\\` for `/`; most do not. durer finds the file all the same and tells how its name
-is written. Of a path such as `C:\\pov\\shapes.inc`, only the last name is looked for.
+"Some systems take `COLORS.INC` for `colors.inc`, and `\\` for `/`; most do not. durer finds the file all the same and reports the spelling of
+its name. Of a path such as `C:\\pov\\shapes.inc`, only the last name is looked for.
 
     #include \"Include\\Colors.inc\"   // #include \"include/colors.inc\""
     UNUSED_NAME "W0209" "a name that is declared and never used"
-"Told with `--warn unused`. The scene's own file declares it, and no file that was read mentions it again: often a slip of the fingers,
-here or where it was to be used. A name that begins with `_` is not told."
+"Reported with `--warn unused`. The scene's own file declares it, and no file that was read uses it: often a typo in the declaration
+or in the use. A name that begins with `_` is not reported."
     HIDDEN_NAME "W0210" "a name that hides another"
-"Told with `--warn shadow`. Inside of a macro, its parameters and `#local`s come first; a name declared outside is not seen then, nor by
-the macros that are called from there."
-    FONT_MISSING "W0211" "a font is not there"
+"Reported with `--warn shadow`. Inside of a macro, its parameters and `#local`s hide equal names declared outside, also from
+the macros that it calls."
+    FONT_MISSING "W0211" "a font was not found"
 "A `text` names a font file that is neither in the scene's folder nor in those of the includes, nor a family of this
-machine's fonts. A similar one of the system stands for it (serif, sans or monospaced, bold, italic, as its name tells), so that the picture will differ a
+machine's fonts. A similar font of the system replaces it (serif, sans or monospaced, bold, italic, according to its name), so that the picture differs a
 little. The environment variable DURER_FONTS names other folders in which to look for it."
-    MISPLACED "W0212" "a word stands in another place than it should"
-"POV-Ray takes it there and does what durer does: a colour of an object outside of its `pigment` changes nothing,
-`max_trace_level` outside of `global_settings` counts, and `uv_mapping` behind a pigment's name takes its colours away.
+    MISPLACED "W0212" "a misplaced word"
+"POV-Ray accepts it there with the same effect as durer: a colour of an object outside of its `pigment` changes nothing,
+`max_trace_level` outside of `global_settings` counts, and `uv_mapping` after a pigment's name removes its colours.
 
     sphere { 0, 1 color rgb 1 }              // sphere { 0, 1 pigment { color rgb 1 } }
     max_trace_level 10                       // global_settings { max_trace_level 10 }
     pigment { Wood uv_mapping }              // pigment { uv_mapping Wood }"
     INFINITE "W0213" "a number that is used is infinite or not a number"
-"POV-Ray goes on with such numbers, and so does durer where it can: of a shape that has one, or is moved by one, nothing is
-seen; in a colour, infinity is white light and black paint, and what is not a number is black. Look for a division by zero, or for
+"POV-Ray continues with such numbers, and so does durer where it can: a shape with such a number or transform is
+invisible; in a colour, infinity is white light and black paint, and NaN is black. Look for a division by zero, or for
 a number that grows in a loop."
     MESH_PARTLY "W0214" "a part of a mesh's file is left out"
-"A file of a mesh names its materials, which may be in another file: that is not there, or it holds what durer doesn't draw. The mesh's own
-texture shows in their place."
-    MORE_ERRORS "W0250" "more errors were found than are told"
-"After twenty errors the others are counted only: many of them follow from the first ones, and go when those are mended."
+"A mesh file names its materials, which may be in another file: that file is missing, or has features that durer doesn't render. The mesh's own
+texture replaces them."
+    MORE_ERRORS "W0250" "more errors than are reported"
+"After twenty errors the others are only counted: many of them follow from the first ones, and vanish when those are corrected."
     NO_DIRECTION "E0300" "a plane has no direction"
-"The normal of a plane tells which way it faces, so `plane { <0, 0, 0>, 1 }` is no plane. A plane that is spanned by two
+"The normal of a plane is its direction, so `plane { <0, 0, 0>, 1 }` is not a plane. A plane that is spanned by two
 vectors has no normal either if they are parallel. A floor is `plane { y, 0 }`."
     NO_LENGTH "E0301" "a cylinder or cone has no length"
-"Its two end points are the same, so nothing tells which way its axis goes: `cylinder { 0, 0, 1 }`. Move one of them, as in
+"Its two end points are equal, so its axis has no direction: `cylinder { 0, 0, 1 }`. Move one of them, as in
 `cylinder { 0, y, 1 }`; a flat round plate is `disc { 0, y, 1 }`."
     FEW_POINTS "E0302" "a polygon or curve has too few points"
 "The first number in a `polygon` says how many points follow. It takes three to enclose an area, and the first one is
@@ -227,7 +227,7 @@ usually repeated at the end: `polygon { 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }`."
 "The radius of a `sor` is a function of its height: from the second point to the last but one the heights rise, and no radius is negative. The
 first and the last point, which only give directions, are not as high as the next but one. A `lathe` turns any curve."
     NO_SURFACE "W0300" "a shape has no surface"
-"Nothing of it will be seen: a radius is zero or, in a torus, negative; or the normal of a disc is zero; or the hole of a disc
+"The shape is invisible: a radius is zero or, in a torus, negative; or the normal of a disc is zero; or the hole of a disc
 is as large as the disc."
     FLAT_TRIANGLE "W0301" "a triangle has no area"
 "Its corners are on one line, or two of them are the same point. It is left out."
@@ -247,26 +247,26 @@ taken, as POV-Ray does."
 "POV-Ray searches for an isosurface by steps that `max_gradient` allows; where the function is steeper, it shows holes. durer bounds the
 function itself where it can and shows none, but a scene that shall look alike in both needs a `max_gradient` that is large enough."
     BLACK_PICTURE "W0400" "the picture is black all over"
-"Something is seen, but no light comes from it: the scene has no `light_source`, or the light stands inside of an object, or all that
-is seen is black. An object without a `pigment` is black.
+"Something is seen, but no light comes from it: the scene has no `light_source`, or the light is inside of an object, or all visible
+objects are black. An object without a `pigment` is black.
 
     light_source { <10, 20, -10>, rgb 1 }"
     NOTHING_SEEN "W0401" "the picture shows nothing but the background"
-"No ray from the camera meets an object. The message tells where the nearest one is: behind the camera, beside the picture, or so
-far away that it is smaller than a pixel. Told when a picture is drawn."
+"No ray from the camera hits an object. The message locates the nearest one: behind the camera, beside the picture, or so
+far away that it is smaller than a pixel. Reported after rendering."
     CAMERA_INSIDE "W0402" "the camera is inside of an object"
 "All that is seen is the inside of the object around the camera, or the back of a floor; other objects are hidden by it. A room or a sky
-around the camera is fine as long as something else is seen too. Told when a picture is drawn."
+around the camera is fine as long as another object is visible too. Reported after rendering."
     NOTHING_LEFT "W0403" "nothing is left of a CSG object"
-"What is taken away in a `difference` holds all of the first object, or the parts of an `intersection` have no point in common. Where one
-part alone is to blame, the message names it. A `plane` holds the side that its normal points away from.
+"The objects that a `difference` subtracts contain all of the first object, or the parts of an `intersection` have no point in common. If one
+part alone is the reason, the message names it. The inside of a `plane` is the side that its normal points away from.
 
     difference { sphere { 0, 1 } box { -2, 2 } }   // nothing of the sphere lies outside of the box"
     SEVERAL_CAMERAS "W0404" "a scene with several cameras"
-"The last one counts; the others are not looked through. An `#if` or `#switch` around them chooses one."
+"The last one counts; the others are ignored. An `#if` or `#switch` around them chooses one."
     STRETCHED "W0405" "the picture's sides do not fit the camera's"
-"The camera's window is `right` wide and `up` high; a picture of another shape shows all of it, stretched, and balls become eggs. Told when a
-picture is drawn. This fits a picture of any size:
+"The camera's window is `right` wide and `up` high; a picture of another shape shows all of it, stretched, and balls become eggs. Reported after
+rendering. This fits a picture of any size:
 
     camera { location <0, 1, -5> look_at 0 right x*image_width/image_height }"
     COLOR_OF_BYTES "W0406" "a colour that counts up to 255"
@@ -275,27 +275,27 @@ numbers as painting programs do:
 
     pigment { srgb <255, 128, 0>/255 }"
     ALL_AXES "W0407" "`rotate` with a single number"
-"A single number stands for three: `rotate 45` is `rotate <45, 45, 45>`, which turns around the x axis, then y, then z. Around one axis it is
+"A single number is used for all three components: `rotate 45` is `rotate <45, 45, 45>`, which turns around the x axis, then y, then z. Around one axis it is
 `rotate y*45`. Write the vector if all three are meant."
     ALONG_SKY "W0408" "the camera looks along `sky`"
-"`look_at` turns the camera so that `sky` is up in the picture, and straight above or below the camera nothing tells what is up. The `right` vector is
-used instead. Another `sky` says what is meant to be up:
+"`look_at` turns the camera so that `sky` is up in the picture, and straight above or below the camera no direction is up. The `right` vector is
+used instead. Choose another `sky`:
 
     camera { location y*10 sky z look_at 0 }"
     FALLING_MAP "W0409" "the numbers of a map fall"
-"The numbers of a map's entries rise from the first to the last; from an entry whose number is smaller than the one before, nothing of what is between them is
-seen. Mostly two entries were exchanged: `[0 …] [1 …]`."
+"The numbers of a map's entries rise from the first to the last; if an entry's number is smaller than the one before, the colours between them are
+never shown. Usually two entries are exchanged: `[0 …] [1 …]`."
     FEW_PARTS "W0410" "a CSG object with a single part"
-"An `intersection` or a `difference` takes two objects or more; with one, it does nothing. Is the `}` where it should be? A `union` of one object
-is told with `--warn doubtful` only."
-    SAME_SURFACE "W0411" "two surfaces lie in one another"
-"Where two faces are in the same place, chance decides which one a ray meets first, and the picture shows specks of both. Move one of them by a
-thousandth; let what a `difference` takes away stick out a little. Told when a picture is drawn.
+"An `intersection` or a `difference` needs two objects or more; with one, it has no effect. Check the position of the `}`. A `union` of one object
+is reported with `--warn doubtful` only."
+    SAME_SURFACE "W0411" "two surfaces coincide"
+"Where two faces coincide, rounding decides which one a ray hits first, and the picture shows specks of both. Move one of them by a
+thousandth; let the objects that a `difference` subtracts stick out a little. Reported after rendering.
 
     difference { box { 0, 1 } cylinder { 0.5*(x + z), 0.5*(x + z) + y, 0.3 } }   // from below 0 to above 1"
-    NOT_PORTABLE "W0420" "POV-Ray 3.7 would refuse this"
-"Told with `durer check --warn portable`. durer takes it, POV-Ray 3.7 does not: a comma where it expects none, a vector for a colour, a texture's name without
-its `texture { }`, a missing `;`, or a word that only durer knows."
+    NOT_PORTABLE "W0420" "POV-Ray 3.7 would reject this"
+"Reported with `durer check --warn portable`. durer accepts it, POV-Ray 3.7 does not: a comma where it expects none, a vector for a colour, a texture's name without
+its `texture { }`, a missing `;`, or a word of durer's own."
 }
 
 /// Marks an error that follows from a reported one; never shown.

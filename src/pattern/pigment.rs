@@ -57,7 +57,7 @@ impl Thing for PigmentPattern {
 impl Readable for PigmentPattern {
     const SPEC: Spec = Spec {
         name: "pigment_pattern",
-        summary: "the brightness of a pigment, which stands in braces",
+        summary: "the brightness of a pigment in braces",
         params: &[Param { name: "pigment", kind: ValueKind::Block, summary: "any pigment" }],
         words: &[],
     };

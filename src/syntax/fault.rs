@@ -77,12 +77,12 @@ fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic
     let fault = |message: String| Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
     let found = found(text, at);
     if let Some(directive @ ("declare" | "local" | "macro" | "undef")) = directive_at_end(before) {
-        let d = fault(format!("expected a name behind `#{directive}`, found {found}"));
+        let d = fault(format!("expected a name after `#{directive}`, found {found}"));
         return Some(d.help("names are made of the letters a to z, digits and `_`"));
     }
     let name = last_word(before)?;
     let directive = directive_at_end(before[..before.len() - name.len()].trim_end())?;
-    let d = fault(format!("expected `=` behind `#{directive} {name}`, found {found}"));
+    let d = fault(format!("expected `=` after `#{directive} {name}`, found {found}"));
     let line = text[at..].lines().next().unwrap_or_default();
     let value = line.split([';', '/']).next().unwrap_or_default().trim();
     let value = if value.is_empty() || value.len() > 40 || value.starts_with('=') { "…" } else { value };
@@ -115,7 +115,7 @@ fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
         let d = d.also(Span::new(base + next, base + next + 1), "this one");
         return (!is_closed(&text[next..])).then(|| d.help(format!("it is written `#{word} ({form}) …`")));
     }
-    let message = format!("expected `(` behind `#{word}`, found {}", found(text, next));
+    let message = format!("expected `(` after `#{word}`, found {}", found(text, next));
     let span = token_span(text, next, base);
     Some(Diagnostic::new(codes::SYNTAX, span, message).help(format!("`#{word} ({form}) …`")))
 }
@@ -151,7 +151,7 @@ fn help_for(text: &str, at: usize, token: &str) -> Option<String> {
         "'" => "strings stand in double quotes".into(),
         "%" => "the remainder is `mod(a, b)`".into(),
         "^" => "powers are `pow(a, b)`".into(),
-        "\\" | "@" | "$" | "~" | "`" => "no such character stands in a scene outside of strings and comments".into(),
+        "\\" | "@" | "$" | "~" | "`" => "scenes have no such character outside of strings and comments".into(),
         "+" | "*" | "/" | "-" => "an operator needs a value on both sides".into(),
         "" => "something is missing at the end".into(),
         _ if matches!(last_word(before), Some("rgb" | "rgbf" | "rgbt" | "rgbft" | "color" | "colour"))

@@ -398,8 +398,8 @@ impl Lexer<'_> {
     fn continues_nothing(&mut self, word: &str, at: usize, end: usize) {
         let help = match word {
             "end" => "each `#end` belongs to an `#if`, `#ifdef`, `#while`, `#for`, `#switch` or `#macro`",
-            "case" | "range" => "it stands in a `#switch`, before its `#else`",
-            "elseif" => "it stands in an `#if`, before its `#else`",
+            "case" | "range" => "it belongs into a `#switch`, before its `#else`",
+            "elseif" => "it belongs into an `#if`, before its `#else`",
             _ => "it continues an `#if` or a `#switch`, once",
         };
         self.fault(codes::UNMATCHED_CLOSER, at, end, format!("`#{word}` continues nothing"), Some(help));

@@ -30,7 +30,7 @@ pub fn tell_bytes(r: &mut dyn Reader, at: Span, color: &Color) {
 pub fn tell_falling<T>(r: &mut dyn Reader, at: Span, map: &Map<T>) {
     let falls = map.entries.windows(2).find(|pair| pair[1].0 < pair[0].0 - 1e-6 * pair[0].0.abs().max(1e-3));
     let Some([(before, _), (number, _)]) = falls else { return };
-    let message = format!("the numbers of this map fall: {number} comes behind {before}");
+    let message = format!("the numbers of this map fall: {number} comes after {before}");
     let help = "the entries go from the smallest number to the largest, as in `[0 …] [1 …]`";
     r.report(Diagnostic::new(codes::FALLING_MAP, at, message).help(help));
 }

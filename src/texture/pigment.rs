@@ -125,7 +125,7 @@ impl Pigment {
         r.flag()?;
         self.forget_pattern();
         self.paint = Paint::Solid(Color::BLACK);
-        let message = "`uv_mapping` stands behind the pigment's name, and makes it black";
+        let message = "`uv_mapping` after the name of a pigment makes the pigment black";
         r.report(Diagnostic::new(codes::MISPLACED, at, message).help("it belongs before the name"));
         Ok(())
     }

@@ -70,12 +70,12 @@ pub fn pigment_names() -> Vec<&'static str> {
 /// `texture { … }`
 pub const TEXTURE: Vocabulary = Vocabulary {
     block: "texture",
-    summary: "what a surface looks like; several behind one another are layers, the last on top",
+    summary: "what a surface looks like; several in a row are layers, the last on top",
     words: &[
         word("pigment", Block, "black", "its colour"),
         word("normal", Block, "", "its bumps"),
         word("finish", Block, "see `finish`", "its answer to light"),
-        word("texture_map", Block, "", "behind a pattern: which texture each of its numbers gets"),
+        word("texture_map", Block, "", "after a pattern: which texture each of its numbers gets"),
         word("uv_mapping", Flag, "off", "it sees the place on the surface, (u, v, 0), instead of the point"),
         word("no_bump_scale", Flag, "off", "bumps keep their depth when they are scaled"),
         word("material_map", Block, "", "a picture whose numbers choose among textures"),
@@ -95,7 +95,7 @@ const NORMAL_PARTS: &[WordSpec] = &[
 
 /// The readers of [`NORMAL`]'s other words.
 pub(super) const NORMAL_ROWS: &[Row<Normal>] = &[
-    word("bump_size", Float, "0.5", "how deep the bumps seem; also as a number behind the pattern's name")
+    word("bump_size", Float, "0.5", "how deep the bumps seem; also as a number after the pattern's name")
         .sets(|s, r| set(&mut s.amount, r.float())),
     word(
         "accuracy",

@@ -134,7 +134,7 @@ fn read_between(r: &mut dyn Reader) -> Result<Between> {
 fn function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let at = r.span();
     let Some(([width, height], thing)) = r.sized_function()? else {
-        return Diagnostic::new(codes::WRONG_TYPE, at, "a function that stands for a picture needs a size")
+        return Diagnostic::new(codes::WRONG_TYPE, at, "a function as a picture needs a size")
             .help("`function 200, 200 { … }`")
             .into();
     };

@@ -57,7 +57,8 @@ impl Readable for BlackHole {
         .sets(|s, r| set(&mut s.repeat, r.vector())),
         word("turbulence", ValueKind::Vector, "0", "how far the centre is moved at random in each block")
             .sets(|s, r| set(&mut s.turbulence, r.vector())),
-        word("type", ValueKind::Float, "0", "kept for POV-Ray's sake, means nothing").sets(|_, r| r.float().map(drop)),
+        word("type", ValueKind::Float, "0", "accepted for compatibility with POV-Ray, without effect")
+            .sets(|_, r| r.float().map(drop)),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
