@@ -36,11 +36,11 @@ pub struct Token {
 /// Kind of a declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DeclarationKind {
-    /// By `#declare`.
+    /// Declared by `#declare`.
     Declare,
-    /// By `#local`.
+    /// Declared by `#local`.
     Local,
-    /// By `#macro`.
+    /// Declared by `#macro`.
     Macro,
     /// Parameter of a macro.
     Parameter,

@@ -103,7 +103,7 @@ impl End {
 struct Corner {
     /// Logarithms of the coordinates.
     of: DVec3,
-    /// Logarithm of the norm of x and y.
+    /// Logarithm of (|x|^(2/e) + |y|^(2/e))^(e/2).
     across: f64,
     /// Logarithm of the gauge: the factor by which the shape must grow to reach the point.
     gauge: f64,

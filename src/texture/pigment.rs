@@ -132,7 +132,7 @@ impl Pigment {
 
     /// Reads one element of a pigment: a word of its pattern, a map, a list, a colour.
     pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
-        if Pattern::is_named_by(next) && self.shows_defaults() {
+        if Pattern::is_named_by(next) && self.has_default_paint() {
             self.paint = Paint::Solid(Color::BLACK);
         }
         if self.pattern.modify_if(|pattern| pattern.read_element(next, r))? {
@@ -199,7 +199,7 @@ impl Pigment {
     }
 
     /// True if the pigment has only its pattern's default colours, or a picture, which another pattern replaces.
-    fn shows_defaults(&self) -> bool {
+    fn has_default_paint(&self) -> bool {
         match (&self.pattern.kind, &self.paint) {
             (_, Paint::Image(_)) => true,
             (PatternKind::Field(field), Paint::Colors(map)) => map.entries == field.default_colors(),

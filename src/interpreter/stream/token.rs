@@ -31,7 +31,7 @@ pub enum Token<'a> {
 /// The word before a `{`.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockName<'a> {
-    /// The keyword; `None` for an unknown word.
+    /// Keyword before the `{`; `None` if that word is not a keyword.
     pub word: Option<&'static str>,
     /// Span of the word.
     pub span: Span,

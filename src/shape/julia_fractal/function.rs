@@ -5,7 +5,7 @@ use crate::value::words::word;
 use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 
-/// A function of complex numbers.
+/// Function applied to the hypercomplex number z in each iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Function {
