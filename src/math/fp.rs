@@ -114,13 +114,13 @@ pub fn exp2(x: f64) -> f64 {
     x.exp2()
 }
 
-/// Natural logarithm.
+/// Natural logarithm of `x`.
 #[inline]
 pub fn ln(x: f64) -> f64 {
     x.ln()
 }
 
-/// Cube root.
+/// Cube root of `x`.
 #[inline]
 pub fn cbrt(x: f64) -> f64 {
     x.cbrt()

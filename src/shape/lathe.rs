@@ -22,7 +22,7 @@ use serde::Serialize;
 /// A curve that is rotated about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Lathe {
-    /// Interpolation between points.
+    /// Interpolation of the outline between its points.
     pub interpolation: Interpolation,
     /// The curve as distance from the axis and height.
     pub curve: Curve,

@@ -26,17 +26,17 @@ const LID: u32 = u32::MAX;
 /// An outline that is swept along y.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Prism {
-    /// Interpolation between points.
+    /// Interpolation of the outlines between their points.
     pub interpolation: Interpolation,
     /// True if the outline grows with y from an apex at the origin.
     pub conic: bool,
-    /// Lower end.
+    /// The y coordinate of the lower end.
     pub bottom: f64,
-    /// Upper end.
+    /// The y coordinate of the upper end.
     pub top: f64,
     /// The outlines, as x and z.
     pub outlines: Curve,
-    /// True without lids.
+    /// True if the prism has no lids at its ends.
     pub open: bool,
     #[serde(skip)]
     unclosed: bool,

@@ -8,7 +8,7 @@ use serde::Serialize;
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
-/// A lowered normal.
+/// A [`Normal`] lowered to the form that is evaluated.
 #[derive(Clone, Debug, Serialize)]
 pub struct NormalProgram {
     pattern: PatternProgram,
@@ -55,7 +55,7 @@ const TETRAHEDRON: [DVec3; 4] = [
 ];
 
 impl NormalProgram {
-    /// Lowers a normal.
+    /// Lowers a normal to the form that is evaluated.
     pub fn new(normal: &Normal) -> Self {
         let relief = match &normal.relief {
             Relief::Own => ReliefProgram::Own,

@@ -18,18 +18,18 @@ use std::sync::Arc;
 pub enum Paint {
     /// Constant where there is no pattern; else the pattern's default colours.
     Solid(Color),
-    /// By the pattern's number.
+    /// The colour of a map at the pattern's number.
     Colors(Arc<ColorMap>),
     /// Other pigments, with their transforms.
     Pigments(Blend<Pigment>),
-    /// A picture.
+    /// A picture, projected onto the points.
     Image(Arc<ImageMap>),
 }
 
 /// Colours in their own space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pigment {
-    /// The pattern.
+    /// Pattern whose number or cell selects the colour.
     pub pattern: SharedDefault<Pattern>,
     /// Source of the colour.
     pub paint: Paint,
@@ -44,7 +44,7 @@ impl Default for Pigment {
 }
 
 impl Pigment {
-    /// A constant colour.
+    /// Returns a pigment of one colour.
     pub fn solid(color: Color) -> Self {
         Self { pattern: SharedDefault::DEFAULT, paint: Paint::Solid(color), quick_color: None }
     }

@@ -15,7 +15,7 @@ pub use table::TABLE;
 use super::Interval;
 use std::fmt;
 
-/// An internal function.
+/// A function that a scene calls by number, as `internal(N)`.
 pub struct Internal {
     /// Argument of `internal( )`.
     pub number: u32,

@@ -105,7 +105,7 @@ pub fn bend(generator: &[f64]) -> f64 {
     generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).bend())
 }
 
-/// Bounds of noise.
+/// Bounds of noise, which is between 0 and 1.
 pub fn noise_bounds(_: &[Interval]) -> Interval {
     Interval::TRUTH
 }

@@ -9,10 +9,10 @@
 use super::solve_quadratic;
 use crate::math::tolerance;
 
-/// Maximum degree.
+/// Maximum degree of a polynomial.
 pub const MAX_DEGREE: usize = 35;
 
-/// 1/C(n, i).
+/// Inverses of binomial coefficients: 1/C(n, i) at row n and column i.
 static INVERSE_BINOMIALS: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = inverse_binomials();
 
 const fn inverse_binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {

@@ -18,7 +18,7 @@ pub struct Mapping {
     pub between: Between,
 }
 
-/// `map_type`
+/// Projection from points to the picture, by the number after `map_type`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Wrap {
@@ -33,7 +33,7 @@ pub enum Wrap {
     Toroidal,
 }
 
-/// `interpolate`
+/// Interpolation between pixels, by the number after `interpolate`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Between {

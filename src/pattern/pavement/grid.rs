@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 /// √3 / 2, the height of a triangle.
 pub const H: f64 = 0.866_025_403_784_438_6;
 
-/// The cells' shape.
+/// Shape of the cells of the grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cells {
     /// Two in each position of the grid: the first points up, the second down.

@@ -31,7 +31,7 @@ macro_rules! warps {
         pub enum Warp { $(#[doc = concat!("See [`", stringify!($name), "`].")] $variant($name)),* }
 
         impl Warp {
-            /// Every warp's table.
+            /// Keyword and words of each warp.
             pub const SPECS: &[&Spec] = &[$(&$name::SPEC),*];
 
             /// Maps the evaluated point to the point that the pattern receives.

@@ -8,7 +8,7 @@ pub type Point = (f64, f64);
 
 /// A search on a line.
 pub struct Search<'a> {
-    /// The function.
+    /// Function of the position on the line, whose roots are searched.
     pub value: &'a dyn Fn(f64) -> f64,
     /// Roots closer together than this can be missed.
     pub apart: f64,

@@ -98,7 +98,7 @@ pub const FUNCTIONS: [WordSpec; 18] = [
 
 const ONE: Complex = Complex::new(1.0, 0.0);
 
-/// -i·z
+/// Returns -i·z: `z` turned clockwise by 90°.
 fn turned_back(z: Complex) -> Complex {
     -z.turned()
 }

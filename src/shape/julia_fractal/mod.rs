@@ -39,7 +39,7 @@ const AHEAD: f64 = 0.6;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Algebra {
-    /// Hamilton's quaternions.
+    /// Hamilton's quaternions, whose product depends on the order of the factors.
     Quaternion,
     /// Pairs of complex numbers.
     Hypercomplex,

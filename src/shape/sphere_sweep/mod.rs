@@ -31,7 +31,7 @@ use std::ops::ControlFlow;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sweep {
-    /// Straight tubes.
+    /// Straight tubes, each from one sphere to the next.
     Linear,
     /// A uniform cubic B-spline, which does not touch the spheres.
     BSpline,
@@ -39,7 +39,7 @@ pub enum Sweep {
     Cubic,
 }
 
-/// A swept sphere.
+/// The solid that a moving sphere of changing radius sweeps.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SphereSweep {
     /// Interpolation between spheres.
@@ -50,7 +50,7 @@ pub struct SphereSweep {
     bvh: Bvh,
     #[serde(skip)]
     bounds: Aabb,
-    /// POV-Ray's bounding box.
+    /// Bounding box that POV-Ray computes for the whole sweep.
     #[serde(skip)]
     pov_bounds: Aabb,
 }
