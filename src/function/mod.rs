@@ -23,7 +23,7 @@ pub use spline::{Spline, SplineKind};
 use crate::value::Thing;
 use std::sync::Arc;
 
-/// A declared function.
+/// A function that a scene declares.
 #[derive(Debug)]
 pub struct Function {
     /// Names of its parameters; `x`, `y`, `z` where none are given.

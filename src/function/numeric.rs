@@ -19,7 +19,7 @@ pub enum Kernel {
 /// Arguments for which a script can evaluate a function; in `function { }` all others give NaN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Domain {
-    /// All numbers.
+    /// Every number is accepted.
     All,
     /// -1 to 1; other numbers are clamped.
     Arc,

@@ -15,7 +15,7 @@ enum Step {
     Sub(Register, Register, Register),
     Mul(Register, Register, Register),
     Div(Register, Register, Register),
-    /// Any other operator.
+    /// An operator that has no instruction of its own.
     Binary(Operator, Register, Register, Register),
     One(fn(f64) -> f64, Register, Register),
     Two(fn(f64, f64) -> f64, Register, Register, Register),

@@ -77,7 +77,7 @@ impl Formula {
 pub enum Container {
     /// A `box`, whose edges are parallel to the axes.
     Box(Cuboid),
-    /// A `sphere`.
+    /// A `sphere` with any centre and radius.
     Sphere(Sphere),
 }
 

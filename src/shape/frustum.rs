@@ -257,7 +257,7 @@ impl Frustum {
         }
     }
 
-    /// Outward normal.
+    /// Outward normal at a point of a part of the surface.
     pub fn normal(&self, p: DVec3, part: u32) -> DVec3 {
         let axis = self.axis();
         match part {

@@ -24,7 +24,7 @@ const CLEAR: f64 = 1e-12;
 /// Maximum number of factors in a power by multiplication.
 const MOST_FACTORS: u32 = 64;
 
-/// A superquadric ellipsoid.
+/// A superquadric ellipsoid, whose roundness two exponents define.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Superellipsoid {
     /// East-west exponent, not negative; 0 is square.

@@ -41,7 +41,7 @@ pub struct Finish {
     pub metallic: f64,
     /// Random darkening of the diffuse light.
     pub crand: f64,
-    /// Mirror reflection.
+    /// Strength and colour of the mirror reflection.
     pub reflection: SharedDefault<Reflection>,
     /// Thin-film interference; `None` without `irid`.
     #[serde(skip_serializing_if = "Option::is_none")]

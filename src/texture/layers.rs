@@ -237,7 +237,7 @@ impl Texture {
         })
     }
 
-    /// Transforms every layer.
+    /// Transforms every layer of the texture.
     pub fn transform(&mut self, by: &Transform) {
         for layer in &mut self.layers {
             layer.transform(by);

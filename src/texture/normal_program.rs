@@ -19,11 +19,11 @@ pub struct NormalProgram {
     amount: f64,
     /// Half the distance between the sampled points.
     accuracy: f64,
-    /// See [`Normal::stays`].
+    /// True if bumps ignore the object's rotation; see [`Normal::stays`].
     pub stays: bool,
-    /// See [`Normal::framed`].
+    /// True if `uv_mapping` is in the texture; see [`Normal::framed`].
     pub framed: bool,
-    /// See [`Normal::bump_scale`].
+    /// True if scaling changes the depth of bumps; see [`Normal::bump_scale`].
     bump_scale: bool,
 }
 

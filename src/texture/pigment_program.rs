@@ -35,7 +35,7 @@ enum Shows {
 }
 
 impl PigmentProgram {
-    /// Lowers a pigment.
+    /// Lowers a pigment to the form that is evaluated.
     pub fn new(pigment: &Pigment) -> Self {
         let mut nodes = vec![];
         push(pigment, &mut nodes);
@@ -116,7 +116,7 @@ pub struct Brightness {
 }
 
 impl Brightness {
-    /// Lowers a pigment.
+    /// Lowers a pigment to the form that is evaluated.
     pub fn new(pigment: &Pigment) -> Self {
         Self { pigment: PigmentProgram::new(pigment), depends_on_uv: pigment.any_pattern(&Pattern::depends_on_uv) }
     }

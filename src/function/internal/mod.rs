@@ -19,7 +19,7 @@ use std::fmt;
 pub struct Internal {
     /// Argument of `internal( )`.
     pub number: u32,
-    /// Name in `functions.inc`.
+    /// Name of the function in `functions.inc`.
     pub name: &'static str,
     /// Summary for the manual.
     pub summary: &'static str,

@@ -14,7 +14,7 @@ pub struct Mapping {
     pub wrap: Wrap,
     /// True if the picture is not repeated.
     pub once: bool,
-    /// Interpolation between pixels.
+    /// Interpolation between the pixels nearest to a point.
     pub between: Between,
 }
 

@@ -25,7 +25,7 @@ pub trait Bend {
 
 macro_rules! warps {
     ($($variant:ident $name:ident)*) => {
-        /// Any warp.
+        /// A warp of any kind.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         #[serde(rename_all = "snake_case")]
         pub enum Warp { $(#[doc = concat!("See [`", stringify!($name), "`].")] $variant($name)),* }

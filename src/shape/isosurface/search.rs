@@ -12,7 +12,7 @@ pub struct Search<'a> {
     pub value: &'a dyn Fn(f64) -> f64,
     /// Roots closer together than this can be missed.
     pub apart: f64,
-    /// Accuracy of roots.
+    /// Maximum error of a root before `ahead`.
     pub exact: f64,
     /// Accuracy of roots from `ahead` on.
     pub roughly: f64,

@@ -27,7 +27,7 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// Interpolation between spheres.
+/// Interpolation between the spheres that the sweep passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sweep {
@@ -42,7 +42,7 @@ pub enum Sweep {
 /// The solid that a moving sphere of changing radius sweeps.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SphereSweep {
-    /// Interpolation between spheres.
+    /// Interpolation between the spheres that the sweep passes.
     pub kind: Sweep,
     /// Pieces of the path, in the order of the hierarchy.
     pub pieces: Vec<Piece>,
