@@ -1,7 +1,8 @@
 //! `lathe { number_of_points, points … }`: a curve that turns about the y axis.
 //!
 //! Each point is a distance from the axis and a height. `linear_spline`, `quadratic_spline`, `cubic_spline` or
-//! `bezier_spline` before them says how they are joined. A point is inside if the curve is crossed an odd number of times on the way from it straight outwards.
+//! `bezier_spline` before them says how they are joined. A point is inside if the curve is crossed an odd number of
+//! times on the way from it straight outwards.
 //!
 //! ```pov
 //! lathe {

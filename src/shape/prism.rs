@@ -1,7 +1,9 @@
 //! `prism { bottom, top, number_of_points, points … }`: an outline in the x-z plane, swept along y.
 //!
-//! `linear_spline`, `quadratic_spline`, `cubic_spline` or `bezier_spline` before the numbers says how the points are joined.
-//! Each outline ends where its first point comes again; the next one may be a hole in it. `conic_sweep` makes the outline as large as y is high, with the
+//! `linear_spline`, `quadratic_spline`, `cubic_spline` or `bezier_spline` before the numbers says how the points are
+//! joined.
+//! Each outline ends where its first point comes again; the next one may be a hole in it. `conic_sweep` makes the
+//! outline as large as y is high, with the
 //! tip at the origin. `open` leaves off both lids.
 //!
 //! ```pov
