@@ -12,7 +12,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PatternKind {
-    /// The same for all points.
+    /// No pattern; every point gets the same value.
     #[default]
     Plain,
     /// A number for each point; a map turns the number into what is shown.
