@@ -35,6 +35,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/random/README.md"],
     ),
     emulated(
+        "camera_inside_box",
+        "A camera is inside an object whose inside is infinite, such as an inverted sphere or the half-space of a \
+         disc, only within the bounding box of its surface.",
+        &["light_cases/camera_in_inverse", "light_cases/camera_in_endless_blob", "light_cases/fog_inverse_quadric"],
+    ),
+    emulated(
         "csg_extent_boxes",
         "The boxes that `min_extent` and `max_extent` return are not the smallest ones: each transform is applied to the box of a CSG object, and not to its parts.",
         &["tests/lang/geometry.scene"],

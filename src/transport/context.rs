@@ -82,7 +82,7 @@ impl<'w> FrameContext<'w> {
 /// Returns the interiors of all objects that contain a point, in the order of their numbers.
 fn interiors_around(world: &World, p: DVec3) -> Interiors {
     let mut inside = Interiors::new();
-    world.geometry.containing(p, &mut |solid| {
+    world.geometry.containing_camera(p, &mut |solid| {
         let interior = world.objects[solid.object() as usize].interior;
         inside.extend((interior != ObjectInfo::VIEW).then_some(interior));
     });

@@ -244,6 +244,15 @@ impl Geometry {
         });
     }
 
+    /// Calls `visit` with each object that contains a camera at the point (quirk: `camera_inside_box`).
+    pub fn containing_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
+        self.containing(p, &mut |solid| {
+            if !solid.node.is_unbounded() || solid.copied.is_some() || solid.node.camera_bounds().contains(p) {
+                visit(solid);
+            }
+        });
+    }
+
     /// Calls `visit` with the position of each object whose box the ray meets; `visit` returns the distance up to which
     /// hits are still of interest.
     #[inline]

@@ -1,7 +1,7 @@
 //! Bounding boxes of solids: around their surfaces and around their insides.
 
 use super::{CompositeData, SolidKind, SolidNode};
-use crate::math::Aabb;
+use crate::math::{Aabb, bvh};
 use crate::shape::Kernel;
 use crate::world::child_bvh::ChildBvh;
 use crate::world::halfspace::{self, HalfSpaces};
@@ -36,6 +36,24 @@ impl SolidNode {
     pub(in crate::world) fn is_unbounded(&self) -> bool {
         let Boxes { surface, solid } = self.boxes();
         !solid.is_empty() && solid.union(surface) != surface
+    }
+
+    /// Box within which a camera can be inside a node whose inside extends beyond its bounds: POV-Ray's box of its shapes, before they
+    /// are inverted (quirk: `camera_inside_box`).
+    pub(in crate::world) fn camera_bounds(&self) -> Aabb {
+        match &self.kind {
+            SolidKind::Leaf(leaf) if leaf.shape.solid_bounds().is_some() || !bvh::fits(&self.bounds()) => {
+                Aabb::INFINITE
+            }
+            SolidKind::Leaf(leaf) => leaf.shape.pov_bounds(&leaf.transform()),
+            SolidKind::Union(c) | SolidKind::Merge(c) => {
+                c.iter().map(Self::camera_bounds).fold(Aabb::EMPTY, Aabb::union)
+            }
+            SolidKind::Intersection(c) => {
+                let upright = c.iter().filter(|c| !matches!(&c.kind, SolidKind::Leaf(leaf) if leaf.inverse));
+                upright.map(Self::camera_bounds).fold(Aabb::INFINITE, Aabb::intersection)
+            }
+        }
     }
 
     /// Box around all hits.
