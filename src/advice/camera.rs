@@ -12,7 +12,7 @@ use crate::world::World;
 /// picture of 4 by 3.
 const UNEVEN: f64 = 0.02;
 
-/// Warnings that need no picture.
+/// Warns about a camera that needs no rendered picture to be judged.
 pub(super) fn of_scene(scene: &Scene) -> Option<Diagnostic> {
     several(&scene.cameras)
 }

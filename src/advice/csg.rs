@@ -14,7 +14,7 @@ const MAX_SHAPES: u32 = 300;
 const MAX_COPIES: usize = 8;
 /// Largest number of positions of the text that are examined.
 const MAX_POSITIONS: usize = 400;
-/// Largest number of warnings.
+/// Largest number of warnings about CSG objects.
 const MAX_WARNINGS: usize = 5;
 /// Rays across a side of an object's box in the first test.
 const FEW: usize = 6;

@@ -14,7 +14,7 @@ use std::rc::Rc;
 /// Width of messages without a terminal, in columns.
 const WIDTH: usize = 100;
 
-/// Output of a command.
+/// Output of a command to stdout and stderr.
 #[derive(Clone, Debug)]
 pub struct Console {
     style: draw::Style,
@@ -64,7 +64,7 @@ impl Console {
         self.printed.take()
     }
 
-    /// Writes data to stdout.
+    /// Writes a command's data to stdout.
     pub fn data(&self, bytes: impl AsRef<[u8]>) -> Result<()> {
         to_stdout(|out| out.write_all(bytes.as_ref()))
     }
@@ -99,7 +99,7 @@ impl Console {
         text
     }
 
-    /// Writes [`Console::text`] to stderr.
+    /// Writes diagnostics as rendered by [`Console::text`] to stderr.
     pub fn report(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
         print_message(&self.text(sources, diagnostics));
     }

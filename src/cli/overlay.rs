@@ -25,11 +25,11 @@ pub struct Invocation {
     pub exact_name: bool,
 }
 
-/// An INI file as arguments.
+/// Settings of an INI file, converted to command-line arguments.
 pub struct IniFile {
     invocation: Invocation,
     quiet: bool,
-    /// Warnings about the file.
+    /// Warnings about the INI file.
     pub warnings: Vec<Diagnostic>,
 }
 
@@ -87,7 +87,7 @@ impl Invocation {
         Ok((console, self.over(ini)))
     }
 
-    /// Merges with an INI file.
+    /// Merges the command line with an INI file's settings.
     pub fn over(self, ini: IniFile) -> Self {
         let Invocation { input, args, animation, .. } = ini.invocation;
         let animation = animation.or(self.animation);

@@ -19,7 +19,7 @@ use crate::world::World;
 use crate::{Built, Keep};
 use serde::Serialize;
 
-/// Output of `--json`.
+/// Output of `durer pick --json`.
 #[derive(Serialize)]
 struct Output<'a> {
     hit: bool,
@@ -124,7 +124,7 @@ fn origin_of(built: &Built, drawing: &render::Options, (x, y): (usize, usize), p
     Some(range.start).filter(|at| *at < built.origins.len())
 }
 
-/// The scene without its objects.
+/// Returns the scene's settings without its objects.
 fn frame_of(scene: &Scene) -> Scene {
     Scene { camera: scene.camera.clone(), settings: scene.settings.clone(), version: scene.version, ..Scene::default() }
 }
@@ -136,7 +136,7 @@ fn outside(args: &PickArgs, size: Size) -> crate::diagnostic::Result<Exit> {
     Diagnostic::new(codes::OUTSIDE_PICTURE, Span::NONE, text).help(help).into()
 }
 
-/// Description of one pixel.
+/// Description of one pixel in the output of `durer pick`.
 struct PixelReport<'a> {
     sources: &'a Sources,
     /// The Scene with the origins of its objects.

@@ -20,7 +20,7 @@ use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Output of `--json`.
+/// Output of `durer query --json`: the contents of a scene.
 #[derive(Serialize, Default)]
 struct Contents {
     cameras: Vec<CameraRow>,
@@ -58,7 +58,7 @@ struct ObjectRow {
     #[serde(rename = "box")]
     pov_bounds: Option<[[f64; 3]; 2]>,
     infinite: bool,
-    /// Index in `textures`.
+    /// Index of the object's texture in the list `textures`.
     texture: usize,
 }
 

@@ -38,7 +38,7 @@ pub struct Setting {
     pub threads: usize,
 }
 
-/// Result of one scene.
+/// Result of testing one scene against its snapshot.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// The exit code of this scene alone.
@@ -49,11 +49,11 @@ pub struct Outcome {
     pub text: String,
     /// Errors and warnings as text for a person.
     pub messages: String,
-    /// The snapshot.
+    /// Snapshot that the scene's picture is compared with.
     pub expected: Option<Frame>,
-    /// The picture that was rendered.
+    /// Picture that the test rendered.
     pub rendered: Option<Frame>,
-    /// Encoding of the snapshot.
+    /// Encoding of the snapshot's picture file.
     encoding: Encoding,
 }
 

@@ -19,11 +19,11 @@ impl std::fmt::Display for Code {
     }
 }
 
-/// The output of `durer explain`.
+/// Output of `durer explain` for one diagnostic code.
 pub struct Explanation {
-    /// The code.
+    /// Diagnostic code that the explanation describes.
     pub code: Code,
-    /// Title in one line.
+    /// Title of the diagnostic code in one line.
     pub title: &'static str,
     /// A paragraph or two, with an example.
     pub text: &'static str,

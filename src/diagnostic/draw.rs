@@ -7,7 +7,7 @@ use miette::{
     SpanContents,
 };
 
-/// Style of the rendering.
+/// Style of a diagnostic's rendering, such as colours.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
     /// True for colours and Unicode lines.
@@ -44,7 +44,7 @@ pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> Strin
     out
 }
 
-/// Beginning of a frame.
+/// Beginning of the frame around quoted source lines.
 const FRAME: &str = "╭─";
 
 /// miette shows places in the order of the text. If others precede the fault's own place and are not next to it, splits

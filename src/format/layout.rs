@@ -32,7 +32,7 @@ pub(super) struct Setter<'a> {
     /// Width of the current line so far.
     pub(super) column: usize,
     line: u32,
-    /// Indentation of the current line.
+    /// Indentation of the current output line.
     indent: usize,
     /// True if the current line ends in a comment.
     commented: bool,

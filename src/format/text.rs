@@ -7,7 +7,7 @@ use crate::source::{ReadError, text_of};
 /// A file's text, and its encoding.
 #[derive(Debug)]
 pub struct Encoded {
-    /// Without a byte-order mark.
+    /// Text of the file without a byte-order mark.
     pub text: String,
     marked: bool,
     latin_1: bool,

@@ -2,7 +2,7 @@
 
 /// The fields of the header that are needed.
 struct Header {
-    /// Offset of the pixels.
+    /// Offset of the pixels in the BMP file.
     start: usize,
     width: usize,
     height: usize,

@@ -5,7 +5,7 @@
 
 use super::quantize::Scale;
 
-/// Method of rounding.
+/// Method of rounding light to integer codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dither {
     /// An ordered pattern of 2, 3 or 4 pixels (Bayer, An optimum method for two-level rendition, 1973).

@@ -4,28 +4,28 @@ use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::source::Span;
 use std::path::Path;
 
-/// A picture format.
+/// A file format for pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// 8 or 16 bits, alpha.
+    /// PNG: 8 or 16 bits a channel, with alpha.
     Png,
-    /// Linear floating point, alpha.
+    /// OpenEXR: linear floating point, with alpha.
     Exr,
-    /// Linear, Radiance's shared exponent.
+    /// Radiance HDR: linear light with a shared exponent.
     Hdr,
-    /// 8 bits, lossy.
+    /// JPEG: 8 bits a channel, lossy.
     Jpg,
-    /// 8 or 16 bits.
+    /// PPM: 8 or 16 bits a channel.
     Ppm,
-    /// 8 bits, alpha.
+    /// BMP: 8 bits a channel, with alpha.
     Bmp,
-    /// 8 bits, alpha.
+    /// TGA: 8 bits a channel, with alpha.
     Tga,
-    /// 8 or 16 bits, alpha.
+    /// TIFF: 8 or 16 bits a channel, with alpha.
     Tiff,
 }
 
-/// Capabilities of a format.
+/// Table row of a picture format's capabilities.
 struct Row {
     format: Format,
     /// Endings of file names; the first one is the format's name.
@@ -62,7 +62,7 @@ impl Format {
         &ROWS[self as usize]
     }
 
-    /// `png`, `exr` …
+    /// Returns the name of the picture format, such as `png` or `exr`.
     pub fn name(self) -> &'static str {
         self.row().endings[0]
     }

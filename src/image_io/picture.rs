@@ -20,10 +20,10 @@ pub enum Stored {
     Power(f64),
 }
 
-/// A decoded file.
+/// A decoded picture file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// The samples.
+    /// Pixels of the decoded picture.
     pub pixels: Pixels,
     /// Relation of the samples to light.
     pub stored: Stored,

@@ -127,7 +127,7 @@ impl Integers {
 #[derive(Clone, Copy)]
 pub(super) struct Scale {
     pub gamma: Gamma,
-    /// The largest code.
+    /// The largest integer code of a channel.
     pub max: f32,
 }
 
@@ -143,7 +143,7 @@ impl Scale {
         number.min(self.max) as u16
     }
 
-    /// The light of a code.
+    /// Returns the linear light of an integer code in a channel.
     pub fn light(self, channel: usize, code: u16) -> f32 {
         let number = f64::from(code) / f64::from(self.max);
         (if channel == 3 { number } else { self.gamma.decode(number) }) as f32

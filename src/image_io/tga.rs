@@ -87,7 +87,7 @@ fn mapped(header: &Header, colors: &[u8], entry: usize, pixels: &[u8]) -> Result
     Ok(header.finished(4, matches!(header.color_bits, 16 | 32), samples, Some(indices)))
 }
 
-/// Red, green, blue, alpha.
+/// Decodes a TGA pixel to red, green, blue and alpha.
 fn color(bytes: &[u8], bits: u8) -> [u8; 4] {
     match *bytes {
         [b, g, r] => [r, g, b, 255],

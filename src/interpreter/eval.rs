@@ -12,7 +12,7 @@ use crate::value::Value;
 use smallvec::SmallVec;
 
 impl<'a> Interpreter<'a> {
-    /// Evaluates an expression.
+    /// Evaluates an expression of the syntax tree to a value.
     pub(super) fn evaluate(&mut self, e: &'a Expr) -> Result<Value> {
         match self.evaluator.quick(e) {
             Some(Quick::Float(x)) => return Ok(Value::Float(x)),

@@ -101,10 +101,10 @@ impl Default for Options {
     }
 }
 
-/// Result of a run.
+/// Result of interpreting a scene file.
 #[derive(Debug, Default)]
 pub struct Outcome {
-    /// The scene; `None` after errors.
+    /// The interpreted scene; `None` after errors.
     pub scene: Option<Scene>,
     /// Errors and warnings in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
@@ -248,7 +248,7 @@ impl<'a> Interpreter<'a> {
         self.reporter.report(self.stream.with_trace(d));
     }
 
-    /// Reports a division by zero.
+    /// Reports a division by zero in an expression of the scene.
     fn division_by_zero(&mut self, span: Span) {
         let d = Diagnostic::new(codes::DIVISION_BY_ZERO, span, "division by zero gives infinity");
         self.report_here(d.label("this is 0"));

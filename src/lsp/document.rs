@@ -15,7 +15,7 @@ use std::time::Instant;
 /// Global offset of a text's first byte; 0 would mean no position.
 pub const BASE: usize = 1;
 
-/// An open document.
+/// A scene document that is open in the editor.
 pub struct Document {
     /// Address of the document in the editor.
     pub uri: Uri,
@@ -23,20 +23,20 @@ pub struct Document {
     pub path: Option<PathBuf>,
     /// Version of the text in the editor.
     pub version: i32,
-    /// Present text.
+    /// Present text of the open document.
     pub text: Text,
     /// Tokens and names of the text.
     pub scan: Arc<Scan>,
-    /// Faults of the syntax.
+    /// Syntax faults of the open document.
     pub faults: Vec<Diagnostic>,
-    /// Time of the next run.
+    /// Time of the document's next background run.
     pub due: Option<Instant>,
-    /// Stops the present run.
+    /// Flag that stops the document's present background run.
     pub stop: Option<Arc<AtomicBool>>,
 }
 
 impl Document {
-    /// Opens a document.
+    /// Creates a document that the editor has opened.
     pub fn new(uri: Uri, version: i32, text: String) -> Self {
         let path = path_of(&uri);
         let mut new = Self {
@@ -75,7 +75,7 @@ impl Document {
         !matches!(ending, Some("inc" | "INC" | "ini" | "mcr"))
     }
 
-    /// The folder of the document.
+    /// Returns the folder that contains the document.
     pub fn folder(&self) -> PathBuf {
         self.path.as_deref().and_then(Path::parent).map_or_else(|| PathBuf::from("."), Path::to_path_buf)
     }

@@ -20,7 +20,7 @@ impl Text {
         Self { all, lines }
     }
 
-    /// The whole text.
+    /// Returns the whole text of the document.
     pub fn as_str(&self) -> &str {
         &self.all
     }
@@ -132,7 +132,7 @@ mod tests {
         assert_eq!(text.lines_with_ends(), ["aä€😀b\r\n", "c\r", "d\n"]);
     }
 
-    /// Linear congruential generator.
+    /// Returns the next number of a linear congruential generator.
     fn next(seed: &mut u64) -> usize {
         *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (*seed >> 33) as usize

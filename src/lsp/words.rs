@@ -13,11 +13,11 @@ use crate::value::{Spec, ValueKind, WordSpec};
 
 /// A word that a block takes.
 pub struct WordInfo {
-    /// Spelling.
+    /// Spelling of the reserved word.
     pub name: &'static str,
-    /// Value that follows the word.
+    /// Kind of value that follows the reserved word.
     pub kind: ValueKind,
-    /// Description, one line.
+    /// Description of the reserved word in one line.
     pub summary: &'static str,
     /// Default value; empty for a word without default.
     pub default: &'static str,
@@ -35,7 +35,7 @@ impl From<&Spec> for WordInfo {
     }
 }
 
-/// The table of a shape.
+/// Returns the table of words for a shape.
 pub fn shape(name: &str) -> Option<&'static Spec> {
     shape::SPECS.iter().find(|spec| spec.name == name).copied()
 }

@@ -15,7 +15,7 @@ const QUIET: Duration = Duration::from_millis(25);
 /// Largest number of quiet times that are waited for.
 const MAX_WAITS: usize = 12;
 
-/// Watches files.
+/// Watcher that reports changes of a scene's files.
 pub struct FileWatcher {
     shared: Arc<Mutex<Shared>>,
 }

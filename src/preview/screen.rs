@@ -16,11 +16,11 @@ pub type Image = Frame;
 /// The displayed part of a larger picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Pixels of the larger picture.
+    /// Pixel region of the view in the larger picture.
     pub area: Region,
 }
 
-/// See the module.
+/// Picture on the preview page, shared by renderer and clients.
 #[derive(Default)]
 pub struct Screen {
     contents: Mutex<Contents>,
@@ -32,14 +32,14 @@ struct Contents {
     picture: Option<Picture>,
     previous: Option<Arc<Image>>,
     state: Option<Arc<PageState>>,
-    /// Number of changes so far.
+    /// Number of changes to the screen so far.
     stamp: u64,
     /// Stamp of the last change of `state`.
     state_stamp: u64,
 }
 
 struct Picture {
-    /// Number of the picture.
+    /// Number of the picture among those shown on the screen.
     run: u64,
     view: View,
     image: Image,
@@ -59,7 +59,7 @@ pub(super) struct Cursor {
     run: u64,
 }
 
-/// The changes since a [`Cursor`].
+/// Changes of the screen since a [`Cursor`].
 pub(super) struct Update {
     pub run: u64,
     /// Width and height of a new picture.
@@ -171,7 +171,7 @@ impl Screen {
         }
     }
 
-    /// Marks the picture as finished.
+    /// Marks the picture on the screen as finished.
     pub fn finish(&self) {
         self.change(|contents, stamp| {
             if let Some(picture) = &mut contents.picture {
@@ -194,7 +194,7 @@ impl Screen {
         picture.image.pixels.get(y * picture.image.width + x).copied()
     }
 
-    /// Returns the previous finished picture.
+    /// Returns the finished picture before the present one.
     pub fn previous(&self) -> Option<Arc<Image>> {
         self.lock().previous.clone()
     }

@@ -12,19 +12,19 @@ use crate::value::words::TRANSFORMS;
 /// Words by kind, each list in alphabetical order. No word is in two of the first five lists.
 #[derive(Debug)]
 pub struct Sorts {
-    /// Objects: `sphere`, `union`.
+    /// Words for objects, such as `sphere` and `union`.
     pub objects: Vec<&'static str>,
     /// Other words with braces: `pigment`, `camera`.
     pub blocks: Vec<&'static str>,
     /// Functions with arguments in parentheses: `sin`.
     pub functions: Vec<&'static str>,
-    /// Values: `x`, `pi`, `on`.
+    /// Words for values, such as `x`, `pi` and `on`.
     pub constants: Vec<&'static str>,
     /// All other words: `rotate`, `rgb`, `marble`.
     pub words: Vec<&'static str>,
-    /// Directives, without `#`.
+    /// Names of directives, without `#`.
     pub directives: Vec<&'static str>,
-    /// Directives that an `#end` closes.
+    /// Names of directives that an `#end` closes.
     pub openers: Vec<&'static str>,
     /// Directives between an opener and its `#end`: `else`, `case`.
     pub continuers: Vec<&'static str>,

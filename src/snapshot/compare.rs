@@ -20,10 +20,10 @@ impl Default for Tolerance {
     }
 }
 
-/// Result of a comparison.
+/// Result of comparing a rendered picture with its snapshot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// All pixels are equal.
+    /// Verdict: all pixels equal those of the snapshot.
     Identical,
     /// The pictures differ within the tolerance.
     Close,
@@ -36,15 +36,15 @@ pub enum Verdict {
 pub struct Comparison {
     /// Width and height of the expected picture, if they differ from those of the rendered one.
     pub other_size: Option<(usize, usize)>,
-    /// Number of pixels.
+    /// Number of compared pixels.
     pub pixels: usize,
-    /// Number of pixels that differ.
+    /// Number of pixels that differ from the snapshot.
     pub different: usize,
     /// Number of pixels that differ by more than [`Tolerance::steps`].
     pub beyond: usize,
     /// Largest difference of a channel, in steps of 1/255.
     pub largest: u8,
-    /// Result.
+    /// Verdict of the comparison with the snapshot.
     pub verdict: Verdict,
 }
 

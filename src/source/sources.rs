@@ -4,7 +4,7 @@ use super::{Disk, Files, ReadFiles, Recorder, Span};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Identifies a text in [`Sources`].
+/// Index that identifies a text in [`Sources`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FileId(pub u32);
 
@@ -13,7 +13,7 @@ pub struct FileId(pub u32);
 pub struct Place {
     /// Name of the file as the user wrote it.
     pub file: String,
-    /// Line, counted from 1.
+    /// Line of the position in the text, counted from 1.
     pub line: usize,
     /// Column in characters, counted from 1.
     pub column: usize,
@@ -41,7 +41,7 @@ pub struct Sources {
     texts: elsa::FrozenVec<Box<File>>,
 }
 
-/// Reads from the disk.
+/// Sources that read files from the disk.
 impl Default for Sources {
     fn default() -> Self {
         Self::new(Arc::new(Disk))
@@ -83,7 +83,7 @@ impl Sources {
         (0..self.texts.len() as u32).map(FileId)
     }
 
-    /// The contents of a text.
+    /// Returns the contents of a source text.
     pub fn text(&self, id: FileId) -> &str {
         self.texts.get(id.0 as usize).map_or("", |f| &f.text)
     }

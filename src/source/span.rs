@@ -6,9 +6,9 @@ use serde::Serialize;
 /// default is [`Span::NONE`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 pub struct Span {
-    /// Offset of the first byte.
+    /// Offset of the span's first byte.
     pub lo: u32,
-    /// Offset after the last byte.
+    /// Offset after the span's last byte.
     pub hi: u32,
 }
 
@@ -21,7 +21,7 @@ impl Span {
         Self { lo: lo as u32, hi: hi as u32 }
     }
 
-    /// True for [`Span::NONE`].
+    /// True for [`Span::NONE`], the span without a position.
     pub fn is_none(&self) -> bool {
         self.hi == 0
     }

@@ -14,7 +14,7 @@ struct Opener<'t> {
     at: usize,
     /// Indentation of the line, in columns.
     indent: usize,
-    /// Start of its line.
+    /// Start of the opening bracket's line.
     line: usize,
 }
 

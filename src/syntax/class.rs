@@ -12,7 +12,7 @@ pub(super) enum Role {
     Opens,
     /// Ends a body and begins the next, of a directive of these classes.
     Continues(&'static [u8]),
-    /// Ends the last body.
+    /// Role of a directive that ends the last open body.
     Ends,
 }
 

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// The enabled lints.
+/// Switches that enable lints of a scene's text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lints {
     /// W0209: declared in the scene's own file, and used in none of the files.
@@ -20,12 +20,12 @@ pub struct Lints {
     pub portable: bool,
 }
 
-/// A declaration of a name.
+/// Declaration of a name that a lint examines.
 struct Declaration {
     symbol: Symbol,
     span: Span,
     what: What,
-    /// Number of enclosing macros.
+    /// Number of macros that enclose the declaration.
     depth: usize,
 }
 
@@ -88,7 +88,7 @@ fn shadows(names: &Names, own: &Scan, all: &[Scan]) -> Vec<Diagnostic> {
     inner.filter_map(hides).collect()
 }
 
-/// The scanner of one file.
+/// Scanner state of the lints for one file.
 #[derive(Default)]
 struct Scan {
     declarations: Vec<Declaration>,
@@ -158,7 +158,7 @@ impl Scanner<'_> {
         }
     }
 
-    /// `#macro A(B, optional C)`
+    /// Scans a macro definition, `#macro A(B, optional C)`.
     fn definition(&mut self) {
         if self.class(1) == class::NAME {
             self.at += 1;
@@ -177,7 +177,7 @@ impl Scanner<'_> {
         }
     }
 
-    /// Declares the current name.
+    /// Records a declaration of the current name.
     fn declare(&mut self, what: What) {
         let token = self.lexed.tokens[self.at];
         let span = Span::new(self.base + token.start as usize, self.base + token.end as usize);

@@ -29,12 +29,12 @@ impl Names {
         self.symbols.borrow().get(name).copied()
     }
 
-    /// The name of a symbol.
+    /// Returns the name of a symbol.
     pub fn text(&self, symbol: Symbol) -> &str {
         &self.texts[symbol.0 as usize]
     }
 
-    /// Number of names.
+    /// Returns the number of names in the symbol table.
     pub fn len(&self) -> usize {
         self.texts.len()
     }

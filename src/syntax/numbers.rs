@@ -60,7 +60,7 @@ fn scan_digits(bytes: &[u8], at: usize, mut value: u64) -> (u64, usize) {
     (value, i)
 }
 
-/// Powers of ten.
+/// Powers of ten as integers, for converting decimal literals.
 const SMALL_POWERS: [u64; 9] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
 
 fn digit(bytes: &[u8], i: usize) -> Option<u64> {
@@ -86,7 +86,7 @@ fn scan_exponent(bytes: &[u8], at: usize) -> (i32, usize) {
     (if negative { -exponent } else { exponent }, i)
 }
 
-/// Exact powers of ten.
+/// Powers of ten that `f64` represents exactly.
 const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
     1e21, 1e22,
@@ -246,7 +246,7 @@ impl WidthsBuilder {
 }
 
 impl NumberList {
-    /// Number of items.
+    /// Returns the number of items in the number list.
     pub fn len(&self) -> usize {
         match &self.widths {
             Widths::Uniform(width) => self.data.len() / (*width).max(1) as usize,

@@ -6,7 +6,7 @@ use crate::source::Span;
 /// All tokens and comments of a file, in order.
 #[derive(Debug, Default)]
 pub struct Tokens {
-    /// Ascending.
+    /// Tokens of the text in ascending order of their offsets.
     tokens: Vec<Token>,
     /// Ranges of comments, with their delimiters, ascending.
     comments: Vec<(u32, u32)>,
@@ -14,7 +14,7 @@ pub struct Tokens {
     base: usize,
 }
 
-/// A token or a comment.
+/// Piece of a source text: a token or a comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Piece {
     /// A word, literal, sign or directive.
@@ -24,7 +24,7 @@ pub enum Piece {
 }
 
 impl Piece {
-    /// The piece's span.
+    /// Returns the span of a token or comment.
     pub fn span(self) -> Span {
         match self {
             Piece::Token(span) | Piece::Comment(span) => span,
@@ -37,7 +37,7 @@ impl Tokens {
         Self { tokens: lexed.tokens, comments: lexed.comments, base }
     }
 
-    /// Number of tokens.
+    /// Returns the number of tokens in the text.
     pub fn len(&self) -> usize {
         self.tokens.len()
     }

@@ -16,12 +16,12 @@ pub enum Category {
     Contextual,
 }
 
-/// A word of the language.
+/// A keyword or other reserved word of the scene language.
 #[derive(Debug)]
 pub struct Word {
-    /// Its spelling.
+    /// Spelling of the reserved word.
     pub name: &'static str,
-    /// Its category.
+    /// Category of the reserved word.
     pub category: Category,
 }
 
@@ -37,7 +37,7 @@ pub fn lookup(word: &str) -> Option<(&'static str, Category)> {
     lookup_number(word).map(|(number, category)| (by_number(number).name, category))
 }
 
-/// The word's entry.
+/// Returns the table entry of a reserved word.
 pub fn entry(word: &str) -> Option<&'static Word> {
     lookup_number(word).map(|(number, _)| by_number(number))
 }
@@ -47,7 +47,7 @@ pub(super) fn lookup_number(word: &str) -> Option<(u32, Category)> {
     TABLE.numbers.get(word).map(|&number| (number, TABLE.words[number as usize].category))
 }
 
-/// The word with this number.
+/// Returns the reserved word with this number.
 pub(super) fn by_number(number: u32) -> &'static Word {
     &TABLE.words[number as usize]
 }
@@ -140,7 +140,7 @@ pub const KEYWORDS: &[&str] = &[
     "variance", "vertex_vectors", "warp", "water_level", "waves", "width", "wood", "wrinkles", "write", "xyz",
 ];
 
-/// Words with arguments in parentheses.
+/// Names of functions that take arguments in parentheses.
 #[rustfmt::skip]
 pub const FUNCTIONS: &[&str] = &[
     "abs", "acos", "acosh", "asc", "asin", "asinh", "atan", "atan2", "atanh", "bitwise_and", "bitwise_or",

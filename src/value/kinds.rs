@@ -30,7 +30,7 @@ impl VecN {
         Self { c, len: s.len() as u8 }
     }
 
-    /// The first three components.
+    /// Returns the first three components of the vector.
     pub fn xyz(&self) -> DVec3 {
         DVec3::new(self.c[0], self.c[1], self.c[2])
     }
@@ -55,16 +55,16 @@ pub fn downcast<T: Thing>(thing: &Arc<dyn Thing>) -> Option<Arc<T>> {
     any.downcast::<T>().ok()
 }
 
-/// A value of the language.
+/// A value of the scene language.
 #[derive(Clone, Debug)]
 pub enum Value {
     /// A number, also the result 0 or 1 of a condition.
     Float(f64),
     /// A vector of two to five components.
     Vector(VecN),
-    /// A colour.
+    /// Value that is a colour.
     Color(Color),
-    /// A string.
+    /// Value that is a string.
     Text(Rc<str>),
     /// A thing built from a block.
     Thing(Arc<dyn Thing>),

@@ -4,14 +4,14 @@
 use super::{Next, Reader, ValueKind, WordSpec};
 use crate::diagnostic::Result;
 
-/// Words of a block.
+/// Words that a block of the scene language accepts.
 #[derive(Debug)]
 pub struct Vocabulary {
-    /// The word before the brace.
+    /// The word before the block's opening brace.
     pub block: &'static str,
-    /// Summary for the manual.
+    /// Summary of the block for the manual.
     pub summary: &'static str,
-    /// Words with an effect.
+    /// Words of the block that have an effect in durer.
     pub words: &'static [WordSpec],
     /// True if the block takes [`TRANSFORMS`], too.
     pub has_transforms: bool,
@@ -59,7 +59,7 @@ pub type Setter<T> = fn(&mut T, &mut dyn Reader) -> Result<()>;
 pub struct Row<T: 'static> {
     /// Name, type and description of the word.
     pub spec: WordSpec,
-    /// Function that reads the value.
+    /// Function that reads the word's value into the block.
     pub set: Setter<T>,
 }
 
@@ -95,7 +95,7 @@ pub fn set<T>(field: &mut T, read: Result<T>) -> Result<()> {
     Ok(())
 }
 
-/// Filler of arrays under construction.
+/// Filler of word tables that are under construction.
 const NO_WORD: WordSpec = word(EMPTY, ValueKind::Nothing, EMPTY, EMPTY);
 const EMPTY: &str = "";
 

@@ -25,7 +25,7 @@ use std::iter::Peekable;
 use std::path::Path;
 use table::{Effect, ROWS, Row, Takes};
 
-/// Result of the translation.
+/// Result of translating POV-Ray's options to durer's.
 #[derive(Debug, Default)]
 pub struct Translated {
     /// The command line in durer's own options.

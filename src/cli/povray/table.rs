@@ -8,7 +8,7 @@ pub struct Row {
     pub switch: &'static str,
     /// Name before `=`; empty if the option has only a switch.
     pub ini: &'static str,
-    /// Kind of value.
+    /// Kind of value that the POV-Ray option takes.
     pub takes: Takes,
     /// Effect of `+` or of a value.
     pub on: Effect,
@@ -16,22 +16,22 @@ pub struct Row {
     pub off: Effect,
 }
 
-/// Kind of value.
+/// Kind of value that a POV-Ray option takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
-    /// No value: `+C`, `Continue_Trace=on`.
+    /// POV-Ray option without a value, such as `+C` or `Continue_Trace=on`.
     Nothing,
-    /// A number: `+W640`.
+    /// POV-Ray option with a number, such as `+W640`.
     Number,
     /// An optional number: `+A0.3`, or `+A` alone.
     MaybeNumber,
-    /// A text: `+Iscene.pov`.
+    /// POV-Ray option with a text, such as `+Iscene.pov`.
     Text,
     /// An optional text: `+FN16`, or `+F` alone.
     MaybeText,
 }
 
-/// Effect of an option.
+/// Effect of a POV-Ray option on durer's settings.
 #[derive(Clone, Copy)]
 pub enum Effect {
     /// None: durer always does this, or the option changes no pixel.

@@ -20,11 +20,11 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-/// See the module.
+/// Configuration of `durer render`, read from the command line.
 pub struct Config {
     /// The scene, or `-` for standard input.
     pub input: PathBuf,
-    /// The pictures to render.
+    /// Pictures that `durer render` renders of the scene.
     pub pictures: Pictures,
     /// Destination of the picture; in an animation without the frame's number.
     pub target: Target,
@@ -36,9 +36,9 @@ pub struct Config {
     pub keep_after: Duration,
     /// Limit of the time from text to picture.
     pub max_time: Option<Seconds>,
-    /// When progress is shown.
+    /// When `durer render` displays its progress.
     pub progress: When,
-    /// Destination of times and counters.
+    /// Destination of the render's times and counters.
     pub stats: Option<Stats>,
     /// Ends the work without a message when it is set.
     pub stop: Option<Arc<AtomicBool>>,
@@ -49,11 +49,11 @@ pub struct Config {
     drawing: render::Options,
 }
 
-/// The pictures of one scene.
+/// Pictures that `durer render` renders of one scene: one, or one per frame.
 pub enum Pictures {
     /// A single picture at this moment.
     One(Timing),
-    /// A picture for each frame.
+    /// One picture for each frame of an animation.
     Animation(Animation),
 }
 

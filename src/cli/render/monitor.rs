@@ -22,7 +22,7 @@ pub struct Monitor {
     deadline: Option<Instant>,
     /// Stops the rendering when it is set.
     pub stop: Option<Arc<AtomicBool>>,
-    /// Journal of the finished tiles.
+    /// Journal of the picture's finished tiles.
     pub journal: Option<Journal>,
 }
 

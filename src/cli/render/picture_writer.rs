@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 /// Linear light that an 8-bit file stores as 0.
 const BLACK: f32 = 1.5e-4;
 
-/// Encodes rows into a draft.
+/// Encoder of a picture's rows into a draft file.
 pub struct PictureWriter<'d> {
     /// `None` if the picture has no destination.
     encoder: Option<Encoder<&'d mut Draft>>,
@@ -23,7 +23,7 @@ pub struct PictureWriter<'d> {
 pub struct Written {
     /// True if all pixels are black.
     pub is_black: bool,
-    /// Duration of the encoding.
+    /// Duration of encoding the picture.
     pub time: Duration,
 }
 

@@ -7,7 +7,7 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 /// Work that has to be repeated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Request {
-    /// Render the picture.
+    /// Request to render the picture without reading the scene anew.
     Picture,
     /// Read the scene and render the picture.
     Scene,
@@ -27,9 +27,9 @@ struct Pending {
 
 /// Work that was taken from the queue.
 pub struct Work {
-    /// Extent of the work.
+    /// Extent of the rendering that the page requests.
     pub request: Request,
-    /// Settings of the page.
+    /// Settings of the page for the rendering.
     pub settings: Settings,
     /// Set as soon as the work is obsolete.
     pub stop: Arc<AtomicBool>,
@@ -64,7 +64,7 @@ impl RenderQueue {
     }
 }
 
-/// True if work is obsolete.
+/// True if a newer request made the rendering obsolete.
 pub fn is_stopped(stop: &AtomicBool) -> bool {
     stop.load(Relaxed)
 }

@@ -50,9 +50,9 @@ struct Gatherer<'a> {
     out: Atoms,
     /// Local offset after the last atom.
     at: usize,
-    /// Flags for the next token.
+    /// Flags for the next token that becomes an atom.
     pending: u16,
-    /// Name of the innermost block.
+    /// Name of the innermost block around the next token.
     block: &'a str,
 }
 
@@ -314,7 +314,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// A body in brackets.
+    /// Gathers the atoms of a body in brackets.
     fn braces(&mut self, span: Span, name: Span, item: Item, body: &[Element]) -> Item {
         let start = self.len();
         if !name.is_none() {

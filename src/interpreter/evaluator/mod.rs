@@ -31,7 +31,7 @@ use std::sync::Arc;
 pub use timing::Timing;
 pub(super) use whole::is_callable;
 
-/// Values of a run.
+/// Values, scopes and constants of one run of the interpreter.
 pub(super) struct Evaluator<'a> {
     inputs: Inputs<'a>,
     scopes: Scopes<'a>,
@@ -88,7 +88,7 @@ impl<'a> Evaluator<'a> {
         self.constants.get(symbol, &*self.inputs.options.host).is_some()
     }
 
-    /// Sets the constant `version`.
+    /// Sets the built-in constant `version`, the language version in force.
     pub(super) fn set_version(&mut self, version: u32) {
         self.constants.set_version(version);
     }

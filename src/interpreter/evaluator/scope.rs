@@ -27,7 +27,7 @@ type Path = Rc<[usize]>;
 /// An assignable location: the binding of a name, or an element of the array that is bound to the name.
 #[derive(Clone, Debug)]
 pub struct LValue {
-    /// Name of the binding.
+    /// Name of the binding that the location starts from.
     pub symbol: Symbol,
     /// Index of the binding among those of the symbol, the outermost first.
     depth: usize,
@@ -189,7 +189,7 @@ impl<'a> Scopes<'a> {
         path.map_or(Some(slot), |path| slot.element(path))
     }
 
-    /// Contents of a location.
+    /// Returns the contents of a variable or array element; `None` if undeclared.
     pub fn at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
         self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.depth)?.slot.element(lvalue.path())
     }

@@ -295,7 +295,7 @@ fn value_after(word: &str) -> (String, String) {
     (what.into(), format!("{word} {value}").trim_end().to_string())
 }
 
-/// Syntax of a block.
+/// Returns the syntax of the block `word` for a message.
 fn block_usage(word: &str) -> String {
     match SPECS.iter().find(|spec| spec.name == word) {
         Some(spec) => {

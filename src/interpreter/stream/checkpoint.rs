@@ -159,6 +159,6 @@ impl TokenStream<'_> {
     }
 }
 
-/// See [`TokenStream::opened_since`].
+/// Brackets opened since a checkpoint; see [`TokenStream::opened_since`].
 #[derive(Clone, Copy)]
 pub struct Open(Unclosed);

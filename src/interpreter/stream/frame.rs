@@ -8,7 +8,7 @@ use std::path::PathBuf;
 /// A row of elements with a read position.
 pub struct StackFrame<'a> {
     pub(super) elements: &'a [Element],
-    /// Index of the next element.
+    /// Index of the frame's next element to read.
     pub(super) at: usize,
     /// Read position within a literal list: index of the item, and of its first number.
     pub(super) item: (usize, usize),
@@ -24,7 +24,7 @@ pub struct StackFrame<'a> {
 /// The construct that a frame's elements belong to.
 #[derive(Clone, Copy)]
 pub enum FrameKind<'a> {
-    /// The outermost file.
+    /// Frame of the outermost file, the scene itself.
     File,
     /// The inside of a bracket, or the parts of a split expression.
     Piece,
@@ -34,11 +34,11 @@ pub enum FrameKind<'a> {
     Switch,
     /// A pass of `#while`, with its condition.
     While(&'a Head),
-    /// A pass of `#for`.
+    /// Frame of one pass through the body of a `#for` loop.
     For { counter: Symbol, last: f64, step: f64 },
-    /// The body of a macro.
+    /// Frame of a macro call, which reads the macro's body.
     Macro(Symbol),
-    /// An included file.
+    /// Frame of an included file.
     Include,
 }
 
@@ -60,7 +60,7 @@ impl<'a> StackFrame<'a> {
         self.elements.get(self.at)
     }
 
-    /// The element after [`Self::next`].
+    /// Returns the frame's element after [`Self::next`].
     #[inline]
     pub fn following(&self) -> Option<&'a Element> {
         self.elements.get(self.at + 1)
@@ -132,14 +132,14 @@ impl<'a> StackFrame<'a> {
     }
 }
 
-/// Call frames.
+/// Frames of files, loops and macro calls on the token stream's stack.
 impl<'a> TokenStream<'a> {
     #[inline]
     pub fn innermost(&self) -> Option<&StackFrame<'a>> {
         self.frames.last()
     }
 
-    /// All frames, the innermost last.
+    /// Returns all frames of the token stream, the innermost last.
     pub fn frames(&self) -> &[StackFrame<'a>] {
         &self.frames
     }
@@ -154,7 +154,7 @@ impl<'a> TokenStream<'a> {
         &self.include_paths
     }
 
-    /// Reads these elements next.
+    /// Pushes a frame, so that the token stream reads `elements` next.
     pub fn push_frame(&mut self, elements: &'a [Element], kind: FrameKind<'a>, span: Span) {
         self.look_ahead = None;
         self.frames.push(StackFrame::new(elements, kind, span));

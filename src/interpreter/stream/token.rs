@@ -24,16 +24,16 @@ pub enum Token<'a> {
     Element(Span),
     /// A closing bracket or an operator.
     Sign(Sign),
-    /// The end of the text.
+    /// End of the scene text, after the last token.
     End,
 }
 
-/// The word before a `{`.
+/// The word before the `{` of a block.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockName<'a> {
     /// The keyword; `None` for an unknown word.
     pub word: Option<&'static str>,
-    /// Span of the word.
+    /// Span of the word before the `{`.
     pub span: Span,
     /// The elements between the braces; `None` where the block's tokens come one by one.
     pub body: Option<&'a [Element]>,

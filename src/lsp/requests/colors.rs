@@ -8,7 +8,7 @@ use crate::value::decimal;
 use lsp_types::{Color, ColorInformation, ColorPresentation, ColorPresentationParams, DocumentColorParams, TextEdit};
 use std::ops::Range;
 
-/// A colour in a text.
+/// A colour literal in a scene's text.
 struct Found {
     /// Byte range from the word to the end of the numbers.
     at: Range<usize>,

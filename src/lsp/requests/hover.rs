@@ -69,7 +69,7 @@ fn declared(related: &[ReachableText], name: &str, scope: Option<usize>, own: Op
     Some(format!("```pov\n{code}\n```\n{place}{more}"))
 }
 
-/// Comments directly above a line.
+/// Returns the comments directly above a line of the scene.
 fn comment_before(text: &str, at: usize) -> String {
     let start = text[..at].rfind('\n').map_or(0, |i| i + 1);
     let mut lines: Vec<&str> =

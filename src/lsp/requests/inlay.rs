@@ -9,7 +9,7 @@ use std::collections::HashMap;
 /// Number of lines from which the end of a directive gets a hint.
 const MIN_LINES: u32 = 8;
 
-/// The hints in a range.
+/// Returns the inlay hints in a range of the document.
 pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Option<Vec<InlayHint>> {
     let uri = &params.text_document.uri;
     let related = server.related(uri);

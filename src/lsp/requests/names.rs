@@ -12,7 +12,7 @@ use lsp_types::{
 };
 use std::collections::HashMap;
 
-/// A name at a position.
+/// The declared name at a position of the document.
 struct Named {
     name: String,
     range: Range,
@@ -31,7 +31,7 @@ fn named<S: Client>(server: &Server<S>, uri: &Uri, at: Position) -> Option<Named
     Some(Named { name, range: document.text.range(token.at.clone()), owner })
 }
 
-/// An occurrence of a name.
+/// One occurrence of a name in a scene's texts.
 struct Hit {
     range: Range,
     declares: bool,
@@ -93,7 +93,7 @@ fn included<S: Client>(server: &mut Server<S>, uri: &Uri, at: Position) -> Optio
     crate::lsp::document::uri_of(&crate::lsp::files::find(name, &document.folder(), &search)?)
 }
 
-/// All occurrences of the name.
+/// Returns all occurrences of the name at a position of the document.
 pub fn references<S: Client>(server: &mut Server<S>, params: &ReferenceParams) -> Option<Vec<Location>> {
     let at = &params.text_document_position;
     let named = named(server, &at.text_document.uri, at.position)?;

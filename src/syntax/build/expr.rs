@@ -60,7 +60,7 @@ impl Builder<'_> {
         Some(Expr { span, calls, kind: ExprKind::Choice(Box::new([condition, yes, no])) })
     }
 
-    /// `? yes : no`
+    /// Builds both branches of a conditional expression from `? yes : no`.
     fn branches(&self, choice: Pair<Rule>, place: In) -> Option<[Expr; 2]> {
         let range = super::range(&choice);
         let mut parts: Vec<Pair<Rule>> = choice.into_inner().collect();
@@ -247,7 +247,7 @@ impl SignRow {
     }
 }
 
-/// Operators and their right operands.
+/// Binary operators with their right operands, without the first operand.
 type Tail = Vec<(Operator, Expr)>;
 
 /// Groups operands by precedence; operators of one precedence make one flat chain.

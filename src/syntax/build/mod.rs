@@ -35,7 +35,7 @@ pub(super) struct Builder<'n> {
 /// parts of parts could take too long.)
 const SMALL: usize = 24;
 
-/// The context of an expression.
+/// Context in which an expression of the syntax tree is built.
 #[derive(Clone, Copy, PartialEq)]
 enum In {
     Script,
@@ -62,7 +62,7 @@ impl<'n> Builder<'n> {
         self.tokens[pair.as_span().start()]
     }
 
-    /// The text of a token.
+    /// Returns the source text of a token.
     fn token_text(&self, token: Token) -> &'n str {
         &self.text[token.start as usize..token.end as usize]
     }
@@ -265,7 +265,7 @@ fn is_directive(rule: Rule) -> bool {
     matches!(rule, declare | conditional | while_loop | for_loop | switch | macro_definition | plain)
 }
 
-/// The tokens of a pair.
+/// Returns the range of token indices that a parser's pair covers.
 fn range(pair: &Pair<Rule>) -> Range<usize> {
     let span = pair.as_span();
     span.start()..span.end()

@@ -12,14 +12,14 @@ pub(super) enum Kind {
     Block(&'static str),
     /// A vector without a word before it.
     Vector,
-    /// Another kind, or different kinds.
+    /// Kind of a name that is declared as another kind, or as different kinds.
     Unknown,
 }
 
 /// Blocks whose names POV-Ray accepts in a block of the same word only.
 const BLOCKS: &[&str] = &["texture", "pigment", "normal", "finish", "interior", "material", "transform"];
 
-/// All names of all files.
+/// All names that the scene's files declare, with their kinds.
 pub(super) struct Declared {
     kinds: FxHashMap<Symbol, Kind>,
     /// For each macro: true if the last token of its body, and of all others of the name, is the `}` of a block.
@@ -124,7 +124,7 @@ fn behind(text: &Text, open: usize) -> u8 {
     0
 }
 
-/// `#version 3.1` anywhere.
+/// True if the text contains a `#version` directive below 3.5, or one without a literal number.
 fn is_old(text: &Text) -> bool {
     (0..text.len()).any(|at| {
         text.class(at) == class::PLAIN

@@ -30,7 +30,7 @@ pub(super) fn portable(sources: &Sources, names: &Names, files: &[FileId]) -> Ve
     walk.out
 }
 
-/// The tokens of a file.
+/// Tokens of a file that the portability lint examines.
 struct Text<'t> {
     text: &'t str,
     base: usize,
@@ -78,14 +78,14 @@ impl<'t> Text<'t> {
     }
 }
 
-/// An open bracket.
+/// An open bracket during the portability lint.
 #[derive(Clone, Copy)]
 struct Open<'t> {
     /// Its class: `BRACE`, `PAREN`, `BRACKET`, `VECTOR`.
     class: u8,
-    /// The word before it.
+    /// The word before the open bracket.
     word: &'t str,
-    /// Index of its token.
+    /// Index of the open bracket's token.
     at: usize,
     /// True if a directive was found inside it.
     directed: bool,

@@ -212,7 +212,7 @@ impl Walk<'_> {
             && matches!(map.word, "color_map" | "colour_map" | "pigment_map")
     }
 
-    /// `array { 1, 2 }`
+    /// Checks for an array without a size, `array { 1, 2 }`.
     fn array_without_size(&mut self, at: usize) {
         if self.text.class(at + 1) == class::BRACE {
             self.tell(at, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");
@@ -275,7 +275,7 @@ impl Walk<'_> {
         }
     }
 
-    /// A word of durer's own.
+    /// Checks for a word that only durer has.
     fn addition(&mut self, at: usize) {
         let Some(block) = self.block() else { return };
         let name = self.text.word(at);

@@ -16,7 +16,7 @@ fn unknown_at<'t>(source: &SourceLine<'t>, d: &Diagnostic) -> Option<(&'t str, &
     if d.code == codes::UNKNOWN_DIRECTIVE { directive_at(source) } else { None }
 }
 
-/// `#ff8800` as a colour.
+/// Recognizes the mistake `#ff8800` for a colour.
 pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = unknown_at(source, d)?;
     let digits = |i: usize, n: usize| u32::from_str_radix(word.get(i..i + n)?, 16).ok();
@@ -41,14 +41,14 @@ pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     Some(Habit::help(help).declares(name))
 }
 
-/// `#elsif (A)` instead of `#elseif`.
+/// Recognizes the mistake `#elsif (A)` for `#elseif`.
 pub(super) fn other_branch(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, rest) = unknown_at(source, d)?;
     let condition = code_of(rest);
     crate::syntax::fault::is_other_elseif(word).then(|| Habit::help(format!("write `#elseif {condition}`")))
 }
 
-/// `#endif` instead of `#end`.
+/// Recognizes the mistake `#endif` for `#end`.
 pub(super) fn other_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = unknown_at(source, d)?;
     crate::syntax::fault::is_other_end(word).then(|| Habit::help("every directive with a body ends with `#end`"))
@@ -128,7 +128,7 @@ pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     Some(habit.code(codes::SYNTAX).declares(counter))
 }
 
-/// `#include colors.inc` without quotes.
+/// Recognizes the mistake `#include colors.inc`, a file name without quotes.
 pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let rest = source.statement().strip_prefix('#')?.trim_start().strip_prefix("include")?;
     let typed = rest.trim_start();

@@ -23,7 +23,7 @@ fn trailing_operand(text: &str) -> &str {
     &text[text.trim_end_matches(|c: char| is_letter(c) || c == '.').len()..]
 }
 
-/// `&&`, `||` or `==`.
+/// Recognizes C's operators `&&`, `||` or `==`.
 pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     // The fault is at the second sign.
     let at = source.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;
@@ -106,7 +106,7 @@ pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Ha
     Some(habit.at(start..source.line.start + close + 1))
 }
 
-/// `<-1 -1 -1>` without commas.
+/// Recognizes the mistake `<-1 -1 -1>`, a vector without commas.
 pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let text = source.text.get(source.at..source.end).filter(|_| d.code == codes::WRONG_COUNT)?;
     let inside = text.strip_prefix('<')?.strip_suffix('>')?;
@@ -144,7 +144,7 @@ pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Ha
     Some(habit.message(format!("`{word}` takes one value, found a list")))
 }
 
-/// `rgb(1, 0, 0)` with parentheses.
+/// Recognizes the mistake `rgb(1, 0, 0)`, a colour in parentheses.
 pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let inside = source.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
     let (numbers, _) = inside.split_once(')')?;

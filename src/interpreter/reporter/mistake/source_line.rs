@@ -50,7 +50,7 @@ impl<'t> SourceLine<'t> {
         self.line.start + line.len() - line.trim_start().len()
     }
 
-    /// Words of the line.
+    /// Returns the words of the faulty source line.
     pub(super) fn words(&self) -> impl Iterator<Item = &'t str> {
         self.text[self.line.clone()].split(|c: char| !is_letter(c)).filter(|word| !word.is_empty())
     }

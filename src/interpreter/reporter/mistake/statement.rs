@@ -56,7 +56,7 @@ pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Habi
     Some(habit.code(codes::SYNTAX).declares(name))
 }
 
-/// `Size = 3;` without `#declare`.
+/// Recognizes the mistake `Size = 3;`, an assignment without `#declare`.
 pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(source)?;
     let value = rest.strip_prefix('=').filter(|value| !value.starts_with('='))?;
