@@ -51,7 +51,7 @@ pub struct Circumstances {
     pub one_of_many: bool,
     /// True if unsupported parts of the scene were omitted, so that the intended picture is not known.
     pub incomplete: bool,
-    /// True if all pixels are black.
+    /// True if all pixels of the rendered picture are black.
     pub black: bool,
 }
 

@@ -18,7 +18,7 @@ pub struct Animation {
     pub end: u32,
     /// Step between rendered frames of an animation, POV-Ray's `Frame_Step`.
     pub step: u32,
-    /// Number of digits in file names.
+    /// Number of digits of the frame number in file names.
     pub digits: usize,
 }
 
@@ -35,7 +35,7 @@ impl Animation {
         Self { start: first, end: last, step, digits: digits.max(self.digits), ..self.clone() }
     }
 
-    /// The numbers of the frames that are rendered.
+    /// Returns the numbers of the frames that are rendered.
     pub fn frames(&self) -> impl Iterator<Item = u32> + use<> {
         (self.start..=self.end.max(self.start)).step_by(self.step.max(1) as usize)
     }

@@ -22,14 +22,14 @@ pub struct Console {
     printed: Rc<Cell<Count>>,
     /// True while one of several scenes is processed, whose line gives the number of messages.
     among_several: bool,
-    /// True if only errors are printed.
+    /// True if the command prints errors only.
     pub quiet: bool,
-    /// True if stderr is a terminal.
+    /// True if the command's stderr is a terminal.
     pub terminal: bool,
 }
 
 impl Console {
-    /// The output that `--color` and `--quiet` ask for.
+    /// Creates the output that `--color` and `--quiet` ask for.
     pub fn new(common: &Common) -> Self {
         let terminal = io::stderr().is_terminal();
         let plain = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty())
@@ -44,7 +44,7 @@ impl Console {
         Self { style, printed: Rc::default(), among_several: false, quiet: common.quiet, terminal }
     }
 
-    /// The output before the command line is parsed.
+    /// Creates the output that is used before the command line is parsed.
     pub fn plain() -> Self {
         Self::new(&Common { quiet: false, color: When::Auto })
     }

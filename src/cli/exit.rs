@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Code, Fault, codes};
 
-/// The exit codes (`durer help` lists them).
+/// Exit codes of the program (`durer help` lists them).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exit {
     /// Exit code for success.
@@ -15,7 +15,7 @@ pub enum Exit {
     Snapshot = 3,
     /// Exit code for a reached limit.
     Limit = 4,
-    /// A file could not be read or written.
+    /// Exit code for a file that could not be read or written.
     File = 5,
     /// Exit code after Ctrl-C.
     Interrupted = 130,
@@ -45,7 +45,7 @@ pub enum Failure {
     Usage(Box<clap::Error>),
     /// Failure of a command whose messages are all printed already.
     Reported(Exit),
-    /// The reader of standard output is gone.
+    /// Failure of a command because the reader of standard output is gone.
     BrokenPipe,
 }
 

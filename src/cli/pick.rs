@@ -30,7 +30,7 @@ struct Output<'a> {
 #[derive(Serialize)]
 struct PickedObject<'a> {
     shape: &'a str,
-    /// Distance from the camera in world units.
+    /// Distance of the hit from the camera, in world units.
     t: f64,
     point: [f64; 3],
     normal: [f64; 3],
@@ -100,7 +100,7 @@ pub(super) fn words(sources: &Sources, picked: Option<&Picked>, color: [f64; 3])
     PixelReport { sources, built: None, color }.in_words(picked, None)
 }
 
-/// The colour of one pixel without anti-aliasing.
+/// Returns the colour of one pixel without anti-aliasing.
 fn color_of(world: &World, drawing: &render::Options, x: usize, y: usize) -> [f64; 3] {
     let region = Some(Region { x, y, width: 1, height: 1 });
     let rendered = render::render(world, &render::Options { region, ..drawing.clone() }, &Unwatched);

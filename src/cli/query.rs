@@ -32,7 +32,7 @@ struct Contents {
 #[derive(Serialize)]
 struct CameraRow {
     source: Option<Position>,
-    /// True for the camera of the picture.
+    /// True for the camera that renders the picture.
     used: bool,
     /// This and the following fields are null for all other cameras.
     projection: Option<String>,
@@ -66,9 +66,9 @@ struct ObjectRow {
 struct TextureRow {
     pigment: String,
     layers: usize,
-    /// Number of outermost objects with this texture.
+    /// Number of outermost objects that have this texture.
     objects: usize,
-    /// Position of the first of them.
+    /// Position of the first object that has this texture.
     first: Option<Position>,
 }
 
@@ -124,7 +124,7 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
     out
 }
 
-/// All cameras; the last one renders the picture.
+/// Returns all cameras of the scene; the last one renders the picture.
 fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
     let spans = if scene.cameras.is_empty() { &[Span::NONE][..] } else { &scene.cameras };
     let row = |(i, span): (usize, &Span)| {

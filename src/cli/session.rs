@@ -159,7 +159,7 @@ pub fn build(
     })
 }
 
-/// The exit code of a run.
+/// Returns the exit code of a run of the interpreter.
 pub fn verdict(limit_reached: bool, diagnostics: &[Diagnostic]) -> Exit {
     if limit_reached {
         Exit::Limit

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 pub enum Word {
     /// Word for a scene that passed.
     Ok,
-    /// The scene has errors, or its picture differs.
+    /// Word for a scene that has errors, or a picture that differs from its snapshot.
     Fail,
     /// Word for a scene that has no snapshot.
     New,

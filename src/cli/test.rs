@@ -41,11 +41,11 @@ pub struct Setting {
 /// Result of testing one scene against its snapshot.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// The exit code of this scene alone.
+    /// Exit code of the test of this scene alone.
     pub exit: Exit,
-    /// Difference of the pictures; `None` unless both exist.
+    /// Difference of the scene's picture from its snapshot; `None` unless both exist.
     pub comparison: Option<Comparison>,
-    /// Description of the result, one line.
+    /// Description of the scene's test result in one line.
     pub text: String,
     /// Errors and warnings as text for a person.
     pub messages: String,

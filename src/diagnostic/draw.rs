@@ -10,13 +10,13 @@ use miette::{
 /// Style of a diagnostic's rendering, such as colours.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
-    /// True for colours and Unicode lines.
+    /// True if the message is drawn with colours and Unicode lines.
     pub fancy: bool,
     /// Width of the terminal, in columns.
     pub width: usize,
 }
 
-/// Renders one message, ending in a newline.
+/// Renders one diagnostic to text that ends in a newline.
 pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> String {
     let theme = if style.fancy { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
     let handler = GraphicalReportHandler::new_themed(theme).with_width(style.width).with_context_lines(1);
@@ -148,7 +148,7 @@ struct Lines {
     name: String,
     /// From the first to the last line with a label; of a very long line, the part around the label.
     text: String,
-    /// Offset of `text` in the file, in bytes.
+    /// Offset of `text` in the source file, in bytes.
     start: usize,
     /// Number of the first line, from 0.
     line: usize,

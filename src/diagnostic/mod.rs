@@ -16,7 +16,7 @@ use crate::source::{Sources, Span};
 /// Severity of a diagnostic: error or warning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// The picture may not be the intended one.
+    /// Severity of a doubt: the picture may not be the intended one.
     Warning,
     /// Severity of a fault due to which the scene can't be rendered.
     Error,
@@ -29,25 +29,25 @@ impl Severity {
     }
 }
 
-/// A place with a short text.
+/// A marked place in a source text, with a short description.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     /// Span of source text that the label marks.
     pub span: Span,
-    /// Description of the place; may be empty.
+    /// Description of the label's place; may be empty.
     pub text: String,
 }
 
 /// One message. It is created where the fault is found, and rendered in [`draw`] alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
-    /// Stable code; `durer explain CODE` explains it.
+    /// Stable code of the diagnostic; `durer explain CODE` explains it.
     pub code: Code,
     /// That of the code, unless an unused declaration lowers it to a warning.
     pub severity: Severity,
     /// In lower case, with found and expected, names in backticks.
     pub message: String,
-    /// The first label is the place of the fault.
+    /// Places of the diagnostic; the first label is the place of the fault.
     pub labels: Vec<Label>,
     /// Replacement text or advice that the diagnostic gives as help.
     pub help: Option<String>,
@@ -64,7 +64,7 @@ pub type Fault = Box<Diagnostic>;
 pub type Result<T, E = Fault> = std::result::Result<T, E>;
 
 impl Diagnostic {
-    /// A message with this code at this place.
+    /// Creates a diagnostic with this code at this place.
     pub fn new(code: Code, span: Span, message: impl Into<String>) -> Self {
         let labels = if span.is_none() { vec![] } else { vec![Label { span, text: String::new() }] };
         let (message, help, trace) = (message.into(), None, Box::default());

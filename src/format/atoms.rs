@@ -14,7 +14,7 @@ pub struct Atom {
     pub link: u32,
     /// Properties of the atom as a set of bits; see [`flag`].
     pub flags: u16,
-    /// The kind of item that begins here.
+    /// Kind of item that begins at the atom.
     pub item: Item,
     /// Number of line ends before the atom, at most 2.
     pub lines: u8,
@@ -42,7 +42,7 @@ pub mod flag {
     pub const PACKED: u16 = 1 << 8;
     /// A bracket without its other half, or around contents that the tree has no node for.
     pub const LOOSE: u16 = 1 << 9;
-    /// One of several layered textures of a declaration.
+    /// Flag: the atom is one of several layered textures of a declaration.
     pub const LAYER: u16 = 1 << 10;
     /// Flags of any comment, line or block.
     pub const COMMENT: u16 = LINE_COMMENT | BLOCK_COMMENT;
@@ -50,10 +50,10 @@ pub mod flag {
 /// Kinds of items that the formatter lays out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Item {
-    /// No direct item of a body.
+    /// Item of the formatter: none, the atom begins no direct item of a body.
     #[default]
     None,
-    /// A number, a vector, a call …
+    /// Item of the formatter: a value, such as a number, a vector or a call.
     Value,
     /// Item of the formatter: a keyword.
     Word,
@@ -75,7 +75,7 @@ pub enum Item {
     Sign,
 }
 
-/// A part of a directive: `#if (A) …`.
+/// Part of a directive with bodies, such as `#if (A) …`.
 #[derive(Clone, Copy, Debug)]
 pub struct Arm {
     /// Index of the atom of the arm's directive.
@@ -84,15 +84,15 @@ pub struct Arm {
     pub body: u32,
     /// Index of the atom after the arm's body.
     pub end: u32,
-    /// True for the arms of a `#switch`.
+    /// True if the arms are those of a `#switch`.
     pub choice: bool,
 }
 
 /// Atoms of a text, the units that the formatter lays out.
 #[derive(Debug, Default)]
 pub struct Atoms {
-    /// In the order of the text.
+    /// Atoms of the text in their order.
     pub row: Vec<Atom>,
-    /// The arms of each directive with bodies.
+    /// Arms of each directive with bodies in the text.
     pub arms: Vec<Vec<Arm>>,
 }

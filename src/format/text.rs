@@ -42,7 +42,7 @@ impl Encoded {
     }
 }
 
-/// The end of the first line.
+/// Returns the line ending of the first line of the text.
 fn line_end(text: &str) -> &'static str {
     match text.find(['\n', '\r']) {
         Some(at) if text[at..].starts_with("\r\n") => "\r\n",

@@ -22,7 +22,7 @@ pub struct Pixels {
     pub samples: Samples,
 }
 
-/// The samples of a picture file.
+/// Samples of a decoded picture, by their type.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Samples {
     /// Samples of a decoded picture as codes from 0 to 255.
@@ -54,7 +54,7 @@ pub fn decode_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
     decode_bytes(&bytes, path).map(|decoded| decoded.pixels)
 }
 
-/// Decodes the bytes of a file (E0007).
+/// Decodes the bytes of a picture file (E0007).
 pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
     decode_any(bytes, ending).map_err(|reason| {
@@ -139,7 +139,7 @@ fn decode_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
     Ok(Pixels { width: frame.width, height: frame.height, channels: 4, samples })
 }
 
-/// Decodes an exr with luminance alone.
+/// Decodes an OpenEXR file that has luminance alone.
 fn decode_gray_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
     let image = exr::prelude::read()
         .no_deep_data()

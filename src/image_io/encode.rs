@@ -26,7 +26,7 @@ pub struct Encoding {
     pub gray: bool,
     /// Transfer curve of the picture's integer codes.
     pub gamma: Gamma,
-    /// Dithering; formats without integers ignore it.
+    /// Dithering of the picture's codes; formats without integers ignore it.
     pub dither: Option<Dither>,
     /// Compression of an OpenEXR picture.
     pub packing: Packing,
@@ -94,7 +94,7 @@ impl Rows for Frame {
 pub enum EncodeError {
     /// Encoding failed because the picture's file can't be written.
     Io(io::Error),
-    /// The format can't hold the picture; the reason.
+    /// Encoding failed because the format can't hold the picture, with the reason.
     Format(String),
 }
 
@@ -323,7 +323,7 @@ fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>
     Ok((file, behind))
 }
 
-/// A gray pixel of equal brightness.
+/// Returns a gray pixel of equal brightness.
 fn brightness(&[r, g, b, a]: &[f32; 4]) -> [f32; 4] {
     let gray = gray(crate::color::Rgb::new(f64::from(r), f64::from(g), f64::from(b))) as f32;
     [gray, gray, gray, a]

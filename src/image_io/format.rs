@@ -30,7 +30,7 @@ struct Row {
     format: Format,
     /// Endings of file names; the first one is the format's name.
     endings: &'static [&'static str],
-    /// Bits per channel; empty for floating-point numbers.
+    /// Bits per channel that the format allows; empty for floating-point numbers.
     depths: &'static [u8],
     alpha: bool,
     max_side: usize,
@@ -67,7 +67,7 @@ impl Format {
         self.row().endings[0]
     }
 
-    /// All names, in the order of the manual.
+    /// Returns the names of all picture formats, in the order of the manual.
     pub fn names() -> impl Iterator<Item = &'static str> {
         ROWS.iter().map(|row| row.endings[0])
     }
@@ -77,22 +77,22 @@ impl Format {
         !self.row().depths.is_empty()
     }
 
-    /// True if the format can hold transparency.
+    /// True if the picture format can hold transparency.
     pub fn has_alpha(self) -> bool {
         self.row().alpha
     }
 
-    /// True if the format can hold brightness alone.
+    /// True if the picture format can hold brightness alone.
     pub fn has_gray(self) -> bool {
         matches!(self, Self::Png | Self::Ppm)
     }
 
-    /// By name or ending, in any letter case.
+    /// Returns the picture format with a name or ending, in any letter case.
     pub fn from_name(name: &str) -> Option<Format> {
         ROWS.iter().find(|row| row.endings.iter().any(|e| e.eq_ignore_ascii_case(name))).map(|row| row.format)
     }
 
-    /// By the ending of a file's name.
+    /// Returns the picture format that the ending of a file's name indicates.
     ///
     /// # Errors
     /// E0005 if no format has the ending.

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 struct Quantizer {
     /// Entry k is the smallest number with a code above k; the last is infinite.
     thresholds: Vec<f32>,
-    /// The code of the smallest number of each interval.
+    /// Code of the smallest number in each interval.
     starts: Vec<u16>,
     /// Start of the first interval, with code 0.
     lowest: f32,

@@ -17,7 +17,7 @@ pub(super) struct Argument<'a> {
 
 /// Contents of a call's [`Argument`], by the form in which the scene wrote the argument.
 pub(super) enum Given<'a> {
-    /// A name alone, which need not be declared.
+    /// Argument that is a name alone, which need not be declared.
     Name(Symbol),
     /// An array element that is passed as an argument, by its location.
     LValue(LValue),

@@ -67,7 +67,7 @@ impl<'a> Interpreter<'a> {
         names.iter().rev().try_fold(value, |value, (name, span)| component(&value, name, *span))
     }
 
-    /// True if a number is not 0.
+    /// True if the expression's number is not 0.
     pub(super) fn is_true(&mut self, e: &'a Expr) -> Result<bool> {
         Ok(self.evaluate_number(e)?.abs() > SMALL)
     }

@@ -19,9 +19,9 @@ pub const BASE: usize = 1;
 pub struct Document {
     /// Address of the document in the editor.
     pub uri: Uri,
-    /// Path, if the document is a file.
+    /// Path of the document, if the document is a file.
     pub path: Option<PathBuf>,
-    /// Version of the text in the editor.
+    /// Version of the document's text in the editor.
     pub version: i32,
     /// Present text of the open document.
     pub text: Text,
@@ -81,7 +81,7 @@ impl Document {
     }
 }
 
-/// The path of a `file:` address.
+/// Returns the path of a `file:` address.
 pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     let rest = uri.as_str().strip_prefix("file://")?;
     // The address may contain a host's name before the path.
@@ -107,7 +107,7 @@ pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     Some(PathBuf::from(if drive { &text[1..] } else { &text }))
 }
 
-/// The `file:` address of a path.
+/// Returns the `file:` address of a path.
 pub fn uri_of(path: &Path) -> Option<Uri> {
     let path = std::path::absolute(path).ok()?;
     let text = path.to_str()?.replace('\\', if cfg!(windows) { "/" } else { "\\" });

@@ -17,7 +17,7 @@ pub struct File {
     pub text: Arc<Text>,
     /// Tokens and names of the included file.
     pub scan: Arc<Scan>,
-    /// State of the file when it was read.
+    /// State of the included file when it was read.
     read: Option<Stamp>,
 }
 

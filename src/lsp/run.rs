@@ -15,9 +15,9 @@ use std::sync::atomic::AtomicBool;
 
 /// Limit of a run: number of elements and loop passes.
 const MAX_STEPS: u64 = 50_000_000;
-/// Limit of a run in seconds.
+/// Time limit of a background run of a scene, in seconds.
 const MAX_TIME: f64 = 20.0;
-/// Limit of a run in bytes.
+/// Memory limit of a background run of a scene, in bytes.
 const MAX_MEMORY: u64 = 4 << 30;
 
 /// A scene to run in the background of the language server.
@@ -42,7 +42,7 @@ pub struct Job {
 pub struct RunResult {
     /// Address of the scene that ran.
     pub uri: String,
-    /// Version of the text that was run.
+    /// Version of the document's text that was run.
     pub version: i32,
     /// Diagnostics by the paths of files; `None` is the scene itself.
     pub diagnostics: BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>>,

@@ -10,17 +10,17 @@ use std::ops::Range;
 pub enum TokenKind {
     /// Token that is a reserved word of the scene language.
     Word(Category),
-    /// A name that an author chose.
+    /// Token that is a name chosen by the scene's author.
     Name,
     /// Token that is a directive, `#…`.
     Directive,
     /// Token that is a string, `"…"`.
     Text,
-    /// A number, or a list of numbers.
+    /// Token that is a number, or a list of numbers.
     Number,
-    /// A bracket, an operator or a comma.
+    /// Token that is a bracket, an operator or a comma.
     Sign,
-    /// A comment, `//` or `/* */`.
+    /// Token that is a comment, `// …` or `/* … */`.
     Comment,
 }
 
@@ -57,7 +57,7 @@ pub struct Declaration {
     pub at: Range<usize>,
     /// Kind of the declaration.
     pub kind: DeclarationKind,
-    /// Index of the innermost enclosing macro.
+    /// Index of the innermost macro that encloses the declaration.
     pub scope: Option<usize>,
     /// Byte range from the directive to the name, or to the `#end` of a macro.
     pub whole: Range<usize>,
@@ -70,14 +70,14 @@ pub struct Use {
     pub name: String,
     /// Byte range of the used name.
     pub at: Range<usize>,
-    /// Index of the innermost enclosing macro.
+    /// Index of the innermost macro that encloses the use of the name.
     pub scope: Option<usize>,
 }
 
 /// A macro definition in a scene's text.
 #[derive(Clone, Debug, Default)]
 pub struct Macro {
-    /// Byte range from `#macro` to `#end`.
+    /// Byte range of the macro from `#macro` to `#end`.
     pub whole: Range<usize>,
     /// Index of the macro that encloses this macro.
     pub outer: Option<usize>,
@@ -92,13 +92,13 @@ pub struct Pair {
     pub name: String,
     /// Byte range from the opening bracket or directive to the end of the closing one, or of the text.
     pub whole: Range<usize>,
-    /// Opening character: a bracket, or `#`.
+    /// Opening character of the pair: a bracket, or `#`.
     pub open: u8,
-    /// Byte range of the name before the pair of brackets.
+    /// Byte range of the pair's name: the word before the bracket, or the directive's word.
     pub named: Range<usize>,
-    /// Index of the pair of brackets that encloses this pair.
+    /// Index of the pair of brackets or directive that encloses this pair.
     pub outer: Option<usize>,
-    /// True if the closing bracket or directive exists.
+    /// True if the pair's closing bracket or directive exists.
     pub closed: bool,
 }
 
@@ -151,7 +151,7 @@ impl Scan {
         self.pairs.iter().rev().filter(inside).find(|pair| holds(pair))
     }
 
-    /// Index of the innermost macro around a byte.
+    /// Returns the index of the innermost macro around a byte offset.
     pub fn macro_at(&self, offset: usize) -> Option<usize> {
         let inside = |m: &&Macro| m.whole.start < offset && offset < m.whole.end;
         self.macros

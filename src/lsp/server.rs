@@ -30,9 +30,9 @@ pub enum Event {
     Message(Message),
     /// Event: the editor has disconnected.
     Disconnected,
-    /// A run of a scene has ended.
+    /// Event: a background run of a scene has ended.
     RunEnded(RunResult),
-    /// A message for the editor from another thread.
+    /// Event: another thread has a message for the editor.
     Send(Message),
 }
 
@@ -286,7 +286,7 @@ impl<S: Client> Server<S> {
         self.client.send(Message::Notification(Notification::new("textDocument/publishDiagnostics".into(), params)));
     }
 
-    /// The diagnostics of a text from all runs.
+    /// Returns the diagnostics of a text from all background runs.
     pub fn run_diagnostics(&self, address: &str) -> Vec<EditorDiagnostic> {
         self.results.values().filter_map(|found| found.get(address)).flatten().cloned().collect()
     }
@@ -301,7 +301,7 @@ impl<S: Client> Server<S> {
         scenes.iter().filter(|scene| *scene != key).for_each(|scene| self.schedule(scene));
     }
 
-    /// The open document of an address.
+    /// Returns the open document with an address.
     pub fn document(&self, uri: &Uri) -> Option<&Document> {
         self.open.get(uri.as_str())
     }

@@ -16,7 +16,7 @@ const TIMEOUT: Duration = Duration::from_secs(10);
 pub struct Request {
     /// Method of the HTTP request, such as `GET`.
     pub method: String,
-    /// Path with its first `/`, without the query.
+    /// Path of the HTTP request with its first `/`, without the query.
     pub path: String,
     /// Query after `?` in the HTTP request's address.
     pub query: String,

@@ -45,9 +45,9 @@ pub struct Settings {
     pub scale: f64,
     /// True if the preview anti-aliases its picture.
     pub antialias: bool,
-    /// Quality from 0 to 11, as `--quality`.
+    /// Quality of the preview's picture from 0 to 11, as `--quality`.
     pub quality: u8,
-    /// Value of `clock` in place of the command line's.
+    /// Value of `clock` on the page, in place of the command line's.
     pub clock: Option<f64>,
     /// Left, top, width and height of the part that fills the picture, as fractions of its size.
     pub zoom: Option<[f64; 4]>,
@@ -98,7 +98,7 @@ fn is_part(at: f64, length: f64) -> bool {
 /// A position in one of the scene's texts.
 #[derive(Clone, Debug, Deserialize)]
 pub struct TextPosition {
-    /// Name of the file as in messages.
+    /// Name of the source file as in messages.
     pub file: String,
     /// Line of the text position, counted from 1.
     pub line: usize,
@@ -115,15 +115,15 @@ pub struct PageState {
     pub status: &'static str,
     /// Settings of the previewed picture.
     pub settings: Settings,
-    /// Width and height of the picture at scale 1.
+    /// Width and height of the previewed picture at scale 1.
     pub size: [usize; 2],
-    /// Present, first and last value of `clock`.
+    /// Present, first and last value of `clock` on the page.
     pub clock: [f64; 3],
     /// Messages about the previewed scene, errors first.
     pub messages: Vec<Message>,
     /// Output of the scene's `#debug` and its kin.
     pub log: String,
-    /// Names of the steps and their durations in seconds.
+    /// Names of the rendering's steps and their durations in seconds.
     pub times: Vec<(&'static str, f64)>,
     /// Number of rays traced for the previewed picture.
     pub rays: u64,
@@ -144,7 +144,7 @@ pub struct Message {
     pub place: Option<Link>,
 }
 
-/// A position that the page can open.
+/// A position in a scene's text that the page can open.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Link {
     /// Name of the file as in messages.

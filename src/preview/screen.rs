@@ -39,7 +39,7 @@ struct Contents {
 }
 
 struct Picture {
-    /// Number of the picture among those shown on the screen.
+    /// Number of the picture since the preview began.
     run: u64,
     view: View,
     image: Image,
@@ -52,7 +52,7 @@ struct Picture {
     done: bool,
 }
 
-/// The changes that a page has received.
+/// Position of a page in the screen's changes: those that the page has received.
 #[derive(Debug, Default)]
 pub(super) struct Cursor {
     stamp: u64,
@@ -64,11 +64,11 @@ pub(super) struct Update {
     pub run: u64,
     /// Width and height of a new picture.
     pub new_size: Option<[usize; 2]>,
-    /// True if a previous picture exists.
+    /// True if the screen has a previous picture to compare with.
     pub has_previous: bool,
     pub state: Option<Arc<PageState>>,
     pub coarse: Option<Image>,
-    /// Left, top and pixels of each changed tile.
+    /// Left edge, top edge and pixels of each changed tile.
     pub tiles: Vec<(usize, usize, Image)>,
     pub progress: f32,
     pub done: bool,
@@ -84,7 +84,7 @@ impl Picture {
         (x + width).div_ceil(TILE) - x / TILE
     }
 
-    /// Pixels of a tile, relative to this picture.
+    /// Returns the pixels of a tile, relative to the displayed picture.
     fn tile(&self, at: usize) -> Region {
         let Region { x, y, width, height } = self.view.area;
         let (column, row) = (at % self.columns() + x / TILE, at / self.columns() + y / TILE);

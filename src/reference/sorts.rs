@@ -14,19 +14,19 @@ use crate::value::words::TRANSFORMS;
 pub struct Sorts {
     /// Words for objects, such as `sphere` and `union`.
     pub objects: Vec<&'static str>,
-    /// Other words with braces: `pigment`, `camera`.
+    /// Words with braces that are no objects, such as `pigment` and `camera`.
     pub blocks: Vec<&'static str>,
-    /// Functions with arguments in parentheses: `sin`.
+    /// Names of functions with arguments in parentheses, such as `sin`.
     pub functions: Vec<&'static str>,
     /// Words for values, such as `x`, `pi` and `on`.
     pub constants: Vec<&'static str>,
-    /// All other words: `rotate`, `rgb`, `marble`.
+    /// Words in none of the other lists, such as `rotate`, `rgb` and `marble`.
     pub words: Vec<&'static str>,
     /// Names of directives, without `#`.
     pub directives: Vec<&'static str>,
     /// Names of directives that an `#end` closes.
     pub openers: Vec<&'static str>,
-    /// Directives between an opener and its `#end`: `else`, `case`.
+    /// Names of directives between an opener and its `#end`, such as `else` and `case`.
     pub continuers: Vec<&'static str>,
 }
 

@@ -25,13 +25,13 @@ impl Default for Tolerance {
 pub enum Verdict {
     /// Verdict: all pixels equal those of the snapshot.
     Identical,
-    /// The pictures differ within the tolerance.
+    /// Verdict: the pictures differ within the tolerance.
     Close,
     /// The pictures differ by more than the tolerance, or in size.
     Differs,
 }
 
-/// Difference of two pictures with 8 bits per channel.
+/// Difference of a rendered picture from its snapshot, with 8 bits per channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
     /// Width and height of the expected picture, if they differ from those of the rendered one.

@@ -23,7 +23,7 @@ pub struct Entry<'a> {
     pub rendered: Option<&'a Frame>,
 }
 
-/// The files of a report: names and contents.
+/// Files of a snapshot report: names and contents.
 pub type Report = Vec<(String, Vec<u8>)>;
 
 /// The page `index.html` and its pictures. Scenes with differences come first.

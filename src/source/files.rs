@@ -117,9 +117,9 @@ pub enum FileKind {
     File,
     /// Kind of path: a folder.
     Folder,
-    /// A symbolic link; only [`Files::list`] returns it.
+    /// Kind of path: a symbolic link; only [`Files::list`] returns it.
     Link,
-    /// A device, a pipe or a socket.
+    /// Kind of path: a device, a pipe or a socket.
     Special,
 }
 
@@ -139,7 +139,7 @@ pub struct Metadata {
 pub struct Entry {
     /// Name of the folder's entry, without the folder.
     pub name: OsString,
-    /// Kind of the entry itself; links are not followed.
+    /// Kind of the folder's entry itself; links are not followed.
     pub kind: FileKind,
 }
 
@@ -155,6 +155,6 @@ pub struct Stamp {
 pub enum WriteMode {
     /// Mode of writing that removes the file's old contents.
     Truncate,
-    /// New bytes follow the old contents.
+    /// Mode of writing that appends new bytes to the old contents.
     Append,
 }

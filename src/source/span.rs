@@ -16,7 +16,7 @@ impl Span {
     /// No position, for values from the command line and for defaults. Global offsets start at 1.
     pub const NONE: Span = Span { lo: 0, hi: 0 };
 
-    /// The range from `lo` to `hi`, exclusive.
+    /// Creates the span from `lo` to `hi`, exclusive.
     pub fn new(lo: usize, hi: usize) -> Self {
         Self { lo: lo as u32, hi: hi as u32 }
     }
@@ -37,7 +37,7 @@ impl Span {
         }
     }
 
-    /// The empty range after this span.
+    /// Returns the empty span after this span.
     pub fn end(self) -> Span {
         Span { lo: self.hi, hi: self.hi }
     }

@@ -50,7 +50,7 @@ pub enum ElementKind {
     Numbers(Box<NumberList>),
     /// Element of the form `name { … }`, such as `sphere { … }`.
     Block(Box<Block>),
-    /// `{ … }` without a name.
+    /// Element of the form `{ … }`, without a name.
     Group(Box<Group>),
     /// Element of the form `[ … ]`, such as a color map's entry.
     Entry(Box<Group>),
@@ -83,7 +83,7 @@ pub enum Sign {
     Question,
     /// The sign `:`.
     Colon,
-    /// A character without meaning in the language.
+    /// Character without meaning in the scene language.
     Other,
 }
 
@@ -99,7 +99,7 @@ pub enum Bracket {
 }
 
 impl Bracket {
-    /// The opening and the closing bracket.
+    /// Returns the opening and the closing bracket as texts.
     pub fn text(self) -> [&'static str; 2] {
         match self {
             Bracket::Brace => ["{", "}"],
@@ -128,7 +128,7 @@ pub struct Block {
 /// A word before a brace: a keyword, or an unknown word (an error that is reported when the run reaches it).
 #[derive(Clone, Copy, Debug)]
 pub struct Name {
-    /// The keyword; `None` for an unknown word.
+    /// The keyword in the name's position; `None` for a word that the scene language lacks.
     pub word: Option<&'static str>,
     /// Span of the word that names a block or member.
     pub span: Span,
@@ -139,7 +139,7 @@ pub struct Name {
 pub struct NumberList {
     /// Numbers of all items of the list, one after another.
     pub data: Arc<[f64]>,
-    /// Number of components of each item.
+    /// Number of components of each item of the list.
     pub widths: Widths,
 }
 
@@ -183,11 +183,11 @@ impl Expr {
 pub enum ExprKind {
     /// Expression that is a literal number.
     Number(f64),
-    /// A string literal with its escapes resolved.
+    /// Expression that is a string literal, with its escapes resolved.
     Text(Box<str>),
     /// Expression that is a declared name or constant.
     Name(Symbol),
-    /// `< … >` of literals only.
+    /// Expression that is a vector `< … >` of literals only.
     Literal(Arc<[f64]>),
     /// Expression that is a vector `< … >` of expressions.
     Vector(Box<[Element]>),
@@ -201,7 +201,7 @@ pub enum ExprKind {
     Choice(Box<[Expr; 3]>),
     /// Expression that calls a built-in function.
     Builtin(&'static Word, Box<[Expr]>),
-    /// A macro, user function or spline.
+    /// Expression that calls a macro, user function or spline.
     Call(Symbol, Box<[Element]>),
     /// Expression that accesses an array: `A[i][j]`.
     Index(Box<Expr>, Box<[Expr]>),
@@ -320,7 +320,7 @@ pub struct Function {
     pub parameters: Box<[Symbol]>,
     /// `function 200, 200 { … }` of a height field.
     pub size: Box<[Expr]>,
-    /// Expressions, blocks (`pigment { … }`) and directives.
+    /// Contents of the function: expressions, blocks such as `pigment { … }`, and directives.
     pub body: Box<[Element]>,
 }
 
@@ -350,7 +350,7 @@ pub enum Directive {
 pub enum Head {
     /// A directive's argument that is one whole expression.
     Whole(Expr),
-    /// Anything else; `None` if there are no parentheses.
+    /// Directive's argument that is no whole expression; `None` if there are no parentheses.
     Pieces(Option<Box<[Element]>>),
 }
 
@@ -359,9 +359,9 @@ pub enum Head {
 pub struct Declare {
     /// True for `#local`, false for `#declare`.
     pub local: bool,
-    /// `deprecated "why"`; the flag is `once`.
+    /// Contents of `deprecated "why"` in a declaration; the flag is `once`.
     pub deprecated: Option<(bool, Box<str>)>,
-    /// The name, its indices and its span.
+    /// Name that the declaration assigns to, with its indices and its span.
     pub target: Target,
     /// The other targets of `#declare (A, B) = (1, 2);`
     pub others: Box<[Target]>,
@@ -383,7 +383,7 @@ pub struct Target {
 /// A condition and the elements that run if it holds.
 #[derive(Clone, Debug)]
 pub struct Branch {
-    /// From its directive's word to the next one.
+    /// Span of the branch from its directive's word to the next one.
     pub span: Span,
     /// Condition of an `#if` directive's branch.
     pub condition: Condition,
@@ -418,14 +418,14 @@ pub struct For {
 pub enum ForHead {
     /// The counter; first value, last value, and an optional step.
     Whole(Symbol, Box<[Expr]>),
-    /// Anything else; `None` if there are no parentheses.
+    /// Contents of the `#for` parentheses that are no plain range; `None` if there are no parentheses.
     Pieces(Option<Box<[Element]>>),
 }
 
 /// One arm of a `#switch` directive: `#case`, `#range` or `#else`.
 #[derive(Clone, Debug)]
 pub struct Arm {
-    /// From its directive's word to the next one.
+    /// Span of the arm from its directive's word to the next one.
     pub span: Span,
     /// Condition of the `#switch` arm.
     pub when: When,
@@ -455,6 +455,6 @@ pub struct Macro {
     pub fault: Option<Span>,
     /// Names of its parameters; the flag is `optional`.
     pub parameters: Box<[(Symbol, bool)]>,
-    /// The elements that a call runs.
+    /// Elements that a call of the macro runs.
     pub body: Box<[Element]>,
 }

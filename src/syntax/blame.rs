@@ -6,13 +6,13 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::source::Span;
 use std::ops::Range;
 
-/// A brace, or a directive with a body.
+/// Opening brace, or a directive with a body, that may lack its end.
 struct Opener<'t> {
     /// The word before the brace, or the directive's word.
     word: &'t str,
     /// Local offset of the brace, or of the `#`.
     at: usize,
-    /// Indentation of the line, in columns.
+    /// Indentation of the opening brace's line, in columns.
     indent: usize,
     /// Start of the opening bracket's line.
     line: usize,

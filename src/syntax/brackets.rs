@@ -25,7 +25,7 @@ pub(super) enum Opener {
     Choice,
     /// Its `:`, whose value extends to the next comma or bracket: consecutive choices nest.
     Otherwise,
-    /// A directive of this class, with a body.
+    /// Directive of this class, which opens a body.
     Directive(u8),
 }
 

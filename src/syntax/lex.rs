@@ -15,7 +15,7 @@ use crate::source::Span;
 /// Token of a scene text, by kind and byte offsets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Token {
-    /// Local offset of its first byte.
+    /// Local offset of the token's first byte.
     pub(super) start: u32,
     /// Offset after the token's last byte.
     pub(super) end: u32,
@@ -62,7 +62,7 @@ pub(super) fn lex(text: &str, base: usize, names: &Names, lists: bool) -> Lexed 
     lexer.out
 }
 
-/// Maximum number of faults that are reported.
+/// Maximum number of faults that the lexer reports.
 const MAX_FAULTS: usize = 20;
 
 struct Lexer<'t> {

@@ -112,7 +112,7 @@ struct Scanner<'t> {
     base: usize,
     lexed: Lexed,
     at: usize,
-    /// The open directives; true for macros.
+    /// Open directives around the token; true for macros.
     open: Vec<bool>,
     out: Scan,
 }

@@ -12,7 +12,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// The symbol of a name, new or known.
+    /// Returns the symbol of a name, new or known.
     pub fn intern(&self, name: &str) -> Symbol {
         let mut symbols = self.symbols.borrow_mut();
         if let Some(&symbol) = symbols.get(name) {
@@ -39,7 +39,7 @@ impl Names {
         self.texts.len()
     }
 
-    /// True if there are no names.
+    /// True if the symbol table has no names.
     pub fn is_empty(&self) -> bool {
         self.texts.len() == 0
     }

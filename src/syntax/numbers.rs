@@ -254,7 +254,7 @@ impl NumberList {
         }
     }
 
-    /// True if the list is empty.
+    /// True if the number list is empty.
     pub fn is_empty(&self) -> bool {
         self.data.is_empty()
     }
@@ -265,7 +265,7 @@ impl NumberList {
         (0..).map_while(move |item| places.find(text, place, item))
     }
 
-    /// Number of components of item `i`.
+    /// Returns the number of components of item `i` of the list.
     pub fn width(&self, i: usize) -> usize {
         match &self.widths {
             Widths::Uniform(width) => *width as usize,

@@ -10,16 +10,16 @@ pub struct Tokens {
     tokens: Vec<Token>,
     /// Ranges of comments, with their delimiters, ascending.
     comments: Vec<(u32, u32)>,
-    /// Global offset of the file's first byte.
+    /// Global offset of the first byte of the file.
     base: usize,
 }
 
 /// Piece of a source text: a token or a comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Piece {
-    /// A word, literal, sign or directive.
+    /// Piece that is a word, literal, sign or directive.
     Token(Span),
-    /// `// …` or `/* … */`.
+    /// Piece that is a comment, `// …` or `/* … */`.
     Comment(Span),
 }
 
@@ -42,7 +42,7 @@ impl Tokens {
         self.tokens.len()
     }
 
-    /// True if there are no tokens.
+    /// True if the text has no tokens.
     pub fn is_empty(&self) -> bool {
         self.tokens.is_empty()
     }

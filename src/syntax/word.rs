@@ -3,14 +3,14 @@
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
 
-/// The category of a word in the grammar.
+/// Category of a reserved word in the grammar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Category {
     /// Names a block or a parameter in one.
     Keyword,
     /// Takes arguments in parentheses; without them it is a keyword (`julia_fractal { … sqr }`).
     Function,
-    /// A built-in value: `x`, `pi`, `clock`, `on`.
+    /// Category of built-in values such as `x`, `pi`, `clock` and `on`.
     Constant,
     /// durer's own, a word only inside the blocks of [`contextual`]; elsewhere an ordinary name.
     Contextual,

@@ -21,15 +21,15 @@ pub enum Next {
     Block(&'static str),
     /// A declared thing, with the word of its block: `texture`, `object` …
     Thing(&'static str),
-    /// An expression: number, vector, colour or string.
+    /// Next token begins an expression: number, vector, colour or string.
     Value,
     /// Next tokens begin a function definition, `function { … }`.
     Function,
-    /// `[`, as in a map's entry.
+    /// Next token is a `[`, as in a map's entry.
     Entry,
-    /// A `{` without a word before it.
+    /// Next token is a `{` without a word before it.
     Group,
-    /// The end of the block, entry or file.
+    /// Next comes the end of the block, entry or file.
     End,
 }
 
@@ -45,14 +45,14 @@ impl Next {
     }
 }
 
-/// Language version and gamma in force.
+/// Language version and gamma in force at a point of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Language {
     /// `#version` as 100 times the number: 370 for 3.7. Only `interpreter/scene_builder/compat.rs` compares it.
     pub version: u32,
     /// True if a texture may hold the words of its pigment and finish, as before 3.0.
     pub bare_textures: bool,
-    /// `assumed_gamma`, once `global_settings` has set it.
+    /// Value of `assumed_gamma`, once `global_settings` has set it.
     pub assumed_gamma: Option<Gamma>,
     /// Working gamma of scenes without `assumed_gamma`.
     pub other_gamma: Gamma,
@@ -71,7 +71,7 @@ pub enum FloatOrColor {
 
 /// An object with an inside, such as a sphere.
 pub trait Solid: std::fmt::Debug + Send + Sync {
-    /// True if the point is inside.
+    /// True if the point is inside of the object.
     fn contains(&self, p: DVec3) -> bool;
 }
 
@@ -141,7 +141,7 @@ pub trait Reader {
     fn text(&mut self) -> Result<String>;
     /// Reads `on`, `off` or a number; true if none comes next.
     fn flag(&mut self) -> Result<bool>;
-    /// Language version and gamma in force.
+    /// Returns the language version and gamma in force.
     fn language(&self) -> Language;
     /// Reads a word or block that durer does not render yet, with its contents, and warns.
     fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported>;
@@ -150,7 +150,7 @@ pub trait Reader {
     /// Finds a file in the folders that a scene searches; `None` if it does not exist, an error if the scene may not
     /// read it. `at` is the span of the name.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
-    /// The file storage that the scene may read.
+    /// Returns the file storage that the scene may read.
     fn files(&self) -> &dyn Files;
     /// Finds a font, or with a warning one with a similar design. `at` is the span of the name.
     fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;

@@ -30,9 +30,9 @@ pub struct Param {
 pub struct WordSpec {
     /// Name of the keyword.
     pub name: &'static str,
-    /// Type of the value after the word.
+    /// Type of the value that follows the keyword.
     pub kind: ValueKind,
-    /// Default value as typed; empty without a default.
+    /// Default value of the keyword as typed; empty without a default.
     pub default: &'static str,
     /// Summary of the keyword for the manual.
     pub summary: &'static str,
@@ -41,9 +41,9 @@ pub struct WordSpec {
 /// Type of a parameter or of the value after a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ValueKind {
-    /// No value: the word itself is a switch.
+    /// Value type: none, the keyword itself is a switch.
     Nothing,
-    /// Nothing, `on`, `off` or a number.
+    /// Value type: nothing, `on`, `off` or a number.
     Flag,
     /// Value type: a number.
     Float,

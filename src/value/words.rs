@@ -13,7 +13,7 @@ pub struct Vocabulary {
     pub summary: &'static str,
     /// Words of the block that have an effect in durer.
     pub words: &'static [WordSpec],
-    /// True if the block takes [`TRANSFORMS`], too.
+    /// True if the block takes the transforms [`TRANSFORMS`], too.
     pub has_transforms: bool,
     /// Words that are read without effect.
     pub ignored: &'static [&'static str],
@@ -22,12 +22,12 @@ pub struct Vocabulary {
 }
 
 impl Vocabulary {
-    /// True if the word has an effect.
+    /// True if the word has an effect in the block.
     pub fn has_effect(&self, word: &str) -> bool {
         self.words.iter().any(|w| w.name == word)
     }
 
-    /// True if the word is read without effect.
+    /// True if the block reads the word without effect.
     pub fn ignores(&self, word: &str) -> bool {
         self.ignored.contains(&word)
     }
@@ -46,7 +46,7 @@ impl Vocabulary {
     }
 }
 
-/// A row of a table of words.
+/// Creates a row of a block's table of words.
 pub const fn word(name: &'static str, kind: ValueKind, default: &'static str, summary: &'static str) -> WordSpec {
     WordSpec { name, kind, default, summary }
 }

@@ -18,7 +18,7 @@ pub struct Page {
     pub text: String,
 }
 
-/// All pages, in the order of the manual.
+/// Returns all pages of the manual in their order.
 pub fn pages() -> Vec<Page> {
     let page = |file, title: &str, body: String| Page { file, text: format!("{GENERATED}\n\n# {title}\n\n{body}") };
     vec![

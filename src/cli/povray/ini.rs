@@ -19,7 +19,7 @@ use std::ops::Range;
 pub struct Word {
     /// Text of the word as on a command line.
     pub text: String,
-    /// Position of the word in the file.
+    /// Position of the word in the INI file.
     pub span: Span,
     /// Position of the value after `=`; of the whole word without `=`.
     pub value: Span,

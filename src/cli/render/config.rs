@@ -22,7 +22,7 @@ use std::time::Duration;
 
 /// Configuration of `durer render`, read from the command line.
 pub struct Config {
-    /// The scene, or `-` for standard input.
+    /// Path of the scene, or `-` for standard input.
     pub input: PathBuf,
     /// Pictures that `durer render` renders of the scene.
     pub pictures: Pictures,
@@ -30,11 +30,11 @@ pub struct Config {
     pub target: Target,
     /// Prints a stage instead of rendering.
     pub dump: Option<Dump>,
-    /// True if unfinished work is continued.
+    /// True if an unfinished rendering is continued.
     pub resume: bool,
     /// Time after which a journal of the picture is written.
     pub keep_after: Duration,
-    /// Limit of the time from text to picture.
+    /// Limit of the rendering time, from text to picture.
     pub max_time: Option<Seconds>,
     /// When `durer render` displays its progress.
     pub progress: When,
@@ -51,7 +51,7 @@ pub struct Config {
 
 /// Pictures that `durer render` renders of one scene: one, or one per frame.
 pub enum Pictures {
-    /// A single picture at this moment.
+    /// A single picture at this moment of the animation.
     One(Timing),
     /// One picture for each frame of an animation.
     Animation(Animation),
@@ -112,7 +112,7 @@ impl Config {
         render::Options { frame: timing.frame, ..self.drawing.clone() }
     }
 
-    /// Width and height of the picture in pixels.
+    /// Returns the width and height of the picture in pixels.
     pub fn size(&self) -> (usize, usize) {
         (self.drawing.width, self.drawing.height)
     }

@@ -81,7 +81,7 @@ impl Monitor {
         self.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 
-    /// The reason why the picture was not finished.
+    /// Returns the reason why the picture was not finished.
     fn reason(&self) -> Failure {
         if interrupt::is_requested() {
             print_message("interrupted; no picture was written\n");

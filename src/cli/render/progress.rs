@@ -12,7 +12,7 @@ pub enum Progress {
     Silent,
     /// Progress display as a bar on a terminal.
     Bar(ProgressBar),
-    /// A line at each tenth, without a terminal.
+    /// Progress display without a terminal: a line at each tenth of the picture.
     Lines {
         /// Time at which the rendering started.
         start: Instant,

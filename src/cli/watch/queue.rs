@@ -4,12 +4,12 @@ use crate::preview::Settings;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 
-/// Work that has to be repeated.
+/// Part of a watched picture's work that has to be repeated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Request {
-    /// Request to render the picture without reading the scene anew.
+    /// Request to render the picture again, without reading the scene.
     Picture,
-    /// Read the scene and render the picture.
+    /// Request to read the scene and render the picture.
     Scene,
 }
 
@@ -25,9 +25,9 @@ struct Pending {
     stop: Arc<AtomicBool>,
 }
 
-/// Work that was taken from the queue.
+/// Rendering work that was taken from the queue.
 pub struct Work {
-    /// Extent of the rendering that the page requests.
+    /// Part of the work that has to be repeated.
     pub request: Request,
     /// Settings of the page for the rendering.
     pub settings: Settings,

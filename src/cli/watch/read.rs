@@ -18,7 +18,7 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-/// A scene that can be rendered.
+/// A watched scene that can be rendered.
 pub struct Scene {
     pub world: World,
     /// Locked, since the registry of texts may not be used by two threads at once.
@@ -141,7 +141,7 @@ pub fn diagnostic_of(failure: Failure) -> Diagnostic {
     }
 }
 
-/// A message in the form of the page.
+/// Returns a message in the form that the preview page displays.
 pub fn message(sources: &Sources, diagnostic: &Diagnostic) -> Message {
     use crate::diagnostic::draw;
     let text = draw::render(diagnostic, sources, draw::Style { fancy: false, width: 100 });
@@ -149,7 +149,7 @@ pub fn message(sources: &Sources, diagnostic: &Diagnostic) -> Message {
     Message { severity, code: diagnostic.code.0, text, place: link(sources, diagnostic.span()) }
 }
 
-/// The link that opens a position.
+/// Returns the link that opens a position of the scene in an editor.
 pub fn link(sources: &Sources, span: Span) -> Option<Link> {
     let place = sources.place(span)?;
     let path = sources.locate(span).and_then(|(file, _)| sources.path(file))?;

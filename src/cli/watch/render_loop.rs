@@ -34,7 +34,7 @@ pub struct RenderLoop {
 /// Measurements of one picture that `durer watch` rendered.
 struct Rendered {
     rays: RayCounts,
-    /// Duration of the first coarse level.
+    /// Duration of the picture's first, coarse level.
     first: Duration,
     /// Duration of the picture's levels after the first.
     rest: Duration,
@@ -156,7 +156,7 @@ impl RenderLoop {
     }
 }
 
-/// The displayed part of the picture.
+/// Returns the displayed part of the picture.
 fn part_of(options: &render::Options) -> Region {
     options.region.unwrap_or(Region { x: 0, y: 0, width: options.width, height: options.height })
 }

@@ -48,7 +48,7 @@ struct Gatherer<'a> {
     base: usize,
     pieces: Pieces<'a>,
     out: Atoms,
-    /// Local offset after the last atom.
+    /// Local offset in the text after the last atom.
     at: usize,
     /// Flags for the next token that becomes an atom.
     pending: u16,

@@ -27,7 +27,7 @@ use std::sync::LazyLock;
 /// Maximum length of a string in bytes.
 const MAX_TEXT: usize = 16_000_000;
 
-/// A function that computes a value from values.
+/// A built-in function that computes a value from values.
 pub(super) struct Builtin {
     name: &'static str,
     /// Arguments of the built-in function as the manual prints them.
@@ -45,7 +45,7 @@ enum Function {
     Numeric(&'static Numeric),
     /// Built-in function whose arguments are values of any type.
     Plain(&'static Builtin),
-    /// A function that takes names, array elements or objects.
+    /// Built-in function whose arguments are names, array elements or objects.
     Special(&'static Special),
 }
 

@@ -16,7 +16,7 @@ pub(super) struct Special {
     pub usage: &'static str,
     /// Summary of the built-in function for the manual.
     pub summary: &'static str,
-    /// Numbers of arguments that the function takes.
+    /// Numbers of arguments that the built-in function takes.
     pub arity: RangeInclusive<usize>,
     /// Function that computes the result; `None` for `select`, which evaluates only one of its arguments.
     pub run: Option<Run>,

@@ -22,7 +22,7 @@ pub struct OpenFile {
     name: String,
     path: PathBuf,
     access: Access,
-    /// Span of the name in the `#fopen`.
+    /// Span of the file's name in the `#fopen` directive.
     span: Span,
 }
 

@@ -9,13 +9,13 @@ use std::sync::LazyLock;
 /// Table row of a `#` directive: its name, syntax and summary.
 #[derive(Debug)]
 pub struct DirectiveSpec {
-    /// Words after the `#`; related directives share an entry.
+    /// Names of the directive after the `#`; related directives share an entry.
     pub names: &'static [&'static str],
     /// Syntax of the directive as the manual prints it.
     pub form: &'static str,
     /// Summary of the directive in one line, for the manual.
     pub summary: &'static str,
-    /// Example of a few lines, which runs.
+    /// Example of the directive in a few lines, which runs.
     pub example: &'static str,
     /// Function that runs a directive without a body.
     pub(in crate::interpreter) run: Option<Run>,

@@ -7,13 +7,13 @@ use crate::syntax::ast::{Macro, Symbol};
 use crate::value::Value;
 use std::rc::Rc;
 
-/// Contents of a name or an array element.
+/// Contents of a declared name or an array element.
 #[derive(Clone, Debug)]
 pub enum Slot<'a> {
     Value(Value),
     Array(Rc<Array<'a>>),
     Macro(&'a Macro),
-    /// A file that `#fopen` opened, by its number.
+    /// Contents of a name that `#fopen` opened: the number of the file.
     File(usize),
     /// A macro parameter whose argument was a name or an array element: reads and writes go to that location.
     Alias(LValue),
@@ -50,7 +50,7 @@ impl LValue {
 /// An array, such as `array[2][3]`, or a dictionary. An element holds anything that can have a name.
 #[derive(Clone, Debug)]
 pub struct Array<'a> {
-    /// Number of elements in each dimension.
+    /// Number of elements in each dimension of the array.
     pub sizes: Box<[usize]>,
     /// Elements in row-major order: the last index varies fastest. `None` for an element without a value.
     pub items: Vec<Option<Slot<'a>>>,

@@ -7,7 +7,7 @@ pub struct Timing {
     pub clock: f64,
     /// `clock_on`: true in an animation, and if a clock was set.
     pub clock_on: bool,
-    /// `clock_delta`: difference of the clock between two frames.
+    /// Value of the constant `clock_delta`: difference of the clock between two frames.
     pub clock_delta: f64,
     /// Value of the constant `frame_number`, the number of the animation's current frame.
     pub frame: u32,
@@ -22,7 +22,7 @@ pub struct Timing {
 }
 
 impl Timing {
-    /// The value of one of these constants.
+    /// Returns the value of one of the animation's constants.
     pub(in crate::interpreter) fn constant(&self, name: &str) -> Option<f64> {
         Some(match name {
             "clock" => self.clock,

@@ -263,7 +263,7 @@ fn kind_of(word: &str) -> Option<ValueKind> {
     words.into_iter().find(|known| known.name == word).map(|known| known.kind)
 }
 
-/// True if a `{` follows the word.
+/// True if a `{` follows the word in the scene.
 fn opens_block(word: &str) -> bool {
     is_object(word)
         || matches!(word, "camera" | "background" | "global_settings")

@@ -21,7 +21,7 @@ const TEXT_EVERY: usize = 64 << 20;
 
 /// Work that the interpreter has done so far, which the limits bound.
 pub(super) struct Usage {
-    /// Directives, loop passes and macro calls.
+    /// Number of directives, loop passes and macro calls that the run has executed.
     steps: u64,
     /// Bytes of strings made since the limits were last checked.
     text_made: usize,

@@ -15,9 +15,9 @@ pub struct OpenBracket {
     /// Span of the bracket alone; `None` if the parser found the matching bracket.
     pub alone: Option<Span>,
     pub bracket: Bracket,
-    /// durer's own words inside the block.
+    /// Keywords that only durer has, inside of the block.
     pub own_words: &'static [&'static str],
-    /// Number of frames where the bracket was opened.
+    /// Number of frames on the stack where the bracket was opened.
     pub frame_count: usize,
     /// Reading mode outside of the open bracket.
     pub mode: Mode,

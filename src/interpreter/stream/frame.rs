@@ -5,7 +5,7 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use std::path::PathBuf;
 
-/// A row of elements with a read position.
+/// A sequence of elements with a read position, on the token stream's stack.
 pub struct StackFrame<'a> {
     pub(super) elements: &'a [Element],
     /// Index of the frame's next element to read.
@@ -15,7 +15,7 @@ pub struct StackFrame<'a> {
     kind: FrameKind<'a>,
     /// Span of the whole construct being read: block, call, directive.
     span: Span,
-    /// The closing bracket that follows the last element.
+    /// Closing bracket that follows the frame's last element.
     pub(super) closer: Option<Bracket>,
     /// True if a comma follows the frame's last token.
     pub(super) comma: bool,
@@ -28,11 +28,11 @@ pub enum FrameKind<'a> {
     File,
     /// The inside of a bracket, or the parts of a split expression.
     Piece,
-    /// A branch of `#if`, or an arm of `#switch`.
+    /// Frame of a branch of `#if`, or of an arm of `#switch`.
     Branch,
-    /// A `#switch`, whose arms lie above; `#break` leaves it.
+    /// Frame of a `#switch`, whose arms lie above; `#break` leaves it.
     Switch,
-    /// A pass of `#while`, with its condition.
+    /// Frame of one pass of `#while`, with its condition.
     While(&'a Head),
     /// Frame of one pass through the body of a `#for` loop.
     For { counter: Symbol, last: f64, step: f64 },
@@ -54,7 +54,7 @@ impl<'a> StackFrame<'a> {
         Self { elements, at: 0, item: (0, 0), kind, span, closer: None, comma: false }
     }
 
-    /// The element at the read position.
+    /// Returns the frame's element at the read position.
     #[inline]
     pub fn next(&self) -> Option<&'a Element> {
         self.elements.get(self.at)
@@ -66,7 +66,7 @@ impl<'a> StackFrame<'a> {
         self.elements.get(self.at + 1)
     }
 
-    /// The elements from the read position on.
+    /// Returns the frame's elements from the read position on.
     pub fn rest(&self) -> &'a [Element] {
         self.elements.get(self.at..).unwrap_or_default()
     }
@@ -117,12 +117,12 @@ impl<'a> StackFrame<'a> {
         )
     }
 
-    /// True if a `{` comes next.
+    /// True if a `{` is the frame's next token.
     pub fn is_at_brace(&self) -> bool {
         self.opens_brace(self.at)
     }
 
-    /// True if a `(` comes next.
+    /// True if a `(` is the frame's next token.
     pub fn is_at_parenthesis(&self) -> bool {
         match self.next().map(|e| &e.kind) {
             Some(ElementKind::Sign(sign)) => *sign == Sign::Open(Bracket::Paren),

@@ -28,7 +28,7 @@ pub(super) struct TokenStream<'a> {
     inputs: Inputs<'a>,
     /// Sources of elements, the innermost last.
     frames: Vec<StackFrame<'a>>,
-    /// The next token, whose text is not consumed.
+    /// Next token of the stream, whose text is not consumed.
     look_ahead: Option<Token<'a>>,
     /// Tokens that precede `look_ahead`, the next one last; their text is consumed.
     pushed_back: Vec<PushedBack<'a>>,

@@ -6,11 +6,11 @@ use crate::syntax::ast::*;
 /// One token of the stream; an expression or a body that needs no splitting is a single token.
 #[derive(Clone, Copy, Debug)]
 pub enum Token<'a> {
-    /// A keyword without a `{` after it.
+    /// Token that is a keyword without a `{` after it.
     Word(&'static str),
-    /// The name of a built-in function whose arguments follow.
+    /// Token that is a built-in function's name, whose arguments follow.
     Callee(&'static str),
-    /// A word and the `{` after it.
+    /// Token that is a word with the `{` after it.
     Block(BlockName<'a>),
     /// An expression without macro calls; nothing that follows continues it.
     Expr(&'a Expr),
@@ -22,7 +22,7 @@ pub enum Token<'a> {
     Function(Option<&'a Function>),
     /// An array's element; its indices are evaluated, and [`super::TokenStream::element`] returns the location.
     Element(Span),
-    /// A closing bracket or an operator.
+    /// Token that is a closing bracket or an operator.
     Sign(Sign),
     /// End of the scene text, after the last token.
     End,
@@ -31,7 +31,7 @@ pub enum Token<'a> {
 /// The word before the `{` of a block.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockName<'a> {
-    /// The keyword; `None` for an unknown word.
+    /// Keyword before the `{`; `None` for a word that is no keyword.
     pub word: Option<&'static str>,
     /// Span of the word before the `{`.
     pub span: Span,

@@ -15,7 +15,7 @@ struct Found {
     color: Color,
 }
 
-/// All literal colours of a text.
+/// Returns all literal colours of a document's text.
 pub fn colors<S: Client>(server: &mut Server<S>, params: &DocumentColorParams) -> Vec<ColorInformation> {
     let Some(document) = server.document(&params.text_document.uri) else { return vec![] };
     let tokens: Vec<_> = document.scan.tokens.iter().filter(|token| token.kind != TokenKind::Comment).collect();

@@ -49,7 +49,7 @@ fn is_definition(scan: &crate::lsp::scan::Scan, pair: &Pair) -> bool {
     scan.declarations.iter().any(|d| d.kind == DeclarationKind::Macro && d.at == pair.named)
 }
 
-/// Byte offsets of the arguments of a call.
+/// Returns the byte offsets of a call's arguments.
 fn arguments(text: &str, scan: &crate::lsp::scan::Scan, call: &Pair) -> Vec<usize> {
     let first = scan.tokens.partition_point(|token| token.at.start <= call.whole.start);
     let inside = scan.tokens[first..].iter().take_while(|token| token.at.end < call.whole.end);

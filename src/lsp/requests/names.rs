@@ -84,7 +84,7 @@ pub fn definition<S: Client>(server: &mut Server<S>, params: &GotoDefinitionPara
     Some(GotoDefinitionResponse::Array(all.collect()))
 }
 
-/// The file of the `#include` at a position.
+/// Returns the file that an `#include` at a position names.
 fn included<S: Client>(server: &mut Server<S>, uri: &Uri, at: Position) -> Option<Uri> {
     let document = server.document(uri)?;
     let offset = document.text.offset(at);

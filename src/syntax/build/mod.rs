@@ -21,7 +21,7 @@ use std::ops::Range;
 pub(super) struct Builder<'n> {
     names: &'n Names,
     text: &'n str,
-    /// Global offset of the text's first byte.
+    /// Global offset of the first byte of the text.
     base: usize,
     classes: &'n [u8],
     tokens: &'n [Token],
@@ -39,7 +39,7 @@ const SMALL: usize = 24;
 #[derive(Clone, Copy, PartialEq)]
 enum In {
     Script,
-    /// Between the braces of a `function`.
+    /// Context of an expression between the braces of a `function`.
     Function,
 }
 
@@ -57,7 +57,7 @@ impl<'n> Builder<'n> {
         self.elements_into(chunk.into_inner(), range, In::Script, out);
     }
 
-    /// The first token of a pair.
+    /// Returns the first token of a parser's pair.
     fn token(&self, pair: &Pair<Rule>) -> Token {
         self.tokens[pair.as_span().start()]
     }
@@ -67,7 +67,7 @@ impl<'n> Builder<'n> {
         &self.text[token.start as usize..token.end as usize]
     }
 
-    /// The text of a pair's first token.
+    /// Returns the text of the first token of a parser's pair.
     fn text_of(&self, pair: &Pair<Rule>) -> &'n str {
         self.token_text(self.token(pair))
     }
@@ -232,7 +232,7 @@ impl<'n> Builder<'n> {
         Block { name, body: self.elements(pair, place) }
     }
 
-    /// The word at the start of a pair.
+    /// Returns the word at the start of a parser's pair.
     fn name(&self, pair: &Pair<Rule>) -> Name {
         let token = self.token(pair);
         Name { word: known_word(self.token_text(token)), span: self.token_span(token) }
@@ -242,7 +242,7 @@ impl<'n> Builder<'n> {
         self.names.intern(self.text_of(pair))
     }
 
-    /// `None` if its head is incomplete.
+    /// Builds a function definition; `None` if its head is incomplete.
     fn function(&self, pair: Pair<Rule>) -> Option<Function> {
         let (mut size, mut parameters, mut body) = (vec![], Box::default(), Box::default());
         for part in pair.into_inner() {

@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 pub(super) enum Kind {
     /// `texture { … }`, `pigment { … }` …: the block's word.
     Block(&'static str),
-    /// A vector without a word before it.
+    /// Kind of a name declared as a vector without a word before it.
     Vector,
     /// Kind of a name that is declared as another kind, or as different kinds.
     Unknown,

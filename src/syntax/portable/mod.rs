@@ -72,7 +72,7 @@ impl<'t> Text<'t> {
         token.map_or(Span::NONE, |t| Span::new(self.base + t.start as usize, self.base + t.end as usize))
     }
 
-    /// True for a word of the language.
+    /// True if the token is a word of the scene language.
     fn is_keyword(&self, at: usize) -> bool {
         matches!(self.class(at), class::KEYWORD | class::HEAD | class::FUNCTION)
     }
@@ -87,7 +87,7 @@ struct Open<'t> {
     word: &'t str,
     /// Index of the open bracket's token.
     at: usize,
-    /// True if a directive was found inside it.
+    /// True if a directive was found inside of the bracket.
     directed: bool,
     /// True if a word of durer's own was reported in it: one message for each block is enough.
     told: bool,

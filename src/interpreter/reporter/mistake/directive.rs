@@ -30,7 +30,7 @@ pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     Some(habit.message(format!("a colour is not written as `#{word}`")))
 }
 
-/// `#define A 2` as a declaration.
+/// Recognizes the mistake `#define A 2` for a declaration.
 pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_at(source, d)? else { return None };
     let (name, rest) = leading_name(rest.trim_start())?;
@@ -54,14 +54,14 @@ pub(super) fn other_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     crate::syntax::fault::is_other_end(word).then(|| Habit::help("every directive with a body ends with `#end`"))
 }
 
-/// `#Size = 3;` without the word `declare`.
+/// Recognizes the mistake `#Size = 3;`, without the word `declare`.
 pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (name, rest) = unknown_at(source, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
     Some(Habit::help(format!("write `#declare {name} = {};`", value_text(value))).declares(name))
 }
 
-/// `# the red ball` as a comment.
+/// Recognizes the mistake `# the red ball` for a comment.
 pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     unknown_at(source, d).filter(|_| d.help.is_none())?;
     let text = source.after().trim_end();
@@ -87,7 +87,7 @@ pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     })
 }
 
-/// `#else if (A)` instead of `#elseif`.
+/// Recognizes the mistake `#else if (A)` for `#elseif`.
 pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let before = source.before().trim_end();
     let rest = source.after().strip_prefix("if")?.trim_start();
@@ -147,7 +147,7 @@ pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option
     Some(Habit { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
 }
 
-/// `#macro Ball(R) {` with braces around the body.
+/// Recognizes the mistake `#macro Ball(R) {`, with braces around the body.
 pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let statement = source.statement();
     let head = source.before().trim();

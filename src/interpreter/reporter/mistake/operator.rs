@@ -5,7 +5,7 @@ use super::source_line::{SourceLine, code_of, is_letter, leading_name, trailing_
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
-/// `A <> B` as a comparison.
+/// Recognizes the mistake `A <> B` for a comparison.
 pub(super) fn not_equal(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     // The fault may be at either sign.
     let from = source.at.saturating_sub(1).max(source.line.start);
@@ -37,7 +37,7 @@ pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     Some(Habit::help(help).message(format!("`{typed}` is not allowed here")))
 }
 
-/// `A + ;` without a right operand.
+/// Recognizes the mistake `A + ;`, without a right operand.
 pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let before = source.text[..source.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
     let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
@@ -45,7 +45,7 @@ pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Hab
     Some(habit.message(format!("expected a value after `{sign}`, found `;`")).at(before.len()..before.len() + 1))
 }
 
-/// `A and B`, `not A` or `A mod 2`.
+/// Recognizes the mistakes `A and B`, `not A` and `A mod 2`.
 pub(super) fn word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, right) = leading_name(source.after())?;
     let left = source.before().trim_end();
@@ -85,7 +85,7 @@ pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<H
     plain.then(|| habit.message(format!("`=` is not allowed after `{word}`")))
 }
 
-/// `A[0,1]` with two indices in one bracket.
+/// Recognizes the mistake `A[0,1]`, with two indices in one bracket.
 pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if !matches!(d.code, codes::EXPECTED | codes::SYNTAX | codes::WRONG_COUNT) {
         return None;
@@ -123,7 +123,7 @@ pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Opti
     )))
 }
 
-/// `translate 1, 2, 3` without angle brackets.
+/// Recognizes the mistake `translate 1, 2, 3`, without angle brackets.
 pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if d.code != codes::EXPECTED {
         return None;

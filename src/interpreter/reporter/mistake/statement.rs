@@ -12,7 +12,7 @@ fn own_name<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
         .map(|(name, rest)| (name, rest.trim_start()))
 }
 
-/// `F(x) = x*x` as a function definition.
+/// Recognizes the mistake `F(x) = x*x` for a function definition.
 pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(source)?;
     let (parameters, rest) = rest.strip_prefix('(')?.split_once(')')?;
@@ -25,7 +25,7 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
     is_list.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
-/// `I++` or `N += 2` as an assignment.
+/// Recognizes the mistake `I++` or `N += 2` for an assignment.
 pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(source)?;
     let start = source.statement_start();
