@@ -8,7 +8,7 @@ use crate::interpreter::Timing;
 pub struct Animation {
     /// Number of the animation's first frame, POV-Ray's `Initial_Frame`.
     pub first: u32,
-    /// `Final_Frame`; a cyclic animation has one frame more, which `final_frame` includes.
+    /// Number of the last frame, `Final_Frame`; a cyclic animation has one frame more, which `final_frame` includes.
     pub last: u32,
     /// Clock of the animation's first and last frames, `Initial_Clock` and `Final_Clock`.
     pub clock: Clock,

@@ -108,7 +108,7 @@ pub fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Fa
 }
 
 impl RenderArgs {
-    /// These arguments, and the INI file's where these are absent.
+    /// Merges these arguments with the INI file's, which apply where these are absent.
     fn over(self, ini: RenderArgs) -> RenderArgs {
         RenderArgs {
             inputs: ini.inputs,

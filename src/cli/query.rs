@@ -34,7 +34,7 @@ struct CameraRow {
     source: Option<Position>,
     /// True for the camera that renders the picture.
     used: bool,
-    /// This and the following fields are null for all other cameras.
+    /// Projection of the rendering camera; this and the following fields are null for all other cameras.
     projection: Option<String>,
     location: Option<[f64; 3]>,
     direction: Option<[f64; 3]>,

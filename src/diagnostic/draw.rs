@@ -146,7 +146,7 @@ fn abridged(text: &str) -> String {
 #[derive(Debug)]
 struct Lines {
     name: String,
-    /// From the first to the last line with a label; of a very long line, the part around the label.
+    /// Source text from the first to the last line with a label; of a very long line, the part around the label.
     text: String,
     /// Offset of `text` in the source file, in bytes.
     start: usize,

@@ -43,9 +43,9 @@ pub struct Label {
 pub struct Diagnostic {
     /// Stable code of the diagnostic; `durer explain CODE` explains it.
     pub code: Code,
-    /// That of the code, unless an unused declaration lowers it to a warning.
+    /// Severity of the code, unless an unused declaration lowers it to a warning.
     pub severity: Severity,
-    /// In lower case, with found and expected, names in backticks.
+    /// Text of the message, in lower case, with found and expected, names in backticks.
     pub message: String,
     /// Places of the diagnostic; the first label is the place of the fault.
     pub labels: Vec<Label>,

@@ -7,7 +7,7 @@ pub struct Atom {
     pub lo: u32,
     /// Offset after the atom's last byte in the text.
     pub hi: u32,
-    /// For an item of a body: index of the atom after the item.
+    /// Index of the atom after the item, for an item of a body.
     pub next: u32,
     /// For a bracket around a body: the other bracket; for a directive with bodies: its index in [`Atoms::arms`]; for
     /// another item with a body: the opening bracket.
@@ -24,7 +24,7 @@ pub struct Atom {
 pub mod flag {
     /// Flag: no blank precedes the atom.
     pub const GLUE: u16 = 1;
-    /// It is on the same line as the atom before it.
+    /// Flag: the atom is on the same line as the atom before it.
     pub const JOIN: u16 = 1 << 1;
     /// No blank follows it: a sign, an opening bracket.
     pub const TIGHT: u16 = 1 << 2;

@@ -111,7 +111,8 @@ pub struct TextPosition {
 pub struct PageState {
     /// Name of the previewed scene.
     pub name: String,
-    /// `reading`, `drawing`, `done`, or `broken`; a broken scene leaves the previous picture on the page.
+    /// State of the page: `reading`, `drawing`, `done` or `broken`; a broken scene leaves the previous picture on the
+    /// page.
     pub status: &'static str,
     /// Settings of the previewed picture.
     pub settings: Settings,

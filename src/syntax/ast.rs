@@ -191,9 +191,9 @@ pub enum ExprKind {
     Literal(Arc<[f64]>),
     /// Expression that is a vector `< … >` of expressions.
     Vector(Box<[Element]>),
-    /// `( … )`: kept, because `(A)` passes a copy where `A` passes a reference.
+    /// Expression in parentheses, `( … )`: kept, because `(A)` passes a copy where `A` passes a reference.
     Paren(Box<Expr>),
-    /// `a op b op c …` of one precedence, from left to right.
+    /// Chain of binary operators of one precedence, `a op b op c …`, from left to right.
     Chain(Box<Chain>),
     /// Expression with a prefix operator: `-`, `+` or `!`.
     Prefix(Prefix, Box<Expr>),
@@ -318,7 +318,7 @@ impl Operator {
 pub struct Function {
     /// The names in parentheses; empty means `x, y, z`.
     pub parameters: Box<[Symbol]>,
-    /// `function 200, 200 { … }` of a height field.
+    /// Size of a height field's function, as in `function 200, 200 { … }`.
     pub size: Box<[Expr]>,
     /// Contents of the function: expressions, blocks such as `pigment { … }`, and directives.
     pub body: Box<[Element]>,
@@ -327,9 +327,9 @@ pub struct Function {
 /// A directive of the scene language, such as `#if`, with its contents.
 #[derive(Clone, Debug)]
 pub enum Directive {
-    /// `#declare`, `#local`; the value is what the following elements evaluate to.
+    /// Directive `#declare` or `#local`; the value is the result of the following elements.
     Declare(Declare),
-    /// `#declare` or `#local` with anything but a plain target before the `=`; the flag is `local`.
+    /// Directive `#declare` or `#local` with anything but a plain target before the `=`; the flag is `local`.
     DeclarePieces(bool),
     /// The directive `#if` with its `#elseif` and `#else` branches.
     If(Box<[Branch]>),

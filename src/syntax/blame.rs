@@ -20,7 +20,7 @@ struct Opener<'t> {
 
 /// A token that the scanner returns.
 enum Found<'t> {
-    /// `word {` or `{`: the word, and the offsets of word and brace.
+    /// Opening brace of the form `word {` or `{`: the word, and the offsets of word and brace.
     Open(&'t str, usize, usize),
     Close(usize),
     Directive(&'t str, usize),

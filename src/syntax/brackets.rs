@@ -12,7 +12,7 @@ pub(super) const MAX_DEPTH: usize = 1000;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Opener {
     Brace,
-    /// That of `function { … }`, inside which `<` compares.
+    /// Opening brace of `function { … }`, inside which `<` compares.
     FunctionBrace,
     /// Grouping, a condition or a built-in function's arguments, where `<` compares.
     Paren,
@@ -23,7 +23,7 @@ pub(super) enum Opener {
     Angle,
     /// The `?` that opens a conditional expression.
     Choice,
-    /// Its `:`, whose value extends to the next comma or bracket: consecutive choices nest.
+    /// The `:` of a conditional expression, whose value extends to the next comma or bracket: consecutive choices nest.
     Otherwise,
     /// Directive of this class, which opens a body.
     Directive(u8),

@@ -130,7 +130,7 @@ mod tests {
     use super::*;
     use std::collections::BTreeMap;
 
-    /// `NAME = { "n" }` and `NAME = _{ "n" }` of the grammar.
+    /// Returns the tokens that the grammar defines as `NAME = { "n" }` or `NAME = _{ "n" }`.
     fn named_in_grammar() -> BTreeMap<String, u8> {
         let grammar = include_str!("../../grammar/scene.pest");
         let rule = |line: &str| {

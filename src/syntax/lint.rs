@@ -88,7 +88,7 @@ fn shadows(names: &Names, own: &Scan, all: &[Scan]) -> Vec<Diagnostic> {
     inner.filter_map(hides).collect()
 }
 
-/// Scanner state of the lints for one file.
+/// Declarations and uses of names that the lints found in one file.
 #[derive(Default)]
 struct Scan {
     declarations: Vec<Declaration>,
@@ -141,7 +141,7 @@ impl Scanner<'_> {
         self.text[token.start as usize..token.end as usize].ends_with("undef")
     }
 
-    /// `#declare A =`; `#declare A[i] =` declares an element only.
+    /// Scans a declaration, `#declare A =`; `#declare A[i] =` declares an element only.
     fn declaration(&mut self) {
         let token = self.lexed.tokens[self.at];
         let local = self.text[token.start as usize..token.end as usize].ends_with("local");

@@ -67,7 +67,7 @@ fn digit(bytes: &[u8], i: usize) -> Option<u64> {
     bytes.get(i).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10).map(u64::from)
 }
 
-/// `e-5`: its value and end; 0 without an exponent.
+/// Scans an exponent such as `e-5` to its value and end; 0 without an exponent.
 fn scan_exponent(bytes: &[u8], at: usize) -> (i32, usize) {
     let none = (0, at);
     if !matches!(bytes.get(at), Some(b'e' | b'E')) {
@@ -182,7 +182,7 @@ impl ListScanner {
         Some(end)
     }
 
-    /// `<1, -2 3>`: commas are optional, but a sign without a comma before it subtracts.
+    /// Scans a vector such as `<1, -2 3>`: commas are optional, but a sign without a comma before it subtracts.
     fn vector(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         let start = self.data.len();
         let mut i = skip_blanks(bytes, at + 1);

@@ -48,7 +48,7 @@ impl Next {
 /// Language version and gamma in force at a point of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Language {
-    /// `#version` as 100 times the number: 370 for 3.7. Only `interpreter/scene_builder/compat.rs` compares it.
+    /// Number of `#version` times 100: 370 for 3.7. Only `interpreter/scene_builder/compat.rs` compares it.
     pub version: u32,
     /// True if a texture may hold the words of its pigment and finish, as before 3.0.
     pub bare_textures: bool,

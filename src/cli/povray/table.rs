@@ -34,7 +34,7 @@ pub enum Takes {
 /// Effect of a POV-Ray option on durer's settings.
 #[derive(Clone, Copy)]
 pub enum Effect {
-    /// None: durer always does this, or the option changes no pixel.
+    /// Effect: none, because durer always does this, or because the option changes no pixel.
     Same,
     /// Effect: sets the durer option of this name to the same value.
     Option(&'static str),

@@ -31,7 +31,7 @@ pub struct Work {
     pub request: Request,
     /// Settings of the page for the rendering.
     pub settings: Settings,
-    /// Set as soon as the work is obsolete.
+    /// Flag that is set as soon as the rendering work is obsolete.
     pub stop: Arc<AtomicBool>,
 }
 

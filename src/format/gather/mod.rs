@@ -8,7 +8,7 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::{Piece, Tokens, is_nothing};
 
-/// In lists longer than this many bytes, each vector is one atom.
+/// Length of a list in bytes above which the formatter treats each vector as one atom.
 const LONG_LIST: usize = 100_000;
 
 /// The atoms of a text whose first byte has the global offset `base`.

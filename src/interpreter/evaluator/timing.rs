@@ -5,7 +5,7 @@
 pub struct Timing {
     /// Value of the constant `clock`, the animation's time.
     pub clock: f64,
-    /// `clock_on`: true in an animation, and if a clock was set.
+    /// Value of the constant `clock_on`: true in an animation, and if a clock was set.
     pub clock_on: bool,
     /// Value of the constant `clock_delta`: difference of the clock between two frames.
     pub clock_delta: f64,

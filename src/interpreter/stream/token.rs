@@ -16,9 +16,9 @@ pub enum Token<'a> {
     Expr(&'a Expr),
     /// An item of a literal list: one number, or a vector of several.
     Numbers(&'a [f64]),
-    /// `{`, `[` or `(`, with the elements up to the matching bracket if the parser found it.
+    /// Token that is `{`, `[` or `(`, with the elements up to the matching bracket if the parser found it.
     Open(Bracket, Option<&'a [Element]>),
-    /// `function { … }`; `None` for the word `function` alone.
+    /// Token that is a function definition `function { … }`; `None` for the word `function` alone.
     Function(Option<&'a Function>),
     /// An array's element; its indices are evaluated, and [`super::TokenStream::element`] returns the location.
     Element(Span),

@@ -130,7 +130,7 @@ impl Builder<'_> {
         Expr { span, calls, kind: ExprKind::Dot(Box::new(base), name, self.names.intern(text)) }
     }
 
-    /// `[i]` after an array or after another index.
+    /// Builds the index `[i]` after an array or after another index.
     fn index(&self, array: Expr, pairs: Vec<Pair<Rule>>, place: In) -> Option<Expr> {
         let span = pairs.last().map_or(array.span, |last| array.span.to(self.span(last)));
         let indices: Box<[Expr]> = pairs.into_iter().map(|p| self.only_expr(p, place)).collect::<Option<_>>()?;

@@ -44,7 +44,7 @@ enum In {
 }
 
 impl<'n> Builder<'n> {
-    /// For the piece that begins at token `first`.
+    /// Creates a builder for the piece that begins at token `first`.
     pub(super) fn new(source: &Source<'n>, lexed: &'n Lexed, first: usize) -> Self {
         let &Source { text, base, names, single } = source;
         let Lexed { classes, tokens, numbers, lists, .. } = lexed;
@@ -164,7 +164,7 @@ impl<'n> Builder<'n> {
         out.push(Element::new(span, kind));
     }
 
-    /// `#declare` alone, followed by each token of the target, and the `=`.
+    /// Builds `#declare` alone, followed by each token of the target, and the `=`.
     fn declare_pieces(&self, pair: Pair<Rule>, out: &mut Vec<Element>) {
         let (own, token) = (range(&pair), self.token(&pair));
         let directive = Directive::DeclarePieces(token.data == 1);

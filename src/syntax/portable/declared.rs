@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 /// The kind of a declared value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// `texture { … }`, `pigment { … }` …: the block's word.
+    /// Kind of a name declared as a block such as `texture { … }` or `pigment { … }`: the block's word.
     Block(&'static str),
     /// Kind of a name declared as a vector without a word before it.
     Vector,
@@ -22,7 +22,7 @@ const BLOCKS: &[&str] = &["texture", "pigment", "normal", "finish", "interior", 
 /// All names that the scene's files declare, with their kinds.
 pub(super) struct Declared {
     kinds: FxHashMap<Symbol, Kind>,
-    /// For each macro: true if the last token of its body, and of all others of the name, is the `}` of a block.
+    /// True for a macro if the last token of its body, and of all others of the name, is the `}` of a block.
     macros: FxHashMap<Symbol, bool>,
     /// True if the scene's own file requests a language version without `;` after values.
     pub is_old: bool,

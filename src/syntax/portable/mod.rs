@@ -81,7 +81,7 @@ impl<'t> Text<'t> {
 /// An open bracket during the portability lint.
 #[derive(Clone, Copy)]
 struct Open<'t> {
-    /// Its class: `BRACE`, `PAREN`, `BRACKET`, `VECTOR`.
+    /// Class of the open bracket: `BRACE`, `PAREN`, `BRACKET` or `VECTOR`.
     class: u8,
     /// The word before the open bracket.
     word: &'t str,

@@ -188,7 +188,7 @@ impl Walk<'_> {
         })
     }
 
-    /// `pigment { <1, 0, 0> }`, `[0 <1, 0, 0>]`
+    /// Checks for a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
     fn bare_value(&mut self, at: usize) {
         let is_vector = self.text.class(at) == class::VECTOR;
         if self.begins_pigment(at) || is_vector && self.is_map_entry(at) {

@@ -70,7 +70,7 @@ pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     Some(Habit::help(help).at(source.range_of(text)))
 }
 
-/// `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
+/// Recognizes the mistake `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
 pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (_, rest) = unknown_at(source, d)?;
     let rest = rest.trim_start();
@@ -98,7 +98,7 @@ pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     Some(habit.code(codes::UNKNOWN_DIRECTIVE))
 }
 
-/// `for (int i = 0; i < 10; i++) {`, with or without `#`.
+/// Recognizes the mistake `for (int i = 0; i < 10; i++) {`, with or without `#`.
 pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let statement = source.statement();
     let bare = !statement.starts_with('#');
@@ -164,7 +164,7 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
     Some(habit.message(format!("what belongs to a `#{word}` has no braces around it")))
 }
 
-/// `macro Ball(R)`, `if (A = 1)` or `def Ball(r):` without `#`.
+/// Recognizes the mistakes `macro Ball(R)`, `if (A = 1)` and `def Ball(r):`, without `#`.
 pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let statement = source.statement();
     let (word, rest) = leading_name(statement)?;

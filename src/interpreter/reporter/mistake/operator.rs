@@ -75,7 +75,7 @@ fn operand(text: &str) -> &str {
     &text[..text.find(|c: char| !is_letter(c) && c != '.').unwrap_or(text.len())]
 }
 
-/// `phong = 0.5` with a sign between word and value.
+/// Recognizes the mistake `phong = 0.5`, with a sign between word and value.
 pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let value = source.after().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
     let (before, word) = trailing_name(source.before().trim_end())?;
@@ -155,7 +155,7 @@ pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option
     (plain && (word.is_empty() || lookup(word).is_some())).then(|| Habit::help(help))
 }
 
-/// `sphere { [0, 1, 2], 1 }` with square brackets.
+/// Recognizes the mistake `sphere { [0, 1, 2], 1 }`, with square brackets.
 pub(super) fn square_vector(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let inside =
         source.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;

@@ -44,7 +44,7 @@ pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     Some(habit.message(format!("`{shown}` does not change `{name}`")).at(start..end).code(codes::SYNTAX))
 }
 
-/// `float A = 2;` or `let A = 2;` as a declaration.
+/// Recognizes the mistake `float A = 2;` or `let A = 2;` for a declaration.
 pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (kind, rest) = leading_name(source.statement())?;
     let known = ["let", "var", "const", "int", "float", "double", "set", "auto", "vector", "string", "vec3"];
@@ -67,7 +67,7 @@ pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     inside.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
-/// `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.
+/// Recognizes the mistake `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.
 pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = leading_name(source.after())?;
     if d.code != codes::UNKNOWN_WORD || !d.message.ends_with("outside of all braces") {
