@@ -32,7 +32,7 @@ struct Header {
 /// Options of all scenes of a test.
 #[derive(Clone, Debug, Default)]
 pub struct Setting {
-    /// Folders of `-I`.
+    /// Folders of the test's include path, from the option `-I`.
     pub include: Vec<PathBuf>,
     /// Number of threads; 0 for one for each processor.
     pub threads: usize,

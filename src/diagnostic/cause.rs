@@ -14,7 +14,7 @@ pub enum Remedy {
 /// The cause of a message, which other messages may share.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cause {
-    /// Action that the user takes against the diagnostic's cause.
+    /// Action of the user that would resolve the messages with this cause.
     pub remedy: Remedy,
     /// The missing names, and the places where they are used.
     pub uses: Vec<(String, Span)>,

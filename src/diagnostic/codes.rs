@@ -300,7 +300,7 @@ its `texture { }`, a missing `;`, or a word of durer's own."
 
 /// Marks an error that follows from a reported one; never shown.
 pub const FOLLOWS: Code = Code("E0998");
-/// Ends the run after a reported error; never shown.
+/// Internal code that ends the run after a reported error; never shown.
 pub const ENDS_RUN: Code = Code("E0999");
 
 /// The explanation of a code as the user typed it, in any letter case.

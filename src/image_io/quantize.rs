@@ -132,13 +132,13 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// The code of a light before rounding.
+    /// Returns the unrounded code of a light in a channel.
     pub fn number(self, channel: usize, light: f32) -> f32 {
         let encoded = if channel == 3 { light } else { self.gamma.encode(f64::from(light)) as f32 };
         encoded.clamp(0.0, 1.0) * self.max
     }
 
-    /// The code at or below a number.
+    /// Returns the integer code at or below a number.
     pub fn code(self, number: f32) -> u16 {
         number.min(self.max) as u16
     }

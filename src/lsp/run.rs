@@ -20,7 +20,7 @@ const MAX_TIME: f64 = 20.0;
 /// Memory limit of a background run of a scene, in bytes.
 const MAX_MEMORY: u64 = 4 << 30;
 
-/// A scene to run in the background of the language server.
+/// A scene that the language server is to run in the background.
 pub struct Job {
     /// Address of the scene to run.
     pub uri: String,

@@ -63,9 +63,9 @@ pub struct Language {
 /// Result of [`Reader::float_or_color`]: a number or a colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FloatOrColor {
-    /// Number that the scene gives for a number or colour.
+    /// Number, where the scene may give a number or a colour.
     Float(f64),
-    /// Colour that the scene gives for a number or colour.
+    /// Colour, where the scene may give a number or a colour.
     Color(Color),
 }
 

@@ -6,13 +6,13 @@ use super::settings::Settings;
 pub struct Row {
     /// Switch after `+` or `-`; empty if the option has only an INI name.
     pub switch: &'static str,
-    /// Name before `=`; empty if the option has only a switch.
+    /// INI name of the POV-Ray option before `=`; empty if the option has only a switch.
     pub ini: &'static str,
     /// Kind of value that the POV-Ray option takes.
     pub takes: Takes,
     /// Effect of the POV-Ray option written with `+` or with a value.
     pub on: Effect,
-    /// Effect of `-`, or of `off` in an INI file.
+    /// Effect of the POV-Ray option written with `-`, or with `off` in an INI file.
     pub off: Effect,
 }
 
