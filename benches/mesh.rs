@@ -80,12 +80,12 @@ fn run(rounds: usize) {
     println!("build: {build:.3} s");
     let Some(mesh) = mesh else { return };
     for (name, rays) in ["coherent", "incoherent"].into_iter().zip(rays()) {
-        let tell = |what: &str, (seconds, hits): (f64, Option<usize>)| {
+        let print_rate = |what: &str, (seconds, hits): (f64, Option<usize>)| {
             println!("{name} {what}: {:.2} M/s ({} hits)", rays.len() as f64 / seconds / 1e6, hits.unwrap_or(0));
         };
         let met = |ray: &&Ray| mesh.closest(ray, Range::FORWARD).is_some();
-        tell("closest", measured(rounds, || rays.iter().filter(met).count()));
-        tell("any", measured(rounds, || rays.iter().filter(|ray| mesh.any(ray, Range::FORWARD)).count()));
+        print_rate("closest", measured(rounds, || rays.iter().filter(met).count()));
+        print_rate("any", measured(rounds, || rays.iter().filter(|ray| mesh.any(ray, Range::FORWARD)).count()));
     }
 }
 

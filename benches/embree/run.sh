@@ -10,16 +10,16 @@ data=$folder/data.bin
 cargo bench -q -p durer-benches --bench mesh -- write "$data"
 g++ -O2 -o "$folder/embree" embree.cpp -lembree3
 
-tell() {
+measure() {
     name=$1
     shift
     "$@" | sed "s/^/$name | /"
 }
 for _ in $(seq "$rounds"); do
-    tell "durer" cargo bench -q -p durer-benches --bench mesh -- run 2
-    tell "Embree, robust" "$folder/embree" "$data" 2 robust
-    tell "Embree, robust, small pages" "$folder/embree" "$data" 2 robust small
-    tell "Embree" "$folder/embree" "$data" 2
+    measure "durer" cargo bench -q -p durer-benches --bench mesh -- run 2
+    measure "Embree, robust" "$folder/embree" "$data" 2 robust
+    measure "Embree, robust, small pages" "$folder/embree" "$data" 2 robust small
+    measure "Embree" "$folder/embree" "$data" 2
 done | awk -F ': ' '
     !($1 in best) { order[++count] = $1; best[$1] = $2; next }
     ($1 ~ /build$/) == ($2 + 0 < best[$1] + 0) { best[$1] = $2 }

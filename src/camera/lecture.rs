@@ -1,8 +1,8 @@
 //! The lecture's camera ("Generating rays"), right-handed: `camera { eye <..> center <..> up <..> fov_x 60 fov_y 45 }`.
 //! An addition of durer. If one angle is left out, pixels are square.
 
-use super::lowered::{Frame, LoweredCamera, Projection};
 use super::perspective::Window;
+use super::{Frame, LoweredCamera, Projection};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform, fp};
 use crate::source::Span;

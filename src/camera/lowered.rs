@@ -1,7 +1,7 @@
 //! Lowered cameras: vectors in world space and angles in radians; no `look_at`, degrees or defaults.
 
 use super::perspective::Window;
-use super::{Bumps, Lens, MeshRays, cylinder, fisheye, omnimax, orthographic, panoramic, spherical, ultra_wide_angle};
+use super::{Bumps, Frame, Lens, MeshRays, Projection};
 use crate::math::{DVec2, DVec3, Ray};
 use serde::Serialize;
 use std::sync::Arc;
@@ -19,58 +19,6 @@ pub struct LoweredCamera {
     /// Perturbation of rays by a `normal`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bumps: Option<Bumps>,
-}
-
-/// Vectors of a camera, in world space.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Frame {
-    /// Position of the eye.
-    pub origin: DVec3,
-    /// From the eye to the centre of the window.
-    pub direction: DVec3,
-    /// Horizontal side of the window; its length is the width.
-    pub right: DVec3,
-    /// Vertical side of the window; its length is the height.
-    pub up: DVec3,
-}
-
-/// Projection of a camera. Each formula has a file of its own.
-#[derive(Clone, Debug, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Projection {
-    /// Rays from one point through a window.
-    Perspective,
-    /// The lecture's window at distance 1; a missing tangent follows from square pixels.
-    Lecture {
-        /// Tangent of half the horizontal angle of view.
-        tan_x: Option<f64>,
-        /// Tangent of half the vertical angle of view.
-        tan_y: Option<f64>,
-    },
-    /// Parallel rays.
-    Orthographic,
-    /// See `fisheye`; the angle of the whole disc.
-    Fisheye(f64),
-    /// See `ultra_wide_angle`; the horizontal angle.
-    UltraWideAngle(f64),
-    /// See `omnimax`.
-    Omnimax,
-    /// See `panoramic`.
-    Panoramic,
-    /// See `cylinder`; the type, 1 to 4, and the angle about the axis.
-    Cylinder(u8, f64),
-    /// See `spherical`; the horizontal and vertical angles.
-    Spherical(DVec2),
-    /// Rays from the faces of meshes.
-    Mesh(#[serde(skip)] Arc<MeshRays>),
-}
-
-impl Frame {
-    /// Returns the unit vectors right, up and ahead, and the lengths of the three vectors.
-    pub fn axes(&self) -> ([DVec3; 3], DVec3) {
-        let vectors = [self.right, self.up, self.direction];
-        (vectors.map(DVec3::normalize_or_zero), DVec3::from_array(vectors.map(DVec3::length)))
-    }
 }
 
 /// The rays of a picture of one size.
@@ -146,7 +94,7 @@ impl View {
         let (ray, place) = match &self.rays {
             Rays::Window(window) if self.bumps.is_none() => return Some(window.ray(x, y)),
             Rays::Window(window) => (window.ray(x, y), at()),
-            Rays::Bent(bent) => bent.ray(at())?,
+            Rays::Bent(bent) => bent.projection.ray(at(), bent.origin, bent.axes, bent.lengths)?,
             // quirk: mesh_camera_bumps
             Rays::Faces(mesh) => (mesh.ray(x, y, number, self.size)?, DVec2::ZERO),
         };
@@ -158,7 +106,7 @@ impl View {
         match &self.rays {
             Rays::Window(window) => Some(window.origin),
             Rays::Faces(_) => None,
-            Rays::Bent(bent) if bent.moves() => None,
+            Rays::Bent(bent) if bent.projection.moves_eye() => None,
             Rays::Bent(bent) => Some(bent.origin),
         }
     }
@@ -169,52 +117,5 @@ impl View {
             Rays::Window(window) if self.bumps.is_none() => Some(window),
             _ => None,
         }
-    }
-}
-
-impl Bent {
-    /// True if each ray has its own origin.
-    fn moves(&self) -> bool {
-        matches!(self.projection, Projection::Orthographic | Projection::Cylinder(3 | 4, _))
-    }
-
-    /// Returns the ray through a position of the picture, from -½ to ½ to the right and up, and the position for bumps.
-    fn ray(&self, at: DVec2) -> Option<(Ray, DVec2)> {
-        let lengths = self.lengths;
-        let sight = match &self.projection {
-            // These have a window or faces.
-            Projection::Perspective | Projection::Lecture { .. } | Projection::Mesh(_) => return None,
-            Projection::Orthographic => orthographic::ray(at, lengths),
-            Projection::Fisheye(angle) => fisheye::ray(at, lengths, *angle)?,
-            Projection::UltraWideAngle(angle) => ultra_wide_angle::ray(at, lengths, *angle),
-            Projection::Omnimax => omnimax::ray(at, lengths)?,
-            Projection::Panoramic => panoramic::ray(at, lengths),
-            Projection::Cylinder(kind, angle) => cylinder::ray(*kind, at, lengths, *angle),
-            Projection::Spherical(angles) => {
-                let (dir, place) = spherical::ray(at, *angles, self.axes);
-                return Some((Ray::new(self.origin, dir.try_normalize()?), place));
-            }
-        };
-        let LocalRay { origin, dir, place } = sight;
-        let [right, up, ahead] = self.axes;
-        let world = right * dir.x + up * dir.y + ahead * dir.z;
-        Some((Ray::new(self.origin + right * origin.x + up * origin.y, world.try_normalize()?), place))
-    }
-}
-
-/// A ray in the camera's own axes.
-pub(super) struct LocalRay {
-    /// Origin along right and up.
-    pub(super) origin: DVec2,
-    /// Direction along right, up and ahead, of any length.
-    pub(super) dir: DVec3,
-    /// Position for bumps.
-    pub(super) place: DVec2,
-}
-
-impl LocalRay {
-    /// A ray that starts at the eye.
-    pub(super) fn from_eye(dir: DVec3, place: DVec2) -> Self {
-        Self { origin: DVec2::ZERO, dir, place }
     }
 }

@@ -2,29 +2,26 @@
 
 mod bokeh;
 mod bumps;
-mod cylinder;
-mod fisheye;
 mod focal_blur;
+mod frame;
 mod lecture;
 mod lowered;
 mod mesh_camera;
-mod omnimax;
-mod orthographic;
-mod panoramic;
 mod perspective;
 mod povray;
-mod spherical;
-mod ultra_wide_angle;
+mod projection;
 pub mod words;
 
 pub use bokeh::Bokeh;
 pub use bumps::Bumps;
 pub use focal_blur::{FocalBlur, Lens};
+pub use frame::Frame;
 pub use lecture::LectureCamera;
-pub use lowered::{Frame, LoweredCamera, Projection, View};
+pub use lowered::{LoweredCamera, View};
 pub use mesh_camera::{Distribution, MeshCamera, MeshRays, PlacedMesh, ReadMesh};
 pub use perspective::Window;
 pub use povray::{Kind, PovrayCamera};
+pub use projection::Projection;
 
 use crate::diagnostic::Result;
 use crate::math::Transform;

@@ -1,6 +1,6 @@
 //! `perspective`: rays from one point through a flat window (manual, "Perspective"; lecture, "Generating rays").
 
-use super::lowered::Frame;
+use super::Frame;
 use crate::math::{DVec3, Ray};
 use serde::Serialize;
 

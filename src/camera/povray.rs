@@ -1,8 +1,8 @@
 //! POV-Ray's camera. The order of words does not matter (quirk: `camera_word_order`): `angle` sets the length of
 //! `direction`, then `look_at` turns the camera, and transforms come last.
 
-use super::lowered::{Frame, LoweredCamera, Projection};
 use super::{FocalBlur, MeshCamera, MeshRays};
+use super::{Frame, LoweredCamera, Projection};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Transform, fp};
 use crate::source::Span;

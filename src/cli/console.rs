@@ -92,7 +92,7 @@ impl Console {
         let wanted: Vec<_> = errors.chain(warnings).collect();
         let mut text: String = wanted.iter().map(|d| draw::render(d, sources, self.style) + "\n").collect();
         let count = Count::of(wanted.iter().copied());
-        self.printed.set(self.printed.get().and(count));
+        self.printed.set(self.printed.get() + count);
         if wanted.len() > 1 && !self.among_several {
             text += &format!("{count}\n");
         }

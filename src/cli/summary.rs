@@ -53,9 +53,12 @@ impl Count {
             count
         })
     }
+}
 
-    /// Returns the sum of two counts of errors and warnings.
-    pub fn and(self, other: Self) -> Self {
+impl std::ops::Add for Count {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
         Self { errors: self.errors + other.errors, warnings: self.warnings + other.warnings }
     }
 }
@@ -106,7 +109,7 @@ pub fn each(
         let count = console.take_count();
         let parts = [text, count.to_string()].into_iter().filter(|part| !part.is_empty());
         exits.push(exit);
-        all = all.and(count);
+        all = all + count;
         if exit == Exit::Interrupted {
             return Err(Failure::Reported(exit));
         }
@@ -134,7 +137,7 @@ mod tests {
         assert_eq!(line(Word::Fail, "b.scene", &count(2, 1).to_string()), "FAIL  b.scene  2 errors, 1 warning\n");
         assert_eq!(total(&[Word::Ok], count(0, 0)), "1 ok\n");
         assert_eq!(total(&[Word::New, Word::Fail, Word::Ok], count(1, 0)), "1 ok, 1 FAIL, 1 new; 1 error\n");
-        assert_eq!(count(1, 2).and(count(1, 0)), count(2, 2));
+        assert_eq!(count(1, 2) + count(1, 0), count(2, 2));
     }
 
     #[test]

@@ -14,18 +14,18 @@ use std::sync::atomic::{AtomicU8, Ordering};
 /// Index of an operation in its [`Graph`]; operands have smaller indices.
 pub type Id = u32;
 
-/// One operation.
+/// An operation of a function's computation; it refers to its operands by index.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// A number, by its bits.
     Constant(u64),
-    /// A parameter.
+    /// A parameter of the function, by its index.
     Parameter(u16),
     /// A row of [`numeric::TABLE`] with one argument.
     One(u8, Id),
     /// A row of the table with two arguments.
     Two(u8, Id, Id),
-    /// An operator.
+    /// An operator with two operands.
     Binary(Operator, Id, Id),
     /// The second operand if the first is not 0, else the third; the other one is not evaluated.
     Choice(Id, Id, Id),
@@ -46,7 +46,7 @@ pub enum Callee {
     Sampler(Arc<dyn Sampler>),
     /// `sum(I, A, B, …)` and `prod`: the body's parameters are those of the enclosing function and the counter.
     Series {
-        /// True for `prod`.
+        /// True for `prod`, false for `sum`.
         product: bool,
         /// The terms or factors.
         body: Arc<Program>,
@@ -56,11 +56,11 @@ pub enum Callee {
 /// All operations of a function, operands first.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
-    /// The operations.
+    /// Operations, each after its operands.
     pub nodes: Vec<Operation>,
-    /// Targets of calls.
+    /// Functions that [`Operation::Call`] refers to by index.
     pub callees: Vec<Callee>,
-    /// The result.
+    /// Index of the operation that gives the function's result.
     pub result: Id,
     known: FxHashMap<Operation, Id>,
 }
@@ -232,7 +232,7 @@ impl Graph {
             && self.callees.iter().zip(&other.callees).all(|(a, b)| a.is(b))
     }
 
-    /// Adds a constant.
+    /// Adds a constant and returns its index.
     pub fn constant(&mut self, x: f64) -> Id {
         self.add(Operation::Constant(x.to_bits()))
     }
@@ -271,7 +271,7 @@ impl Graph {
         })
     }
 
-    /// Adds a call.
+    /// Adds a component of the result of a call, and returns its index.
     pub fn call(&mut self, callee: Callee, component: u8, arguments: Box<[Id]>) -> Id {
         let index = self.callees.iter().position(|c| c.is(&callee)).unwrap_or_else(|| {
             self.callees.push(callee);

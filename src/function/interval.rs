@@ -7,24 +7,24 @@ use std::ops::{Add, Mul, Neg};
 /// All numbers from `lo` to `hi`; a function that is not defined everywhere in a box has the bounds [`Interval::ALL`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// The smallest.
+    /// Smallest number of the interval.
     pub lo: f64,
-    /// The largest.
+    /// Largest number of the interval.
     pub hi: f64,
 }
 
 impl Interval {
-    /// Any number.
+    /// The interval of all numbers.
     pub const ALL: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
     /// Results of a comparison: 0 or 1.
     pub const TRUTH: Interval = Interval { lo: 0.0, hi: 1.0 };
 
-    /// From the smaller to the larger.
+    /// Returns the interval from the smaller number to the larger.
     pub fn new(a: f64, b: f64) -> Self {
         if a.is_nan() || b.is_nan() { Self::ALL } else { Self { lo: a.min(b), hi: a.max(b) } }
     }
 
-    /// One number.
+    /// Returns the interval that contains only `x`.
     pub fn point(x: f64) -> Self {
         Self::new(x, x)
     }
@@ -70,7 +70,7 @@ impl Interval {
         Self { lo: wide.lo.max(0.0), hi: wide.hi }
     }
 
-    /// The absolute value.
+    /// Returns the interval of the absolute values.
     pub fn abs(self) -> Self {
         let lo = if self.contains(0.0) { 0.0 } else { self.lo.abs().min(self.hi.abs()) };
         Self { lo, hi: self.lo.abs().max(self.hi.abs()) }

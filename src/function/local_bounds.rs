@@ -22,7 +22,7 @@ const STEP: f64 = 1e-4;
 const SLACK: f64 = 1e-6;
 
 impl LocalBounds {
-    /// No bounds.
+    /// Bounds of a function about which nothing is known.
     pub const UNKNOWN: Self =
         Self { range: Interval::ALL, gradient: DVec3::ZERO, steepest: f64::INFINITY, rough: false };
 

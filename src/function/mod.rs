@@ -23,19 +23,19 @@ pub use spline::{Spline, SplineKind};
 use crate::value::Thing;
 use std::sync::Arc;
 
-/// A declared function.
+/// A function that a scene declares.
 #[derive(Debug)]
 pub struct Function {
     /// Names of its parameters; `x`, `y`, `z` where none are given.
     pub parameters: Box<[Box<str>]>,
-    /// The computation.
+    /// Computation of the function's result.
     pub body: Body,
 }
 
 /// Computation of a function.
 #[derive(Debug)]
 pub enum Body {
-    /// An expression.
+    /// An expression of numbers, compiled.
     Numeric(Program),
     /// `function { pigment { … } }` and similar functions.
     Sampled(Arc<dyn Sampler>),
@@ -44,17 +44,17 @@ pub enum Body {
 /// Type of a function's result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gives {
-    /// A number.
+    /// The function returns a number.
     Number,
-    /// Two to five numbers.
+    /// The function returns a vector of this many numbers, two to five.
     Vector(u8),
-    /// A colour.
+    /// The function returns a colour.
     Color,
 }
 
 /// An object of a higher layer that is evaluated at a point: a pigment, a pattern, a transform, a spline.
 pub trait Sampler: std::fmt::Debug + Send + Sync {
-    /// Number of arguments.
+    /// Number of arguments that the function takes.
     fn arity(&self) -> usize;
     /// Type of the result.
     fn gives(&self) -> Gives;
@@ -92,7 +92,7 @@ impl Function {
         }
     }
 
-    /// Number of arguments.
+    /// Number of arguments that the function takes.
     pub fn arity(&self) -> usize {
         match &self.body {
             Body::Numeric(_) => self.parameters.len(),

@@ -8,9 +8,9 @@ use std::sync::LazyLock;
 /// Implementation of a function.
 #[derive(Clone, Copy, Debug)]
 pub enum Kernel {
-    /// One argument.
+    /// A function of one argument.
     One(fn(f64) -> f64),
-    /// Two arguments.
+    /// A function of two arguments.
     Two(fn(f64, f64) -> f64),
     /// One or more arguments, folded from the left.
     Many(fn(f64, f64) -> f64),
@@ -19,13 +19,13 @@ pub enum Kernel {
 /// Arguments for which a script can evaluate a function; in `function { }` all others give NaN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Domain {
-    /// All.
+    /// Every number is accepted.
     All,
     /// -1 to 1; other numbers are clamped.
     Arc,
-    /// 0 and above.
+    /// Numbers that are 0 or above.
     FromZero,
-    /// Above 0.
+    /// Numbers above 0.
     AboveZero,
     /// Not two zeros; the reason.
     NotBothZero(&'static str),
@@ -36,11 +36,11 @@ pub enum Domain {
 /// A row of the table.
 #[derive(Debug)]
 pub struct Numeric {
-    /// The function's name.
+    /// Name of the function in a scene.
     pub name: &'static str,
-    /// The implementation.
+    /// Rust function that computes the result.
     pub kernel: Kernel,
-    /// The domain.
+    /// Arguments for which a script can evaluate the function.
     pub domain: Domain,
     /// Its bounds; the second interval equals the first for one argument.
     pub bounds: fn(Interval, Interval) -> Interval,
@@ -81,7 +81,7 @@ impl Numeric {
     }
 }
 
-/// No bounds.
+/// Returns the bounds of a function that can give any number.
 fn any(_: Interval, _: Interval) -> Interval {
     Interval::ALL
 }

@@ -8,14 +8,14 @@ use smallvec::SmallVec;
 /// Index of a register: first the parameters, then the constants, then results.
 type Register = u16;
 
-/// One instruction.
+/// An instruction of a compiled function.
 #[derive(Clone, Copy, Debug)]
 enum Step {
     Add(Register, Register, Register),
     Sub(Register, Register, Register),
     Mul(Register, Register, Register),
     Div(Register, Register, Register),
-    /// Any other operator.
+    /// An operator that has no instruction of its own.
     Binary(Operator, Register, Register, Register),
     One(fn(f64) -> f64, Register, Register),
     Two(fn(f64, f64) -> f64, Register, Register, Register),
@@ -29,7 +29,7 @@ enum Step {
     CallAll(u32, u32, u16, Register),
 }
 
-/// A compiled function.
+/// A function compiled to instructions on registers.
 #[derive(Clone, Debug)]
 pub struct Program {
     graph: Graph,
@@ -56,7 +56,7 @@ const NEAR: usize = 24;
 /// Register indices have 16 bits.
 const MAX_OPERATIONS: usize = 60_000;
 
-/// Generates the instructions.
+/// Generator of a function's instructions from its graph.
 struct Writer<'g> {
     graph: &'g Graph,
     steps: Vec<Step>,
@@ -99,7 +99,7 @@ impl Program {
         })
     }
 
-    /// The graph.
+    /// Graph from which the function was compiled.
     pub fn graph(&self) -> &Graph {
         &self.graph
     }

@@ -13,7 +13,7 @@ const ONE: Interval = Interval { lo: 1.0, hi: 1.0 };
 /// Bounds of a value and of its gradient: in a box, or within a distance of the box. Jumps have unbounded gradients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// The value.
+    /// Bounds of the value.
     pub value: Interval,
     /// The box: derivatives by each of up to three parameters.
     pub by: [Interval; 3],
@@ -24,7 +24,7 @@ pub struct Slope {
 }
 
 impl Slope {
-    /// A constant.
+    /// Returns the bounds of the constant `x`.
     pub fn constant(x: f64) -> Self {
         Self::flat(Interval::point(x))
     }

@@ -6,7 +6,7 @@ use crate::value::{Thing, VecN};
 /// Interpolation between the points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SplineKind {
-    /// Linear.
+    /// Straight lines between the points.
     Linear,
     /// A parabola through three points at a time.
     Quadratic,

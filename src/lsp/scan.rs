@@ -36,11 +36,11 @@ pub struct Token {
 /// Directive or construct that declares a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DeclarationKind {
-    /// Declaration by `#declare`.
+    /// Declared by `#declare`.
     Declare,
-    /// Declaration by `#local`.
+    /// Declared by `#local`.
     Local,
-    /// Declaration of a macro by `#macro`.
+    /// Declared by `#macro`.
     Macro,
     /// Declaration of a macro's parameter.
     Parameter,

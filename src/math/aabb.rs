@@ -6,14 +6,14 @@ use serde::Serialize;
 /// An axis-aligned box; `min > max` means empty, infinite ends are allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Aabb {
-    /// Lower corner.
+    /// Corner with the smallest coordinates.
     pub min: DVec3,
-    /// Upper corner.
+    /// Corner with the largest coordinates.
     pub max: DVec3,
 }
 
 impl Aabb {
-    /// The empty box.
+    /// The box without points.
     pub const EMPTY: Aabb = Aabb { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
     /// The box that contains every point.
     pub const INFINITE: Aabb = Aabb { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
@@ -58,7 +58,7 @@ impl Aabb {
         self.min.is_finite() && self.max.is_finite()
     }
 
-    /// The centre.
+    /// Returns the centre of the box.
     pub fn center(&self) -> DVec3 {
         self.min * 0.5 + self.max * 0.5
     }
@@ -79,7 +79,7 @@ impl Aabb {
         p.cmpge(self.min).all() && p.cmple(self.max).all()
     }
 
-    /// The eight corners.
+    /// Returns the eight corners of the box.
     pub fn corners(&self) -> [DVec3; 8] {
         std::array::from_fn(|i| {
             let pick = |bit: usize, lo: f64, hi: f64| if i >> bit & 1 == 0 { lo } else { hi };

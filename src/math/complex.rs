@@ -9,34 +9,34 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A complex number, x + iy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Complex {
-    /// The real part.
+    /// The real part x.
     pub x: f64,
-    /// The imaginary part.
+    /// The imaginary part y.
     pub y: f64,
 }
 
 impl Complex {
-    /// x + iy.
+    /// Returns the complex number x + iy.
     pub const fn new(x: f64, y: f64) -> Self {
         Self { x, y }
     }
 
-    /// z².
+    /// Returns the square z².
     pub fn square(self) -> Self {
         Self::new(self.x * self.x - self.y * self.y, (self.x + self.x) * self.y)
     }
 
-    /// |z|².
+    /// Returns the squared absolute value |z|².
     pub fn length_squared(self) -> f64 {
         self.x * self.x + self.y * self.y
     }
 
-    /// i·z.
+    /// Returns i·z: the number turned counter-clockwise by 90°.
     pub fn turned(self) -> Self {
         Self::new(-self.y, self.x)
     }
 
-    /// eᶻ.
+    /// Returns the exponential eᶻ.
     pub fn exp(self) -> Self {
         let (sin, cos) = fp::sin_cos(self.y);
         fp::exp(self.x) * Self::new(cos, sin)
@@ -54,7 +54,7 @@ impl Complex {
         Self::new(x.max(0.0).sqrt(), y.max(0.0).sqrt().copysign(self.y))
     }
 
-    /// sinh and cosh.
+    /// Returns sinh z and cosh z.
     pub fn sinh_cosh(self) -> (Self, Self) {
         let ((sin, cos), (sinh, cosh)) = (fp::sin_cos(self.y), (fp::sinh(self.x), fp::cosh(self.x)));
         (Self::new(sinh * cos, cosh * sin), Self::new(cosh * cos, sinh * sin))

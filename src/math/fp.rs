@@ -114,13 +114,13 @@ pub fn exp2(x: f64) -> f64 {
     x.exp2()
 }
 
-/// Natural logarithm.
+/// Natural logarithm of `x`.
 #[inline]
 pub fn ln(x: f64) -> f64 {
     x.ln()
 }
 
-/// Cube root.
+/// Cube root of `x`.
 #[inline]
 pub fn cbrt(x: f64) -> f64 {
     x.cbrt()
@@ -132,37 +132,37 @@ pub fn log10(x: f64) -> f64 {
     x.log10()
 }
 
-/// Hyperbolic cosine.
+/// Hyperbolic cosine of `x`.
 #[inline]
 pub fn cosh(x: f64) -> f64 {
     x.cosh()
 }
 
-/// Hyperbolic sine.
+/// Hyperbolic sine of `x`.
 #[inline]
 pub fn sinh(x: f64) -> f64 {
     x.sinh()
 }
 
-/// Hyperbolic tangent.
+/// Hyperbolic tangent of `x`.
 #[inline]
 pub fn tanh(x: f64) -> f64 {
     x.tanh()
 }
 
-/// Inverse of cosh.
+/// Inverse hyperbolic cosine of `x`.
 #[inline]
 pub fn acosh(x: f64) -> f64 {
     x.acosh()
 }
 
-/// Inverse of sinh.
+/// Inverse hyperbolic sine of `x`.
 #[inline]
 pub fn asinh(x: f64) -> f64 {
     x.asinh()
 }
 
-/// Inverse of tanh.
+/// Inverse hyperbolic tangent of `x`.
 #[inline]
 pub fn atanh(x: f64) -> f64 {
     x.atanh()

@@ -6,10 +6,10 @@ use super::{Aabb, DMat3, DVec3, Transform, solve_quadratic, tolerance};
 /// Relative rounding error of sums and products of a few numbers, with a large reserve.
 const ROUNDING: f64 = 1e-13;
 
-/// w·Qw + 2·h·w + c with w = p - center.
+/// A quadratic function of a point p: w·Qw + 2·h·w + c with w = p - center.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quadratic {
-    /// Q, symmetric.
+    /// Matrix Q of the quadratic terms, symmetric.
     pub q: DMat3,
     /// Half of the linear terms.
     pub h: DVec3,

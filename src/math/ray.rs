@@ -8,9 +8,9 @@ use super::{DVec3, tolerance};
 /// the distance in world space everywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// p₀.
+    /// Origin p₀ of the ray.
     pub origin: DVec3,
-    /// v.
+    /// Direction v of the ray, of length 1 in world space only.
     pub dir: DVec3,
 }
 
@@ -20,7 +20,7 @@ impl Ray {
         Self { origin, dir }
     }
 
-    /// p(t).
+    /// Returns the point p(t) = p₀ + t·v of the ray.
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + self.dir * t
     }

@@ -9,7 +9,7 @@ use serde::Serialize;
 pub struct Transform {
     /// M: from the object's space to the space around it.
     pub m: DAffine3,
-    /// M⁻¹.
+    /// M⁻¹: from the surrounding space to the object's space.
     pub inv: DAffine3,
 }
 
@@ -24,7 +24,7 @@ impl Default for Transform {
 }
 
 impl Transform {
-    /// The identity.
+    /// The transform that leaves every point unchanged.
     pub const IDENTITY: Transform = Transform { m: DAffine3::IDENTITY, inv: DAffine3::IDENTITY };
 
     /// Translation by `v`.
@@ -102,7 +102,7 @@ impl Transform {
         Self { m: next.m * self.m, inv: self.inv * next.inv }
     }
 
-    /// The inverse transform.
+    /// Returns the inverse transform.
     pub fn inverse(&self) -> Self {
         Self { m: self.inv, inv: self.m }
     }

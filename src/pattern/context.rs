@@ -57,14 +57,14 @@ impl TextureContext {
 /// Parameters that all patterns of numbers share.
 #[derive(Clone, Copy, Debug)]
 pub struct FieldParams<'a> {
-    /// Frequency, phase, wave.
+    /// Frequency, phase and wave type.
     pub modifiers: &'a Modifiers,
     /// `turbulence` with its parameters.
     pub turbulence: &'a TurbulenceParams,
 }
 
 impl FieldParams<'_> {
-    /// The defaults.
+    /// Parameters of a pattern without modifiers and turbulence.
     pub const NONE: Self = Self { modifiers: &Modifiers::NONE, turbulence: &TurbulenceParams::STILL };
 }
 

@@ -85,7 +85,7 @@ impl Field for Crackle {
 pub struct Nearest {
     /// Sums of powers of the distances to the three nearest sites, ascending.
     pub sums: [f64; 3],
-    /// The nearest site.
+    /// Position of the site that is nearest to the point.
     pub site: DVec3,
 }
 

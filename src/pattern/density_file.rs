@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// A grid of numbers from <0, 0, 0> to <1, 1, 1>; 0 outside.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DensityFile {
-    /// The grid.
+    /// Grid of the file's numbers.
     #[serde(serialize_with = "print_size")]
     pub voxels: Arc<Voxels>,
     /// Interpolation between the numbers.
@@ -25,9 +25,9 @@ pub struct DensityFile {
 pub enum Voxel {
     /// Each number fills a box.
     Nearest,
-    /// Linear.
+    /// Linear interpolation along each axis.
     Linear,
-    /// Cubic.
+    /// Cubic interpolation along each axis.
     Cubic,
 }
 

@@ -12,7 +12,7 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Flat pieces.
+/// `facets`: normals of a surface of flat pieces.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Facets {
     /// Strength of the random turn of the normal in each cell of space. At 0 there are no cells of space; instead

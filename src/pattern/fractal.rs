@@ -211,7 +211,7 @@ fn read_exponent(r: &mut dyn Reader) -> Result<u32> {
 pub struct Mandel {
     /// Iterations, exterior and interior.
     pub orbits: Orbits,
-    /// n
+    /// Exponent n of the iteration.
     pub exponent: u32,
 }
 
@@ -272,7 +272,7 @@ pub struct Julia {
     pub constant: DVec2,
     /// Iterations, exterior and interior.
     pub orbits: Orbits,
-    /// n
+    /// Exponent n of the iteration.
     pub exponent: u32,
 }
 

@@ -11,7 +11,7 @@ use crate::value::{Reader, Spec, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A formula.
+/// `function { … }`: a pattern whose number is a formula of x, y and z.
 #[derive(Clone, Debug)]
 pub struct FunctionPattern(pub Arc<Function>);
 

@@ -13,7 +13,7 @@ use serde::Serialize;
 /// A ramp along a direction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Gradient {
-    /// Unit vector.
+    /// Unit vector along which the number grows.
     pub direction: DVec3,
 }
 

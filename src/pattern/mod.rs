@@ -154,10 +154,10 @@ pub trait Cells {
 
 /// Reads a pattern's own words.
 pub trait Readable: Sized + 'static {
-    /// Its table.
+    /// The keyword that begins the pattern, with its parameters and words.
     const SPEC: Spec;
 
-    /// FieldParams of its own, which `SPEC` names.
+    /// Words that only this pattern has, which `SPEC` names.
     const WORDS: &'static [Row<Self>] = &[];
 
     /// Reads the parameters after the pattern's name.

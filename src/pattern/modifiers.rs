@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Wave {
-    /// Identity.
+    /// Identity: the number grows from 0 to 1, then jumps back to 0.
     #[default]
     Ramp,
     /// Linear up, then linear down.
@@ -33,7 +33,7 @@ pub struct Modifiers {
     pub frequency: Option<f64>,
     /// Offset of the map.
     pub phase: f64,
-    /// Wave type.
+    /// Function of the fractional part that frequency and phase give.
     pub wave: Wave,
 }
 
@@ -41,10 +41,10 @@ pub struct Modifiers {
 pub(super) const PERIOD: f64 = 1.00001;
 
 impl Modifiers {
-    /// The defaults.
+    /// The default frequency, phase and wave type.
     pub const NONE: Self = Self { frequency: None, phase: 0.0, wave: Wave::Ramp };
 
-    /// The keywords.
+    /// Keywords of frequency, phase and the wave types.
     pub const WORDS: &[WordSpec] = specs!(Self::ROWS);
 
     pub(super) const ROWS: &[Row<Self>] = &[

@@ -12,7 +12,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PatternKind {
-    /// Constant.
+    /// No pattern; every point gets the same value.
     #[default]
     Plain,
     /// A number for each point; a map turns the number into what is shown.
@@ -35,7 +35,7 @@ pub struct Pattern {
     pub modifiers: Modifiers,
     /// Transforms, warps and turbulence.
     pub space: Space,
-    /// `noise_generator`, if given.
+    /// Version of the noise that the pattern's `noise_generator` selects; `None` without that keyword.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub noise: Option<NoiseGenerator>,
     /// True for `uv_mapping`: the pattern receives (u, v, 0) instead of the point.
@@ -179,7 +179,7 @@ impl Pattern {
         Some(Self { kind: PatternKind::Surface, space, ..Self::default() })
     }
 
-    /// Undoes [`Self::take_around`].
+    /// Puts back the space that [`Self::take_around`] returned.
     pub fn put_around(&mut self, around: Self) {
         (self.uv, self.around) = (true, Some(Box::new(around.space)));
     }

@@ -49,7 +49,7 @@ struct Number {
 }
 
 impl PatternProgram {
-    /// Lowers a pattern.
+    /// Lowers a pattern to the form that is evaluated.
     pub fn new(pattern: &Pattern) -> Self {
         Self { uv: pattern.by_uv(), way: way(pattern), value: value(pattern) }
     }

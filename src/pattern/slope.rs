@@ -29,7 +29,7 @@ pub struct Slope {
 pub enum Towards {
     /// A direction; its length is its weight against the altitude's.
     Direction(DVec3),
-    /// Towards a point.
+    /// The direction towards a point.
     Point(DVec3),
 }
 

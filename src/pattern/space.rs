@@ -23,14 +23,14 @@ pub struct Space {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Step {
-    /// By a matrix.
+    /// Moves the point by a matrix.
     Moved(Transform),
-    /// By anything else.
+    /// Moves the point by a warp.
     Warped(Warp),
 }
 
 impl Space {
-    /// Appends a transform.
+    /// Appends a transform of the pattern.
     pub fn then(&mut self, by: &Transform) {
         self.transform = self.transform.then(by).into();
     }

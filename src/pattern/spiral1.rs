@@ -18,7 +18,7 @@ pub(super) const ARMS: &[Param] = &[Param {
     summary: "how many arms wind around the axis; the fraction is dropped",
 }];
 
-/// A spiral.
+/// `spiral1`: spiral arms around the z axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spiral1 {
     /// Number of arms around the axis.

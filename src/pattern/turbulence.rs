@@ -11,7 +11,7 @@ use serde::Serialize;
 pub struct TurbulenceParams {
     /// Approximate maximum displacement along each axis.
     pub amount: DVec3,
-    /// Number of octaves.
+    /// Number of octaves of noise.
     pub octaves: f64,
     /// Factor of the frequency from one octave to the next.
     pub lambda: f64,
@@ -26,10 +26,10 @@ impl Default for TurbulenceParams {
 }
 
 impl TurbulenceParams {
-    /// No turbulence.
+    /// Parameters that leave every point unchanged.
     pub const STILL: Self = Self { amount: DVec3::ZERO, octaves: 6.0, lambda: 2.0, omega: 0.5 };
 
-    /// The keywords.
+    /// Keywords of the parameters of `turbulence`.
     pub const WORDS: &[WordSpec] = specs!(Self::ROWS);
 
     /// The readers of the keywords.

@@ -10,7 +10,7 @@ use crate::math::{DVec3, noise};
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Sums of noise.
+/// `wrinkles`: the sum of ten octaves of noise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Wrinkles {}
 
@@ -23,7 +23,7 @@ impl Readable for Wrinkles {
     }
 }
 
-/// 2⁻ⁱ
+/// Negative powers of two: element i is 2⁻ⁱ.
 const HALVES: [f64; 10] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125];
 
 impl Field for Wrinkles {

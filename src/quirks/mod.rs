@@ -1,11 +1,15 @@
 //! POV-Ray's quirks: behaviour that no clean model would have, but that POV-Ray 3.7 shows and scenes rely on.
 //!
-//! Each quirk is one row of a table below: an id, one sentence, and the evidence. Code that obeys a quirk cites its id in a comment
-//! (`quirk: shadow_min_distance`); the text of a comment needs no other reference to measurements. The manual's page "What POV-Ray 3.7
+//! Each quirk is one row of a table below: an id, one sentence, and the evidence. Code that obeys a quirk cites its id
+//! in a comment
+//! (`quirk: shadow_min_distance`); the text of a comment needs no other reference to measurements. The manual's page
+//! "What POV-Ray 3.7
 //! really does" is generated from the tables.
 //!
-//! To add a quirk: add a row to the topic's file, in alphabetical order of ids, and cite the id where the code obeys it.
-//! `tests/suite/quirks.rs` checks that ids are unique, that every emulated quirk is cited, that every cited id exists, and that all evidence exists.
+//! To add a quirk: add a row to the topic's file, in alphabetical order of ids, and cite the id where the code obeys
+//! it.
+//! `tests/suite/quirks.rs` checks that ids are unique, that every emulated quirk is cited, that every cited id exists,
+//! and that all evidence exists.
 
 mod atmosphere;
 mod camera;
@@ -35,7 +39,8 @@ pub struct Quirk {
 /// Places that hold POV-Ray's numbers for a quirk, each in one of these forms:
 ///
 /// - `light_cases/NAME`: the pixels of `tests/light_cases/NAME.pov`;
-/// - `tests/PATH`: any other file with POV-Ray's output, such as `tests/patterns/brick.txt` or `tests/lang/rules.scene`;
+/// - `tests/PATH`: any other file with POV-Ray's output, such as `tests/patterns/brick.txt` or
+/// `tests/lang/rules.scene`;
 /// - `src/PATH.rs::FUNCTION`: a unit test that holds POV-Ray's numbers;
 /// - `conformance/SCENE`: one of POV-Ray's own scenes, whose verdict in `tests/conformance.json` is `same` or `close`.
 pub type Evidence = &'static [&'static str];

@@ -17,13 +17,13 @@ const MANY: u32 = 10;
 /// Multiple of the threshold by which the first samples must differ.
 const FAR: f64 = 2.0;
 
-/// Returns point `number` of the lattice in the unit square; point 0 is the centre. `bits` select one of 8 symmetries.
-fn point(number: u32, bits: u32) -> [f64; 2] {
-    let multiple = if number < FEW { 2 * number } else { 2 * (number - FEW) + 1 };
+/// Returns point `index` of the lattice in the unit square; point 0 is the centre. `symmetry` is one of 8, 0 to 7.
+fn lattice_point(index: u32, symmetry: u32) -> [f64; 2] {
+    let multiple = if index < FEW { 2 * index } else { 2 * (index - FEW) + 1 };
     let from_middle = |n: u32| f64::from((n + MANY / 2) % MANY) / f64::from(MANY) - 0.5;
     let [x, y] = [from_middle(multiple), from_middle(3 * multiple)];
-    let [x, y] = [if bits & 1 == 0 { x } else { -x }, if bits & 2 == 0 { y } else { -y }];
-    if bits & 4 == 0 { [0.5 + x, 0.5 + y] } else { [0.5 + y, 0.5 + x] }
+    let [x, y] = [if symmetry & 1 == 0 { x } else { -x }, if symmetry & 2 == 0 { y } else { -y }];
+    if symmetry & 4 == 0 { [0.5 + x, 0.5 + y] } else { [0.5 + y, 0.5 + x] }
 }
 
 /// Computes a pixel; `middle` is the sample at its centre.
@@ -35,10 +35,10 @@ pub(super) fn pixel(
     middle: &Pixel,
 ) -> Pixel {
     sampler.begin(number, 0);
-    let bits = (sampler.pixel_random(Purpose::PixelPosition).at(0) * 8.0) as u32;
+    let symmetry = (sampler.pixel_random(Purpose::PixelPosition).at(0) * 8.0) as u32;
     let (mut sum, mut differ, mut count) = (middle.map(f64::from), false, 1);
     while count < FEW || differ && count < MANY {
-        let [right, down] = point(count, bits);
+        let [right, down] = lattice_point(count, symmetry);
         sampler.begin(number, u64::from(count));
         let sample = pixel_of(&sampler.sample(x as f64 + right, y as f64 + down));
         sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
@@ -54,14 +54,14 @@ mod tests {
 
     #[test]
     fn rows_and_columns_are_evenly_filled() {
-        for bits in 0..8 {
-            assert_eq!(point(0, bits), [0.5, 0.5]);
-            for (numbers, many) in [(0..FEW, FEW), (0..MANY, MANY)] {
-                let mut found: Vec<[f64; 2]> = numbers.map(|number| point(number, bits)).collect();
+        for symmetry in 0..8 {
+            assert_eq!(lattice_point(0, symmetry), [0.5, 0.5]);
+            for (indices, many) in [(0..FEW, FEW), (0..MANY, MANY)] {
+                let mut found: Vec<[f64; 2]> = indices.map(|index| lattice_point(index, symmetry)).collect();
                 for axis in [0, 1] {
                     found.sort_by(|a, b| a[axis].total_cmp(&b[axis]));
                     let apart = |pair: &[[f64; 2]]| (pair[1][axis] - pair[0][axis]) * f64::from(many);
-                    assert!(found.windows(2).all(|pair| (apart(pair) - 1.0).abs() < 1e-12), "{bits} {many}");
+                    assert!(found.windows(2).all(|pair| (apart(pair) - 1.0).abs() < 1e-12), "{symmetry} {many}");
                     assert!(found.iter().all(|point| (0.0..=1.0).contains(&point[axis])));
                 }
             }

@@ -195,14 +195,14 @@ impl<const FORM: usize> Algebraic<FORM> {
         let middle = -ray.origin.dot(v);
         let o = ray.origin + middle * v;
         let (lo, hi) = (range.min * length - middle, range.max * length - middle);
-        let mut tell = |s: f64| {
+        let mut report_root = |s: f64| {
             let t = (s + middle) / length;
             range.contains(t) && t.is_finite() && found(t)
         };
         if self.order <= 4 {
-            roots_on_line(&self.along::<5>(o, v).c, lo, hi, &mut tell);
+            roots_on_line(&self.along::<5>(o, v).c, lo, hi, &mut report_root);
         } else {
-            roots_on_line(&self.along::<{ MAX_DEGREE + 1 }>(o, v).c, lo, hi, &mut tell);
+            roots_on_line(&self.along::<{ MAX_DEGREE + 1 }>(o, v).c, lo, hi, &mut report_root);
         }
     }
 

@@ -13,10 +13,10 @@ use crate::source::Span;
 use crate::value::{Next, Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A flat ring.
+/// A flat disc, with a concentric round hole if `hole` is above 0.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Disc {
-    /// Centre.
+    /// Centre of the disc and of its hole.
     pub center: DVec3,
     /// Length 1; zero if the scene gives no direction, and then nothing is rendered.
     pub normal: DVec3,

@@ -75,9 +75,9 @@ impl Formula {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Container {
-    /// A `box`.
+    /// A `box`, whose edges are parallel to the axes.
     Box(Cuboid),
-    /// A `sphere`.
+    /// A `sphere` with any centre and radius.
     Sphere(Sphere),
 }
 
@@ -110,7 +110,7 @@ impl Container {
         Ok(container)
     }
 
-    /// Bounding box.
+    /// Bounding box of the container.
     pub fn bounds(&self) -> Aabb {
         match self {
             Self::Box(b) => b.bounds(),

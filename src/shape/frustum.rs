@@ -29,7 +29,7 @@ pub struct Frustum {
     pub base_radius: f64,
     /// Radius at the cap.
     pub cap_radius: f64,
-    /// True without end discs.
+    /// True if the solid has no discs at its ends.
     pub open: bool,
     #[serde(skip)]
     frame: Precomputed,
@@ -38,7 +38,7 @@ pub struct Frustum {
 /// Constants for all rays.
 #[derive(Clone, Debug, PartialEq)]
 struct Precomputed {
-    /// Axis / |axis|².
+    /// Axis divided by its squared length.
     along: DVec3,
     /// Two unit vectors perpendicular to the axis and each other.
     across: (DVec3, DVec3),
@@ -76,7 +76,7 @@ impl Frustum {
         self.cap - self.base
     }
 
-    /// Radius at w.
+    /// Radius at the fraction `w` of the axis from base to cap.
     fn radius(&self, w: f64) -> f64 {
         self.base_radius + w * (self.cap_radius - self.base_radius)
     }
@@ -257,7 +257,7 @@ impl Frustum {
         }
     }
 
-    /// Outward normal.
+    /// Outward normal at a point of a part of the surface.
     pub fn normal(&self, p: DVec3, part: u32) -> DVec3 {
         let axis = self.axis();
         match part {

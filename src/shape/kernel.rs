@@ -52,9 +52,9 @@ pub enum Crossing {
 /// An end of an interval of a line inside a solid: a [`Hit`] without the kernel's data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
-    /// See [`Hit::t`].
+    /// Parameter of the hit along the ray; see [`Hit::t`].
     pub t: f64,
-    /// See [`Hit::part`].
+    /// Part of the surface that the ray hits; see [`Hit::part`].
     pub part: u32,
 }
 

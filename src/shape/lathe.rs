@@ -1,7 +1,8 @@
 //! `lathe { number_of_points, points … }`: a curve that turns about the y axis.
 //!
 //! Each point is a distance from the axis and a height. `linear_spline`, `quadratic_spline`, `cubic_spline` or
-//! `bezier_spline` before them says how they are joined. A point is inside if the curve is crossed an odd number of times on the way from it straight outwards.
+//! `bezier_spline` before them says how they are joined. A point is inside if the curve is crossed an odd number of
+//! times on the way from it straight outwards.
 //!
 //! ```pov
 //! lathe {
@@ -22,7 +23,7 @@ use serde::Serialize;
 /// A curve that is rotated about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Lathe {
-    /// Interpolation between points.
+    /// Interpolation of the outline between its points.
     pub interpolation: Interpolation,
     /// The curve as distance from the axis and height.
     pub curve: Curve,

@@ -23,7 +23,7 @@ const TOP: u32 = 2;
 /// Tolerance, relative to the larger radius, within which a point belongs to two neighbouring parts.
 const OVERLAP: f64 = 1e-9;
 
-/// An egg.
+/// A solid egg: two balls joined by an arc that turns about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Ovus {
     /// Radius of the ball around the origin.

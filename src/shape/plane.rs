@@ -16,7 +16,7 @@ use crate::value::words::{Row, specs, word};
 use crate::value::{Next, Param, Reader, ReaderExt, Spec, ValueKind};
 use serde::Serialize;
 
-/// A half-space.
+/// A half-space, bounded by a plane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plane {
     /// Outward normal, length 1.
@@ -27,14 +27,14 @@ pub struct Plane {
     pub span: Option<Box<Spanned>>,
 }
 
-/// q + u·i + v·j.
+/// A plane as the points q + u·i + v·j for all numbers u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Spanned {
-    /// q.
+    /// Point q of the plane, where u = v = 0.
     pub point: DVec3,
-    /// i.
+    /// Vector i, which u multiplies.
     pub i: DVec3,
-    /// j.
+    /// Vector j, which v multiplies.
     pub j: DVec3,
 }
 

@@ -40,7 +40,7 @@ impl Polygon {
         let (outlines, unclosed) = split(points);
         let area = outlines.iter().map(|o| vector_area(o)).max_by(|a, b| a.length().total_cmp(&b.length()));
         let area = area.unwrap_or_default().normalize_or_zero();
-        let normal = if first_turn(points).dot(area) < 0.0 { -area } else { area };
+        let normal = if normal_of_first_turn(points).dot(area) < 0.0 { -area } else { area };
         let off_plane = |p: &DVec3| (*p - points[0]).dot(normal).abs() > tolerance::FLAT;
         let fault = match () {
             () if normal == DVec3::ZERO => Some("has no area"),
@@ -94,7 +94,7 @@ fn split(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
 
 /// Returns the normal by the first point, the first that differs, and the first that is not collinear with both (quirk:
 /// `polygon_side`).
-fn first_turn(points: &[DVec3]) -> DVec3 {
+fn normal_of_first_turn(points: &[DVec3]) -> DVec3 {
     let sides = points.iter().map(|p| *p - points[0]);
     let Some(first) = sides.clone().find(|side| side.length() > tolerance::SAME_POINT) else { return DVec3::ZERO };
     let turns = |side: &DVec3| first.cross(*side).length() > tolerance::FLAT * first.length() * side.length();

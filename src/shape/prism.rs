@@ -1,7 +1,9 @@
 //! `prism { bottom, top, number_of_points, points … }`: an outline in the x-z plane, swept along y.
 //!
-//! `linear_spline`, `quadratic_spline`, `cubic_spline` or `bezier_spline` before the numbers says how the points are joined.
-//! Each outline ends where its first point comes again; the next one may be a hole in it. `conic_sweep` makes the outline as large as y is high, with the
+//! `linear_spline`, `quadratic_spline`, `cubic_spline` or `bezier_spline` before the numbers says how the points are
+//! joined.
+//! Each outline ends where its first point comes again; the next one may be a hole in it. `conic_sweep` makes the
+//! outline as large as y is high, with the
 //! tip at the origin. `open` leaves off both lids.
 //!
 //! ```pov
@@ -26,17 +28,17 @@ const LID: u32 = u32::MAX;
 /// An outline that is swept along y.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Prism {
-    /// Interpolation between points.
+    /// Interpolation of the outlines between their points.
     pub interpolation: Interpolation,
     /// True if the outline grows with y from an apex at the origin.
     pub conic: bool,
-    /// Lower end.
+    /// The y coordinate of the lower end.
     pub bottom: f64,
-    /// Upper end.
+    /// The y coordinate of the upper end.
     pub top: f64,
     /// The outlines, as x and z.
     pub outlines: Curve,
-    /// True without lids.
+    /// True if the prism has no lids at its ends.
     pub open: bool,
     #[serde(skip)]
     unclosed: bool,

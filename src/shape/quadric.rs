@@ -26,7 +26,7 @@ pub struct Quadric {
     pub mixed: DVec3,
     /// Coefficients of x, y and z.
     pub linear: DVec3,
-    /// Constant J.
+    /// Constant term J of the equation.
     pub constant: f64,
     #[serde(skip)]
     centered: Centered,

@@ -17,7 +17,7 @@ use serde::Serialize;
 /// A triangle with a normal at each corner.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SmoothTriangle {
-    /// The flat triangle.
+    /// The flat triangle that rays hit; the normals only shade it.
     pub flat: Triangle,
     /// Normals of length 1, in the order of the corners; zero where the scene gives no direction, and then nothing is
     /// rendered.

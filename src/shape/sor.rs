@@ -29,7 +29,7 @@ const TOP: u32 = u32::MAX;
 pub struct Sor {
     /// Radii and heights; the first and last point only give directions.
     pub points: Vec<DVec2>,
-    /// True without lids.
+    /// True if the surface of revolution has no lids at its ends.
     pub open: bool,
     /// Bernstein coefficients of the squared radius between neighbouring points.
     #[serde(skip)]

@@ -12,12 +12,12 @@ use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// A ball.
+/// A solid ball.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sphere {
-    /// Centre.
+    /// Centre of the ball.
     pub center: DVec3,
-    /// Radius, positive.
+    /// Radius of the ball, positive.
     pub radius: f64,
 }
 

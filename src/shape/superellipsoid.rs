@@ -1,7 +1,9 @@
 //! `superellipsoid { <e, n> }`: between box, ball and octahedron, from -1 to 1 along each axis.
 //!
-//! The points at which (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) is 1. `e` rounds the outline seen along z, `n` that seen from the side: near 0 they are
-//! square, 1 is a circle, 2 a rhombus, and above 2 a star. `<0.2, 0.2>` is a box with round edges, `<1, 0.2>` such a drum.
+//! The points at which (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) is 1. `e` rounds the outline seen along z, `n` that
+//! seen from the side: near 0 they are
+//! square, 1 is a circle, 2 a rhombus, and above 2 a star. `<0.2, 0.2>` is a box with round edges, `<1, 0.2>` such a
+//! drum.
 //!
 //! ```pov
 //! superellipsoid { <0.3, 0.5> rotate x*30 translate y pigment { color rgb <0.9, 0.4, 0.2> } }
@@ -24,7 +26,7 @@ const CLEAR: f64 = 1e-12;
 /// Maximum number of factors in a power by multiplication.
 const MOST_FACTORS: u32 = 64;
 
-/// A superquadric ellipsoid.
+/// A superquadric ellipsoid, whose roundness two exponents define.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Superellipsoid {
     /// East-west exponent, not negative; 0 is square.
@@ -103,7 +105,7 @@ impl End {
 struct Corner {
     /// Logarithms of the coordinates.
     of: DVec3,
-    /// Logarithm of the norm of x and y.
+    /// Logarithm of (|x|^(2/e) + |y|^(2/e))^(e/2).
     across: f64,
     /// Logarithm of the gauge: the factor by which the shape must grow to reach the point.
     gauge: f64,

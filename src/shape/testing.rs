@@ -45,7 +45,7 @@ fn read_all<S: Readable>(r: &mut Words) -> Result<S> {
     Ok(shape)
 }
 
-/// Accepts no textures.
+/// Reader of embedded textures that accepts none.
 struct NoPaints;
 
 impl Paints for NoPaints {

@@ -36,7 +36,7 @@ pub struct Text {
     pub font: String,
     /// Path of the font's file.
     pub file: PathBuf,
-    /// The string.
+    /// Text whose letters the shape shows.
     pub string: String,
     /// Extent of letters along z.
     pub depth: f64,

@@ -18,7 +18,7 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-/// A ring.
+/// A ring with a round tube, about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Torus {
     /// Distance from the axis to the centre of the tube.

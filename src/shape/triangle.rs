@@ -11,7 +11,7 @@ use crate::source::Span;
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Three corners.
+/// A flat triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Triangle {
     /// First corner.

@@ -293,7 +293,7 @@ impl Operator {
         self.precedence() == Operator::Equal.precedence()
     }
 
-    /// Returns the operator's spelling in a scene.
+    /// Returns the operator as written in a scene, such as `<=`.
     pub fn text(self) -> &'static str {
         use Operator::*;
         match self {

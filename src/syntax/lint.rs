@@ -25,7 +25,7 @@ struct Declaration {
     symbol: Symbol,
     span: Span,
     what: What,
-    /// Number of macros that enclose the declaration.
+    /// Number of macro definitions that enclose the declaration.
     depth: usize,
 }
 
@@ -49,7 +49,7 @@ pub fn lint(sources: &Sources, names: &Names, files: &[FileId], lints: Lints) ->
         out.extend(shadows(names, own, &scans));
     }
     if lints.portable {
-        out.extend(portable::portable(sources, names, files));
+        out.extend(portable::lint_portability(sources, names, files));
     }
     out
 }

@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// Values at numbers, in the order in which they were written; between two numbers their values are blended.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Map<T> {
-    /// Never empty.
+    /// Entries with the numbers at which they are placed; never empty.
     pub entries: Vec<(f64, T)>,
 }
 
@@ -206,7 +206,7 @@ impl<T> Blend<T> {
         }
     }
 
-    /// All values.
+    /// Iterates over all values in order.
     pub fn iter(&self) -> Box<dyn Iterator<Item = &T> + '_> {
         match self {
             Blend::Map(map) => Box::new(map.entries.iter().map(|(_, entry)| entry)),

@@ -8,7 +8,7 @@ use crate::function::Interval;
 use crate::function::LocalBounds;
 use crate::value::{FloatOrColor, Next, Reader, ReaderExt};
 
-/// Colours at numbers.
+/// A map from numbers to colours.
 pub type ColorMap = Map<Color>;
 
 impl ColorMap {

@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 pub struct Finish {
     /// Reflected ambient light, times `global_settings { ambient_light }`.
     pub ambient: Rgb,
-    /// Emitted light.
+    /// Factor of the pigment's colour in the emitted light.
     pub emission: Rgb,
     /// Fraction of incident light that is scattered on its own side.
     pub diffuse: f64,
@@ -27,13 +27,13 @@ pub struct Finish {
     pub brilliance: f64,
     /// Strength of the highlight about the mirrored ray.
     pub phong: f64,
-    /// `phong albedo`.
+    /// True for `phong albedo`: `phong` is the total of light in the highlight.
     pub phong_albedo: bool,
     /// Exponent of the Phong highlight.
     pub phong_size: f64,
     /// Strength of the highlight about the half-way vector.
     pub specular: f64,
-    /// `specular albedo`.
+    /// True for `specular albedo`: `specular` is the total of light in the highlight.
     pub specular_albedo: bool,
     /// Inverse of the exponent of the specular highlight.
     pub roughness: f64,
@@ -41,14 +41,14 @@ pub struct Finish {
     pub metallic: f64,
     /// Random darkening of the diffuse light.
     pub crand: f64,
-    /// Mirror.
+    /// Strength and colour of the mirror reflection.
     pub reflection: SharedDefault<Reflection>,
-    /// Thin-film interference.
+    /// Thin-film interference; `None` without `irid`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub irid: Option<Box<Irid>>,
     /// True if the transmitted light is reduced by the reflected light.
     pub conserve_energy: bool,
-    /// Rare parameters.
+    /// Parameters that few finishes set.
     #[serde(flatten)]
     pub uncommon: SharedDefault<Uncommon>,
 }
@@ -72,7 +72,7 @@ pub struct Uncommon {
 /// `irid`: thin-film interference (manual, "Iridescence").
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Irid {
-    /// Strength.
+    /// Strength of the interference colours.
     pub amount: f64,
     /// Thickness of the film, in the units of `irid_wavelength`.
     pub thickness: f64,
@@ -247,7 +247,7 @@ impl StaticDefault for Reflection {
 }
 
 impl Reflection {
-    /// No mirror.
+    /// The reflection of a surface that mirrors nothing.
     pub const NONE: Self =
         Self { min: Rgb::ZERO, max: Rgb::ZERO, fresnel: false, falloff: 1.0, exponent: 1.0, metallic: 0.0 };
 

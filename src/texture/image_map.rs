@@ -12,11 +12,11 @@ use serde::Serialize;
 /// A picture that gives colours.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ImageMap {
-    /// Its pixels.
+    /// Pixels of the picture.
     pub texels: Texels,
     /// Projection of the picture.
     pub mapping: Mapping,
-    /// `filter` and `transmit`.
+    /// Transparency that `filter` and `transmit` add to the picture's.
     #[serde(flatten)]
     pub clearness: Clearness,
 }
@@ -24,7 +24,7 @@ pub struct ImageMap {
 /// Parameters of `filter` and `transmit`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Clearness {
-    /// For all colours.
+    /// Filter of all colours, from `filter all`.
     pub filter: Option<f64>,
     /// For all colours; added to the picture's transparency.
     pub transmit: Option<f64>,

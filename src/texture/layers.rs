@@ -14,12 +14,12 @@ use std::sync::Arc;
 /// One layer of a texture; a transparent one shows the layer below.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Layer {
-    /// Its colour.
+    /// Colour of the layer.
     pub pigment: Pigment,
-    /// Its bumps.
+    /// Bumps of the layer; `None` without bumps.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Arc<Normal>>,
-    /// Its answer to light.
+    /// Reflection and emission of light by the layer.
     pub finish: Arc<Finish>,
     /// Patterned textures, which replace the fields above.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -29,14 +29,14 @@ pub struct Layer {
 /// A pattern and the textures that it chooses from (manual, "Patterned Textures").
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Choice {
-    /// The pattern.
+    /// Pattern that chooses the texture at each point.
     pub pattern: Pattern,
-    /// The textures.
+    /// Textures from which the pattern chooses.
     pub parts: Blend<Texture>,
 }
 
 impl Choice {
-    /// True for `material_map`.
+    /// True if a `material_map` chooses the texture.
     pub fn is_material_map(&self) -> bool {
         matches!(self.pattern.kind, PatternKind::Cells(CellPattern::MaterialMap(_)))
     }
@@ -58,7 +58,7 @@ impl Layer {
 /// Layers from the lowest to the topmost.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Texture {
-    /// Never empty.
+    /// Layers from the lowest to the topmost; never empty.
     pub layers: Vec<Layer>,
 }
 
@@ -237,7 +237,7 @@ impl Texture {
         })
     }
 
-    /// Moves every layer.
+    /// Transforms every layer of the texture.
     pub fn transform(&mut self, by: &Transform) {
         for layer in &mut self.layers {
             layer.transform(by);

@@ -39,7 +39,7 @@ pub enum Relief {
 /// Bumps in their own space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Normal {
-    /// The pattern.
+    /// Pattern that gives the bumps.
     pub pattern: Pattern,
     /// Source of the bumps.
     pub relief: Relief,

@@ -8,7 +8,7 @@ use serde::Serialize;
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
-/// A lowered normal.
+/// A [`Normal`] lowered to the form that is evaluated.
 #[derive(Clone, Debug, Serialize)]
 pub struct NormalProgram {
     pattern: PatternProgram,
@@ -19,11 +19,11 @@ pub struct NormalProgram {
     amount: f64,
     /// Half the distance between the sampled points.
     accuracy: f64,
-    /// See [`Normal::stays`].
+    /// True if bumps ignore the object's rotation; see [`Normal::stays`].
     pub stays: bool,
-    /// See [`Normal::framed`].
+    /// True if `uv_mapping` is in the texture; see [`Normal::framed`].
     pub framed: bool,
-    /// See [`Normal::bump_scale`].
+    /// True if scaling changes the depth of bumps; see [`Normal::bump_scale`].
     bump_scale: bool,
 }
 
@@ -55,7 +55,7 @@ const TETRAHEDRON: [DVec3; 4] = [
 ];
 
 impl NormalProgram {
-    /// Lowers a normal.
+    /// Lowers a normal to the form that is evaluated.
     pub fn new(normal: &Normal) -> Self {
         let relief = match &normal.relief {
             Relief::Own => ReliefProgram::Own,

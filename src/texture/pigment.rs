@@ -18,18 +18,18 @@ use std::sync::Arc;
 pub enum Paint {
     /// Constant where there is no pattern; else the pattern's default colours.
     Solid(Color),
-    /// By the pattern's number.
+    /// The colour of a map at the pattern's number.
     Colors(Arc<ColorMap>),
     /// Other pigments, with their transforms.
     Pigments(Blend<Pigment>),
-    /// A picture.
+    /// A picture, projected onto the points.
     Image(Arc<ImageMap>),
 }
 
 /// Colours in their own space.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pigment {
-    /// The pattern.
+    /// Pattern whose number or cell selects the colour.
     pub pattern: SharedDefault<Pattern>,
     /// Source of the colour.
     pub paint: Paint,
@@ -44,7 +44,7 @@ impl Default for Pigment {
 }
 
 impl Pigment {
-    /// A constant colour.
+    /// Returns a pigment of one colour.
     pub fn solid(color: Color) -> Self {
         Self { pattern: SharedDefault::DEFAULT, paint: Paint::Solid(color), quick_color: None }
     }
@@ -132,7 +132,7 @@ impl Pigment {
 
     /// Reads one element of a pigment: a word of its pattern, a map, a list, a colour.
     pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
-        if Pattern::is_named_by(next) && self.shows_defaults() {
+        if Pattern::is_named_by(next) && self.has_default_paint() {
             self.paint = Paint::Solid(Color::BLACK);
         }
         if self.pattern.modify_if(|pattern| pattern.read_element(next, r))? {
@@ -199,7 +199,7 @@ impl Pigment {
     }
 
     /// True if the pigment has only its pattern's default colours, or a picture, which another pattern replaces.
-    fn shows_defaults(&self) -> bool {
+    fn has_default_paint(&self) -> bool {
         match (&self.pattern.kind, &self.paint) {
             (_, Paint::Image(_)) => true,
             (PatternKind::Field(field), Paint::Colors(map)) => map.entries == field.default_colors(),

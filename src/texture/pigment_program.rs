@@ -7,7 +7,7 @@ use crate::pattern::{Pattern, PatternKind, PatternProgram, PigmentBrightness, Te
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A lowered [`Pigment`].
+/// A [`Pigment`] lowered to the form that is evaluated.
 #[derive(Clone, Debug, Serialize)]
 pub struct PigmentProgram {
     /// Each node follows the nodes that it refers to; the last one is the whole pigment.
@@ -29,13 +29,13 @@ struct PigmentNode {
 enum Shows {
     Solid(Color),
     Colors(Arc<ColorMap>),
-    /// Indices of nodes.
+    /// Other pigments, by the indices of their nodes.
     Pigments(Blend<u32>),
     Image(Arc<ImageMap>),
 }
 
 impl PigmentProgram {
-    /// Lowers a pigment.
+    /// Lowers a pigment to the form that is evaluated.
     pub fn new(pigment: &Pigment) -> Self {
         let mut nodes = vec![];
         push(pigment, &mut nodes);
@@ -116,7 +116,7 @@ pub struct Brightness {
 }
 
 impl Brightness {
-    /// Lowers a pigment.
+    /// Lowers a pigment to the form that is evaluated.
     pub fn new(pigment: &Pigment) -> Self {
         Self { pigment: PigmentProgram::new(pigment), depends_on_uv: pigment.any_pattern(&Pattern::depends_on_uv) }
     }

@@ -22,7 +22,8 @@ struct ShadowRay<'a> {
 }
 
 impl Tracer<'_> {
-    /// Returns the visibility of a light from a point, per channel: 0 in full shadow, 1 without any occluder. `state` is the ray that hit
+    /// Returns the visibility of a light from a point, per channel: 0 in full shadow, 1 without any occluder. `state`
+    /// is the ray that hit
     /// the point.
     #[inline]
     pub(super) fn visibility(
@@ -61,7 +62,8 @@ impl Tracer<'_> {
         self.transmittance(&ShadowRay { light, ray, range, distance: sample.distance }, &state.inside)
     }
 
-    /// The product of the transmittances of all surfaces and segments along a shadow ray. A solid has two surfaces, and both attenuate.
+    /// The product of the transmittances of all surfaces and segments along a shadow ray. A solid has two surfaces,
+    /// and both attenuate.
     fn transmittance(&mut self, shadow: &ShadowRay, inside: &Interiors) -> Rgb {
         let ShadowRay { light, ref ray, range, distance } = *shadow;
         let world = self.context.world;
@@ -93,7 +95,8 @@ impl Tracer<'_> {
         transmittance
     }
 
-    /// Returns the transmittance where light also changes between surfaces: multiplies segment by segment, from the nearest surface to the farthest.
+    /// Returns the transmittance where light also changes between surfaces: multiplies segment by segment, from the
+    /// nearest surface to the farthest.
     /// `air_distance` is the distance of a light that air attenuates.
     fn segmented_transmittance(
         &mut self,
@@ -117,7 +120,8 @@ impl Tracer<'_> {
         }
     }
 
-    /// The transmittance of a surface, with caustics, and of the interior that the ray leaves there, since the surface before.
+    /// The transmittance of a surface, with caustics, and of the interior that the ray leaves there, since the surface
+    /// before.
     fn surface_transmittance(&mut self, ray: &Ray, hit: &Intersection, from: f64, inside: &mut Interiors) -> Rgb {
         let world = self.context.world;
         let mut transmittance = shading_point::shadow_transmittance(world, ray, hit, !self.context.quality.pigments);
@@ -141,8 +145,10 @@ impl Tracer<'_> {
     }
 }
 
-/// Returns the transparent surfaces along a shadow ray, from the nearest to the farthest. A surface closer to the one before than the
-/// minimum distance is skipped: a thinner box filters once, and so does the edge of its shadow (quirk: `shadow_min_distance`).
+/// Returns the transparent surfaces along a shadow ray, from the nearest to the farthest. A surface closer to the one
+/// before than the
+/// minimum distance is skipped: a thinner box filters once, and so does the edge of its shadow (quirk:
+/// `shadow_min_distance`).
 fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32) -> bool) -> Vec<Intersection<'w>> {
     let mut surfaces = vec![];
     let _ = world.geometry.visit(ray, range, filters, &mut |hit| {

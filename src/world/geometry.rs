@@ -160,7 +160,8 @@ impl Geometry {
         self.any_after(ray, range, accept, &mut None)
     }
 
-    /// True if the ray hits any accepted object in the range; tests `last` first, the occluder of a ray that usually starts nearby, and stores the new occluder
+    /// True if the ray hits any accepted object in the range; tests `last` first, the occluder of a ray that usually
+    /// starts nearby, and stores the new occluder
     /// there.
     pub fn any_after(
         &self,

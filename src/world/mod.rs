@@ -164,6 +164,8 @@ pub struct ObjectInfo {
     pub through: bool,
     /// True if reflected rays hit the object.
     pub reflection: bool,
+    /// True if radiosity rays hit the object (`no_radiosity` is not set).
+    pub radiosity: bool,
     /// True if no point transmits light.
     pub opaque: bool,
     /// Number of the interior, or [`Self::VIEW`].

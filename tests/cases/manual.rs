@@ -300,7 +300,7 @@ impl Block {
             let told = of_picture(world)?;
             built.diagnostics.extend(told);
         }
-        let tell = |d: &Diagnostic| {
+        let describe = |d: &Diagnostic| {
             let line = sources.place(d.span()).map_or(0, |place| place.line);
             format!("line {line}: {} {}", d.code, d.message)
         };
@@ -308,7 +308,9 @@ impl Block {
         let codes = |severity| told.iter().filter(move |d| d.severity == severity).map(|d| d.code.0);
         let warnings = self.value("warns").into_iter().flat_map(|w| w.split('+'));
         if !codes(Severity::Error).eq(self.value("error")) || !codes(Severity::Warning).eq(warnings) {
-            return Err(format!("{}\n{}", self.text, told.iter().map(|d| tell(d) + "\n").collect::<String>()).into());
+            return Err(
+                format!("{}\n{}", self.text, told.iter().map(|d| describe(d) + "\n").collect::<String>()).into()
+            );
         }
         if let Some(expected) = self.prints.as_ref().filter(|expected| expected.trim_end() != printed.trim_end()) {
             return Err(format!("{}\nexpected:\n{expected}printed:\n{printed}", self.text).into());

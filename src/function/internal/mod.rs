@@ -15,11 +15,11 @@ pub use table::TABLE;
 use super::Interval;
 use std::fmt;
 
-/// An internal function.
+/// A function that a scene calls by number, as `internal(N)`.
 pub struct Internal {
     /// Argument of `internal( )`.
     pub number: u32,
-    /// Name in `functions.inc`.
+    /// Name of the function in `functions.inc`.
     pub name: &'static str,
     /// Summary for the manual.
     pub summary: &'static str,

@@ -48,7 +48,7 @@ pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 
     if rest > 0.0 { value + rest * increment() * value } else { value }
 }
 
-/// Musgrave's `RidgedMultifractal`.
+/// Ridged multifractal noise, after Musgrave's `RidgedMultifractal`.
 pub fn ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f64; 9]) -> f64 {
     let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
     let ridge = |p: DVec3| {
@@ -105,7 +105,7 @@ pub fn bend(generator: &[f64]) -> f64 {
     generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).bend())
 }
 
-/// Bounds of noise.
+/// Bounds of noise, which is between 0 and 1.
 pub fn noise_bounds(_: &[Interval]) -> Interval {
     Interval::TRUTH
 }

@@ -209,7 +209,7 @@ impl<'a> Interpreter<'a> {
             Err(fault) => {
                 let fault = self.stream.with_trace(*fault);
                 self.skip_statement(checkpoint);
-                self.stream.skip_layers(checkpoint);
+                self.stream.skip_following_texture_layers(checkpoint);
                 // Text that POV-Ray cannot even tokenize is an error at once.
                 if matches!(fault.code, codes::SYNTAX | codes::UNCLOSED | codes::UNMATCHED_CLOSER) {
                     self.bind(local, &declared, Slot::Faulty(Rc::default()), vec![]);

@@ -11,7 +11,7 @@ use crate::value::{Value, VecN};
 pub(super) struct Constants {
     values: Vec<Option<Value>>,
     version: Symbol,
-    /// The constant that is computed at each use.
+    /// Symbol of `now`, the only built-in constant whose value is computed at each use.
     now: Symbol,
 }
 

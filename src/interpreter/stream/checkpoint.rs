@@ -82,14 +82,14 @@ impl StackFrame<'_> {
         }
     }
 
-    /// Skips the further layers of a texture that began at index `from`.
-    fn skip_layers(&mut self, from: usize) {
+    /// Skips the layers that follow the first layer of a texture, which begins at index `first_layer`.
+    fn skip_following_texture_layers(&mut self, first_layer: usize) {
         let is_texture = |frame: &Self, at: usize| match frame.elements.get(at).map(|e| &e.kind) {
             Some(ElementKind::Block(b)) => b.name.word == Some("texture"),
             Some(ElementKind::Word(word)) => word.name == "texture" && frame.opens_brace(at + 1),
             _ => false,
         };
-        if is_texture(self, from) {
+        if is_texture(self, first_layer) {
             while is_texture(self, self.at) {
                 let alone = matches!(self.elements[self.at].kind, ElementKind::Word(_));
                 self.at += usize::from(alone);
@@ -143,10 +143,10 @@ impl TokenStream<'_> {
         }
     }
 
-    /// Skips the further layers of a declared texture that began at the checkpoint.
-    pub fn skip_layers(&mut self, checkpoint: Checkpoint) {
+    /// Skips the layers that follow the first layer of a declared texture, which begins at the checkpoint.
+    pub fn skip_following_texture_layers(&mut self, checkpoint: Checkpoint) {
         if let Some(frame) = self.frames.last_mut() {
-            frame.skip_layers(checkpoint.at);
+            frame.skip_following_texture_layers(checkpoint.at);
         }
     }
 

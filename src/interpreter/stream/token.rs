@@ -31,7 +31,7 @@ pub enum Token<'a> {
 /// The word before the `{` of a block.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockName<'a> {
-    /// Keyword before the `{`; `None` for a word that is no keyword.
+    /// Keyword before the `{`; `None` if that word is not a keyword.
     pub word: Option<&'static str>,
     /// Span of the word before the `{`.
     pub span: Span,

@@ -62,7 +62,7 @@ struct Build<F> {
 struct Pair {
     /// Indices of the halves; for an item, the range of its boxes.
     parts: [u32; 2],
-    /// Number of items.
+    /// Number of items in the node and below it.
     items: u32,
     /// For 2, 3, … 8 children of a wide node: how many of them the first half receives at the least cost; 0 if fewer
     /// children cost less.
@@ -254,7 +254,7 @@ impl Prim {
         self.hi.into()
     }
 
-    /// Twice the centre.
+    /// Returns twice the centre of the box.
     fn center(&self) -> Vec3A {
         self.lo() + self.hi()
     }

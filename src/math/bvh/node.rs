@@ -26,7 +26,7 @@ pub(super) enum Kind {
 }
 
 impl Child {
-    /// No items.
+    /// A child without items.
     pub const NONE: Child = Child(Self::LEAF);
     const LEAF: u32 = 1 << 31;
     const COUNT: u32 = 28;

@@ -13,7 +13,7 @@ fn load(&Row([a, b, c, d]): &Row) -> __m256d {
     _mm256_setr_pd(a, b, c, d)
 }
 
-/// sum + g·x
+/// Returns sum + g·x for each of the four lanes.
 #[target_feature(enable = "avx2")]
 #[inline]
 fn add(sum: __m256d, g: __m256d, x: __m256d) -> __m256d {
@@ -73,7 +73,7 @@ fn side(hashes: &[usize; 4], x: __m256d, y: __m256d, z: __m256d) -> __m256d {
     add(add(add(v, gx, x), gy, y), gz, z)
 }
 
-/// [`super::value::scalar`]
+/// Computes [`super::value::scalar`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
 pub fn scalar(p: DVec3) -> f64 {
@@ -90,7 +90,7 @@ pub fn scalar(p: DVec3) -> f64 {
     _mm256_cvtsd_f64(along_z)
 }
 
-/// [`super::value::vector`]
+/// Computes [`super::value::vector`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
 pub fn vector(p: DVec3) -> DVec3 {

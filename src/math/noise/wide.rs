@@ -28,7 +28,7 @@ macro_rules! twins {
 }
 
 twins! {
-    /// [`value::scalar`].
+    /// Computes [`value::scalar`], with AVX2 if the processor has it.
     scalar_at(scalar; p: DVec3) -> f64 {
         scalar(p)
     }
@@ -44,14 +44,14 @@ twins! {
 }
 
 twins! {
-    /// [`value::vector`].
+    /// Computes [`value::vector`], with AVX2 if the processor has it.
     vector_at(vector; p: DVec3) -> DVec3 {
         vector(p)
     }
 }
 
 twins! {
-    /// Octaves of [`value::vector`].
+    /// Returns the weighted sum of octaves of [`value::vector`].
     turbulence(vector; p: DVec3, series: Turbulence) -> DVec3 {
         let mut sum = DVec3::ZERO;
         for (frequency, weight) in series.octaves() {

@@ -9,10 +9,10 @@
 use super::solve_quadratic;
 use crate::math::tolerance;
 
-/// Maximum degree.
+/// Maximum degree of a polynomial.
 pub const MAX_DEGREE: usize = 35;
 
-/// 1/C(n, i).
+/// Inverses of binomial coefficients: 1/C(n, i) at row n and column i.
 static INVERSE_BINOMIALS: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = inverse_binomials();
 
 const fn inverse_binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
@@ -241,21 +241,21 @@ fn padded_roots<const N: usize>(b: &[f64], found: Found) {
 /// ascending; a double root, unless rounding hides it, counts twice. `found` receives each root; true ends the search.
 pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
     let Some(degree) = c.iter().rposition(|c| *c != 0.0).filter(|n| (1..=MAX_DEGREE).contains(n)) else { return };
-    let mut tell = |x: f64| x >= lo && x <= hi && found(x);
+    let mut report_root = |x: f64| x >= lo && x <= hi && found(x);
     match *c {
         [b, a, ..] if degree == 1 => {
-            tell(-b / a);
+            report_root(-b / a);
         }
         [c, b, a, ..] if degree == 2 => {
             let both = solve_quadratic(a, b, c).map_or([f64::NAN; 2], |(x1, x2)| [x1, x2]);
-            let _ = both.into_iter().any(tell);
+            let _ = both.into_iter().any(report_root);
         }
-        _ if degree == 3 => on_line::<4>(&c[..=degree], lo, hi, &mut tell),
-        _ if degree == 4 => on_line::<5>(&c[..=degree], lo, hi, &mut tell),
-        _ if degree == 5 => on_line::<6>(&c[..=degree], lo, hi, &mut tell),
-        _ if degree == 6 => on_line::<7>(&c[..=degree], lo, hi, &mut tell),
-        _ if degree == 7 => on_line::<8>(&c[..=degree], lo, hi, &mut tell),
-        _ => on_line::<{ MAX_DEGREE + 1 }>(&c[..=degree], lo, hi, &mut tell),
+        _ if degree == 3 => on_line::<4>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 4 => on_line::<5>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 5 => on_line::<6>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 6 => on_line::<7>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 7 => on_line::<8>(&c[..=degree], lo, hi, &mut report_root),
+        _ => on_line::<{ MAX_DEGREE + 1 }>(&c[..=degree], lo, hi, &mut report_root),
     }
 }
 
@@ -283,7 +283,7 @@ fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
     below.iter_mut().skip(1).step_by(2).for_each(|a| *a = -*a);
     let (lo, hi) = (lo / unit, hi / unit);
     let done = std::cell::Cell::new(false);
-    let mut tell = |x: f64| {
+    let mut report_root = |x: f64| {
         done.set(found(x));
         done.get()
     };
@@ -307,9 +307,9 @@ fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
             far >= 1.0 && search.start(&bernstein(turned, degree, at_one))
         };
         if side < 0.0 {
-            let _ = outer(&mut tell, false) || inner(&mut tell, true);
+            let _ = outer(&mut report_root, false) || inner(&mut report_root, true);
         } else {
-            let _ = inner(&mut tell, false) || outer(&mut tell, true);
+            let _ = inner(&mut report_root, false) || outer(&mut report_root, true);
         }
     }
 }

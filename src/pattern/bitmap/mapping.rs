@@ -14,11 +14,11 @@ pub struct Mapping {
     pub wrap: Wrap,
     /// True if the picture is not repeated.
     pub once: bool,
-    /// Interpolation between pixels.
+    /// Interpolation between the pixels nearest to a point.
     pub between: Between,
 }
 
-/// `map_type`
+/// Projection from points to the picture, by the number after `map_type`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Wrap {
@@ -33,7 +33,7 @@ pub enum Wrap {
     Toroidal,
 }
 
-/// `interpolate`
+/// Interpolation between pixels, by the number after `interpolate`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Between {

@@ -11,7 +11,7 @@ use serde::Serialize;
 /// A picture whose palette indices choose textures.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MaterialMap {
-    /// Its pixels.
+    /// Pixels whose palette indices or red channels select the textures.
     pub texels: Texels,
     /// Projection of the picture.
     pub mapping: Mapping,

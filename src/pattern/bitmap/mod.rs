@@ -41,7 +41,7 @@ const ROWS: &[Row<Bitmap>] = &[
 /// The keywords of all of them, after the file's name.
 pub const WORDS: &[WordSpec] = specs!(ROWS);
 
-/// Names of [`WORDS`].
+/// Names of the keywords in [`WORDS`].
 pub fn word_names() -> impl Iterator<Item = &'static str> {
     WORDS.iter().map(|w| w.name)
 }
@@ -62,9 +62,9 @@ const NO_PICTURES: &[(&str, &str)] = &[
 pub struct Bitmap {
     /// The picture of the file or of the function.
     pub picture: Arc<Picture>,
-    /// `gamma`
+    /// Gamma of the picture's values, from `gamma`; `None` without that keyword.
     pub gamma: Option<Gamma>,
-    /// `premultiplied`
+    /// True if the picture's colours are multiplied by its alpha (`premultiplied`).
     pub premultiplied: bool,
     /// Projection of the picture.
     pub mapping: Mapping,
@@ -121,7 +121,7 @@ fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
     if r.accept("srgb")? { Ok(Gamma::Srgb) } else { r.float().map(Gamma::Power) }
 }
 
-/// `interpolate N`
+/// Reads the number after `interpolate`.
 fn read_between(r: &mut dyn Reader) -> Result<Between> {
     let (at, n) = (r.span(), r.float()?);
     Between::from_number(n).ok_or_else(|| {

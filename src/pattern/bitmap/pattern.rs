@@ -12,7 +12,7 @@ use serde::Serialize;
 /// A picture's brightness, or its alpha.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ImagePattern {
-    /// Its pixels.
+    /// Pixels of the picture.
     pub texels: Texels,
     /// Projection of the picture.
     pub mapping: Mapping,
@@ -26,7 +26,7 @@ pub struct ImagePattern {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Channel {
-    /// Brightness.
+    /// Brightness of the pixel.
     Gray,
     /// `use_alpha`: 1 - alpha.
     Alpha,

@@ -41,12 +41,12 @@ impl Texels {
         Self { picture, curve, premultiplied }
     }
 
-    /// Width in pixels.
+    /// Width of the picture in pixels.
     pub fn width(&self) -> usize {
         self.picture.pixels.width
     }
 
-    /// Height in pixels.
+    /// Height of the picture in pixels.
     pub fn height(&self) -> usize {
         self.picture.pixels.height
     }

@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 /// √3 / 2, the height of a triangle.
 pub const H: f64 = 0.866_025_403_784_438_6;
 
-/// The cells' shape.
+/// Shape of the cells of the grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cells {
     /// Two in each position of the grid: the first points up, the second down.
@@ -157,11 +157,11 @@ pub struct Corner {
     pub before: bool,
     /// True if the edge after the corner is a joint.
     pub after: bool,
-    /// True if other edges at the corner are joints: the first one beyond the edge after the corner, …
+    /// True if the first other edge at the corner, next to `after`, is a joint.
     pub first: bool,
-    /// … the last one, next to the edge before the corner, …
+    /// True if the last other edge at the corner, next to `before`, is a joint.
     pub last: bool,
-    /// … and any.
+    /// True if any edge at the corner other than `before` and `after` is a joint.
     pub any: bool,
 }
 

@@ -31,10 +31,10 @@ pub struct Pavement {
     layout: Arc<PavementLayout>,
 }
 
-/// The pattern's words.
+/// Values of the words of `pavement`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PavementWords {
-    /// 3, 4 or 6.
+    /// Number of sides of each cell: 3, 4 or 6.
     pub number_of_sides: f64,
     /// Number of cells in a tile.
     pub number_of_tiles: f64,
@@ -51,11 +51,11 @@ pub struct PavementWords {
 /// Shape of a joint at a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum JointShape {
-    /// With a corner.
+    /// The corner of the joint is pointed.
     Pointed,
-    /// With the corner cut off.
+    /// The corner of the joint is cut off.
     Cut,
-    /// In an arc.
+    /// The corner of the joint is an arc.
     Round,
     /// `form` of squares: as `exterior` and `interior`.
     AsOthers,

@@ -31,9 +31,9 @@ const TILINGS: f64 = 27.0;
 /// Tiles of several kinds: kind i of n has numbers from i/n, in its middle, to (i + 1)/n at its edges.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Tiling {
-    /// 1 to 27.
+    /// Number of the tiling, 1 to 27.
     pub number: usize,
-    /// The tiles.
+    /// Tiles of this tiling.
     #[serde(skip)]
     tiles: Tiles,
 }
@@ -48,7 +48,7 @@ enum Tiles {
 /// A periodic tiling of the plane.
 #[derive(Clone, Debug, PartialEq)]
 struct Plan {
-    /// The two periods.
+    /// The two periods: translations that map the tiling to itself.
     steps: [DVec2; 2],
     kinds: usize,
     /// Width of the bevel.
@@ -57,7 +57,7 @@ struct Plan {
     tiles: Vec<Tile>,
 }
 
-/// A convex polygon.
+/// A tile: a convex polygon.
 #[derive(Clone, Debug, PartialEq)]
 struct Tile {
     kind: usize,

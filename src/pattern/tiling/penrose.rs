@@ -44,7 +44,7 @@ const APART: f64 = 1.376_381_920_471_173_5;
 /// Legs of the triangles that contain the same piece of the tiling with pentagons: `APART` φ².
 const LEG: f64 = 3.603_414_649_294_386_6;
 
-/// A tiling.
+/// An aperiodic tiling by Penrose, with its number in a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Penrose {
     /// 25: three kinds of pentagons, stars, boats and diamonds, with sides of length 1.

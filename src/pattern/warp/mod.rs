@@ -25,13 +25,13 @@ pub trait Bend {
 
 macro_rules! warps {
     ($($variant:ident $name:ident)*) => {
-        /// Any warp.
+        /// A warp of any kind.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         #[serde(rename_all = "snake_case")]
         pub enum Warp { $(#[doc = concat!("See [`", stringify!($name), "`].")] $variant($name)),* }
 
         impl Warp {
-            /// Every warp's table.
+            /// Keyword and words of each warp.
             pub const SPECS: &[&Spec] = &[$(&$name::SPEC),*];
 
             /// Maps the evaluated point to the point that the pattern receives.

@@ -12,11 +12,11 @@ let done = false;
 // ---------------------------------------------------------------- from the server
 
 const events = new EventSource("events");
-events.addEventListener("state", (event) => tell(JSON.parse(event.data)));
+events.addEventListener("state", (event) => showState(JSON.parse(event.data)));
 events.addEventListener("picture", (event) => paint(JSON.parse(event.data)));
 events.onerror = () => setStatus("durer has ended or cannot be reached", true);
 
-function tell(news) {
+function showState(news) {
   state = news.state;
   document.title = `${{ broken: "✗ ", done: "", reading: "… ", drawing: "… " }[state.status]}${state.name} – durer`;
   at("name").textContent = state.name;

@@ -9,7 +9,7 @@ pub struct Net(pub [DVec3; 16]);
 /// A point of a patch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
-    /// Position.
+    /// Position of the point.
     pub point: DVec3,
     /// Normal of length 1.
     pub normal: DVec3,

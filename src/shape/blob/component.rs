@@ -44,15 +44,16 @@ impl Cube {
         Self { is_ball: axis == DVec3::ZERO, columns: DVec3::AXES.map(|side| turn * side) }
     }
 
-    fn transform(&mut self, word: Next, step: &Transform) {
+    /// Updates the cube for one transform of the component.
+    fn apply(&mut self, keyword: Next, step: &Transform) {
         let scale = step.vector(DVec3::ONE);
         let even = scale.min_element() == scale.max_element();
-        self.columns = match word {
+        self.columns = match keyword {
             Next::Word("translate" | "rotate") if self.is_ball => return,
             Next::Word("scale") if self.is_ball && even => self.columns.map(|side| side * scale.x),
             _ => self.columns.map(|side| step.vector(side)),
         };
-        self.is_ball &= even && word == Next::Word("scale");
+        self.is_ball &= even && keyword == Next::Word("scale");
     }
 
     /// Half width along the widest axis.
@@ -177,7 +178,7 @@ impl Component {
                 }
                 next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
-                        cube.transform(next, &step);
+                        cube.apply(next, &step);
                         paints.transform(&mut self.slot, &step);
                         let place = self.place.as_deref().map_or(*step, |place| place.then(&step));
                         self.place = Some(Box::new(place));

@@ -47,9 +47,9 @@ struct Level {
 /// A cell and one of its triangles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Index along x.
+    /// Index of the cell along x.
     pub i: usize,
-    /// Index along z.
+    /// Index of the cell along z.
     pub k: usize,
     /// True for the triangle of the corners (1, 1), (1, 0) and (0, 1).
     pub upper: bool,

@@ -30,7 +30,7 @@ pub struct Cells {
 struct Grid {
     bounds: Aabb,
     count: [usize; 3],
-    /// Cells a unit.
+    /// Number of cells per unit of length, along each axis.
     scale: DVec3,
     /// Number of the cell plus one; 0 without surface.
     places: Box<[u16]>,

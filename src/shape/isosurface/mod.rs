@@ -110,7 +110,7 @@ impl Isosurface {
         }
         // Start where the ray enters the container, so that a distant eye costs no digits.
         let near = Ray::new(ray.at(enter), ray.dir);
-        let mut tell = |t: f64, part: u32| range.contains(t + enter) && found(Hit::on(t + enter, part));
+        let mut report_hit = |t: f64, part: u32| range.contains(t + enter) && found(Hit::on(t + enter, part));
         let value = |t: f64| self.value(near.at(t));
         let to = leave - enter;
         // Position of the ray's origin.
@@ -119,7 +119,7 @@ impl Isosurface {
         // (The value behind the ray is not needed.)
         let first = (begins_outside || range.min <= enter).then(|| value(0.0));
         let is_solid = first.is_some_and(|first| first < 0.0);
-        if range.min <= enter && !self.open && is_solid && tell(0.0, FACE) {
+        if range.min <= enter && !self.open && is_solid && report_hit(0.0, FACE) {
             return;
         }
         let mut walk = match begins_outside {
@@ -129,17 +129,17 @@ impl Isosurface {
         let from = walk.as_ref().map_or(f64::INFINITY, Walk::from);
         let within = Range { min: from.min(range.min - enter), max: range.max - enter };
         // Roots behind the ray's origin are reported unchanged.
-        let mut tell_root = |t: f64| match &mut walk {
-            _ if t <= origin => tell(t, SURFACE),
-            Some(walk) => walk.hit(t).is_some_and(|t| tell(t, SURFACE)),
+        let mut report_root = |t: f64| match &mut walk {
+            _ if t <= origin => report_hit(t, SURFACE),
+            Some(walk) => walk.hit(t).is_some_and(|t| report_hit(t, SURFACE)),
             None => false,
         };
-        if self.pass(&near, (origin, to), within, first.map(|first| (0.0, first)), &mut tell_root) {
+        if self.pass(&near, (origin, to), within, first.map(|first| (0.0, first)), &mut report_root) {
             return;
         }
         let leaves = walk.is_some() || to <= origin;
         if !self.open && leave < range.max && leaves && value(to) < 0.0 {
-            tell(to, FACE);
+            report_hit(to, FACE);
         }
     }
 

@@ -8,11 +8,11 @@ pub type Point = (f64, f64);
 
 /// A search on a line.
 pub struct Search<'a> {
-    /// The function.
+    /// Function of the position on the line, whose roots are searched.
     pub value: &'a dyn Fn(f64) -> f64,
     /// Roots closer together than this can be missed.
     pub apart: f64,
-    /// Accuracy of roots.
+    /// Maximum error of a root before `ahead`.
     pub exact: f64,
     /// Accuracy of roots from `ahead` on.
     pub roughly: f64,

@@ -5,7 +5,7 @@ use crate::shape::testing::all;
 use crate::syntax::ast::Operator::{self, Add, Mul, Sub};
 use std::sync::atomic::AtomicU8;
 
-/// Builds a formula.
+/// Graph under construction for a formula of a test.
 struct Maker(Graph);
 
 impl Maker {

@@ -5,7 +5,7 @@ use crate::value::words::word;
 use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 
-/// A function of complex numbers.
+/// Function applied to the hypercomplex number z in each iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Function {
@@ -98,7 +98,7 @@ pub const FUNCTIONS: [WordSpec; 18] = [
 
 const ONE: Complex = Complex::new(1.0, 0.0);
 
-/// -i·z
+/// Returns -i·z: `z` turned clockwise by 90°.
 fn turned_back(z: Complex) -> Complex {
     -z.turned()
 }

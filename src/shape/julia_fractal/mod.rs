@@ -39,7 +39,7 @@ const AHEAD: f64 = 0.6;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Algebra {
-    /// Hamilton's quaternions.
+    /// Hamilton's quaternions, whose product depends on the order of the factors.
     Quaternion,
     /// Pairs of complex numbers.
     Hypercomplex,
@@ -194,7 +194,7 @@ impl JuliaFractal {
     }
 
     /// Returns the iteration after which h is largest, among those that count.
-    fn last_round(&self, p: DVec3) -> usize {
+    fn iteration_of_maximum(&self, p: DVec3) -> usize {
         let (mut k, mut last, mut most) = (0, 0, f64::NEG_INFINITY);
         self.rule().follow(self.start(p), self.rounds(), |squares| {
             // (NaN counts as larger.)
@@ -384,7 +384,7 @@ impl Kernel for JuliaFractal {
     /// Direction of the steepest growth of h after the last iteration (quirk: `julia_normal`). POV-Ray's normals of
     /// functions other than `sqr` and `cube` do not belong to the surface; there the iteration that escapes is used.
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
-        let rounds = if self.rule().is_proved() { self.rounds() + 1 } else { self.last_round(p) };
+        let rounds = if self.rule().is_proved() { self.rounds() + 1 } else { self.iteration_of_maximum(p) };
         let n = self.gradient(p, rounds);
         let n = if n.is_finite() && n != DVec3::ZERO { n } else { self.gradient(p, 0) };
         if n.is_finite() && n != DVec3::ZERO { n } else { DVec3::Y }

@@ -15,7 +15,7 @@ const BALL_ROUNDS: usize = 6;
 /// x + iy + jz + kw.
 pub type Four = [f64; 4];
 
-/// Iteration rule.
+/// Function applied to h in each iteration, before the constant is added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rule {
     /// h² of a quaternion.
@@ -29,7 +29,7 @@ pub enum Rule {
 /// Two squared lengths for each iteration: of both numbers of the pair, or twice that of the quaternion.
 pub type Trail = SmallVec<[[f64; 2]; 24]>;
 
-/// Hamilton's product.
+/// Hamilton's product of two quaternions.
 pub fn product(a: Four, b: Four) -> Four {
     [
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],

@@ -5,7 +5,7 @@ use crate::math::{DVec2, DVec3, Transform};
 /// A triangle of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
-    /// Corners.
+    /// Corners of the triangle.
     pub corners: [DVec3; 3],
     /// Normal of any length; seen against it, the corners are clockwise.
     pub normal: DVec3,

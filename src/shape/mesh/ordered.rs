@@ -46,7 +46,7 @@ impl Ordered {
         all
     }
 
-    /// True without triangles.
+    /// True if the mesh has no triangles.
     pub fn is_empty(&self) -> bool {
         self.lists.corners.is_empty()
     }
@@ -89,7 +89,7 @@ impl Ordered {
         list.get(face).copied().filter(|numbers| *numbers != NONE)
     }
 
-    /// Bounding box.
+    /// Bounding box of all triangles.
     pub fn bounds(&self) -> Aabb {
         self.bounds.unwrap_or(Aabb::EMPTY)
     }
@@ -112,7 +112,7 @@ impl Ordered {
         });
     }
 
-    /// The closest hit.
+    /// Returns the closest hit of the ray within the range.
     pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut best = None;
         self.meet(ray, range, |hit| {

@@ -23,7 +23,7 @@ use patches::Patches;
 use serde::Serialize;
 use std::sync::{Arc, OnceLock};
 
-/// A parametric surface.
+/// A surface whose x, y and z are functions of u and v.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Parametric {
     /// x, y and z as functions of u and v.

@@ -151,9 +151,9 @@ impl Line<'_> {
         }
         match self.judge(patch) {
             Verdict::Misses => {}
-            Verdict::Meets(uv) => self.tell(self.of.point(uv), uv, found),
+            Verdict::Meets(uv) => self.report_hit(self.of.point(uv), uv, found),
             Verdict::Open if depth == 0 || patch.bounds.size().max_element() < self.smallest => {
-                self.tell(patch.middle, (patch.from + patch.to) * 0.5, found);
+                self.report_hit(patch.middle, (patch.from + patch.to) * 0.5, found);
             }
             Verdict::Open => {
                 for half in patch.halves(self.of, room) {
@@ -163,7 +163,8 @@ impl Line<'_> {
         }
     }
 
-    fn tell(&self, p: DVec3, uv: DVec2, found: &mut dyn FnMut(f64, DVec2)) {
+    /// Calls `found` with the hit at a point of the surface, unless the point is outside the container or the range.
+    fn report_hit(&self, p: DVec3, uv: DVec2, found: &mut dyn FnMut(f64, DVec2)) {
         let t = (p - self.ray.origin).dot(self.ray.dir) / self.ray.dir.length_squared();
         if p.is_finite() && self.of.container.contains(p) && self.range.contains(t) && t < self.far.get() {
             found(t, uv);

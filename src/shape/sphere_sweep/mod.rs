@@ -27,11 +27,11 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// Interpolation between spheres.
+/// Interpolation between the spheres that the sweep passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sweep {
-    /// Straight tubes.
+    /// Straight tubes, each from one sphere to the next.
     Linear,
     /// A uniform cubic B-spline, which does not touch the spheres.
     BSpline,
@@ -39,10 +39,10 @@ pub enum Sweep {
     Cubic,
 }
 
-/// A swept sphere.
+/// The solid that a moving sphere of changing radius sweeps.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SphereSweep {
-    /// Interpolation between spheres.
+    /// Interpolation between the spheres that the sweep passes.
     pub kind: Sweep,
     /// Pieces of the path, in the order of the hierarchy.
     pub pieces: Vec<Piece>,
@@ -50,7 +50,7 @@ pub struct SphereSweep {
     bvh: Bvh,
     #[serde(skip)]
     bounds: Aabb,
-    /// POV-Ray's bounding box.
+    /// Bounding box that POV-Ray computes for the whole sweep.
     #[serde(skip)]
     pov_bounds: Aabb,
 }

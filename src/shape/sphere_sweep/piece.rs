@@ -98,7 +98,7 @@ impl Piece {
         Self { centers: b.map(|ball| ball.0), radii: b.map(|ball| ball.1), degree: 3 }
     }
 
-    /// Bounding box.
+    /// Bounding box of the piece.
     pub fn bounds(&self) -> Aabb {
         let ball = |k: usize| {
             let reach = DVec3::splat(self.radii[k].abs());
@@ -215,7 +215,7 @@ impl Piece {
 pub struct Line {
     /// Point at s = 0.
     pub o: DVec3,
-    /// Direction.
+    /// Direction of the line.
     pub v: DVec3,
 }
 

@@ -37,7 +37,7 @@ fn blend_many(b: &[f64], t: f64) -> f64 {
     b[0]
 }
 
-/// Derivative by t.
+/// Derivative, by t, of the polynomial with the Bernstein coefficients `b`.
 pub fn blend_slope(b: &[f64], t: f64) -> f64 {
     let rises: smallvec::SmallVec<[f64; 8]> = b.windows(2).map(|w| w[1] - w[0]).collect();
     rises.len() as f64 * blend(&rises, t)

@@ -8,11 +8,11 @@ use crate::value::words::word;
 use crate::value::{Reader, ReaderExt, Value, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// Interpolation between points.
+/// Interpolation of an outline between its points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Interpolation {
-    /// Straight lines.
+    /// Straight lines between the points.
     #[default]
     Linear,
     /// The parabola through two points and the one before them.

@@ -18,9 +18,9 @@ use declared::Declared;
 /// The label at the place where a `;` is missing.
 pub const MISSING_SEMICOLON: &str = "`;` goes here";
 
-/// Reports text that is not portable in the first file, which is the scene's own; the others are its includes.
-pub(super) fn portable(sources: &Sources, names: &Names, files: &[FileId]) -> Vec<Diagnostic> {
-    let texts: Vec<Text> = files.iter().map(|&file| Text::of(sources, names, file)).collect();
+/// Reports text of the first file that POV-Ray 3.7 rejects; the other files are its includes.
+pub(super) fn lint_portability(sources: &Sources, names: &Names, scene_and_includes: &[FileId]) -> Vec<Diagnostic> {
+    let texts: Vec<Text> = scene_and_includes.iter().map(|&file| Text::of(sources, names, file)).collect();
     let Some(own) = texts.first() else { return vec![] };
     let declared = Declared::of(&texts);
     let mut walk = Walk { text: own, declared: &declared, open: vec![], macros: vec![], out: vec![] };
@@ -128,7 +128,7 @@ impl<'a> Walk<'a> {
         self.open.last().filter(|open| open.class == class::BRACE).map(|open| open.word)
     }
 
-    fn tell(&mut self, at: usize, message: String, help: impl Into<String>) {
+    fn report(&mut self, at: usize, message: String, help: impl Into<String>) {
         self.out.push(Diagnostic::new(codes::NOT_PORTABLE, self.text.span(at), message).help(help));
     }
 }
@@ -146,10 +146,10 @@ fn is_directive(class: u8) -> bool {
 mod tests {
     use super::*;
 
-    fn told(text: &str) -> Vec<String> {
+    fn reported(text: &str) -> Vec<String> {
         let (sources, names) = (Sources::default(), Names::default());
         let file = sources.add("a", None, text.into()).unwrap();
-        portable(&sources, &names, &[file]).iter().map(|d| sources.snippet(d.span()).to_string()).collect()
+        lint_portability(&sources, &names, &[file]).iter().map(|d| sources.snippet(d.span()).to_string()).collect()
     }
 
     // POV-Ray 3.7 rejects each of these.
@@ -172,7 +172,7 @@ mod tests {
             "sphere { 0, 1 texture { pigment { rgb 1 } , } }",
             "sphere { 0, 1 normal { bumps 0.5, scale 2 } }",
         ] {
-            assert_eq!(told(text), [","], "{text}");
+            assert_eq!(reported(text), [","], "{text}");
         }
         for text in [
             "sphere { <0, 0, 0,>, 1 }",
@@ -188,13 +188,13 @@ mod tests {
             "sphere { 0, 1 pigment { Checks(), scale 2 } }",
             "sphere { 0, 1 texture { checker texture { A }, texture { B }, scale 2 } }",
         ] {
-            assert_eq!(told(text), [""; 0], "{text}");
+            assert_eq!(reported(text), [""; 0], "{text}");
         }
     }
 
     #[test]
     fn semicolons() {
-        assert_eq!(told("sphere { 0, 1 };"), [";"]);
+        assert_eq!(reported("sphere { 0, 1 };"), [";"]);
         for text in [
             "sphere { 0, 1 } #if (0) #end;",
             "#if (1) #declare A = 1; #end; sphere { 0, A }",
@@ -203,7 +203,7 @@ mod tests {
             "#macro M() sphere { 0, 1 } #end M();",
             "#macro M() #local A = 1; sphere { 0, A } #end M();",
         ] {
-            assert_eq!(told(text), [";"], "{text}");
+            assert_eq!(reported(text), [";"], "{text}");
         }
         for text in [
             "#declare A = #if (1) 1 #else 2 #end;",
@@ -212,18 +212,18 @@ mod tests {
             "#macro M() sphere { 0, 1 } #end #declare A = M();",
             "#macro M() function { x } #end #declare A = M();",
         ] {
-            assert_eq!(told(text), [""; 0], "{text}");
+            assert_eq!(reported(text), [""; 0], "{text}");
         }
-        assert_eq!(told("sphere { 0, 1 scale 2; }"), [";"]);
-        assert_eq!(told("#include \"colors.inc\"; #declare A = \"a\";"), [";"]);
-        assert_eq!(told("#macro M() #debug \"a\"; #if (1) #end #debug \"b\"; #end #debug \"c\";"), [";"]);
-        assert_eq!(told("sphere { 0, 1 #local R = 2; scale R }"), [""; 0]);
-        assert_eq!(told("#declare S = sphere { 0, 1 };"), [""; 0]);
+        assert_eq!(reported("sphere { 0, 1 scale 2; }"), [";"]);
+        assert_eq!(reported("#include \"colors.inc\"; #declare A = \"a\";"), [";"]);
+        assert_eq!(reported("#macro M() #debug \"a\"; #if (1) #end #debug \"b\"; #end #debug \"c\";"), [";"]);
+        assert_eq!(reported("sphere { 0, 1 #local R = 2; scale R }"), [""; 0]);
+        assert_eq!(reported("#declare S = sphere { 0, 1 };"), [""; 0]);
         for text in ["#if (1) #declare A = 1 #end", "#if (0) #declare A = 1 #else #declare B = 2; #end"] {
-            assert_eq!(told(text), ["A"], "{text}");
+            assert_eq!(reported(text), ["A"], "{text}");
         }
         for text in ["#declare A = 1 sphere { 0, A }", "#declare A = 1", "#declare A = <1, 2, 3>*2 box { 0, A }"] {
-            assert_eq!(told(text), ["A"], "{text}");
+            assert_eq!(reported(text), ["A"], "{text}");
         }
         for text in [
             "#declare A = 1;",
@@ -236,32 +236,32 @@ mod tests {
             "#declare A[0][1] = -x.y;",
             "#declare A = (1 = 2 ? 3 : 4);",
         ] {
-            assert_eq!(told(text), [""; 0], "{text}");
+            assert_eq!(reported(text), [""; 0], "{text}");
         }
     }
 
     #[test]
     fn colors_and_textures() {
-        assert_eq!(told("sphere { 0, 1 pigment { <1, 0, 0> } }"), ["<"]);
-        assert_eq!(told("sphere { 0, 1 pigment { 0.5 } }"), ["0.5"]);
-        assert_eq!(told("#declare C = <1, 0, 0>; #declare M = color_map { [0 C] [1 rgb 0] }"), ["C"]);
-        assert_eq!(told("#declare C = <1, 0, 0>; sphere { 0, 1 pigment { C } }"), ["C"]);
-        assert_eq!(told("#declare C = rgb <1, 0, 0>; sphere { 0, 1 pigment { C } }"), [""; 0]);
-        assert_eq!(told("sphere { 0, 1 pigment { checker <1, 0, 0>, <0, 1, 0> } }"), [""; 0]);
-        assert_eq!(told("#declare T = texture { pigment { rgb 1 } } sphere { 0, 1 T }"), ["T"]);
-        assert_eq!(told("#declare T = texture { pigment { rgb 1 } } sphere { 0, 1 texture { T } }"), [""; 0]);
-        assert_eq!(told("#declare T = transform { scale 2 } sphere { 0, 1 transform T }"), [""; 0]);
-        assert_eq!(told("#declare T = texture { } #declare T = 2; sphere { 0, T }"), [""; 0]);
+        assert_eq!(reported("sphere { 0, 1 pigment { <1, 0, 0> } }"), ["<"]);
+        assert_eq!(reported("sphere { 0, 1 pigment { 0.5 } }"), ["0.5"]);
+        assert_eq!(reported("#declare C = <1, 0, 0>; #declare M = color_map { [0 C] [1 rgb 0] }"), ["C"]);
+        assert_eq!(reported("#declare C = <1, 0, 0>; sphere { 0, 1 pigment { C } }"), ["C"]);
+        assert_eq!(reported("#declare C = rgb <1, 0, 0>; sphere { 0, 1 pigment { C } }"), [""; 0]);
+        assert_eq!(reported("sphere { 0, 1 pigment { checker <1, 0, 0>, <0, 1, 0> } }"), [""; 0]);
+        assert_eq!(reported("#declare T = texture { pigment { rgb 1 } } sphere { 0, 1 T }"), ["T"]);
+        assert_eq!(reported("#declare T = texture { pigment { rgb 1 } } sphere { 0, 1 texture { T } }"), [""; 0]);
+        assert_eq!(reported("#declare T = transform { scale 2 } sphere { 0, 1 transform T }"), [""; 0]);
+        assert_eq!(reported("#declare T = texture { } #declare T = 2; sphere { 0, T }"), [""; 0]);
     }
 
     #[test]
     fn additions() {
-        assert_eq!(told("camera { eye <0, 0, 5> center 0 }"), ["eye"]);
-        assert_eq!(told("plane { implicit <1, 2, 3, 4> }"), ["implicit"]);
-        assert_eq!(told("#declare point = y; plane { point, 0 }"), [""; 0]);
-        assert_eq!(told("#declare A = array[2, 3];"), [","]);
-        assert_eq!(told("#declare A = array[2][3];"), [""; 0]);
-        assert_eq!(told("#declare A = array { 1, 2 };"), ["array"]);
-        assert_eq!(told("#declare (A, B) = (1, 2);"), ["("]);
+        assert_eq!(reported("camera { eye <0, 0, 5> center 0 }"), ["eye"]);
+        assert_eq!(reported("plane { implicit <1, 2, 3, 4> }"), ["implicit"]);
+        assert_eq!(reported("#declare point = y; plane { point, 0 }"), [""; 0]);
+        assert_eq!(reported("#declare A = array[2, 3];"), [","]);
+        assert_eq!(reported("#declare A = array[2][3];"), [""; 0]);
+        assert_eq!(reported("#declare A = array { 1, 2 };"), ["array"]);
+        assert_eq!(reported("#declare (A, B) = (1, 2);"), ["("]);
     }
 }

@@ -63,7 +63,7 @@ impl Walk<'_> {
         let Some(open) = self.open.last().copied() else {
             // Between statements; the context of a macro's body is unknown.
             if self.text.before(at) == class::BRACE_END && self.is_statement(at) {
-                self.tell(at, "POV-Ray accepts no comma between objects".into(), "leave it out");
+                self.report(at, "POV-Ray accepts no comma between objects".into(), "leave it out");
             }
             return;
         };
@@ -71,7 +71,7 @@ impl Walk<'_> {
             // `array[2, 3]`, `A[1, 2]`; a map's entry is in brackets too.
             if open.at > 0 && (self.text.word(open.at - 1) == "array" || self.text.class(open.at - 1) == class::NAME) {
                 let message = "POV-Ray needs each index in brackets of its own";
-                self.tell(at, message.into(), "write `[2][3]` for `[2, 3]`");
+                self.report(at, message.into(), "write `[2][3]` for `[2, 3]`");
             }
             return;
         }
@@ -93,7 +93,7 @@ impl Walk<'_> {
             // A macro that is called before it may contain a list.
             let listed = self.text.before(at) == class::PAREN_END || self.has_list(at);
             if (begins || next == class::BRACE_END) && !listed {
-                self.tell(at, format!("in `{block} {{ … }}`, POV-Ray accepts no comma here"), "leave it out");
+                self.report(at, format!("in `{block} {{ … }}`, POV-Ray accepts no comma here"), "leave it out");
             }
             return;
         }
@@ -105,7 +105,7 @@ impl Walk<'_> {
             ("here", STRICT.contains(&block) && modifies)
         };
         if wrong {
-            self.tell(at, format!("in `{block} {{ … }}`, POV-Ray accepts no comma {what}"), "leave it out");
+            self.report(at, format!("in `{block} {{ … }}`, POV-Ray accepts no comma {what}"), "leave it out");
         }
     }
 
@@ -119,15 +119,15 @@ impl Walk<'_> {
         match self.open.last() {
             // `#end;`
             None if self.text.before(at) == class::END && self.begins_statement(at - 1) => {
-                self.tell(at, "POV-Ray accepts no `;` after `#end`".into(), "leave it out");
+                self.report(at, "POV-Ray accepts no `;` after `#end`".into(), "leave it out");
             }
             // `M();`, where M's last word is none that a `;` may follow
             None if self.text.before(at) == class::PAREN_END && self.macros.is_empty() && self.calls_objects(at) => {
                 let message = "POV-Ray accepts no `;` after this macro, which ends with a block";
-                self.tell(at, message.into(), "leave it out");
+                self.report(at, message.into(), "leave it out");
             }
             None if self.text.before(at) == class::BRACE_END && self.is_statement(at) => {
-                self.tell(at, "POV-Ray accepts no `;` after an object".into(), "leave it out");
+                self.report(at, "POV-Ray accepts no `;` after an object".into(), "leave it out");
             }
             // `#include "a.inc";`
             None if self.text.before(at) == class::STRING && self.macros.is_empty() && at > 1 => {
@@ -136,12 +136,12 @@ impl Walk<'_> {
                     directive.trim_start_matches('#'),
                     "include" | "debug" | "warning" | "render" | "statistics"
                 ) {
-                    self.tell(at, format!("POV-Ray accepts no `;` after `{directive}`"), "leave it out");
+                    self.report(at, format!("POV-Ray accepts no `;` after `{directive}`"), "leave it out");
                 }
             }
             Some(open) if open.class == class::BRACE && !open.directed && STRICT.contains(&open.word) => {
                 let message = format!("in `{} {{ … }}`, POV-Ray accepts no `;`", open.word);
-                self.tell(at, message, "leave it out");
+                self.report(at, message, "leave it out");
             }
             _ => {}
         }
@@ -193,7 +193,7 @@ impl Walk<'_> {
         let is_vector = self.text.class(at) == class::VECTOR;
         if self.begins_pigment(at) || is_vector && self.is_map_entry(at) {
             let what = if is_vector { "vector" } else { "number" };
-            self.tell(at, format!("POV-Ray accepts no {what} for a colour here"), "write `rgb` before it");
+            self.report(at, format!("POV-Ray accepts no {what} for a colour here"), "write `rgb` before it");
         }
     }
 
@@ -215,14 +215,14 @@ impl Walk<'_> {
     /// Checks for an array without a size, `array { 1, 2 }`.
     fn array_without_size(&mut self, at: usize) {
         if self.text.class(at + 1) == class::BRACE {
-            self.tell(at, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");
+            self.report(at, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");
         }
     }
 
     fn declaration(&mut self, at: usize) {
         if self.text.class(at + 1) == class::PAREN {
             let message = "POV-Ray 3.7 declares one name at a time";
-            return self.tell(at + 1, message.into(), "write a `#declare` for each name");
+            return self.report(at + 1, message.into(), "write a `#declare` for each name");
         }
         if self.declared.is_old || self.text.class(at + 1) != class::NAME {
             return;
@@ -242,7 +242,7 @@ impl Walk<'_> {
         {
             let name = self.text.word(at + 1);
             let message = format!("POV-Ray needs a `;` after the value of `{name}`");
-            self.tell(at + 1, message, format!("`#declare {name} = …;`"));
+            self.report(at + 1, message, format!("`#declare {name} = …;`"));
             let behind = self.text.span(end - 1).end();
             let label = Label { span: behind, text: super::MISSING_SEMICOLON.into() };
             self.out.last_mut().into_iter().for_each(|told| told.labels.push(label.clone()));
@@ -265,11 +265,11 @@ impl Walk<'_> {
         match kind {
             Some(Kind::Block(of)) if is_object(block) && self.text.word(at.saturating_sub(1)) != "transform" => {
                 let message = format!("POV-Ray takes the name of a `{of}` only inside of `{of} {{ … }}`");
-                self.tell(at, message, format!("write `{of} {{ {name} }}`"));
+                self.report(at, message, format!("write `{of} {{ {name} }}`"));
             }
             Some(Kind::Vector) if is_color => {
                 let message = format!("`{name}` is a vector, and POV-Ray accepts no vector for a colour here");
-                self.tell(at, message, format!("write `rgb {name}`"));
+                self.report(at, message, format!("write `rgb {name}`"));
             }
             _ => self.addition(at),
         }
@@ -288,7 +288,7 @@ impl Walk<'_> {
                 "mesh" => "triangles that are written out are what both know",
                 _ => "`plane { <A, B, C>, distance }` is what both know",
             };
-            self.tell(at, format!("`{name}` of `{block}` is a word of durer's own"), help);
+            self.report(at, format!("`{name}` of `{block}` is a word of durer's own"), help);
         }
     }
 
@@ -296,7 +296,7 @@ impl Walk<'_> {
     fn font(&mut self, at: usize) {
         if self.text.word(at).contains(' ') && !self.text.word(at).contains('.') {
             let help = "`ttf \"file.ttf\"` is what both know";
-            self.tell(at, "only durer finds fonts by the names of their families".into(), help);
+            self.report(at, "only durer finds fonts by the names of their families".into(), help);
         }
     }
 }

@@ -344,9 +344,9 @@ impl Lowering {
     }
 
     fn add_object(&mut self, own: &Inherited, opaque: bool, interior: u32) -> u32 {
-        let Flags { no_shadow, no_image, no_reflection, .. } = own.flags;
-        let (shadow, image, reflection) = (!no_shadow, !no_image, !no_reflection);
-        self.add_info(ObjectInfo { shadow, image, through: image, reflection, opaque, interior })
+        let Flags { no_shadow, no_image, no_reflection, no_radiosity, .. } = own.flags;
+        let (shadow, image, reflection, radiosity) = (!no_shadow, !no_image, !no_reflection, !no_radiosity);
+        self.add_info(ObjectInfo { shadow, image, through: image, reflection, radiosity, opaque, interior })
     }
 
     fn add_info(&mut self, info: ObjectInfo) -> u32 {

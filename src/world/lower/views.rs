@@ -28,6 +28,7 @@ impl Lowering {
             image: false,
             through: false,
             reflection: false,
+            radiosity: false,
             interior: ObjectInfo::VIEW,
             ..rest
         };

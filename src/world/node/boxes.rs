@@ -66,14 +66,14 @@ impl SolidNode {
         if !clip.is_empty() || matches!(self.kind, SolidKind::Intersection(_)) {
             // Clip by the half-spaces that contain the solid.
             let mut planes = HalfSpaces::new();
-            each_around(&self.kind, &clip, &mut |leaf| {
+            for_each_enclosing_shape(&self.kind, &clip, &mut |leaf| {
                 halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, &mut planes);
             });
             if !planes.is_empty() {
                 let all = halfspace::cut(surface.union(solid), &planes);
                 (surface, solid) = (surface.intersection(all), solid.intersection(all));
             }
-            each_around(&self.kind, &clip, &mut |leaf| {
+            for_each_enclosing_shape(&self.kind, &clip, &mut |leaf| {
                 if let Some(quadratic) = leaf.quadratic() {
                     (surface, solid) = (quadratic.bounds_in(surface), quadratic.bounds_in(solid));
                 }
@@ -121,11 +121,13 @@ impl SolidNode {
 }
 
 /// Calls `visit` with shapes that contain all hits and inside points of a solid.
-fn each_around(kind: &SolidKind, clip: &[SolidNode], visit: &mut dyn FnMut(&Leaf)) {
-    clip.iter().for_each(|c| each_around(&c.kind, c.clip(), visit));
+fn for_each_enclosing_shape(kind: &SolidKind, clip: &[SolidNode], visit: &mut dyn FnMut(&Leaf)) {
+    clip.iter().for_each(|c| for_each_enclosing_shape(&c.kind, c.clip(), visit));
     match kind {
         SolidKind::Leaf(leaf) => visit(leaf),
-        SolidKind::Intersection(children) => children.iter().for_each(|c| each_around(&c.kind, c.clip(), visit)),
+        SolidKind::Intersection(children) => {
+            children.iter().for_each(|c| for_each_enclosing_shape(&c.kind, c.clip(), visit))
+        }
         SolidKind::Union(_) | SolidKind::Merge(_) => {}
     }
 }

@@ -2,7 +2,7 @@
 //! (manual, "Fisheye"). Where `right` or `up` has length 1, the disc touches the picture's edge (quirk:
 //! `fisheye_disc`).
 
-use super::lowered::LocalRay;
+use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 use std::f64::consts::PI;
 

@@ -1,7 +1,7 @@
 //! `orthographic`: parallel rays through a window at the camera's location, `right` wide and `up` high (manual,
 //! "Orthographic").
 
-use super::lowered::LocalRay;
+use super::LocalRay;
 use crate::math::{DVec2, DVec3};
 
 /// Returns the ray.

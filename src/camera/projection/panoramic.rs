@@ -1,7 +1,7 @@
 //! `panoramic`: 180° about the vertical axis, on a cylinder (manual, "Panoramic"). `angle` has no effect; the lengths
 //! of `right`, `up` and `direction` determine the scale (quirk: `panoramic_formula`).
 
-use super::lowered::LocalRay;
+use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,7 +1,7 @@
 //! `cylinder N`: projection onto a cylinder about the vertical (types 1 and 3) or horizontal axis (2 and 4); the eye is
 //! fixed (1 and 2) or moves along the axis (3 and 4; manual, "Cylindrical").
 
-use super::lowered::LocalRay;
+use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
 /// Returns the ray; `angle` is the angle of view about the axis. Bumps are evaluated at the angle and the length along

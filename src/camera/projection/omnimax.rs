@@ -1,8 +1,8 @@
 //! `omnimax`: 180° in a disc for cinemas with a dome; directions more than 45° below the axis are black (manual,
 //! "Omnimax", quirk: `omnimax_formula`).
 
+use super::LocalRay;
 use super::fisheye::on_disc;
-use super::lowered::LocalRay;
 use crate::math::{DVec2, DVec3};
 
 /// Coefficients of the angle to the axis by the distance from the centre of the disc, which is 1 at its edge; accurate

@@ -1,7 +1,7 @@
 //! `ultra_wide_angle`: a fisheye that fills the picture (manual, "Ultra wide angle", quirk:
 //! `ultra_wide_angle_formula`).
 
-use super::lowered::LocalRay;
+use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
 /// Returns the ray; `angle` is the horizontal angle of view. Bumps are evaluated at the angles.

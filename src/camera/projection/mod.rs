@@ -1,0 +1,93 @@
+//! Projections: from a position in the picture to a ray in the camera's own axes. One file a formula.
+
+mod cylinder;
+mod fisheye;
+mod omnimax;
+mod orthographic;
+mod panoramic;
+mod spherical;
+mod ultra_wide_angle;
+
+use super::MeshRays;
+use crate::math::{DVec2, DVec3, Ray};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// Projection of a camera. Each formula has a file of its own.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Projection {
+    /// Rays from one point through a window.
+    Perspective,
+    /// The lecture's window at distance 1; a missing tangent follows from square pixels.
+    Lecture {
+        /// Tangent of half the horizontal angle of view.
+        tan_x: Option<f64>,
+        /// Tangent of half the vertical angle of view.
+        tan_y: Option<f64>,
+    },
+    /// Parallel rays.
+    Orthographic,
+    /// See `fisheye`; the angle of the whole disc.
+    Fisheye(f64),
+    /// See `ultra_wide_angle`; the horizontal angle.
+    UltraWideAngle(f64),
+    /// See `omnimax`.
+    Omnimax,
+    /// See `panoramic`.
+    Panoramic,
+    /// See `cylinder`; the type, 1 to 4, and the angle about the axis.
+    Cylinder(u8, f64),
+    /// See `spherical`; the horizontal and vertical angles.
+    Spherical(DVec2),
+    /// Rays from the faces of meshes.
+    Mesh(#[serde(skip)] Arc<MeshRays>),
+}
+
+impl Projection {
+    /// True if each ray has its own origin.
+    pub(super) fn moves_eye(&self) -> bool {
+        matches!(self, Projection::Orthographic | Projection::Cylinder(3 | 4, _))
+    }
+
+    /// Returns the unit ray through a position of the picture, from -½ to ½ to the right and up, and the position for bumps; `None`
+    /// where the projection has no ray, and for flat windows and faces. `axes` are the unit vectors right, up and ahead,
+    /// `lengths` are the width and height of the window and the length of the direction.
+    pub(super) fn ray(&self, at: DVec2, origin: DVec3, axes: [DVec3; 3], lengths: DVec3) -> Option<(Ray, DVec2)> {
+        let local = match self {
+            // These have a window or faces.
+            Projection::Perspective | Projection::Lecture { .. } | Projection::Mesh(_) => return None,
+            Projection::Orthographic => orthographic::ray(at, lengths),
+            Projection::Fisheye(angle) => fisheye::ray(at, lengths, *angle)?,
+            Projection::UltraWideAngle(angle) => ultra_wide_angle::ray(at, lengths, *angle),
+            Projection::Omnimax => omnimax::ray(at, lengths)?,
+            Projection::Panoramic => panoramic::ray(at, lengths),
+            Projection::Cylinder(kind, angle) => cylinder::ray(*kind, at, lengths, *angle),
+            Projection::Spherical(angles) => {
+                let (dir, place) = spherical::ray(at, *angles, axes);
+                return Some((Ray::new(origin, dir.try_normalize()?), place));
+            }
+        };
+        let [right, up, ahead] = axes;
+        let world = right * local.dir.x + up * local.dir.y + ahead * local.dir.z;
+        let eye = origin + right * local.origin.x + up * local.origin.y;
+        Some((Ray::new(eye, world.try_normalize()?), local.place))
+    }
+}
+
+/// A ray in the camera's own axes.
+struct LocalRay {
+    /// Origin along right and up.
+    origin: DVec2,
+    /// Direction along right, up and ahead, of any length.
+    dir: DVec3,
+    /// Position for bumps.
+    place: DVec2,
+}
+
+impl LocalRay {
+    /// A ray that starts at the eye.
+    fn from_eye(dir: DVec3, place: DVec2) -> Self {
+        Self { origin: DVec2::ZERO, dir, place }
+    }
+}
