@@ -99,7 +99,7 @@ impl<'s> Groups<'s> {
         }
     }
 
-    /// The groups in the order of the text.
+    /// Returns the groups of CSG objects in the order of the text.
     fn in_order(mut self) -> impl Iterator<Item = Vec<&'s Object>> {
         self.all.sort_by_key(|copies| copies.first().map_or(0, |first| first.source.lo));
         self.all.into_iter()

@@ -18,7 +18,7 @@ const WIDTH: usize = 100;
 #[derive(Clone, Debug)]
 pub struct Console {
     style: draw::Style,
-    /// Number of messages that were printed; clones share it.
+    /// Number of messages that the console has printed; its clones share the number.
     printed: Rc<Cell<Count>>,
     /// True while one of several scenes is processed, whose line gives the number of messages.
     among_several: bool,

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// Arguments of one scene, and what only an INI file or POV-Ray's options can add to them.
 #[derive(Clone, Debug)]
 pub struct Invocation {
-    /// The scene, or the INI file that names it.
+    /// Path of the scene, or of the INI file that names the scene.
     pub input: PathBuf,
     /// Options of the command line and of the INI file.
     pub args: RenderArgs,

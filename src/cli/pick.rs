@@ -35,10 +35,10 @@ struct PickedObject<'a> {
     point: [f64; 3],
     normal: [f64; 3],
     uv: [f64; 2],
-    /// Linear red, green and blue of the picture there.
+    /// Linear red, green and blue of the picture at the picked pixel.
     color: [f64; 3],
     source: Option<Position>,
-    /// Position of the outermost object that contains this one.
+    /// Position of the outermost object that contains the picked object.
     placed: Option<Position>,
     /// Macro calls and includes that created the object, innermost first.
     trace: Vec<Step>,

@@ -18,7 +18,7 @@ pub enum Word {
 }
 
 impl Word {
-    /// The result of a scene with this exit code.
+    /// Returns the word for the result of a scene with this exit code.
     pub fn of(exit: Exit) -> Self {
         if exit == Exit::Fine { Self::Ok } else { Self::Fail }
     }

@@ -26,7 +26,7 @@ pub mod flag {
     pub const GLUE: u16 = 1;
     /// Flag: the atom is on the same line as the atom before it.
     pub const JOIN: u16 = 1 << 1;
-    /// No blank follows it: a sign, an opening bracket.
+    /// Flag: no blank follows the atom, such as a sign or an opening bracket.
     pub const TIGHT: u16 = 1 << 2;
     /// Flag: the atom is an opening bracket.
     pub const OPEN: u16 = 1 << 3;

@@ -5,7 +5,7 @@ use super::atoms::{Arm, Atoms, Item, flag};
 use super::columns::{self, Trailing};
 use super::table;
 
-/// The text with its new line breaks.
+/// Returns the text with the formatter's new line breaks.
 pub fn set(text: &str, atoms: &Atoms, width: usize) -> String {
     let mut setter = Setter::new(text, atoms, width);
     setter.body(0, atoms.row.len(), 0, false);
@@ -50,7 +50,7 @@ struct Range {
 pub(super) struct Row {
     pub(super) from: usize,
     pub(super) to: usize,
-    /// True if no item in it has line breaks.
+    /// True if no item in the range has line breaks.
     pub(super) flat: bool,
 }
 

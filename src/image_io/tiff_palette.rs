@@ -11,7 +11,7 @@ const COLOR_MAP: u16 = 320;
 const BY_PALETTE: u16 = 3;
 const GRAY: u16 = 1;
 
-/// A file with its byte order.
+/// Bytes of a TIFF file with their byte order.
 struct File<'a> {
     bytes: &'a [u8],
     little: bool,

@@ -52,7 +52,7 @@ pub struct Options {
     pub sandbox: Sandbox,
     /// Names declared by `--declare NAME=VALUE`; [`crate::value::parse_value`] parses the values.
     pub declares: Vec<(String, String)>,
-    /// Language version until the text's own `#version` (`--language`).
+    /// Language version in force before the scene's own `#version` (`--language`).
     pub version: Option<f64>,
     /// Values of `clock`, `frame_number` and the other constants of an animation.
     pub timing: Timing,

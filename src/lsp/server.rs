@@ -306,7 +306,7 @@ impl<S: Client> Server<S> {
         self.open.get(uri.as_str())
     }
 
-    /// An open text and all files that it includes.
+    /// Returns an open text and all files that it includes.
     pub fn reachable(&mut self, uri: &Uri) -> Vec<ReachableText> {
         match self.open.get(uri.as_str()) {
             Some(document) => files::reachable(&mut self.files, &self.open, document, &self.include),

@@ -148,7 +148,7 @@ pub struct Message {
 /// A position in a scene's text that the page can open.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Link {
-    /// Name of the file as in messages.
+    /// Name of the link's source file as in messages.
     pub file: String,
     /// Line that the link opens in an editor, counted from 1.
     pub line: usize,

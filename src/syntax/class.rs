@@ -20,7 +20,7 @@ macro_rules! classes {
     ($($name:ident $class:literal $doc:literal,)*) => {
         $(#[doc = $doc] pub(super) const $name: u8 = $class;)*
 
-        /// Each class and its name in the grammar.
+        /// Each class of tokens and its name in the grammar.
         #[cfg(test)]
         const CLASSES: &[(u8, &str)] = &[$(($class, stringify!($name)),)*];
     };

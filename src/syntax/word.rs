@@ -42,7 +42,7 @@ pub fn entry(word: &str) -> Option<&'static Word> {
     lookup_number(word).map(|(number, _)| by_number(number))
 }
 
-/// The word's number, for [`by_number`], and its category.
+/// Returns the number of a reserved word, for [`by_number`], and its category.
 pub(super) fn lookup_number(word: &str) -> Option<(u32, Category)> {
     TABLE.numbers.get(word).map(|&number| (number, TABLE.words[number as usize].category))
 }
@@ -68,7 +68,7 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     Table { words, numbers }
 });
 
-/// durer's own words inside the block of this name.
+/// Returns the words that only durer has inside the block of this name.
 pub fn contextual(block: &str) -> &'static [&'static str] {
     CONTEXTUAL.iter().find(|(name, _)| *name == block).map_or(&[], |(_, words)| words)
 }

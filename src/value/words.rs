@@ -32,7 +32,7 @@ impl Vocabulary {
         self.ignored.contains(&word)
     }
 
-    /// True if the word is read with a warning.
+    /// True if the block reads the word with a warning.
     pub fn is_unsupported(&self, word: &str) -> bool {
         self.unsupported.contains(&word)
     }
@@ -57,7 +57,7 @@ pub type Setter<T> = fn(&mut T, &mut dyn Reader) -> Result<()>;
 /// A row of a table of words, with the function that reads its value.
 #[derive(Debug)]
 pub struct Row<T: 'static> {
-    /// Name, type and description of the word.
+    /// Name, type and description of a word in a block.
     pub spec: WordSpec,
     /// Function that reads the word's value into the block.
     pub set: Setter<T>,

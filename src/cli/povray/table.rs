@@ -42,7 +42,7 @@ pub enum Effect {
     Flag(&'static str),
     /// A part of an option that is assembled at the end; the function returns the fault of a value.
     Part(fn(&mut Settings, &str) -> Result<(), String>),
-    /// A warning: durer lacks the feature, for this reason.
+    /// Effect: a warning that durer lacks the feature, for this reason.
     Lacks(&'static str),
     /// A warning with `--warn options` only: durer lacks the feature, but the picture is right.
     Idle(&'static str),

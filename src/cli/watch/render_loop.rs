@@ -27,7 +27,7 @@ pub struct RenderLoop {
     args: WatchArgs,
     queue: Arc<RenderQueue>,
     screen: Arc<Screen>,
-    /// The scene on the screen and its options.
+    /// Scene that the preview page displays, and its rendering options.
     displayed: Mutex<Option<(Arc<Scene>, render::Options)>>,
 }
 

@@ -46,7 +46,7 @@ pub(super) struct Evaluator<'a> {
 }
 
 impl<'a> Evaluator<'a> {
-    /// An evaluator whose only names are those of `--declare`.
+    /// Creates an evaluator whose only names are those declared by the option `--declare`.
     pub(super) fn new(inputs: Inputs<'a>) -> Self {
         let mut scopes = Scopes::default();
         for (name, value) in &inputs.options.declares {
@@ -79,7 +79,7 @@ impl<'a> Evaluator<'a> {
         &mut self.assets
     }
 
-    /// The built-in constant of this name.
+    /// Returns the built-in constant of this name.
     pub(super) fn constant(&self, symbol: Symbol) -> Option<Value> {
         self.constants.get(symbol, &*self.inputs.options.host)
     }

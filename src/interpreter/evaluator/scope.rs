@@ -211,7 +211,7 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// The dictionary at a location, if there is one.
+    /// Returns the dictionary at an assignable location, if there is one.
     pub fn dictionary(&self, lvalue: &LValue) -> Option<&Array<'a>> {
         match self.at(lvalue)? {
             Slot::Array(array) if array.keys.is_some() => Some(array),

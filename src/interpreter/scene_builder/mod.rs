@@ -153,7 +153,7 @@ impl SceneBuilder {
         settings.gamma.get_or_insert(compat::gamma_without_setting(version));
     }
 
-    /// The scene, and the call traces of its objects.
+    /// Returns the finished scene, and the call traces of its objects.
     pub(super) fn into_scene(self) -> (Scene, Vec<Vec<Label>>) {
         (self.scene, self.origins)
     }

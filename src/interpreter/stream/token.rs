@@ -45,7 +45,7 @@ impl Token<'_> {
         matches!(self, Token::End | Token::Sign(Sign::Close(_)))
     }
 
-    /// True for the closing bracket of this kind.
+    /// True if the token is the closing bracket of this kind.
     pub fn closes(self, bracket: Bracket) -> bool {
         matches!(self, Token::Sign(Sign::Close(found)) if found == bracket)
     }

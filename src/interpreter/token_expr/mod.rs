@@ -41,7 +41,7 @@ pub(super) trait Operands<'a> {
     }
 }
 
-/// Precedence below that of all operators.
+/// Operator precedence below that of all operators.
 const LOOSEST: u8 = 0;
 
 impl<'a> Interpreter<'a> {

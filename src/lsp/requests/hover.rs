@@ -44,7 +44,7 @@ fn explained(word: &str, block: &str) -> Option<String> {
     (!lines.is_empty()).then(|| format!("**{word}**\n\n- {}{picture}", lines.join("\n- ")))
 }
 
-/// The last declaration of a name and its position.
+/// Returns the last declaration of a name and its position.
 fn declared(related: &[ReachableText], name: &str, scope: Option<usize>, own: Option<usize>) -> Option<String> {
     let all = related.iter().enumerate().flat_map(|(i, one)| one.scan.declarations.iter().map(move |d| (i, one, d)));
     let fits = |(i, one, d): &(usize, &ReachableText, &crate::lsp::scan::Declaration)| {

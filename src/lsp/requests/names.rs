@@ -106,7 +106,7 @@ pub fn references<S: Client>(server: &mut Server<S>, params: &ReferenceParams) -
     Some(all.collect())
 }
 
-/// All occurrences of the name in its own text.
+/// Returns all occurrences in the document of the name at a position.
 pub fn highlights<S: Client>(
     server: &mut Server<S>,
     params: &DocumentHighlightParams,

@@ -271,7 +271,7 @@ fn range(pair: &Pair<Rule>) -> Range<usize> {
     span.start()..span.end()
 }
 
-/// The name, if the element is a name alone.
+/// Returns the name, if the syntax element is a name alone.
 pub(super) fn name_of(element: &Element) -> Option<Symbol> {
     match &element.kind {
         ElementKind::Expr(e) => match e.kind {

@@ -44,7 +44,7 @@ impl<'t> SourceLine<'t> {
         code_of(&self.text[self.line.clone()])
     }
 
-    /// Offset of [`Self::statement`] in the file.
+    /// Returns the offset of [`Self::statement`] in the source file.
     pub(super) fn statement_start(&self) -> usize {
         let line = &self.text[self.line.clone()];
         self.line.start + line.len() - line.trim_start().len()
