@@ -12,7 +12,7 @@ use crate::world::World;
 /// picture of 4 by 3.
 const UNEVEN: f64 = 0.02;
 
-/// Warnings that need no picture.
+/// Warns about a scene with several cameras, before a picture is rendered.
 pub(super) fn of_scene(scene: &Scene) -> Option<Diagnostic> {
     several(&scene.cameras)
 }
@@ -42,7 +42,7 @@ pub(super) fn along_sky(scene: &Scene) -> Option<Diagnostic> {
     Some(Diagnostic::new(codes::ALONG_SKY, at, message).help(help))
 }
 
-/// A picture whose pixels are not square.
+/// Warns about a picture whose pixels are not square.
 pub(super) fn stretched(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let view = world.eye.view(options.width, options.height);
     // Projections without a window are distorted by their nature.

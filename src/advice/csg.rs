@@ -14,7 +14,7 @@ const MAX_SHAPES: u32 = 300;
 const MAX_COPIES: usize = 8;
 /// Largest number of positions of the text that are examined.
 const MAX_POSITIONS: usize = 400;
-/// Largest number of warnings.
+/// Largest number of warnings about CSG objects.
 const MAX_WARNINGS: usize = 5;
 /// Rays across a side of an object's box in the first test.
 const FEW: usize = 6;
@@ -99,7 +99,7 @@ impl<'s> Groups<'s> {
         }
     }
 
-    /// The groups in the order of the text.
+    /// Returns the groups of CSG objects in the order of the text.
     fn in_order(mut self) -> impl Iterator<Item = Vec<&'s Object>> {
         self.all.sort_by_key(|copies| copies.first().map_or(0, |first| first.source.lo));
         self.all.into_iter()

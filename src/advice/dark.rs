@@ -7,7 +7,7 @@ use crate::render;
 use crate::source::Span;
 use crate::world::{LayerColor, World};
 
-/// Explains a black picture.
+/// Explains a rendered picture that is black.
 pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
     if world.geometry.is_empty() {
         return None;

@@ -18,7 +18,7 @@ use crate::value::decimal;
 use crate::world::{Intersection, PlacedSolid, World};
 use std::path::Path;
 
-/// Warnings about a Scene.
+/// Returns warnings about a scene before it is rendered.
 pub fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     camera::of_scene(scene).into_iter().chain(csg::of_scene(scene, sources)).collect()
 }
@@ -51,11 +51,11 @@ pub struct Circumstances {
     pub one_of_many: bool,
     /// True if unsupported parts of the scene were omitted, so that the intended picture is not known.
     pub incomplete: bool,
-    /// True if all pixels are black.
+    /// True if all pixels of the rendered picture are black.
     pub black: bool,
 }
 
-/// Warnings about a rendered picture.
+/// Returns warnings about a rendered picture.
 pub fn of_picture(world: &World, options: &render::Options, circumstances: Circumstances) -> Vec<Diagnostic> {
     let mut out = vec![];
     if options.width.min(options.height) < TINY {

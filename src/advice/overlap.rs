@@ -16,7 +16,7 @@ const MAX_RAYS: usize = 1500;
 const PIXELS_PER_RAY: usize = 30;
 /// Number of points at which two surfaces must coincide: at common edges they always do.
 const MIN_POINTS: u32 = 3;
-/// Largest number of warnings.
+/// Largest number of warnings about overlapping surfaces.
 const MAX_WARNINGS: usize = 3;
 /// Distance along a ray below which surfaces coincide, relative to the length of the ray.
 const TOLERANCE: f64 = 1e-9;
@@ -24,7 +24,7 @@ const TOLERANCE: f64 = 1e-9;
 /// Kind of a coincidence of two surfaces.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Coincidence {
-    /// The surfaces have different materials.
+    /// Coincident surfaces with different materials.
     Materials,
     /// A subtracted object ends in the surface: a skin without thickness remains.
     Skin,

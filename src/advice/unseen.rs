@@ -123,9 +123,9 @@ fn nothing_seen(world: &World, options: &render::Options) -> Diagnostic {
 enum Visibility {
     Behind,
     Beside(&'static str),
-    /// Inside of the picture, with this size in pixels.
+    /// Position inside of the picture, with this size of the object in pixels.
     Small(f64),
-    /// Inside of the picture, but missed by all rays.
+    /// Position inside of the picture, but missed by all rays.
     Missed,
 }
 

@@ -6,24 +6,24 @@ use crate::interpreter::Timing;
 /// Frames `first` to `last`, of which `start` to `end` are rendered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Animation {
-    /// `Initial_Frame`.
+    /// Number of the animation's first frame, POV-Ray's `Initial_Frame`.
     pub first: u32,
-    /// `Final_Frame`; a cyclic animation has one frame more, which `final_frame` includes.
+    /// Number of the last frame, `Final_Frame`; a cyclic animation has one frame more, which `final_frame` includes.
     pub last: u32,
-    /// `Initial_Clock` and `Final_Clock`.
+    /// Clock of the animation's first and last frames, `Initial_Clock` and `Final_Clock`.
     pub clock: Clock,
-    /// `Subset_Start_Frame`.
+    /// First frame to render of an animation, POV-Ray's `Subset_Start_Frame`.
     pub start: u32,
-    /// `Subset_End_Frame`, which may exceed `last`.
+    /// Last frame to render of an animation, POV-Ray's `Subset_End_Frame`, which may exceed `last`.
     pub end: u32,
-    /// `Frame_Step`.
+    /// Step between rendered frames of an animation, POV-Ray's `Frame_Step`.
     pub step: u32,
-    /// Number of digits in file names.
+    /// Number of digits of the frame number in file names.
     pub digits: usize,
 }
 
 impl Animation {
-    /// The animation of `--frames A-B:STEP`.
+    /// Creates the animation of the option `--frames A-B:STEP`.
     pub fn new(frames: Frames) -> Self {
         let Frames { first, last, step, digits } = frames;
         Self { first, last, clock: Clock { first: 0.0, last: 1.0 }, start: first, end: last, step, digits }
@@ -35,7 +35,7 @@ impl Animation {
         Self { start: first, end: last, step, digits: digits.max(self.digits), ..self.clone() }
     }
 
-    /// The numbers of the frames that are rendered.
+    /// Returns the numbers of the frames that are rendered.
     pub fn frames(&self) -> impl Iterator<Item = u32> + use<> {
         (self.start..=self.end.max(self.start)).step_by(self.step.max(1) as usize)
     }

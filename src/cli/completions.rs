@@ -6,7 +6,7 @@ use super::console::Console;
 use super::exit::{Exit, Result};
 use clap::CommandFactory;
 
-/// Prints the script.
+/// Prints the shell's completion script for the command `durer`.
 pub fn run(console: &Console, args: &CompletionsArgs) -> Result {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut Cli::command(), "durer", &mut script);

@@ -14,22 +14,22 @@ use std::rc::Rc;
 /// Width of messages without a terminal, in columns.
 const WIDTH: usize = 100;
 
-/// Output of a command.
+/// Output of a command to stdout and stderr.
 #[derive(Clone, Debug)]
 pub struct Console {
     style: draw::Style,
-    /// Number of messages that were printed; clones share it.
+    /// Number of messages that the console has printed; its clones share the number.
     printed: Rc<Cell<Count>>,
     /// True while one of several scenes is processed, whose line gives the number of messages.
     among_several: bool,
-    /// True if only errors are printed.
+    /// True if the command prints errors only.
     pub quiet: bool,
-    /// True if stderr is a terminal.
+    /// True if the command's stderr is a terminal.
     pub terminal: bool,
 }
 
 impl Console {
-    /// The output that `--color` and `--quiet` ask for.
+    /// Creates the output that `--color` and `--quiet` ask for.
     pub fn new(common: &Common) -> Self {
         let terminal = io::stderr().is_terminal();
         let plain = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty())
@@ -44,7 +44,7 @@ impl Console {
         Self { style, printed: Rc::default(), among_several: false, quiet: common.quiet, terminal }
     }
 
-    /// The output before the command line is parsed.
+    /// Creates the output that is used before the command line is parsed.
     pub fn plain() -> Self {
         Self::new(&Common { quiet: false, color: When::Auto })
     }
@@ -64,7 +64,7 @@ impl Console {
         self.printed.take()
     }
 
-    /// Writes data to stdout.
+    /// Writes a command's data to stdout.
     pub fn data(&self, bytes: impl AsRef<[u8]>) -> Result<()> {
         to_stdout(|out| out.write_all(bytes.as_ref()))
     }
@@ -99,7 +99,7 @@ impl Console {
         text
     }
 
-    /// Writes [`Console::text`] to stderr.
+    /// Writes diagnostics as rendered by [`Console::text`] to stderr.
     pub fn report(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
         print_message(&self.text(sources, diagnostics));
     }

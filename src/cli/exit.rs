@@ -2,22 +2,22 @@
 
 use crate::diagnostic::{Code, Fault, codes};
 
-/// The exit codes (`durer help` lists them).
+/// Exit codes of the program (`durer help` lists them).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exit {
-    /// Success.
+    /// Exit code for success.
     Fine = 0,
-    /// The scene has errors.
+    /// Exit code for errors in the scene.
     Scene = 1,
-    /// The command line has errors.
+    /// Exit code for errors in the command line.
     Usage = 2,
-    /// A snapshot differs.
+    /// Exit code for a picture that differs from its snapshot.
     Snapshot = 3,
-    /// A limit was reached.
+    /// Exit code for a reached limit.
     Limit = 4,
-    /// A file could not be read or written.
+    /// Exit code for a file that could not be read or written.
     File = 5,
-    /// Ctrl-C.
+    /// Exit code after Ctrl-C.
     Interrupted = 130,
 }
 
@@ -43,13 +43,13 @@ pub enum Failure {
     Fault(Fault),
     /// An error of the command line, which clap prints.
     Usage(Box<clap::Error>),
-    /// Everything is reported already.
+    /// Failure of a command whose messages are all printed already.
     Reported(Exit),
-    /// The reader of standard output is gone.
+    /// Failure of a command because the reader of standard output is gone.
     BrokenPipe,
 }
 
-/// Result of a command.
+/// Result of a command: its exit code or its failure.
 pub type Result<T = Exit> = std::result::Result<T, Failure>;
 
 impl From<Fault> for Failure {

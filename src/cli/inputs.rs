@@ -6,7 +6,7 @@ use crate::diagnostic::file;
 use crate::source::{Disk, scenes_below};
 use std::path::PathBuf;
 
-/// Scenes to render or check.
+/// Scenes that a command renders or checks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inputs {
     /// All scenes in the order of the command line, those of a folder sorted by name; none twice.

@@ -17,7 +17,7 @@ pub fn listen() {
     });
 }
 
-/// True after Ctrl-C.
+/// True after the user pressed Ctrl-C.
 pub fn is_requested() -> bool {
     REQUESTED.load(SeqCst)
 }
@@ -26,7 +26,7 @@ pub fn is_requested() -> bool {
 pub struct Deferred(());
 
 impl Deferred {
-    /// Starts deferring.
+    /// Starts to defer the effect of Ctrl-C.
     pub fn begin() -> Self {
         DEFERRED.store(true, SeqCst);
         Self(())

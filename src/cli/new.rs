@@ -9,7 +9,7 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::PathBuf;
 
-/// The new scene, which POV-Ray reads, too.
+/// Text of the new scene that `durer new` writes; POV-Ray reads it, too.
 pub const STARTER: &str = include_str!("starter.scene");
 
 /// Writes the scene; an existing file is not overwritten.

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// Arguments of one scene, and what only an INI file or POV-Ray's options can add to them.
 #[derive(Clone, Debug)]
 pub struct Invocation {
-    /// The scene, or the INI file that names it.
+    /// Path of the scene, or of the INI file that names the scene.
     pub input: PathBuf,
     /// Options of the command line and of the INI file.
     pub args: RenderArgs,
@@ -25,11 +25,11 @@ pub struct Invocation {
     pub exact_name: bool,
 }
 
-/// An INI file as arguments.
+/// Settings of an INI file, converted to command-line arguments.
 pub struct IniFile {
     invocation: Invocation,
     quiet: bool,
-    /// Warnings about the file.
+    /// Warnings about the INI file.
     pub warnings: Vec<Diagnostic>,
 }
 
@@ -87,7 +87,7 @@ impl Invocation {
         Ok((console, self.over(ini)))
     }
 
-    /// Merges with an INI file.
+    /// Merges the command line with an INI file's settings.
     pub fn over(self, ini: IniFile) -> Self {
         let Invocation { input, args, animation, .. } = ini.invocation;
         let animation = animation.or(self.animation);
@@ -108,7 +108,7 @@ pub fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Fa
 }
 
 impl RenderArgs {
-    /// These arguments, and the INI file's where these are absent.
+    /// Merges these arguments with the INI file's, which apply where these are absent.
     fn over(self, ini: RenderArgs) -> RenderArgs {
         RenderArgs {
             inputs: ini.inputs,

@@ -19,7 +19,7 @@ use crate::world::World;
 use crate::{Built, Keep};
 use serde::Serialize;
 
-/// Output of `--json`.
+/// Output of `durer pick --json`.
 #[derive(Serialize)]
 struct Output<'a> {
     hit: bool,
@@ -30,15 +30,15 @@ struct Output<'a> {
 #[derive(Serialize)]
 struct PickedObject<'a> {
     shape: &'a str,
-    /// Distance from the camera in world units.
+    /// Distance of the hit from the camera, in world units.
     t: f64,
     point: [f64; 3],
     normal: [f64; 3],
     uv: [f64; 2],
-    /// Linear red, green and blue of the picture there.
+    /// Linear red, green and blue of the picture at the picked pixel.
     color: [f64; 3],
     source: Option<Position>,
-    /// Position of the outermost object that contains this one.
+    /// Position of the outermost object that contains the picked object.
     placed: Option<Position>,
     /// Macro calls and includes that created the object, innermost first.
     trace: Vec<Step>,
@@ -100,7 +100,7 @@ pub(super) fn words(sources: &Sources, picked: Option<&Picked>, color: [f64; 3])
     PixelReport { sources, built: None, color }.in_words(picked, None)
 }
 
-/// The colour of one pixel without anti-aliasing.
+/// Returns the colour of one pixel without anti-aliasing.
 fn color_of(world: &World, drawing: &render::Options, x: usize, y: usize) -> [f64; 3] {
     let region = Some(Region { x, y, width: 1, height: 1 });
     let rendered = render::render(world, &render::Options { region, ..drawing.clone() }, &Unwatched);
@@ -124,7 +124,7 @@ fn origin_of(built: &Built, drawing: &render::Options, (x, y): (usize, usize), p
     Some(range.start).filter(|at| *at < built.origins.len())
 }
 
-/// The scene without its objects.
+/// Returns the scene's settings without its objects.
 fn frame_of(scene: &Scene) -> Scene {
     Scene { camera: scene.camera.clone(), settings: scene.settings.clone(), version: scene.version, ..Scene::default() }
 }
@@ -136,7 +136,7 @@ fn outside(args: &PickArgs, size: Size) -> crate::diagnostic::Result<Exit> {
     Diagnostic::new(codes::OUTSIDE_PICTURE, Span::NONE, text).help(help).into()
 }
 
-/// Description of one pixel.
+/// Description of one pixel in the output of `durer pick`.
 struct PixelReport<'a> {
     sources: &'a Sources,
     /// The Scene with the origins of its objects.

@@ -20,7 +20,7 @@ use serde_json::Value;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Output of `--json`.
+/// Output of `durer query --json`: the contents of a scene.
 #[derive(Serialize, Default)]
 struct Contents {
     cameras: Vec<CameraRow>,
@@ -32,9 +32,9 @@ struct Contents {
 #[derive(Serialize)]
 struct CameraRow {
     source: Option<Position>,
-    /// True for the camera of the picture.
+    /// True for the camera that renders the picture.
     used: bool,
-    /// This and the following fields are null for all other cameras.
+    /// Projection of the rendering camera; this and the following fields are null for all other cameras.
     projection: Option<String>,
     location: Option<[f64; 3]>,
     direction: Option<[f64; 3]>,
@@ -58,7 +58,7 @@ struct ObjectRow {
     #[serde(rename = "box")]
     pov_bounds: Option<[[f64; 3]; 2]>,
     infinite: bool,
-    /// Index in `textures`.
+    /// Index of the object's texture in the list `textures`.
     texture: usize,
 }
 
@@ -66,9 +66,9 @@ struct ObjectRow {
 struct TextureRow {
     pigment: String,
     layers: usize,
-    /// Number of outermost objects with this texture.
+    /// Number of outermost objects that have this texture.
     objects: usize,
-    /// Position of the first of them.
+    /// Position of the first object that has this texture.
     first: Option<Position>,
 }
 
@@ -124,7 +124,7 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
     out
 }
 
-/// All cameras; the last one renders the picture.
+/// Returns all cameras of the scene; the last one renders the picture.
 fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
     let spans = if scene.cameras.is_empty() { &[Span::NONE][..] } else { &scene.cameras };
     let row = |(i, span): (usize, &Span)| {

@@ -107,9 +107,9 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
     }
 }
 
-/// Default of `--aa`.
+/// Default of the option `--aa`, the threshold of anti-aliasing.
 pub const DEFAULT_THRESHOLD: f64 = 0.3;
-/// Default of `--quality`.
+/// Default of the option `--quality`.
 const DEFAULT_QUALITY: u8 = 9;
 
 /// The options of World → picture, for the whole picture.
@@ -159,7 +159,7 @@ pub fn build(
     })
 }
 
-/// The exit code of a run.
+/// Returns the exit code of a run of the interpreter.
 pub fn verdict(limit_reached: bool, diagnostics: &[Diagnostic]) -> Exit {
     if limit_reached {
         Exit::Limit

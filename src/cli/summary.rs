@@ -6,24 +6,24 @@ use crate::diagnostic::{Diagnostic, Severity};
 use std::fmt::{self, Display};
 use std::path::{Path, PathBuf};
 
-/// Result of one scene.
+/// Word for the result of one scene in a command's summary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Word {
-    /// Success.
+    /// Word for a scene that passed.
     Ok,
-    /// The scene has errors, or its picture differs.
+    /// Word for a scene that has errors, or a picture that differs from its snapshot.
     Fail,
-    /// The scene has no snapshot.
+    /// Word for a scene that has no snapshot.
     New,
 }
 
 impl Word {
-    /// The result of a scene with this exit code.
+    /// Returns the word for the result of a scene with this exit code.
     pub fn of(exit: Exit) -> Self {
         if exit == Exit::Fine { Self::Ok } else { Self::Fail }
     }
 
-    /// The word that is printed.
+    /// Returns the word that a command prints for a scene's result.
     pub fn text(self) -> &'static str {
         match self {
             Self::Ok => "ok",
@@ -36,14 +36,14 @@ impl Word {
 /// Number of messages, displayed as `2 errors, 1 warning`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Count {
-    /// Messages of [`Severity::Error`].
+    /// Number of messages of [`Severity::Error`].
     pub errors: usize,
-    /// Messages of [`Severity::Warning`].
+    /// Number of messages of [`Severity::Warning`].
     pub warnings: usize,
 }
 
 impl Count {
-    /// Counts messages.
+    /// Counts the errors and warnings among a scene's messages.
     pub fn of<'a>(diagnostics: impl IntoIterator<Item = &'a Diagnostic>) -> Self {
         diagnostics.into_iter().fold(Self::default(), |mut count, d| {
             match d.severity {

@@ -32,28 +32,28 @@ struct Header {
 /// Options of all scenes of a test.
 #[derive(Clone, Debug, Default)]
 pub struct Setting {
-    /// Folders of `-I`.
+    /// Folders of the test's include path, from the option `-I`.
     pub include: Vec<PathBuf>,
     /// Number of threads; 0 for one for each processor.
     pub threads: usize,
 }
 
-/// Result of one scene.
+/// Result of testing one scene against its snapshot.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// The exit code of this scene alone.
+    /// Exit code of the test of this scene alone.
     pub exit: Exit,
-    /// Difference of the pictures; `None` unless both exist.
+    /// Difference of the scene's picture from its snapshot; `None` unless both exist.
     pub comparison: Option<Comparison>,
-    /// Description of the result, one line.
+    /// Description of the scene's test result in one line.
     pub text: String,
     /// Errors and warnings as text for a person.
     pub messages: String,
-    /// The snapshot.
+    /// Snapshot that the scene's picture is compared with.
     pub expected: Option<Frame>,
-    /// The picture that was rendered.
+    /// Picture that the test rendered.
     pub rendered: Option<Frame>,
-    /// Encoding of the snapshot.
+    /// Encoding of the snapshot's picture file.
     encoding: Encoding,
 }
 

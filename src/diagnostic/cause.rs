@@ -2,31 +2,31 @@
 
 use crate::source::Span;
 
-/// The action that would resolve all of them.
+/// Action that would resolve all messages with one cause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remedy {
-    /// Include this file, which declares the names.
+    /// Remedy: include this file, which declares the names.
     Include(&'static str),
-    /// Declare the name, or correct its spelling.
+    /// Remedy: declare the name, or correct its spelling.
     Declare,
 }
 
 /// The cause of a message, which other messages may share.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cause {
-    /// The action to take.
+    /// Action of the user that would resolve the messages with this cause.
     pub remedy: Remedy,
     /// The missing names, and the places where they are used.
     pub uses: Vec<(String, Span)>,
 }
 
 impl Cause {
-    /// A cause with one use of a name.
+    /// Creates a diagnostic's cause with one use of a name.
     pub fn new(remedy: Remedy, name: &str, span: Span) -> Self {
         Self { remedy, uses: vec![(name.into(), span)] }
     }
 
-    /// True if both are the same cause.
+    /// True if both causes are the same.
     pub fn is(&self, other: &Cause) -> bool {
         let first = |cause: &Cause| cause.uses.first().map(|(name, _)| name.clone());
         self.remedy == other.remedy && (self.remedy != Remedy::Declare || first(self) == first(other))

@@ -2,12 +2,12 @@
 
 use super::Severity;
 
-/// A stable code such as `E0102`.
+/// A stable diagnostic code such as `E0102`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Code(pub &'static str);
 
 impl Code {
-    /// A warning for `W…`, an error for `E…`.
+    /// Returns the severity of the code: a warning for `W…`, an error for `E…`.
     pub fn severity(self) -> Severity {
         if self.0.starts_with('W') { Severity::Warning } else { Severity::Error }
     }
@@ -19,20 +19,20 @@ impl std::fmt::Display for Code {
     }
 }
 
-/// The output of `durer explain`.
+/// Output of `durer explain` for one diagnostic code.
 pub struct Explanation {
-    /// The code.
+    /// Diagnostic code that the explanation describes.
     pub code: Code,
-    /// Title in one line.
+    /// Title of the diagnostic code in one line.
     pub title: &'static str,
-    /// A paragraph or two, with an example.
+    /// Explanation of the code in a paragraph or two, with an example.
     pub text: &'static str,
 }
 
 macro_rules! codes {
     ($($name:ident $code:literal $title:literal $text:literal)*) => {
         $(#[doc = $title] pub const $name: Code = Code($code);)*
-        /// All explanations, in the order of their codes.
+        /// Explanations of all diagnostic codes, in the order of the codes.
         pub const ALL: &[Explanation] = &[$(Explanation { code: $name, title: $title, text: $text }),*];
     };
 }
@@ -300,7 +300,7 @@ its `texture { }`, a missing `;`, or a word of durer's own."
 
 /// Marks an error that follows from a reported one; never shown.
 pub const FOLLOWS: Code = Code("E0998");
-/// Ends the run after a reported error; never shown.
+/// Internal code that ends the run after a reported error; never shown.
 pub const ENDS_RUN: Code = Code("E0999");
 
 /// The explanation of a code as the user typed it, in any letter case.

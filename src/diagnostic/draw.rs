@@ -7,16 +7,16 @@ use miette::{
     SpanContents,
 };
 
-/// Style of the rendering.
+/// Style of a diagnostic's rendering, such as colours.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
-    /// True for colours and Unicode lines.
+    /// True if the message is drawn with colours and Unicode lines.
     pub fancy: bool,
     /// Width of the terminal, in columns.
     pub width: usize,
 }
 
-/// Renders one message, ending in a newline.
+/// Renders one diagnostic to text that ends in a newline.
 pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> String {
     let theme = if style.fancy { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
     let handler = GraphicalReportHandler::new_themed(theme).with_width(style.width).with_context_lines(1);
@@ -44,7 +44,7 @@ pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> Strin
     out
 }
 
-/// Beginning of a frame.
+/// Beginning of the frame around quoted source lines.
 const FRAME: &str = "╭─";
 
 /// miette shows places in the order of the text. If others precede the fault's own place and are not next to it, splits
@@ -146,9 +146,9 @@ fn abridged(text: &str) -> String {
 #[derive(Debug)]
 struct Lines {
     name: String,
-    /// From the first to the last line with a label; of a very long line, the part around the label.
+    /// Source text from the first to the last line with a label; of a very long line, the part around the label.
     text: String,
-    /// Offset of `text` in the file, in bytes.
+    /// Offset of `text` in the source file, in bytes.
     start: usize,
     /// Number of the first line, from 0.
     line: usize,

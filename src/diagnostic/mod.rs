@@ -13,43 +13,43 @@ pub use suggest::{did_you_mean, nearest};
 
 use crate::source::{Sources, Span};
 
-/// Severity of a message.
+/// Severity of a diagnostic: error or warning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// The picture may not be the intended one.
+    /// Severity of a doubt: the picture may not be the intended one.
     Warning,
-    /// The scene can't be rendered.
+    /// Severity of a fault due to which the scene can't be rendered.
     Error,
 }
 
 impl Severity {
-    /// `error` or `warning`.
+    /// Returns the severity's name, `error` or `warning`.
     pub fn name(self) -> &'static str {
         if self == Severity::Error { "error" } else { "warning" }
     }
 }
 
-/// A place with a short text.
+/// A marked place in a source text, with a short description.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// The place.
+    /// Span of source text that the label marks.
     pub span: Span,
-    /// Description of the place; may be empty.
+    /// Description of the label's place; may be empty.
     pub text: String,
 }
 
 /// One message. It is created where the fault is found, and rendered in [`draw`] alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
-    /// Stable code; `durer explain CODE` explains it.
+    /// Stable code of the diagnostic; `durer explain CODE` explains it.
     pub code: Code,
-    /// That of the code, unless an unused declaration lowers it to a warning.
+    /// Severity of the code, unless an unused declaration lowers it to a warning.
     pub severity: Severity,
-    /// In lower case, with found and expected, names in backticks.
+    /// Text of the message, in lower case, with found and expected, names in backticks.
     pub message: String,
-    /// The first label is the place of the fault.
+    /// Places of the diagnostic; the first label is the place of the fault.
     pub labels: Vec<Label>,
-    /// The text to type instead.
+    /// Replacement text or advice that the diagnostic gives as help.
     pub help: Option<String>,
     /// The chain of "in macro `M`, called here", "included from here", innermost first.
     pub trace: Box<[Label]>,
@@ -64,7 +64,7 @@ pub type Fault = Box<Diagnostic>;
 pub type Result<T, E = Fault> = std::result::Result<T, E>;
 
 impl Diagnostic {
-    /// A message with this code at this place.
+    /// Creates a diagnostic with this code at this place.
     pub fn new(code: Code, span: Span, message: impl Into<String>) -> Self {
         let labels = if span.is_none() { vec![] } else { vec![Label { span, text: String::new() }] };
         let (message, help, trace) = (message.into(), None, Box::default());
@@ -87,7 +87,7 @@ impl Diagnostic {
         self
     }
 
-    /// Adds another label.
+    /// Adds another label to the diagnostic.
     pub fn also(mut self, span: Span, text: impl Into<String>) -> Self {
         if !span.is_none() {
             self.labels.push(Label { span, text: text.into() });
@@ -95,13 +95,13 @@ impl Diagnostic {
         self
     }
 
-    /// Sets the help.
+    /// Sets the help of the diagnostic.
     pub fn help(mut self, text: impl Into<String>) -> Self {
         self.help = Some(text.into());
         self
     }
 
-    /// Sets the cause.
+    /// Sets the cause of the diagnostic.
     pub fn because(mut self, cause: Cause) -> Self {
         self.cause = Some(Box::new(cause));
         self
@@ -125,7 +125,7 @@ impl Diagnostic {
         format!("{place}{}[{}]: {}", self.severity.name(), self.code, self.message.replace('\n', " "))
     }
 
-    /// The place of the fault.
+    /// Returns the span of the diagnostic's fault.
     pub fn span(&self) -> Span {
         self.labels.first().map_or(Span::NONE, |l| l.span)
     }

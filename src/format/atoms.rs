@@ -3,96 +3,96 @@
 /// A token, or a comment. Each number, comma and bracket of a list of numbers is an atom.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Atom {
-    /// Offset of the first byte.
+    /// Offset of the atom's first byte in the text.
     pub lo: u32,
-    /// Offset after the last byte.
+    /// Offset after the atom's last byte in the text.
     pub hi: u32,
-    /// For an item of a body: index of the atom after the item.
+    /// Index of the atom after the item, for an item of a body.
     pub next: u32,
     /// For a bracket around a body: the other bracket; for a directive with bodies: its index in [`Atoms::arms`]; for
     /// another item with a body: the opening bracket.
     pub link: u32,
-    /// See [`flag`].
+    /// Properties of the atom as a set of bits; see [`flag`].
     pub flags: u16,
-    /// The kind of item that begins here.
+    /// Kind of item that begins at the atom.
     pub item: Item,
     /// Number of line ends before the atom, at most 2.
     pub lines: u8,
 }
 
-/// Properties of an atom.
+/// Bits for the properties of a formatter's atom.
 pub mod flag {
-    /// No blank precedes it.
+    /// Flag: no blank precedes the atom.
     pub const GLUE: u16 = 1;
-    /// It is on the same line as the atom before it.
+    /// Flag: the atom is on the same line as the atom before it.
     pub const JOIN: u16 = 1 << 1;
-    /// No blank follows it: a sign, an opening bracket.
+    /// Flag: no blank follows the atom, such as a sign or an opening bracket.
     pub const TIGHT: u16 = 1 << 2;
-    /// An opening bracket.
+    /// Flag: the atom is an opening bracket.
     pub const OPEN: u16 = 1 << 3;
-    /// A closing bracket.
+    /// Flag: the atom is a closing bracket.
     pub const CLOSE: u16 = 1 << 4;
-    /// An operator between two operands.
+    /// Flag: the atom is a binary operator.
     pub const OPERATOR: u16 = 1 << 5;
-    /// `// …`
+    /// Flag: the atom is a line comment, `// …`.
     pub const LINE_COMMENT: u16 = 1 << 6;
-    /// `/* … */`
+    /// Flag: the atom is a block comment, `/* … */`.
     pub const BLOCK_COMMENT: u16 = 1 << 7;
     /// One vector of a very long list, as one atom.
     pub const PACKED: u16 = 1 << 8;
     /// A bracket without its other half, or around contents that the tree has no node for.
     pub const LOOSE: u16 = 1 << 9;
-    /// One of several layered textures of a declaration.
+    /// Flag: the atom is one of several layered textures of a declaration.
     pub const LAYER: u16 = 1 << 10;
-    /// Any comment.
+    /// Flags of any comment, line or block.
     pub const COMMENT: u16 = LINE_COMMENT | BLOCK_COMMENT;
 }
-/// Kinds of items.
+/// Kinds of items that the formatter lays out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Item {
-    /// No direct item of a body.
+    /// Item of the formatter: none, the atom begins no direct item of a body.
     #[default]
     None,
-    /// A number, a vector, a call …
+    /// Item of the formatter: a value, such as a number, a vector or a call.
     Value,
-    /// A keyword.
+    /// Item of the formatter: a keyword.
     Word,
-    /// `name { … }`
+    /// Item of the formatter: a block, `name { … }`.
     Block,
-    /// `{ … }`
+    /// Item of the formatter: a group without a name, `{ … }`.
     Group,
-    /// `[ … ]`
+    /// Item of the formatter: a map entry, `[ … ]`.
     Entry,
-    /// `#declare … =`
+    /// Item of the formatter: a declaration, `#declare … =`.
     Declare,
-    /// A directive without bodies.
+    /// Item of the formatter: a directive without bodies.
     Plain,
-    /// A directive with bodies.
+    /// Item of the formatter: a directive with bodies.
     Bodies,
-    /// `,` or `;`
+    /// Item of the formatter: a separator, `,` or `;`.
     Separator,
-    /// Anything else.
+    /// Item of the formatter: any other token.
     Sign,
 }
 
-/// A part of a directive: `#if (A) …`.
+/// Part of a directive with bodies, such as `#if (A) …`.
 #[derive(Clone, Copy, Debug)]
 pub struct Arm {
-    /// The atom of its directive.
+    /// Index of the atom of the arm's directive.
     pub head: u32,
-    /// First atom of its body.
+    /// Index of the first atom in the arm's body.
     pub body: u32,
-    /// Atom after its body.
+    /// Index of the atom after the arm's body.
     pub end: u32,
-    /// True for the arms of a `#switch`.
+    /// True if the arms are those of a `#switch`.
     pub choice: bool,
 }
 
-/// The atoms of a text.
+/// Atoms of a text, the units that the formatter lays out.
 #[derive(Debug, Default)]
 pub struct Atoms {
-    /// In the order of the text.
+    /// Atoms of the text in their order.
     pub row: Vec<Atom>,
-    /// The arms of each directive with bodies.
+    /// Arms of each directive with bodies in the text.
     pub arms: Vec<Vec<Arm>>,
 }

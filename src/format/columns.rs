@@ -1,10 +1,10 @@
 //! Alignment of comments at the ends of lines: comments that the author aligned stay aligned.
 
-/// A comment after something on its line.
+/// A comment after other text on its line.
 pub struct Trailing {
-    /// Offset of its first byte in the new text.
+    /// Offset of the comment's first byte in the new text.
     pub at: usize,
-    /// Its line in the new text, from 0.
+    /// Line of the comment in the new text, from 0.
     pub line: u32,
     /// Width of the line before the comment in the new text.
     pub end: usize,

@@ -5,7 +5,7 @@ use super::atoms::{Arm, Atoms, Item, flag};
 use super::columns::{self, Trailing};
 use super::table;
 
-/// The text with its new line breaks.
+/// Returns the text with the formatter's new line breaks.
 pub fn set(text: &str, atoms: &Atoms, width: usize) -> String {
     let mut setter = Setter::new(text, atoms, width);
     setter.body(0, atoms.row.len(), 0, false);
@@ -16,7 +16,7 @@ pub fn set(text: &str, atoms: &Atoms, width: usize) -> String {
 pub(super) struct Setter<'a> {
     pub(super) text: &'a str,
     pub(super) atoms: &'a Atoms,
-    /// Maximum width of a line, in columns.
+    /// Maximum width of an output line, in columns.
     pub(super) width: usize,
     /// Total width of all atoms before each atom, with blanks, on one line.
     sums: Vec<u32>,
@@ -29,17 +29,17 @@ pub(super) struct Setter<'a> {
     /// Number of unmatched brackets that are open before the current position.
     pub(super) open: i32,
     out: String,
-    /// Width of the current line so far.
+    /// Width of the current output line so far.
     pub(super) column: usize,
     line: u32,
-    /// Indentation of the current line.
+    /// Indentation of the current output line.
     indent: usize,
     /// True if the current line ends in a comment.
     commented: bool,
     trailing: Vec<Trailing>,
 }
 
-/// An item of a body: its atoms.
+/// Atoms of one item of a body.
 #[derive(Clone, Copy)]
 struct Range {
     from: usize,
@@ -50,7 +50,7 @@ struct Range {
 pub(super) struct Row {
     pub(super) from: usize,
     pub(super) to: usize,
-    /// True if no item in it has line breaks.
+    /// True if no item in the range has line breaks.
     pub(super) flat: bool,
 }
 
@@ -115,7 +115,7 @@ impl<'a> Setter<'a> {
         matches!(self.read(i), "}" | "]") && !self.has(i, flag::LOOSE)
     }
 
-    /// True for a comment of several lines.
+    /// True for a comment that covers several lines.
     fn is_tall(&self, i: usize) -> bool {
         self.has(i, flag::BLOCK_COMMENT) && self.read(i).contains(['\n', '\r'])
     }
@@ -129,7 +129,7 @@ impl<'a> Setter<'a> {
         if self.has(i, flag::PACKED) { unpack(self.read(i), |_| {}) } else { columns_of(self.read(i)) }
     }
 
-    /// Width of a range that begins a line.
+    /// Returns the width of an item that begins a line and stays on it.
     pub(super) fn flat_width(&self, from: usize, to: usize) -> usize {
         (self.sums[to] - self.sums[from]) as usize - if from < to { self.gap_in_sum(from) } else { 0 }
     }
@@ -436,7 +436,7 @@ pub(super) fn indent_by(indent: usize, open: i32) -> usize {
     indent + STEP * open.clamp(0, 20).unsigned_abs() as usize
 }
 
-/// Width of a text on one line.
+/// Returns the width of a text on one line, in columns.
 pub(super) fn columns_of(text: &str) -> usize {
     if text.is_ascii() { text.len() } else { text.chars().count() }
 }

@@ -9,7 +9,7 @@ use super::layout::{Setter, indent_by};
 struct Nesting {
     open: Vec<u32>,
     line: u32,
-    /// Opening minus closing brackets.
+    /// Number of opening minus closing brackets.
     net: i32,
 }
 

@@ -7,7 +7,7 @@ use crate::source::{ReadError, text_of};
 /// A file's text, and its encoding.
 #[derive(Debug)]
 pub struct Encoded {
-    /// Without a byte-order mark.
+    /// Text of the file without a byte-order mark.
     pub text: String,
     marked: bool,
     latin_1: bool,
@@ -42,7 +42,7 @@ impl Encoded {
     }
 }
 
-/// The end of the first line.
+/// Returns the line ending of the first line of the text.
 fn line_end(text: &str) -> &'static str {
     match text.find(['\n', '\r']) {
         Some(at) if text[at..].starts_with("\r\n") => "\r\n",

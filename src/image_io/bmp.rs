@@ -1,12 +1,12 @@
 //! The parts of a bmp that the crate `image` drops: palette indices, and the bytes that POV-Ray 3.7 takes for alpha.
 
-/// The fields of the header that are needed.
+/// Fields of a BMP file's header that are needed.
 struct Header {
-    /// Offset of the pixels.
+    /// Offset of the pixels in the BMP file.
     start: usize,
     width: usize,
     height: usize,
-    /// True if the lowest row comes first.
+    /// True if the lowest row of the BMP file comes first.
     up: bool,
     bits: usize,
     compression: u32,

@@ -12,9 +12,9 @@ use std::path::Path;
 /// A picture as stored in its file, without any transfer curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pixels {
-    /// Width in pixels.
+    /// Width of the decoded picture in pixels.
     pub width: usize,
-    /// Height in pixels.
+    /// Height of the decoded picture in pixels.
     pub height: usize,
     /// 1 gray, 2 gray and alpha, 3 colour, 4 colour and alpha.
     pub channels: usize,
@@ -22,14 +22,14 @@ pub struct Pixels {
     pub samples: Samples,
 }
 
-/// The samples of a picture file.
+/// Samples of a decoded picture, by their type.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Samples {
-    /// 0 to 255.
+    /// Samples of a decoded picture as codes from 0 to 255.
     U8(Vec<u8>),
-    /// 0 to 65535.
+    /// Samples of a decoded picture as codes from 0 to 65535.
     U16(Vec<u16>),
-    /// Linear light.
+    /// Samples of a decoded picture as linear light.
     F32(Vec<f32>),
 }
 
@@ -54,7 +54,7 @@ pub fn decode_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
     decode_bytes(&bytes, path).map(|decoded| decoded.pixels)
 }
 
-/// Decodes the bytes of a file (E0007).
+/// Decodes the bytes of a picture file (E0007).
 pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
     decode_any(bytes, ending).map_err(|reason| {
@@ -139,7 +139,7 @@ fn decode_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
     Ok(Pixels { width: frame.width, height: frame.height, channels: 4, samples })
 }
 
-/// Decodes an exr with luminance alone.
+/// Decodes an OpenEXR file that has luminance alone.
 fn decode_gray_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
     let image = exr::prelude::read()
         .no_deep_data()
@@ -184,7 +184,7 @@ impl From<DynamicImage> for Pixels {
 }
 
 impl Pixels {
-    /// Drops alpha.
+    /// Removes the alpha channel of the decoded pixels.
     pub(super) fn without_alpha(self) -> Self {
         fn kept<T: Copy>(samples: &[T], n: usize) -> Vec<T> {
             samples.chunks_exact(n).flat_map(|pixel| &pixel[..n - 1]).copied().collect()
@@ -245,7 +245,7 @@ pub fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) 
     }
 }
 
-/// Linear light of each code.
+/// Returns the linear light of each code from 0 to `max`.
 fn curve(max: u16) -> Vec<f32> {
     (0..=max).map(|code| transfer::srgb_decode(f64::from(code) / f64::from(max)) as f32).collect()
 }

@@ -54,7 +54,7 @@ impl Voxels {
         Ok(Self { size, numbers })
     }
 
-    /// The number at a grid position, 0 to 1.
+    /// Returns the density at a grid position, 0 to 1.
     pub fn at(&self, [x, y, z]: [usize; 3]) -> f64 {
         let i = (z * self.size[1] + y) * self.size[0] + x;
         match &self.numbers {

@@ -5,12 +5,12 @@
 
 use super::quantize::Scale;
 
-/// Method of rounding.
+/// Method of rounding light to integer codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dither {
     /// An ordered pattern of 2, 3 or 4 pixels (Bayer, An optimum method for two-level rendition, 1973).
     Bayer(usize),
-    /// The error is added to the next pixel.
+    /// Dithering that adds the rounding error to the row's next pixel.
     Row,
     /// The error is divided among the next pixel and two below.
     Simple,
@@ -35,7 +35,7 @@ pub(super) struct Ditherer {
     row: usize,
     /// Light to be added to this row and the two below, by channel.
     errors: [Vec<f32>; 3],
-    /// Error of the last pixel, by channel.
+    /// Rounding error of the row's last pixel, by channel.
     last: [f32; 4],
 }
 

@@ -16,7 +16,7 @@ use std::io::{self, Cursor, Seek, Write};
 /// Format and options of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Encoding {
-    /// The format.
+    /// File format of the encoded picture.
     pub format: Format,
     /// 8 or 16 bits a channel, or for exr 16 or 32, where the format has them.
     pub depth: u8,
@@ -24,23 +24,23 @@ pub struct Encoding {
     pub alpha: bool,
     /// True to keep brightness alone, as height fields do; png and ppm (which is then pgm) can.
     pub gray: bool,
-    /// Transfer curve of integers.
+    /// Transfer curve of the picture's integer codes.
     pub gamma: Gamma,
-    /// Dithering; formats without integers ignore it.
+    /// Dithering of the picture's codes; formats without integers ignore it.
     pub dither: Option<Dither>,
-    /// Compression of exr.
+    /// Compression of an OpenEXR picture.
     pub packing: Packing,
 }
 
-/// Compression of exr.
+/// Compression methods of an OpenEXR picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Packing {
-    /// None.
+    /// OpenEXR compression: none.
     None,
     /// Run-length encoding by lines: ten times as fast as the denser methods.
     #[default]
     Runs,
-    /// Deflate, sixteen lines at once.
+    /// OpenEXR compression: Deflate, sixteen lines at once.
     Zip,
 }
 
@@ -92,9 +92,9 @@ impl Rows for Frame {
 /// The reason why a picture was not stored.
 #[derive(Debug)]
 pub enum EncodeError {
-    /// The file can't be written.
+    /// Encoding failed because the picture's file can't be written.
     Io(io::Error),
-    /// The format can't hold the picture; the reason.
+    /// Encoding failed because the format can't hold the picture, with the reason.
     Format(String),
 }
 
@@ -151,7 +151,7 @@ pub struct Encoder<W: Write + Seek> {
 }
 
 enum Out<W: Write + Seek> {
-    /// Rows are written immediately.
+    /// PNG encoder, which writes each row immediately.
     Png(Box<PngWriter<W>>),
     Flat(W),
     /// Rows are kept in the file's own form until the last one.
@@ -323,7 +323,7 @@ fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>
     Ok((file, behind))
 }
 
-/// A gray pixel of equal brightness.
+/// Returns a gray pixel of equal brightness.
 fn brightness(&[r, g, b, a]: &[f32; 4]) -> [f32; 4] {
     let gray = gray(crate::color::Rgb::new(f64::from(r), f64::from(g), f64::from(b))) as f32;
     [gray, gray, gray, a]

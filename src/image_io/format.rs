@@ -4,33 +4,33 @@ use crate::diagnostic::{Diagnostic, Result, codes, did_you_mean};
 use crate::source::Span;
 use std::path::Path;
 
-/// A picture format.
+/// A file format for pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// 8 or 16 bits, alpha.
+    /// PNG: 8 or 16 bits a channel, with alpha.
     Png,
-    /// Linear floating point, alpha.
+    /// OpenEXR: linear floating point, with alpha.
     Exr,
-    /// Linear, Radiance's shared exponent.
+    /// Radiance HDR: linear light with a shared exponent.
     Hdr,
-    /// 8 bits, lossy.
+    /// JPEG: 8 bits a channel, lossy.
     Jpg,
-    /// 8 or 16 bits.
+    /// PPM: 8 or 16 bits a channel.
     Ppm,
-    /// 8 bits, alpha.
+    /// BMP: 8 bits a channel, with alpha.
     Bmp,
-    /// 8 bits, alpha.
+    /// TGA: 8 bits a channel, with alpha.
     Tga,
-    /// 8 or 16 bits, alpha.
+    /// TIFF: 8 or 16 bits a channel, with alpha.
     Tiff,
 }
 
-/// Capabilities of a format.
+/// Table row of a picture format's capabilities.
 struct Row {
     format: Format,
     /// Endings of file names; the first one is the format's name.
     endings: &'static [&'static str],
-    /// Bits per channel; empty for floating-point numbers.
+    /// Bits per channel that the format allows; empty for floating-point numbers.
     depths: &'static [u8],
     alpha: bool,
     max_side: usize,
@@ -62,12 +62,12 @@ impl Format {
         &ROWS[self as usize]
     }
 
-    /// `png`, `exr` …
+    /// Returns the name of the picture format, such as `png` or `exr`.
     pub fn name(self) -> &'static str {
         self.row().endings[0]
     }
 
-    /// All names, in the order of the manual.
+    /// Returns the names of all picture formats, in the order of the manual.
     pub fn names() -> impl Iterator<Item = &'static str> {
         ROWS.iter().map(|row| row.endings[0])
     }
@@ -77,22 +77,22 @@ impl Format {
         !self.row().depths.is_empty()
     }
 
-    /// True if the format can hold transparency.
+    /// True if the picture format can hold transparency.
     pub fn has_alpha(self) -> bool {
         self.row().alpha
     }
 
-    /// True if the format can hold brightness alone.
+    /// True if the picture format can hold brightness alone.
     pub fn has_gray(self) -> bool {
         matches!(self, Self::Png | Self::Ppm)
     }
 
-    /// By name or ending, in any letter case.
+    /// Returns the picture format with a name or ending, in any letter case.
     pub fn from_name(name: &str) -> Option<Format> {
         ROWS.iter().find(|row| row.endings.iter().any(|e| e.eq_ignore_ascii_case(name))).map(|row| row.format)
     }
 
-    /// By the ending of a file's name.
+    /// Returns the picture format that the ending of a file's name indicates.
     ///
     /// # Errors
     /// E0005 if no format has the ending.

@@ -6,21 +6,21 @@ use super::quantize;
 /// clamped, not multiplied by alpha) and alpha (1 is opaque).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// Width in pixels.
+    /// Width of the picture in pixels.
     pub width: usize,
-    /// Height in pixels.
+    /// Height of the picture in pixels.
     pub height: usize,
-    /// `width * height` pixels.
+    /// Pixels of the picture, `width * height` in number.
     pub pixels: Vec<[f32; 4]>,
 }
 
 impl Frame {
-    /// A transparent black picture.
+    /// Creates a transparent black picture.
     pub fn new(width: usize, height: usize) -> Self {
         Self { width, height, pixels: vec![[0.0; 4]; width * height] }
     }
 
-    /// Composited over black.
+    /// Composites the picture over black.
     pub fn over_black(&self) -> Self {
         let opaque = |&p: &[f32; 4]| {
             let [r, g, b] = quantize::over_black(p);

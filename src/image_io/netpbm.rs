@@ -3,7 +3,7 @@
 
 use super::{Pixels, Samples};
 
-/// `None` for another file, or another maximum value.
+/// Decodes a PPM or PGM file; `None` for another file or another maximum value.
 pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
     let (channels, plain) = match bytes.get(..2)? {
         b"P2" => (1, true),
@@ -30,7 +30,7 @@ pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
     Some(samples.map(|samples| Pixels { width, height, channels, samples: Samples::U16(samples) }))
 }
 
-/// The next number after whitespace and comments.
+/// Reads the next number of a PPM or PGM file, after whitespace and comments.
 fn number(rest: &mut &[u8]) -> Option<usize> {
     loop {
         match rest.first()? {

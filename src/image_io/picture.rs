@@ -7,25 +7,25 @@ use crate::diagnostic::file;
 use crate::source::{Files, ReadError};
 use std::path::Path;
 
-/// Relation of a file's numbers to light.
+/// Relation of a picture file's numbers to light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stored {
-    /// Used as they are: ppm, tiff, hdr, exr.
+    /// Numbers are used as they are: ppm, tiff, hdr, exr.
     Plain,
     /// Unknown; png, jpeg, gif, tga and bmp usually follow the sRGB curve.
     Unsaid,
-    /// The sRGB curve, according to the file.
+    /// Numbers follow the sRGB curve, according to the file.
     Srgb,
     /// Light is the number to the power of this, according to the file.
     Power(f64),
 }
 
-/// A decoded file.
+/// A decoded picture file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// The samples.
+    /// Pixels of the decoded picture.
     pub pixels: Pixels,
-    /// Relation of the samples to light.
+    /// Relation of the picture's samples to light.
     pub stored: Stored,
     /// Palette index of each pixel, row by row from the top, if the file has a palette.
     pub indices: Option<Vec<u8>>,

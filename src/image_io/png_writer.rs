@@ -77,7 +77,7 @@ impl<W: Write> PngWriter<W> {
         Ok(self.out.write_all(&self.encoded.take())?)
     }
 
-    /// Ends the file.
+    /// Ends the PNG file after its last row.
     pub fn finish(mut self) -> Encoded {
         self.png.finish()?;
         self.out.write_all(&self.encoded.take())?;

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 struct Quantizer {
     /// Entry k is the smallest number with a code above k; the last is infinite.
     thresholds: Vec<f32>,
-    /// The code of the smallest number of each interval.
+    /// Code of the smallest number in each interval.
     starts: Vec<u16>,
     /// Start of the first interval, with code 0.
     lowest: f32,
@@ -127,23 +127,23 @@ impl Integers {
 #[derive(Clone, Copy)]
 pub(super) struct Scale {
     pub gamma: Gamma,
-    /// The largest code.
+    /// The largest integer code of a channel.
     pub max: f32,
 }
 
 impl Scale {
-    /// The code of a light before rounding.
+    /// Returns the unrounded code of a light in a channel.
     pub fn number(self, channel: usize, light: f32) -> f32 {
         let encoded = if channel == 3 { light } else { self.gamma.encode(f64::from(light)) as f32 };
         encoded.clamp(0.0, 1.0) * self.max
     }
 
-    /// The code at or below a number.
+    /// Returns the integer code at or below a number.
     pub fn code(self, number: f32) -> u16 {
         number.min(self.max) as u16
     }
 
-    /// The light of a code.
+    /// Returns the linear light of an integer code in a channel.
     pub fn light(self, channel: usize, code: u16) -> f32 {
         let number = f64::from(code) / f64::from(self.max);
         (if channel == 3 { number } else { self.gamma.decode(number) }) as f32

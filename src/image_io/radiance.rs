@@ -2,7 +2,7 @@
 
 use super::{Pixels, Samples};
 
-/// The error is the reason in words.
+/// Decodes a Radiance HDR file; the error is the reason in words.
 pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
     let mut rest = bytes;
     while !line(&mut rest)?.is_empty() {}

@@ -3,9 +3,9 @@
 
 use super::{Decoded, Pixels, Samples};
 
-/// The fields of the header that are needed.
+/// Fields of a TGA file's header that are needed.
 struct Header {
-    /// True if the file has a palette.
+    /// True if the TGA file has a palette.
     mapped: bool,
     kind: u8,
     first: usize,
@@ -14,15 +14,15 @@ struct Header {
     width: usize,
     height: usize,
     bits: u8,
-    /// True if the first row is the top.
+    /// True if the TGA file's first row is the top.
     down: bool,
-    /// True if rows start at the right.
+    /// True if the TGA file's rows begin at the right.
     leftwards: bool,
 }
 
 const HEADER: usize = 18;
 
-/// The error is the reason in words.
+/// Decodes a TGA file; the error is the reason in words.
 pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
     let head = bytes.get(..HEADER).ok_or("it ends within its header")?;
     let word = |at: usize| usize::from(u16::from_le_bytes([head[at], head[at + 1]]));
@@ -87,7 +87,7 @@ fn mapped(header: &Header, colors: &[u8], entry: usize, pixels: &[u8]) -> Result
     Ok(header.finished(4, matches!(header.color_bits, 16 | 32), samples, Some(indices)))
 }
 
-/// Red, green, blue, alpha.
+/// Decodes a TGA pixel to red, green, blue and alpha.
 fn color(bytes: &[u8], bits: u8) -> [u8; 4] {
     match *bytes {
         [b, g, r] => [r, g, b, 255],
@@ -103,7 +103,7 @@ fn color(bytes: &[u8], bits: u8) -> [u8; 4] {
 }
 
 impl Header {
-    /// The pixels from the top left.
+    /// Returns the pixels of a TGA file from the top left.
     fn ordered<'a>(&self, size: usize, pixels: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
         let (width, height, down, leftwards) = (self.width, self.height, self.down, self.leftwards);
         (0..width * height).map(move |i| {

@@ -2,16 +2,16 @@
 
 use super::{Decoded, Pixels, Samples};
 
-/// Tags (TIFF 6.0, 1992, section 8).
+/// Numbers of TIFF tags (TIFF 6.0, 1992, section 8).
 const BITS: u16 = 258;
 const PHOTOMETRIC: u16 = 262;
 const COLOR_MAP: u16 = 320;
 
-/// `PhotometricInterpretation` of a palette, and of gray.
+/// Values of the TIFF tag `PhotometricInterpretation` for a palette and for gray.
 const BY_PALETTE: u16 = 3;
 const GRAY: u16 = 1;
 
-/// A file with its byte order.
+/// Bytes of a TIFF file with their byte order.
 struct File<'a> {
     bytes: &'a [u8],
     little: bool,
@@ -37,7 +37,7 @@ impl File<'_> {
     }
 }
 
-/// `None` if the file has no such palette; `gray` decodes the bytes of a modified file.
+/// Decodes a palette TIFF; `None` if the file has no such palette. `gray` decodes the bytes of a modified file.
 pub(super) fn decode(bytes: &[u8], gray: impl Fn(&[u8]) -> Result<Pixels, String>) -> Option<Result<Decoded, String>> {
     let little = match bytes.get(..4)? {
         b"II*\0" => true,

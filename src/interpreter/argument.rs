@@ -9,19 +9,19 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::Value;
 
-/// An argument with its span.
+/// Argument of a macro call or function call, with its span in the source.
 pub(super) struct Argument<'a> {
     pub(super) given: Given<'a>,
     pub(super) span: Span,
 }
 
-/// Contents of an [`Argument`].
+/// Contents of a call's [`Argument`], by the form in which the scene wrote the argument.
 pub(super) enum Given<'a> {
-    /// A name alone, which need not be declared.
+    /// Argument that is a name alone, which need not be declared.
     Name(Symbol),
-    /// An array's element.
+    /// An array element that is passed as an argument, by its location.
     LValue(LValue),
-    /// Anything else.
+    /// Contents of an argument that is neither a location nor an array element.
     Slot(Slot<'a>),
 }
 
@@ -39,7 +39,7 @@ impl<'a> Interpreter<'a> {
         Ok(Argument { given, span: e.span })
     }
 
-    /// Reads the next argument.
+    /// Reads the next argument of a call from the token stream.
     pub(super) fn read_argument(&mut self) -> Result<Argument<'a>> {
         let token = self.peek()?;
         let span = self.stream.next_span();

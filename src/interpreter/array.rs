@@ -257,7 +257,7 @@ impl<'a> Interpreter<'a> {
         self.evaluator.dictionary_element(&lvalue, e)
     }
 
-    /// Evaluates `A[i][j]`.
+    /// Evaluates the array access `A[i][j]` to the element's value.
     pub(super) fn evaluate_index(&mut self, base: &'a Expr, indices: &'a [Expr], span: Span) -> Result<Slot<'a>> {
         let lvalue = self.element_lvalue(base, indices)?;
         self.evaluator.slot_at(&lvalue, span)

@@ -12,7 +12,7 @@ use crate::value::Value;
 use smallvec::SmallVec;
 
 impl<'a> Interpreter<'a> {
-    /// Evaluates an expression.
+    /// Evaluates an expression of the syntax tree to a value.
     pub(super) fn evaluate(&mut self, e: &'a Expr) -> Result<Value> {
         match self.evaluator.quick(e) {
             Some(Quick::Float(x)) => return Ok(Value::Float(x)),
@@ -67,7 +67,7 @@ impl<'a> Interpreter<'a> {
         names.iter().rev().try_fold(value, |value, (name, span)| component(&value, name, *span))
     }
 
-    /// True if a number is not 0.
+    /// True if the expression's number is not 0.
     pub(super) fn is_true(&mut self, e: &'a Expr) -> Result<bool> {
         Ok(self.evaluate_number(e)?.abs() > SMALL)
     }

@@ -43,22 +43,22 @@ pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static
     builtin::usages()
 }
 
-/// Permissions and inputs of a run.
+/// Permissions and inputs of one run of the interpreter.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Folders that are searched for included files.
+    /// Folders that are searched for the scene's included files.
     pub search: SearchPath,
     /// Files that the scene may read and write.
     pub sandbox: Sandbox,
     /// Names declared by `--declare NAME=VALUE`; [`crate::value::parse_value`] parses the values.
     pub declares: Vec<(String, String)>,
-    /// Language version until the text's own `#version` (`--language`).
+    /// Language version in force before the scene's own `#version` (`--language`).
     pub version: Option<f64>,
     /// Values of `clock`, `frame_number` and the other constants of an animation.
     pub timing: Timing,
     /// Value of `input_file_name`: the name of the scene file without its folder.
     pub input_name: String,
-    /// Values of `image_width` and `image_height`, in pixels.
+    /// Values of the constants `image_width` and `image_height`, in pixels.
     pub size: (usize, usize),
     /// Maximum number of directives, loop passes and macro calls (`--max-steps`).
     pub max_steps: u64,
@@ -74,7 +74,7 @@ pub struct Options {
     pub granularity: Granularity,
     /// True to record the macro calls and includes through which each object came into the scene.
     pub record_origins: bool,
-    /// True to record which branches run.
+    /// True to record which branches of the scene run.
     pub record_branches: bool,
 }
 
@@ -101,12 +101,12 @@ impl Default for Options {
     }
 }
 
-/// Result of a run.
+/// Result of interpreting a scene file.
 #[derive(Debug, Default)]
 pub struct Outcome {
-    /// The scene; `None` after errors.
+    /// The interpreted scene; `None` after errors.
     pub scene: Option<Scene>,
-    /// Errors and warnings in the order of the text.
+    /// Errors and warnings about the scene, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
     /// True if a limit on steps, memory or time ended the run (exit code 4).
     pub limit_reached: bool,
@@ -143,7 +143,7 @@ pub fn interpret_with(
 #[derive(Clone, Copy)]
 struct Inputs<'a> {
     sources: &'a Sources,
-    /// The file storage, restricted by the sandbox.
+    /// File storage that the scene may read, restricted by the sandbox.
     files: &'a dyn Files,
     names: &'a Names,
     parsed: &'a ParsedFiles,
@@ -159,7 +159,7 @@ pub(crate) struct Interpreter<'a> {
     reporter: Reporter<'a>,
     /// Files that `#fopen` opened, by the numbers in [`evaluator::Slot::File`].
     open_files: Vec<directive::OpenFile>,
-    /// Number of bytes that `#write` has written.
+    /// Number of bytes that the scene's `#write` directives have written.
     written: u64,
 }
 
@@ -248,7 +248,7 @@ impl<'a> Interpreter<'a> {
         self.reporter.report(self.stream.with_trace(d));
     }
 
-    /// Reports a division by zero.
+    /// Reports a division by zero in an expression of the scene.
     fn division_by_zero(&mut self, span: Span) {
         let d = Diagnostic::new(codes::DIVISION_BY_ZERO, span, "division by zero gives infinity");
         self.report_here(d.label("this is 0"));

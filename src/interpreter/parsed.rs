@@ -65,7 +65,7 @@ impl ParsedFiles {
         all.into_iter().filter_map(|(file, index)| Some((file, self.asts.get(index)?))).collect()
     }
 
-    /// The names in the trees.
+    /// Returns the table of names that the syntax trees' symbols refer to.
     pub fn names(&self) -> &Names {
         &self.names
     }

@@ -11,7 +11,7 @@ use lsp_types::{
 };
 use serde_json::json;
 
-/// A diagnostic of the protocol.
+/// Diagnostic in the form of the Language Server Protocol.
 pub type EditorDiagnostic = lsp_types::Diagnostic;
 
 /// Converts a diagnostic of a run; its first label is in `file`.

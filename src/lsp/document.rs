@@ -15,28 +15,28 @@ use std::time::Instant;
 /// Global offset of a text's first byte; 0 would mean no position.
 pub const BASE: usize = 1;
 
-/// An open document.
+/// A scene document that is open in the editor.
 pub struct Document {
     /// Address of the document in the editor.
     pub uri: Uri,
-    /// Path, if the document is a file.
+    /// Path of the document, if the document is a file.
     pub path: Option<PathBuf>,
-    /// Version of the text in the editor.
+    /// Version of the document's text in the editor.
     pub version: i32,
-    /// Present text.
+    /// Present text of the open document.
     pub text: Text,
     /// Tokens and names of the text.
     pub scan: Arc<Scan>,
-    /// Faults of the syntax.
+    /// Syntax faults of the open document.
     pub faults: Vec<Diagnostic>,
-    /// Time of the next run.
+    /// Time of the document's next background run.
     pub due: Option<Instant>,
-    /// Stops the present run.
+    /// Flag that stops the document's present background run.
     pub stop: Option<Arc<AtomicBool>>,
 }
 
 impl Document {
-    /// Opens a document.
+    /// Creates a document that the editor has opened.
     pub fn new(uri: Uri, version: i32, text: String) -> Self {
         let path = path_of(&uri);
         let mut new = Self {
@@ -75,13 +75,13 @@ impl Document {
         !matches!(ending, Some("inc" | "INC" | "ini" | "mcr"))
     }
 
-    /// The folder of the document.
+    /// Returns the folder that contains the document.
     pub fn folder(&self) -> PathBuf {
         self.path.as_deref().and_then(Path::parent).map_or_else(|| PathBuf::from("."), Path::to_path_buf)
     }
 }
 
-/// The path of a `file:` address.
+/// Returns the path of a `file:` address.
 pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     let rest = uri.as_str().strip_prefix("file://")?;
     // The address may contain a host's name before the path.
@@ -107,7 +107,7 @@ pub fn path_of(uri: &Uri) -> Option<PathBuf> {
     Some(PathBuf::from(if drive { &text[1..] } else { &text }))
 }
 
-/// The `file:` address of a path.
+/// Returns the `file:` address of a path.
 pub fn uri_of(path: &Path) -> Option<Uri> {
     let path = std::path::absolute(path).ok()?;
     let text = path.to_str()?.replace('\\', if cfg!(windows) { "/" } else { "\\" });

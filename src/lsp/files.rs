@@ -11,17 +11,17 @@ use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// An included file.
+/// A file that an open document includes.
 pub struct File {
-    /// Contents.
+    /// Contents of the included file.
     pub text: Arc<Text>,
-    /// Tokens and names.
+    /// Tokens and names of the included file.
     pub scan: Arc<Scan>,
-    /// State of the file when it was read.
+    /// State of the included file when it was read.
     read: Option<Stamp>,
 }
 
-/// Included files by path.
+/// Cache of included files by path.
 #[derive(Default)]
 pub struct Files(BTreeMap<PathBuf, File>);
 
@@ -50,9 +50,9 @@ impl Files {
 pub struct ReachableText {
     /// Path; `None` for a text that is not saved.
     pub path: Option<PathBuf>,
-    /// Present text.
+    /// Present text of a file that the document reaches.
     pub text: Arc<Text>,
-    /// Tokens and names.
+    /// Tokens and names of a file that the document reaches.
     pub scan: Arc<Scan>,
 }
 

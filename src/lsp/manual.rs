@@ -31,12 +31,12 @@ fn address(path: &str) -> Option<Uri> {
     path.is_file().then(|| uri_of(&path)).flatten()
 }
 
-/// The address of the picture of a word.
+/// Returns the address of the manual's picture of a word.
 pub fn picture(word: &str) -> Option<Uri> {
     address(&format!("pictures/reference/{word}.png"))
 }
 
-/// The address of the explanation of a code.
+/// Returns the address of the manual's explanation of a diagnostic code.
 pub fn of_code(code: &str) -> Option<Uri> {
     let page = address("reference/codes.md")?;
     let heading = format!("{code}: {}", codes::find(code)?.title).to_lowercase();

@@ -15,34 +15,34 @@ use std::sync::atomic::AtomicBool;
 
 /// Limit of a run: number of elements and loop passes.
 const MAX_STEPS: u64 = 50_000_000;
-/// Limit of a run in seconds.
+/// Time limit of a background run of a scene, in seconds.
 const MAX_TIME: f64 = 20.0;
-/// Limit of a run in bytes.
+/// Memory limit of a background run of a scene, in bytes.
 const MAX_MEMORY: u64 = 4 << 30;
 
-/// A scene to run.
+/// A scene that the language server is to run in the background.
 pub struct Job {
-    /// Address of the scene.
+    /// Address of the scene to run.
     pub uri: String,
-    /// Version of the text.
+    /// Document version of the text to run.
     pub version: i32,
     /// Path of the scene; `None` for a text that is not saved.
     pub path: Option<PathBuf>,
-    /// Text of the scene.
+    /// Text of the scene to run.
     pub text: String,
     /// Other open texts, which hide the files of the same path.
     pub open: Vec<(PathBuf, String)>,
-    /// Folders of the include path.
+    /// Folders of the run's include path.
     pub include: Vec<PathBuf>,
     /// Stops the run when it is set.
     pub stop: Arc<AtomicBool>,
 }
 
-/// Result of a run.
+/// Result of running a scene in the background of the language server.
 pub struct RunResult {
-    /// Address of the scene.
+    /// Address of the scene that ran.
     pub uri: String,
-    /// Version of the text that was run.
+    /// Version of the document's text that was run.
     pub version: i32,
     /// Diagnostics by the paths of files; `None` is the scene itself.
     pub diagnostics: BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>>,

@@ -5,35 +5,35 @@ use crate::syntax::word::{Category, entry};
 use crate::syntax::{Piece, Tokens, opens};
 use std::ops::Range;
 
-/// Kind of a token.
+/// Kind of a token or comment in a scene's text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TokenKind {
-    /// A word of the language.
+    /// Token that is a reserved word of the scene language.
     Word(Category),
-    /// A name that an author chose.
+    /// Token that is a name chosen by the scene's author.
     Name,
-    /// A directive, `#…`.
+    /// Token that is a directive, `#…`.
     Directive,
-    /// A string, `"…"`.
+    /// Token that is a string, `"…"`.
     Text,
-    /// A number, or a list of numbers.
+    /// Token that is a number, or a list of numbers.
     Number,
-    /// A bracket, an operator or a comma.
+    /// Token that is a bracket, an operator or a comma.
     Sign,
-    /// A comment, `//` or `/* */`.
+    /// Token that is a comment, `// …` or `/* … */`.
     Comment,
 }
 
-/// A token or a comment.
+/// A token or comment in a scene's text.
 #[derive(Clone, Debug)]
 pub struct Token {
-    /// Byte range in the text.
+    /// Byte range of the token in the text.
     pub at: Range<usize>,
-    /// Kind.
+    /// Kind of the token.
     pub kind: TokenKind,
 }
 
-/// Kind of a declaration.
+/// Directive or construct that declares a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DeclarationKind {
     /// Declared by `#declare`.
@@ -42,46 +42,46 @@ pub enum DeclarationKind {
     Local,
     /// Declared by `#macro`.
     Macro,
-    /// Parameter of a macro.
+    /// Declaration of a macro's parameter.
     Parameter,
-    /// Counter of `#for`.
+    /// Declaration of a `#for` loop's counter.
     Counter,
 }
 
-/// A declaration of a name.
+/// Declaration of a name in a scene's text.
 #[derive(Clone, Debug)]
 pub struct Declaration {
-    /// Name.
+    /// Name that the declaration introduces.
     pub name: String,
-    /// Byte range of the name.
+    /// Byte range of the declared name.
     pub at: Range<usize>,
     /// Kind of the declaration.
     pub kind: DeclarationKind,
-    /// Index of the innermost enclosing macro.
+    /// Index of the innermost macro that encloses the declaration.
     pub scope: Option<usize>,
     /// Byte range from the directive to the name, or to the `#end` of a macro.
     pub whole: Range<usize>,
 }
 
-/// A use of a name.
+/// A use of a declared name in a scene's text.
 #[derive(Clone, Debug)]
 pub struct Use {
-    /// Name.
+    /// Name that the text uses.
     pub name: String,
-    /// Byte range of the name.
+    /// Byte range of the used name.
     pub at: Range<usize>,
-    /// Index of the innermost enclosing macro.
+    /// Index of the innermost macro that encloses the use of the name.
     pub scope: Option<usize>,
 }
 
-/// A macro.
+/// A macro definition in a scene's text.
 #[derive(Clone, Debug, Default)]
 pub struct Macro {
-    /// Byte range from `#macro` to `#end`.
+    /// Byte range of the macro from `#macro` to `#end`.
     pub whole: Range<usize>,
-    /// Index of the enclosing macro.
+    /// Index of the macro that encloses this macro.
     pub outer: Option<usize>,
-    /// Names of the parameters.
+    /// Names of the macro's parameters.
     pub parameters: Vec<String>,
 }
 
@@ -92,17 +92,17 @@ pub struct Pair {
     pub name: String,
     /// Byte range from the opening bracket or directive to the end of the closing one, or of the text.
     pub whole: Range<usize>,
-    /// Opening character: a bracket, or `#`.
+    /// Opening character of the pair: a bracket, or `#`.
     pub open: u8,
-    /// Byte range of the name.
+    /// Byte range of the pair's name: the word before the bracket, or the directive's word.
     pub named: Range<usize>,
-    /// Index of the enclosing pair.
+    /// Index of the pair of brackets or directive that encloses this pair.
     pub outer: Option<usize>,
-    /// True if the closing bracket or directive exists.
+    /// True if the pair's closing bracket or directive exists.
     pub closed: bool,
 }
 
-/// Outline of a text.
+/// Outline of a scene's text: tokens, brackets, macros and names.
 #[derive(Debug, Default)]
 pub struct Scan {
     /// Tokens in the order of the text.
@@ -111,7 +111,7 @@ pub struct Scan {
     pub declarations: Vec<Declaration>,
     /// Uses in the order of the text.
     pub uses: Vec<Use>,
-    /// Macros by index.
+    /// Macros of the text in the order of their indices.
     pub macros: Vec<Macro>,
     /// Pairs in the order of their openings.
     pub pairs: Vec<Pair>,
@@ -151,7 +151,7 @@ impl Scan {
         self.pairs.iter().rev().filter(inside).find(|pair| holds(pair))
     }
 
-    /// Index of the innermost macro around a byte.
+    /// Returns the index of the innermost macro around a byte offset.
     pub fn macro_at(&self, offset: usize) -> Option<usize> {
         let inside = |m: &&Macro| m.whole.start < offset && offset < m.whole.end;
         self.macros
@@ -201,9 +201,9 @@ pub fn directive(text: &str) -> &str {
 struct Scanner<'a> {
     text: &'a str,
     scan: &'a mut Scan,
-    /// Indices of the open macros.
+    /// Indices of the macros that are still open while scanning.
     macros: Vec<usize>,
-    /// Indices of the open pairs.
+    /// Indices of the bracket pairs that are still open while scanning.
     open: Vec<usize>,
 }
 

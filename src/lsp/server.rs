@@ -24,29 +24,29 @@ use std::time::{Duration, Instant};
 /// Time after the last change before a scene is run.
 const PAUSE: Duration = Duration::from_millis(250);
 
-/// An event.
+/// An event that the language server handles.
 pub enum Event {
-    /// A message from the editor.
+    /// Event: a message from the editor.
     Message(Message),
-    /// The editor has disconnected.
+    /// Event: the editor has disconnected.
     Disconnected,
-    /// A run of a scene has ended.
+    /// Event: a background run of a scene has ended.
     RunEnded(RunResult),
-    /// A message for the editor from another thread.
+    /// Event: another thread has a message for the editor.
     Send(Message),
 }
 
-/// State of the server.
+/// State of the language server.
 pub struct Server<S> {
     pub(in crate::lsp) client: S,
     pub(in crate::lsp) events: Sender<Event>,
     /// Pages of `durer watch` that are open.
     pub(in crate::lsp) watches: Watches,
-    /// Open documents by address.
+    /// Open documents of the language server by address.
     pub open: BTreeMap<String, Document>,
-    /// Cache of included files.
+    /// The language server's cache of included files.
     pub files: Files,
-    /// Folders of the include path.
+    /// Folders of the language server's include path.
     pub include: Vec<PathBuf>,
     /// Diagnostics of the last run of each scene, for each address.
     results: BTreeMap<String, BTreeMap<String, Vec<EditorDiagnostic>>>,
@@ -67,7 +67,7 @@ impl<F: Fn(Message)> Client for F {
 }
 
 impl<S: Client> Server<S> {
-    /// A server without open documents.
+    /// Creates a language server without open documents.
     pub fn new(client: S, events: Sender<Event>, include: Vec<PathBuf>) -> Self {
         let (open, results) = (BTreeMap::new(), BTreeMap::new());
         Self {
@@ -286,7 +286,7 @@ impl<S: Client> Server<S> {
         self.client.send(Message::Notification(Notification::new("textDocument/publishDiagnostics".into(), params)));
     }
 
-    /// The diagnostics of a text from all runs.
+    /// Returns the diagnostics of a text from all background runs.
     pub fn run_diagnostics(&self, address: &str) -> Vec<EditorDiagnostic> {
         self.results.values().filter_map(|found| found.get(address)).flatten().cloned().collect()
     }
@@ -301,12 +301,12 @@ impl<S: Client> Server<S> {
         scenes.iter().filter(|scene| *scene != key).for_each(|scene| self.schedule(scene));
     }
 
-    /// The open document of an address.
+    /// Returns the open document with an address.
     pub fn document(&self, uri: &Uri) -> Option<&Document> {
         self.open.get(uri.as_str())
     }
 
-    /// An open text and all files that it includes.
+    /// Returns an open text and all files that it includes.
     pub fn reachable(&mut self, uri: &Uri) -> Vec<ReachableText> {
         match self.open.get(uri.as_str()) {
             Some(document) => files::reachable(&mut self.files, &self.open, document, &self.include),

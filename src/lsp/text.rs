@@ -20,7 +20,7 @@ impl Text {
         Self { all, lines }
     }
 
-    /// The whole text.
+    /// Returns the whole text of the document.
     pub fn as_str(&self) -> &str {
         &self.all
     }
@@ -46,7 +46,7 @@ impl Text {
         start + line.len()
     }
 
-    /// The position of a byte offset.
+    /// Returns the line and column of a byte offset.
     pub fn position(&self, offset: usize) -> Position {
         let offset = offset.min(self.all.len());
         let line = self.lines.partition_point(|start| *start <= offset).saturating_sub(1);
@@ -54,12 +54,12 @@ impl Text {
         Position::new(line as u32, before.encode_utf16().count() as u32)
     }
 
-    /// The positions of a byte range.
+    /// Returns the lines and columns of a byte range.
     pub fn range(&self, bytes: std::ops::Range<usize>) -> Range {
         Range::new(self.position(bytes.start), self.position(bytes.end))
     }
 
-    /// A line without its line ending.
+    /// Returns a line of the text without its line ending.
     pub fn line(&self, line: usize) -> &str {
         let Some(&start) = self.lines.get(line) else { return "" };
         let end = self.lines.get(line + 1).copied().unwrap_or(self.all.len());
@@ -132,7 +132,7 @@ mod tests {
         assert_eq!(text.lines_with_ends(), ["aä€😀b\r\n", "c\r", "d\n"]);
     }
 
-    /// Linear congruential generator.
+    /// Returns the next number of a linear congruential generator.
     fn next(seed: &mut u64) -> usize {
         *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (*seed >> 33) as usize

@@ -11,15 +11,15 @@ use crate::syntax::word::{CONSTANTS, GROUPS};
 use crate::value::words::TRANSFORMS;
 use crate::value::{Spec, ValueKind, WordSpec};
 
-/// A word that a block takes.
+/// A word that a block of the scene language accepts.
 pub struct WordInfo {
-    /// Spelling.
+    /// Spelling of the reserved word.
     pub name: &'static str,
-    /// Value that follows the word.
+    /// Kind of value that follows the reserved word.
     pub kind: ValueKind,
-    /// Description, one line.
+    /// Description of the reserved word in one line.
     pub summary: &'static str,
-    /// Default value; empty for a word without default.
+    /// Default value of the word; empty for a word without default.
     pub default: &'static str,
 }
 
@@ -35,7 +35,7 @@ impl From<&Spec> for WordInfo {
     }
 }
 
-/// The table of a shape.
+/// Returns the table of words for a shape.
 pub fn shape(name: &str) -> Option<&'static Spec> {
     shape::SPECS.iter().find(|spec| spec.name == name).copied()
 }
@@ -91,7 +91,7 @@ pub fn of_block(block: &str) -> Vec<WordInfo> {
     out
 }
 
-/// Name of a kind of value.
+/// Returns the name of a kind of value.
 pub fn kind(kind: ValueKind) -> &'static str {
     match kind {
         ValueKind::Nothing => "nothing",
@@ -183,7 +183,7 @@ pub fn form(spec: &Spec) -> String {
     format!("`{usage}`: {}", spec.summary)
 }
 
-/// Syntax and description of a function.
+/// Returns the syntax and description of a built-in function.
 pub fn function(name: &str) -> Option<(String, &'static str)> {
     functions().find(|(other, ..)| *other == name).map(|(name, usage, summary)| (format!("{name}{usage}"), summary))
 }
@@ -201,7 +201,7 @@ pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static
     numbers.chain(interpreter::functions())
 }
 
-/// Syntax and description of a directive.
+/// Returns the syntax and description of a directive.
 pub fn of_directive(text: &str) -> Option<(&'static str, &'static str)> {
     let word = directive(text);
     let row = interpreter::directives::TABLE.iter().find(|row| row.names.contains(&word))?;

@@ -15,14 +15,14 @@ const QUIET: Duration = Duration::from_millis(25);
 /// Largest number of quiet times that are waited for.
 const MAX_WAITS: usize = 12;
 
-/// Watches files.
+/// Watcher that reports changes of a scene's files.
 pub struct FileWatcher {
     shared: Arc<Mutex<Shared>>,
 }
 
 #[derive(Default)]
 struct Shared {
-    /// `None` if the system allows no further watcher.
+    /// The system's file watcher; `None` if the system allows no further one.
     watcher: Option<RecommendedWatcher>,
     folders: BTreeSet<PathBuf>,
     files: BTreeMap<PathBuf, File>,
@@ -30,7 +30,7 @@ struct Shared {
     missing: bool,
 }
 
-/// State of a file at the last check.
+/// State of a watched file at the last check.
 #[derive(Clone, Copy, PartialEq)]
 struct File {
     stamp: Stamp,
@@ -38,7 +38,7 @@ struct File {
     content: Option<ContentHash>,
 }
 
-/// Length and time of modification; `None` without a file.
+/// Length of a watched file and time of its last modification; `None` without a file.
 type Stamp = Option<(u64, Option<SystemTime>)>;
 
 fn stamp(path: &Path) -> Stamp {

@@ -6,7 +6,7 @@
 
 use std::io;
 
-/// Address of the page.
+/// Address and secret token of the preview page.
 #[derive(Clone, Debug)]
 pub struct Guard {
     port: u16,
@@ -24,7 +24,7 @@ impl Guard {
         Ok(Self { port, token: bytes.map(|byte| format!("{byte:02x}")).concat() })
     }
 
-    /// The address of the page.
+    /// Returns the address of the preview page with its token.
     pub fn address(&self) -> String {
         format!("http://127.0.0.1:{}/{}/", self.port, self.token)
     }
@@ -51,7 +51,7 @@ impl Guard {
         }
     }
 
-    /// Compares in constant time.
+    /// Compares a token with the page's token in constant time.
     fn is_token(&self, token: &str) -> bool {
         let differ = |all, (a, b): (u8, u8)| all | (a ^ b);
         token.len() == self.token.len() && token.bytes().zip(self.token.bytes()).fold(0, differ) == 0

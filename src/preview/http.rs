@@ -8,20 +8,20 @@ use std::time::Duration;
 const MAX_HEAD: usize = 16 << 10;
 /// Largest body of a request, in bytes.
 const MAX_BODY: usize = 64 << 10;
-/// Timeout of reading and writing.
+/// Timeout of reading from and writing to an HTTP client.
 const TIMEOUT: Duration = Duration::from_secs(10);
 
-/// A request of a client.
+/// An HTTP request of a client.
 #[derive(Debug)]
 pub struct Request {
-    /// Method such as `GET`.
+    /// Method of the HTTP request, such as `GET`.
     pub method: String,
-    /// Path with its first `/`, without the query.
+    /// Path of the HTTP request with its first `/`, without the query.
     pub path: String,
-    /// Query after `?`.
+    /// Query after `?` in the HTTP request's address.
     pub query: String,
     headers: Vec<(String, String)>,
-    /// Body.
+    /// Body of the HTTP request.
     pub body: Vec<u8>,
 }
 
@@ -88,7 +88,7 @@ impl Request {
         self.headers.iter().filter(|(n, _)| n == name).map(|(_, value)| value.clone()).collect()
     }
 
-    /// A number in the query.
+    /// Returns a number in the query of the HTTP request.
     pub fn number(&self, name: &str) -> Option<usize> {
         let pairs = self.query.split('&').filter_map(|pair| pair.split_once('='));
         pairs.filter(|(n, _)| *n == name).find_map(|(_, value)| value.parse().ok())

@@ -20,7 +20,7 @@ pub use serve::serve;
 
 use serde::{Deserialize, Serialize};
 
-/// The renderer behind the page.
+/// The renderer that serves the preview page.
 pub trait Backend: Send + Sync {
     /// Changes the settings of the picture.
     fn change(&self, change: Change);
@@ -38,16 +38,16 @@ pub trait Backend: Send + Sync {
     fn open(&self, position: &TextPosition) -> Result<(), String>;
 }
 
-/// Settings of the page.
+/// Settings of the picture on the preview page.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Settings {
-    /// Factor of the picture's size.
+    /// Factor by which the preview's picture is scaled.
     pub scale: f64,
-    /// True if anti-aliasing is on.
+    /// True if the preview anti-aliases its picture.
     pub antialias: bool,
-    /// Quality from 0 to 11, as `--quality`.
+    /// Quality of the preview's picture from 0 to 11, as `--quality`.
     pub quality: u8,
-    /// Value of `clock` in place of the command line's.
+    /// Value of `clock` on the page, in place of the command line's.
     pub clock: Option<f64>,
     /// Left, top, width and height of the part that fills the picture, as fractions of its size.
     pub zoom: Option<[f64; 4]>,
@@ -98,60 +98,61 @@ fn is_part(at: f64, length: f64) -> bool {
 /// A position in one of the scene's texts.
 #[derive(Clone, Debug, Deserialize)]
 pub struct TextPosition {
-    /// Name of the file as in messages.
+    /// Name of the source file as in messages.
     pub file: String,
-    /// Line, counted from 1.
+    /// Line of the text position, counted from 1.
     pub line: usize,
-    /// Column, counted from 1.
+    /// Column of the text position, counted from 1.
     pub column: usize,
 }
 
 /// State of the work, which the page displays beside the picture.
 #[derive(Clone, Debug, Serialize)]
 pub struct PageState {
-    /// The scene's name.
+    /// Name of the previewed scene.
     pub name: String,
-    /// `reading`, `drawing`, `done`, or `broken`; a broken scene leaves the previous picture on the page.
+    /// State of the page: `reading`, `drawing`, `done` or `broken`; a broken scene leaves the previous picture on the
+    /// page.
     pub status: &'static str,
-    /// Settings of the picture.
+    /// Settings of the previewed picture.
     pub settings: Settings,
-    /// Width and height of the picture at scale 1.
+    /// Width and height of the previewed picture at scale 1.
     pub size: [usize; 2],
-    /// Present, first and last value of `clock`.
+    /// Present, first and last value of `clock` on the page.
     pub clock: [f64; 3],
-    /// Messages, errors first.
+    /// Messages about the previewed scene, errors first.
     pub messages: Vec<Message>,
     /// Output of the scene's `#debug` and its kin.
     pub log: String,
-    /// Names of the steps and their durations in seconds.
+    /// Names of the rendering's steps and their durations in seconds.
     pub times: Vec<(&'static str, f64)>,
-    /// Number of rays.
+    /// Number of rays traced for the previewed picture.
     pub rays: u64,
     /// True if the server opens positions in an editor; otherwise the page follows their links.
     pub editor: bool,
 }
 
-/// One message of a run.
+/// One message of a run, as the preview page shows it.
 #[derive(Clone, Debug, Serialize)]
 pub struct Message {
-    /// `error` or `warning`.
+    /// Severity of the message: `error` or `warning`.
     pub severity: &'static str,
-    /// Code such as `E0203`.
+    /// Code of the message, such as `E0203`.
     pub code: &'static str,
     /// The message with its source lines and help, as on a terminal.
     pub text: String,
-    /// Position in the text.
+    /// Position of the message in the scene's text.
     pub place: Option<Link>,
 }
 
-/// A position that the page can open.
+/// A position in a scene's text that the page can open.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Link {
-    /// Name of the file as in messages.
+    /// Name of the link's source file as in messages.
     pub file: String,
-    /// Line, counted from 1.
+    /// Line that the link opens in an editor, counted from 1.
     pub line: usize,
-    /// Column, counted from 1.
+    /// Column that the link opens in an editor, counted from 1.
     pub column: usize,
     /// Address that opens the position in Visual Studio Code.
     pub url: String,

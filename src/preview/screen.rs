@@ -16,11 +16,11 @@ pub type Image = Frame;
 /// The displayed part of a larger picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Pixels of the larger picture.
+    /// Pixel region of the view in the larger picture.
     pub area: Region,
 }
 
-/// See the module.
+/// Picture on the preview page, shared by renderer and clients.
 #[derive(Default)]
 pub struct Screen {
     contents: Mutex<Contents>,
@@ -32,14 +32,14 @@ struct Contents {
     picture: Option<Picture>,
     previous: Option<Arc<Image>>,
     state: Option<Arc<PageState>>,
-    /// Number of changes so far.
+    /// Number of changes to the screen so far.
     stamp: u64,
     /// Stamp of the last change of `state`.
     state_stamp: u64,
 }
 
 struct Picture {
-    /// Number of the picture.
+    /// Number of the picture since the preview began.
     run: u64,
     view: View,
     image: Image,
@@ -52,23 +52,23 @@ struct Picture {
     done: bool,
 }
 
-/// The changes that a page has received.
+/// Position of a page in the screen's changes: those that the page has received.
 #[derive(Debug, Default)]
 pub(super) struct Cursor {
     stamp: u64,
     run: u64,
 }
 
-/// The changes since a [`Cursor`].
+/// Changes of the screen since a [`Cursor`].
 pub(super) struct Update {
     pub run: u64,
     /// Width and height of a new picture.
     pub new_size: Option<[usize; 2]>,
-    /// True if a previous picture exists.
+    /// True if the screen has a previous picture to compare with.
     pub has_previous: bool,
     pub state: Option<Arc<PageState>>,
     pub coarse: Option<Image>,
-    /// Left, top and pixels of each changed tile.
+    /// Left edge, top edge and pixels of each changed tile.
     pub tiles: Vec<(usize, usize, Image)>,
     pub progress: f32,
     pub done: bool,
@@ -84,7 +84,7 @@ impl Picture {
         (x + width).div_ceil(TILE) - x / TILE
     }
 
-    /// Pixels of a tile, relative to this picture.
+    /// Returns the pixels of a tile, relative to the displayed picture.
     fn tile(&self, at: usize) -> Region {
         let Region { x, y, width, height } = self.view.area;
         let (column, row) = (at % self.columns() + x / TILE, at / self.columns() + y / TILE);
@@ -171,7 +171,7 @@ impl Screen {
         }
     }
 
-    /// Marks the picture as finished.
+    /// Marks the picture on the screen as finished.
     pub fn finish(&self) {
         self.change(|contents, stamp| {
             if let Some(picture) = &mut contents.picture {
@@ -194,7 +194,7 @@ impl Screen {
         picture.image.pixels.get(y * picture.image.width + x).copied()
     }
 
-    /// Returns the previous finished picture.
+    /// Returns the finished picture before the present one.
     pub fn previous(&self) -> Option<Arc<Image>> {
         self.lock().previous.clone()
     }

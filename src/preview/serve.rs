@@ -11,7 +11,7 @@ use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::SeqCst};
 
-/// Largest number of simultaneous connections.
+/// Largest number of simultaneous connections to the preview server.
 const MAX_CONNECTIONS: usize = 64;
 
 const PAGE: &[u8] = include_bytes!("page/index.html");
@@ -44,7 +44,7 @@ pub fn serve(port: u16, backend: Arc<dyn Backend>, screen: Arc<Screen>) -> io::R
     Ok(address)
 }
 
-/// Counts an open connection.
+/// Counter entry of an open connection to the preview server.
 struct Connection(Arc<AtomicUsize>);
 
 impl Drop for Connection {

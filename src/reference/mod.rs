@@ -13,22 +13,22 @@ use crate::{atmosphere, camera, interpreter, light, scene, shape};
 /// A block and its page in the manual's reference.
 #[derive(Debug)]
 pub struct Block {
-    /// Words of the block.
+    /// Words of the documented block.
     pub words: &'static Vocabulary,
-    /// Name in Markdown.
+    /// Name of the documented block in Markdown.
     pub name: &'static str,
-    /// Page in `docs/src/reference/`.
+    /// Page of the block in `docs/src/reference/`.
     pub page: &'static str,
 }
 
 /// Shapes, patterns or warps, each with its own table.
 #[derive(Debug)]
 pub struct Family {
-    /// Tables of the members.
+    /// Word tables of the family's members.
     pub specs: &'static [&'static Spec],
-    /// Name of a member's kind.
+    /// Name for the kind of the family's members.
     pub kind: &'static str,
-    /// Page in `docs/src/reference/`.
+    /// Page of the family in `docs/src/reference/`.
     pub page: &'static str,
 }
 
@@ -36,7 +36,7 @@ const fn block(words: &'static Vocabulary, name: &'static str, page: &'static st
     Block { words, name, page }
 }
 
-/// Blocks outside of the families.
+/// Documented blocks outside of the families.
 pub const BLOCKS: &[Block] = &[
     block(&interpreter::STATEMENTS, "the scene", "scene.md"),
     block(&scene::words::MODIFIERS, "objects", "objects.md"),
@@ -58,7 +58,7 @@ pub const BLOCKS: &[Block] = &[
     block(&scene::words::SETTINGS, "`global_settings`", "settings.md"),
 ];
 
-/// All families.
+/// All documented families of blocks, such as shapes.
 pub const FAMILIES: &[Family] = &[
     Family { specs: shape::SPECS, kind: "shape", page: "shapes.md" },
     Family { specs: CellPattern::SPECS, kind: "pattern", page: "pigments.md" },

@@ -12,21 +12,21 @@ use crate::value::words::TRANSFORMS;
 /// Words by kind, each list in alphabetical order. No word is in two of the first five lists.
 #[derive(Debug)]
 pub struct Sorts {
-    /// Objects: `sphere`, `union`.
+    /// Words for objects, such as `sphere` and `union`.
     pub objects: Vec<&'static str>,
-    /// Other words with braces: `pigment`, `camera`.
+    /// Words with braces that are no objects, such as `pigment` and `camera`.
     pub blocks: Vec<&'static str>,
-    /// Functions with arguments in parentheses: `sin`.
+    /// Names of functions with arguments in parentheses, such as `sin`.
     pub functions: Vec<&'static str>,
-    /// Values: `x`, `pi`, `on`.
+    /// Words for values, such as `x`, `pi` and `on`.
     pub constants: Vec<&'static str>,
-    /// All other words: `rotate`, `rgb`, `marble`.
+    /// Words in none of the other lists, such as `rotate`, `rgb` and `marble`.
     pub words: Vec<&'static str>,
-    /// Directives, without `#`.
+    /// Names of directives, without `#`.
     pub directives: Vec<&'static str>,
-    /// Directives that an `#end` closes.
+    /// Names of directives that an `#end` closes.
     pub openers: Vec<&'static str>,
-    /// Directives between an opener and its `#end`: `else`, `case`.
+    /// Names of directives between an opener and its `#end`, such as `else` and `case`.
     pub continuers: Vec<&'static str>,
 }
 

@@ -20,31 +20,31 @@ impl Default for Tolerance {
     }
 }
 
-/// Result of a comparison.
+/// Result of comparing a rendered picture with its snapshot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// All pixels are equal.
+    /// Verdict: all pixels equal those of the snapshot.
     Identical,
-    /// The pictures differ within the tolerance.
+    /// Verdict: the pictures differ within the tolerance.
     Close,
     /// The pictures differ by more than the tolerance, or in size.
     Differs,
 }
 
-/// Difference of two pictures with 8 bits per channel.
+/// Difference of a rendered picture from its snapshot, with 8 bits per channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
     /// Width and height of the expected picture, if they differ from those of the rendered one.
     pub other_size: Option<(usize, usize)>,
-    /// Number of pixels.
+    /// Number of compared pixels.
     pub pixels: usize,
-    /// Number of pixels that differ.
+    /// Number of pixels that differ from the snapshot.
     pub different: usize,
     /// Number of pixels that differ by more than [`Tolerance::steps`].
     pub beyond: usize,
     /// Largest difference of a channel, in steps of 1/255.
     pub largest: u8,
-    /// Result.
+    /// Verdict of the comparison with the snapshot.
     pub verdict: Verdict,
 }
 

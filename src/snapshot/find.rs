@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 /// A scene and its snapshot, which need not exist.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Case {
-    /// Path of the scene.
+    /// Path of the scene that the test renders.
     pub scene: PathBuf,
-    /// Path of the snapshot.
+    /// Path of the scene's snapshot.
     pub picture: PathBuf,
 }
 

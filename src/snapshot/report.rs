@@ -4,26 +4,26 @@ use super::difference;
 use crate::diagnostic::Result;
 use crate::image_io::{Encoding, Format, Frame, encode};
 
-/// One scene on the page.
+/// One scene on the page that reports snapshot tests.
 #[derive(Clone, Debug)]
 pub struct Entry<'a> {
-    /// The scene's path.
+    /// Path of the tested scene.
     pub name: String,
-    /// True if the pictures agree.
+    /// True if the rendered picture agrees with its snapshot.
     pub fine: bool,
-    /// The snapshot's path.
+    /// Path of the scene's snapshot.
     pub snapshot: String,
-    /// Result of the test.
+    /// Result of the snapshot test as text.
     pub text: String,
     /// The command that accepts the rendered picture as the snapshot.
     pub accept: Option<String>,
-    /// The snapshot.
+    /// Snapshot that the rendered picture is compared with.
     pub expected: Option<&'a Frame>,
-    /// The rendered picture.
+    /// Picture that the test rendered of the scene.
     pub rendered: Option<&'a Frame>,
 }
 
-/// The files of a report: names and contents.
+/// Files of a snapshot report: names and contents.
 pub type Report = Vec<(String, Vec<u8>)>;
 
 /// The page `index.html` and its pictures. Scenes with differences come first.

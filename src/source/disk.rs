@@ -6,7 +6,7 @@ use std::io::{self, Cursor, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
-/// The file system of the machine.
+/// Storage that reads and writes the file system of the machine.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Disk;
 

@@ -113,13 +113,13 @@ pub trait Files: Send + Sync {
 /// Kind of a file system entry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
-    /// A regular file.
+    /// Kind of path: a regular file.
     File,
-    /// A folder.
+    /// Kind of path: a folder.
     Folder,
-    /// A symbolic link; only [`Files::list`] returns it.
+    /// Kind of path: a symbolic link; only [`Files::list`] returns it.
     Link,
-    /// A device, a pipe or a socket.
+    /// Kind of path: a device, a pipe or a socket.
     Special,
 }
 
@@ -128,18 +128,18 @@ pub enum FileKind {
 pub struct Metadata {
     /// Kind of the target, if `path` was a symbolic link.
     pub kind: FileKind,
-    /// Length in bytes.
+    /// Length of the file in bytes.
     pub length: u64,
     /// Time of the last write, if the system records it.
     pub modified: Option<SystemTime>,
 }
 
-/// An entry of a folder.
+/// An entry of a folder's listing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Name without the folder.
+    /// Name of the folder's entry, without the folder.
     pub name: OsString,
-    /// Kind of the entry itself; links are not followed.
+    /// Kind of the folder's entry itself; links are not followed.
     pub kind: FileKind,
 }
 
@@ -153,8 +153,8 @@ pub struct Stamp {
 /// Treatment of the old contents of a file that is opened for writing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WriteMode {
-    /// The old contents are removed.
+    /// Mode of writing that removes the file's old contents.
     Truncate,
-    /// New bytes follow the old contents.
+    /// Mode of writing that appends new bytes to the old contents.
     Append,
 }

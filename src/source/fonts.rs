@@ -101,7 +101,7 @@ pub fn similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<Pat
 
 /// Largest nesting depth of the folders.
 const MAX_DEPTH: usize = 6;
-/// Largest number of font files.
+/// Largest number of font files that a search for fonts reads.
 const MAX_FILES: usize = 20_000;
 
 fn collect(files: &dyn Files, folder: &Path, depth: usize, out: &mut Vec<PathBuf>) {

@@ -21,7 +21,7 @@ pub struct Memory(Arc<Mutex<Stored>>);
 
 #[derive(Default)]
 struct Stored {
-    /// By normalized path.
+    /// Files held in memory by normalized path.
     files: BTreeMap<PathBuf, File>,
     /// Number of changes so far, which serves as the clock of the time of modification.
     changes: u64,
@@ -33,7 +33,7 @@ struct File {
 }
 
 impl Memory {
-    /// Creates or replaces a file.
+    /// Creates or replaces a file held in memory.
     pub fn insert(&self, path: impl AsRef<Path>, bytes: impl Into<Vec<u8>>) {
         self.stored().change(normalized(path.as_ref()), |old| *old = bytes.into());
     }
@@ -161,7 +161,7 @@ pub struct Overlay {
 }
 
 impl Overlay {
-    /// An overlay without texts.
+    /// Creates an overlay on `files` that replaces no file yet.
     pub fn new(files: Arc<dyn Files>) -> Self {
         Self { files, texts: Memory::default() }
     }

@@ -7,9 +7,9 @@ use std::path::Path;
 /// Reason for which a text was not read.
 #[derive(Debug)]
 pub enum ReadError {
-    /// The system reported an error.
+    /// Reading failed because the operating system reported an error.
     Io(io::Error),
-    /// The path is a folder.
+    /// Reading failed because the path is a folder.
     Folder,
     /// The file is no text, but for example `a PNG picture`.
     NotText(&'static str),

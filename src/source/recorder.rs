@@ -15,7 +15,7 @@ pub type ReadFiles = BTreeMap<PathBuf, ContentHash>;
 pub struct ContentHash(blake3::Hash);
 
 impl ContentHash {
-    /// Computes the hash of `bytes`.
+    /// Computes the content hash of `bytes`.
     pub fn of(bytes: &[u8]) -> Self {
         Self(blake3::hash(bytes))
     }
@@ -41,7 +41,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Records the reads from `files`.
+    /// Creates a recorder of all files read through `files`.
     pub fn new(files: Arc<dyn Files>) -> Self {
         Self { files, read: Mutex::default() }
     }

@@ -28,7 +28,7 @@ pub struct Sandboxed<'a> {
 }
 
 impl<'a> Sandboxed<'a> {
-    /// Restricts `files`.
+    /// Restricts the access to `files` by the rules of `sandbox`.
     pub fn new(files: &'a dyn Files, sandbox: &'a Sandbox) -> Self {
         Self { files, sandbox }
     }

@@ -13,10 +13,10 @@ pub struct SearchPath {
     pub fonts: Vec<PathBuf>,
 }
 
-/// Result of a search.
+/// Result of searching a file on the include path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// Path of the file.
+    /// Path of the file that the search found.
     pub path: PathBuf,
     /// Spelling that is found on every system, if the name in the scene is not.
     pub portable: Option<String>,

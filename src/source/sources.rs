@@ -4,18 +4,18 @@ use super::{Disk, Files, ReadFiles, Recorder, Span};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Identifies a text in [`Sources`].
+/// Index that identifies a text in [`Sources`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct FileId(pub u32);
 
-/// A position in a text for people.
+/// A position in a source text, for people to read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// Name of the file as the user wrote it.
+    /// Name of the source file as the user wrote it.
     pub file: String,
-    /// Line, counted from 1.
+    /// Line of the position in the text, counted from 1.
     pub line: usize,
-    /// Column in characters, counted from 1.
+    /// Column of the position in characters, counted from 1.
     pub column: usize,
 }
 
@@ -41,7 +41,7 @@ pub struct Sources {
     texts: elsa::FrozenVec<Box<File>>,
 }
 
-/// Reads from the disk.
+/// Sources that read files from the disk.
 impl Default for Sources {
     fn default() -> Self {
         Self::new(Arc::new(Disk))
@@ -78,12 +78,12 @@ impl Sources {
         Some(FileId(self.texts.len() as u32 - 1))
     }
 
-    /// All texts in the order of their addition.
+    /// Returns the indices of all texts in the order of their addition.
     pub fn ids(&self) -> impl Iterator<Item = FileId> + use<> {
         (0..self.texts.len() as u32).map(FileId)
     }
 
-    /// The contents of a text.
+    /// Returns the contents of a source text.
     pub fn text(&self, id: FileId) -> &str {
         self.texts.get(id.0 as usize).map_or("", |f| &f.text)
     }
@@ -93,12 +93,12 @@ impl Sources {
         self.texts.get(id.0 as usize).map_or("", |f| &f.name)
     }
 
-    /// The path of a text; `None` for standard input.
+    /// Returns the path of a text; `None` for standard input.
     pub fn path(&self, id: FileId) -> Option<&Path> {
         self.texts.get(id.0 as usize).and_then(|f| f.path.as_deref())
     }
 
-    /// The global offset of a text's first byte.
+    /// Returns the global offset of a text's first byte.
     pub fn base(&self, id: FileId) -> usize {
         self.texts.get(id.0 as usize).map_or(0, |f| f.base)
     }
@@ -119,7 +119,7 @@ impl Sources {
         Some((FileId(a as u32), (lo - file.base).min(end)..hi.saturating_sub(file.base).min(end)))
     }
 
-    /// The part of a text that a span covers.
+    /// Returns the part of a text that a span covers.
     pub fn snippet(&self, span: Span) -> &str {
         match self.locate(span) {
             Some((id, range)) => self.text(id).get(range).unwrap_or(""),
@@ -127,7 +127,7 @@ impl Sources {
         }
     }
 
-    /// File, line and column of a span's first byte.
+    /// Returns the file, line and column of a span's first byte.
     pub fn place(&self, span: Span) -> Option<Place> {
         let (id, range) = self.locate(span)?;
         let file = self.texts.get(id.0 as usize)?;

@@ -6,9 +6,9 @@ use serde::Serialize;
 /// default is [`Span::NONE`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 pub struct Span {
-    /// Offset of the first byte.
+    /// Offset of the span's first byte.
     pub lo: u32,
-    /// Offset after the last byte.
+    /// Offset after the span's last byte.
     pub hi: u32,
 }
 
@@ -16,12 +16,12 @@ impl Span {
     /// No position, for values from the command line and for defaults. Global offsets start at 1.
     pub const NONE: Span = Span { lo: 0, hi: 0 };
 
-    /// The range from `lo` to `hi`, exclusive.
+    /// Creates the span from `lo` to `hi`, exclusive.
     pub fn new(lo: usize, hi: usize) -> Self {
         Self { lo: lo as u32, hi: hi as u32 }
     }
 
-    /// True for [`Span::NONE`].
+    /// True for [`Span::NONE`], the span without a position.
     pub fn is_none(&self) -> bool {
         self.hi == 0
     }
@@ -37,7 +37,7 @@ impl Span {
         }
     }
 
-    /// The empty range after this span.
+    /// Returns the empty span after this span.
     pub fn end(self) -> Span {
         Span { lo: self.hi, hi: self.hi }
     }

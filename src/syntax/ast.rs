@@ -13,7 +13,7 @@ pub struct Symbol(pub u32);
 /// A parsed file, possibly with faults.
 #[derive(Debug, Default)]
 pub struct Ast {
-    /// Outermost elements.
+    /// Outermost elements of the scene file.
     pub elements: Vec<Element>,
     /// All tokens and comments of the file: with the blanks between them they are its text.
     pub tokens: Tokens,
@@ -24,22 +24,22 @@ pub struct Ast {
 /// An element of a file, block, entry, group, directive's body, or macro's argument list.
 #[derive(Clone, Debug)]
 pub struct Element {
-    /// The element's span.
+    /// Span of the syntax element in the source.
     pub span: Span,
-    /// True if a comma follows.
+    /// True if a comma follows the element.
     pub comma: bool,
-    /// The kind of element.
+    /// Kind of the syntax element.
     pub kind: ElementKind,
 }
 
 impl Element {
-    /// An element without a comma.
+    /// Creates a syntax element that no comma follows.
     pub fn new(span: Span, kind: ElementKind) -> Self {
         Self { span, comma: false, kind }
     }
 }
 
-/// Kinds of elements.
+/// Kinds of elements in a scene's syntax tree.
 #[derive(Clone, Debug)]
 pub enum ElementKind {
     /// A keyword, or the name of a built-in function without arguments.
@@ -48,17 +48,17 @@ pub enum ElementKind {
     Expr(Box<Expr>),
     /// Two or more literal numbers and vectors with commas between them.
     Numbers(Box<NumberList>),
-    /// `name { … }`.
+    /// Element of the form `name { … }`, such as `sphere { … }`.
     Block(Box<Block>),
-    /// `{ … }` without a name.
+    /// Element of the form `{ … }`, without a name.
     Group(Box<Group>),
-    /// `[ … ]`.
+    /// Element of the form `[ … ]`, such as a color map's entry.
     Entry(Box<Group>),
-    /// `function (…) { … }`.
+    /// Element of the form `function (…) { … }`.
     Function(Box<Function>),
-    /// `#…`
+    /// Element that is a directive, `#…`.
     Directive(Box<Directive>),
-    /// `;`
+    /// Element that is a lone `;`.
     Semicolon,
     /// A comma that follows no element of its sequence.
     Comma,
@@ -69,37 +69,37 @@ pub enum ElementKind {
 /// A token that is neither a word nor a literal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
-    /// An opening bracket.
+    /// Opening bracket as a sign in the syntax tree.
     Open(Bracket),
-    /// A closing one.
+    /// Closing bracket as a sign in the syntax tree.
     Close(Bracket),
     /// Between two operands; `<` and `>` may also enclose a vector, `-` and `+` precede an operand.
     Operator(Operator),
-    /// `!`
+    /// The sign `!`.
     Not,
-    /// `.`
+    /// The sign `.`.
     Dot,
-    /// `?`
+    /// The sign `?`.
     Question,
-    /// `:`
+    /// The sign `:`.
     Colon,
-    /// A character without meaning in the language.
+    /// Character without meaning in the scene language.
     Other,
 }
 
 /// Brackets other than `<` and `>`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bracket {
-    /// `{ }`
+    /// A pair of braces, `{ }`.
     Brace,
-    /// `( )`
+    /// A pair of parentheses, `( )`.
     Paren,
-    /// `[ ]`
+    /// A pair of square brackets, `[ ]`.
     Square,
 }
 
 impl Bracket {
-    /// The opening and the closing bracket.
+    /// Returns the opening and the closing bracket as texts.
     pub fn text(self) -> [&'static str; 2] {
         match self {
             Bracket::Brace => ["{", "}"],
@@ -112,54 +112,54 @@ impl Bracket {
 /// The contents of brackets without a name.
 #[derive(Clone, Debug)]
 pub struct Group {
-    /// The elements between the brackets.
+    /// Elements between the brackets of a group.
     pub body: Box<[Element]>,
 }
 
-/// A name and its elements.
+/// A block's name and the elements between its braces.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// The word before the brace.
+    /// The word before the block's opening brace.
     pub name: Name,
-    /// The elements between the braces.
+    /// The elements between the block's braces.
     pub body: Box<[Element]>,
 }
 
 /// A word before a brace: a keyword, or an unknown word (an error that is reported when the run reaches it).
 #[derive(Clone, Copy, Debug)]
 pub struct Name {
-    /// The keyword; `None` for an unknown word.
+    /// The keyword in the name's position; `None` for a word that the scene language lacks.
     pub word: Option<&'static str>,
-    /// The word's span.
+    /// Span of the word that names a block or member.
     pub span: Span,
 }
 
-/// Literal numbers and vectors.
+/// A list of literal numbers and vectors, stored compactly.
 #[derive(Clone, Debug)]
 pub struct NumberList {
-    /// All numbers of all items.
+    /// Numbers of all items of the list, one after another.
     pub data: Arc<[f64]>,
-    /// Number of components of each item.
+    /// Number of components of each item of the list.
     pub widths: Widths,
 }
 
 /// Number of components of each item of a list; 1 is a plain number.
 #[derive(Clone, Debug)]
 pub enum Widths {
-    /// Equal for all items.
+    /// Width that all items of a number list share.
     Uniform(u16),
-    /// A number for each item.
+    /// Width of each item of a number list.
     Mixed(Arc<[u16]>),
 }
 
-/// An expression.
+/// An expression of the syntax tree.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// The expression's span.
+    /// Span of the expression in the source.
     pub span: Span,
     /// True if a name is called somewhere in it. Only the run decides what the name is.
     pub calls: bool,
-    /// The kind of expression.
+    /// Kind of the expression.
     pub kind: ExprKind,
 }
 
@@ -181,61 +181,61 @@ impl Expr {
 /// Kinds of expressions. Chains of operators are flat, so that no tree is deeper than the text's brackets.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
-    /// A literal.
+    /// Expression that is a literal number.
     Number(f64),
-    /// A string literal with its escapes resolved.
+    /// Expression that is a string literal, with its escapes resolved.
     Text(Box<str>),
-    /// A name or constant.
+    /// Expression that is a declared name or constant.
     Name(Symbol),
-    /// `< … >` of literals only.
+    /// Expression that is a vector `< … >` of literals only.
     Literal(Arc<[f64]>),
-    /// `< … >` of expressions.
+    /// Expression that is a vector `< … >` of expressions.
     Vector(Box<[Element]>),
-    /// `( … )`: kept, because `(A)` passes a copy where `A` passes a reference.
+    /// Expression in parentheses, `( … )`: kept, because `(A)` passes a copy where `A` passes a reference.
     Paren(Box<Expr>),
-    /// `a op b op c …` of one precedence, from left to right.
+    /// Chain of binary operators of one precedence, `a op b op c …`, from left to right.
     Chain(Box<Chain>),
-    /// `-`, `+`, `!`.
+    /// Expression with a prefix operator: `-`, `+` or `!`.
     Prefix(Prefix, Box<Expr>),
-    /// `a ? b : c`
+    /// Conditional expression `a ? b : c`.
     Choice(Box<[Expr; 3]>),
-    /// A built-in function.
+    /// Expression that calls a built-in function.
     Builtin(&'static Word, Box<[Expr]>),
-    /// A macro, user function or spline.
+    /// Expression that calls a macro, user function or spline.
     Call(Symbol, Box<[Element]>),
-    /// `A[i][j]`
+    /// Expression that accesses an array: `A[i][j]`.
     Index(Box<Expr>, Box<[Expr]>),
-    /// `A[i](x)`
+    /// Expression that calls a function or array element: `A[i](x)`.
     Apply(Box<Expr>, Box<[Element]>),
-    /// `A.x`
+    /// Expression that accesses a member: `A.x`.
     Dot(Box<Expr>, Name, Symbol),
-    /// A function as an argument.
+    /// A function definition as an argument of an expression.
     Function(Box<Function>),
-    /// A block as an argument.
+    /// A block as an argument of an expression.
     Block(Box<Block>),
 }
 
 /// Operands and the operators between them.
 #[derive(Clone, Debug)]
 pub struct Chain {
-    /// The first operand.
+    /// First operand of a chain of binary operators.
     pub first: Expr,
-    /// The others.
+    /// Operators and operands after the chain's first operand.
     pub rest: Box<[(Operator, Expr)]>,
 }
 
-/// Sign or negation.
+/// Prefix operator of an expression: sign or negation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Prefix {
-    /// `-`
+    /// The prefix operator `-`.
     Minus,
-    /// `+`
+    /// The prefix operator `+`.
     Plus,
-    /// `!`
+    /// The prefix operator `!`.
     Not,
 }
 
-/// An operator between two operands.
+/// Binary operator of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]
 pub enum Operator {
@@ -271,24 +271,24 @@ impl Operator {
         if self == Operator::And { 2 } else { self.precedence() }
     }
 
-    /// The operator with this spelling.
+    /// Returns the binary operator with the spelling `text`.
     pub fn of(text: &str) -> Option<Self> {
         use Operator::*;
         let all = [Add, Sub, Mul, Div, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Or];
         all.into_iter().find(|op| op.text() == text)
     }
 
-    /// True for `*` and `/`.
+    /// True for the binary operators `*` and `/`.
     pub fn multiplies(self) -> bool {
         matches!(self, Operator::Mul | Operator::Div)
     }
 
-    /// True for `+` and `-`.
+    /// True for the binary operators `+` and `-`.
     pub fn adds(self) -> bool {
         matches!(self, Operator::Add | Operator::Sub)
     }
 
-    /// True for comparisons.
+    /// True for comparison operators such as `<`.
     pub fn compares(self) -> bool {
         self.precedence() == Operator::Equal.precedence()
     }
@@ -313,33 +313,33 @@ impl Operator {
     }
 }
 
-/// `function { … }`.
+/// A function definition, `function { … }`.
 #[derive(Clone, Debug)]
 pub struct Function {
     /// The names in parentheses; empty means `x, y, z`.
     pub parameters: Box<[Symbol]>,
-    /// `function 200, 200 { … }` of a height field.
+    /// Size of a height field's function, as in `function 200, 200 { … }`.
     pub size: Box<[Expr]>,
-    /// Expressions, blocks (`pigment { … }`) and directives.
+    /// Contents of the function: expressions, blocks such as `pigment { … }`, and directives.
     pub body: Box<[Element]>,
 }
 
-/// A directive.
+/// A directive of the scene language, such as `#if`, with its contents.
 #[derive(Clone, Debug)]
 pub enum Directive {
-    /// `#declare`, `#local`; the value is what the following elements evaluate to.
+    /// Directive `#declare` or `#local`; the value is the result of the following elements.
     Declare(Declare),
-    /// `#declare` or `#local` with anything but a plain target before the `=`; the flag is `local`.
+    /// Directive `#declare` or `#local` with anything but a plain target before the `=`; the flag is `local`.
     DeclarePieces(bool),
-    /// `#if`, `#elseif`, `#else`.
+    /// The directive `#if` with its `#elseif` and `#else` branches.
     If(Box<[Branch]>),
-    /// `#while`.
+    /// The directive `#while` with its condition and body.
     While(Head, Box<[Element]>),
-    /// `#for`.
+    /// The directive `#for` with its counter and body.
     For(For),
-    /// `#switch`.
+    /// The directive `#switch` with its value and arms.
     Switch(Head, Box<[Arm]>),
-    /// `#macro`.
+    /// The directive `#macro` with its definition.
     Macro(Macro),
     /// Any other directive, by its word: its arguments are the elements that follow.
     Plain(Symbol),
@@ -348,113 +348,113 @@ pub enum Directive {
 /// The parentheses after a directive's word.
 #[derive(Clone, Debug)]
 pub enum Head {
-    /// One expression.
+    /// A directive's argument that is one whole expression.
     Whole(Expr),
-    /// Anything else; `None` if there are no parentheses.
+    /// Directive's argument that is no whole expression; `None` if there are no parentheses.
     Pieces(Option<Box<[Element]>>),
 }
 
-/// `#declare A[i] =`
+/// The directive `#declare A[i] =` or `#local A[i] =`.
 #[derive(Clone, Debug)]
 pub struct Declare {
-    /// `#local`.
+    /// True for `#local`, false for `#declare`.
     pub local: bool,
-    /// `deprecated "why"`; the flag is `once`.
+    /// Contents of `deprecated "why"` in a declaration; the flag is `once`.
     pub deprecated: Option<(bool, Box<str>)>,
-    /// The name, its indices and its span.
+    /// Name that the declaration assigns to, with its indices and its span.
     pub target: Target,
     /// The other targets of `#declare (A, B) = (1, 2);`
     pub others: Box<[Target]>,
 }
 
-/// The target of a `#declare`.
+/// Target of a `#declare` directive: a name with optional indices.
 #[derive(Clone, Debug)]
 pub struct Target {
-    /// The name.
+    /// Name that a `#declare` directive assigns to.
     pub symbol: Symbol,
-    /// The name's span, without indices.
+    /// Span of the declared name, without its indices.
     pub span: Span,
     /// A keyword can't be declared: an error when the run reaches it.
     pub keyword: Option<&'static str>,
-    /// `[i][j]`
+    /// Indices `[i][j]` after the declared name.
     pub indices: Box<[Expr]>,
 }
 
 /// A condition and the elements that run if it holds.
 #[derive(Clone, Debug)]
 pub struct Branch {
-    /// From its directive's word to the next one.
+    /// Span of the branch from its directive's word to the next one.
     pub span: Span,
-    /// The condition.
+    /// Condition of an `#if` directive's branch.
     pub condition: Condition,
-    /// The elements that run.
+    /// Elements that run if the branch's condition holds.
     pub body: Box<[Element]>,
 }
 
-/// The condition of a branch.
+/// Condition of an `#if` directive's branch.
 #[derive(Clone, Debug)]
 pub enum Condition {
-    /// The value is not 0.
+    /// Condition that holds if the value is not 0.
     True(Head),
-    /// The name is declared.
+    /// Condition `#ifdef`, which holds if the name is declared.
     Declared(Head),
-    /// The name is not declared.
+    /// Condition `#ifndef`, which holds if the name is not declared.
     NotDeclared(Head),
-    /// `#else`.
+    /// Condition of `#else`, which always holds.
     Always,
 }
 
-/// `#for (I, 0, 10, 1)`
+/// The directive `#for (I, 0, 10, 1)` with its body.
 #[derive(Clone, Debug)]
 pub struct For {
-    /// The counter and its range.
+    /// Counter and range of the `#for` loop.
     pub head: ForHead,
-    /// The body.
+    /// Elements in the body of the `#for` loop.
     pub body: Box<[Element]>,
 }
 
-/// The parentheses of a `#for`.
+/// Contents of the parentheses after `#for`.
 #[derive(Clone, Debug)]
 pub enum ForHead {
     /// The counter; first value, last value, and an optional step.
     Whole(Symbol, Box<[Expr]>),
-    /// Anything else; `None` if there are no parentheses.
+    /// Contents of the `#for` parentheses that are no plain range; `None` if there are no parentheses.
     Pieces(Option<Box<[Element]>>),
 }
 
-/// One arm of a `#switch`.
+/// One arm of a `#switch` directive: `#case`, `#range` or `#else`.
 #[derive(Clone, Debug)]
 pub struct Arm {
-    /// From its directive's word to the next one.
+    /// Span of the arm from its directive's word to the next one.
     pub span: Span,
-    /// The condition.
+    /// Condition of the `#switch` arm.
     pub when: When,
     /// The elements that run; without `#break` the next arm follows.
     pub body: Box<[Element]>,
 }
 
-/// The condition of an arm.
+/// Condition of a `#switch` directive's arm.
 #[derive(Clone, Debug)]
 pub enum When {
-    /// `#case`.
+    /// Condition `#case`: the switch value equals this value.
     Case(Head),
-    /// `#range`, with both ends.
+    /// Condition `#range`: the switch value is between two ends, both included.
     Range(Option<Box<[Element]>>),
-    /// `#else`.
+    /// Condition of the `#else` arm, which holds if no other arm does.
     Otherwise,
 }
 
-/// `#macro Name(A, B)`
+/// The directive `#macro Name(A, B)` with its body.
 #[derive(Clone, Debug)]
 pub struct Macro {
-    /// Its name.
+    /// Name of the macro.
     pub name: Symbol,
-    /// The name's span.
+    /// Span of the macro's name.
     pub span: Span,
     /// Span of a faulty part of its head: an error when the run reaches it.
     pub fault: Option<Span>,
     /// Names of its parameters; the flag is `optional`.
     pub parameters: Box<[(Symbol, bool)]>,
-    /// The elements that a call runs.
+    /// Elements that a call of the macro runs.
     pub body: Box<[Element]>,
 }

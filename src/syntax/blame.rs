@@ -6,21 +6,21 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::source::Span;
 use std::ops::Range;
 
-/// A brace, or a directive with a body.
+/// Opening brace, or a directive with a body, that may lack its end.
 struct Opener<'t> {
     /// The word before the brace, or the directive's word.
     word: &'t str,
     /// Local offset of the brace, or of the `#`.
     at: usize,
-    /// Indentation of the line, in columns.
+    /// Indentation of the opening brace's line, in columns.
     indent: usize,
-    /// Start of its line.
+    /// Start of the opening bracket's line.
     line: usize,
 }
 
 /// A token that the scanner returns.
 enum Found<'t> {
-    /// `word {` or `{`: the word, and the offsets of word and brace.
+    /// Opening brace of the form `word {` or `{`: the word, and the offsets of word and brace.
     Open(&'t str, usize, usize),
     Close(usize),
     Directive(&'t str, usize),

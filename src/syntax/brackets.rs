@@ -8,24 +8,24 @@ use super::class;
 /// Maximum nesting: the parser recurses on the native stack.
 pub(super) const MAX_DEPTH: usize = 1000;
 
-/// An opening bracket or directive.
+/// Opening bracket or directive that a closing one must match.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Opener {
     Brace,
-    /// That of `function { … }`, inside which `<` compares.
+    /// Opening brace of `function { … }`, inside which `<` compares.
     FunctionBrace,
     /// Grouping, a condition or a built-in function's arguments, where `<` compares.
     Paren,
     /// Arguments of a macro or of an author's function.
     Arguments,
     Bracket,
-    /// `<` of a vector.
+    /// The `<` that opens a vector.
     Angle,
-    /// `?` of a choice.
+    /// The `?` that opens a conditional expression.
     Choice,
-    /// Its `:`, whose value extends to the next comma or bracket: consecutive choices nest.
+    /// The `:` of a conditional expression, whose value extends to the next comma or bracket: consecutive choices nest.
     Otherwise,
-    /// A directive of this class, with a body.
+    /// Directive of this class, which opens a body.
     Directive(u8),
 }
 
@@ -139,7 +139,7 @@ impl Brackets {
         }
     }
 
-    /// Ends the innermost directive.
+    /// Ends the innermost open directive.
     pub(super) fn end(&mut self) {
         self.pop();
     }

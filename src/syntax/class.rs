@@ -12,7 +12,7 @@ pub(super) enum Role {
     Opens,
     /// Ends a body and begins the next, of a directive of these classes.
     Continues(&'static [u8]),
-    /// Ends the last body.
+    /// Role of a directive that ends the last open body.
     Ends,
 }
 
@@ -20,7 +20,7 @@ macro_rules! classes {
     ($($name:ident $class:literal $doc:literal,)*) => {
         $(#[doc = $doc] pub(super) const $name: u8 = $class;)*
 
-        /// Each class and its name in the grammar.
+        /// Each class of tokens and its name in the grammar.
         #[cfg(test)]
         const CLASSES: &[(u8, &str)] = &[$(($class, stringify!($name)),)*];
     };
@@ -130,7 +130,7 @@ mod tests {
     use super::*;
     use std::collections::BTreeMap;
 
-    /// `NAME = { "n" }` and `NAME = _{ "n" }` of the grammar.
+    /// Returns the tokens that the grammar defines as `NAME = { "n" }` or `NAME = _{ "n" }`.
     fn named_in_grammar() -> BTreeMap<String, u8> {
         let grammar = include_str!("../../grammar/scene.pest");
         let rule = |line: &str| {

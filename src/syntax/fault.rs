@@ -71,7 +71,7 @@ fn follows_operand(text: &str, at: usize) -> bool {
     }
 }
 
-/// `#declare A 5`, `#declare = 5`, `#macro (A)`.
+/// Returns the fault of a missing name or `=`, as in `#declare A 5`, `#declare = 5` and `#macro (A)`.
 fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     let before = text[..at].trim_end();
     let fault = |message: String| Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
@@ -95,7 +95,7 @@ fn directive_at_end(text: &str) -> Option<&str> {
     text[..text.len() - word.len()].trim_end_matches([' ', '\t']).ends_with('#').then_some(word)
 }
 
-/// `#if A = 1` instead of `#if (A = 1)`.
+/// Returns the fault of a condition without parentheses, as in `#if A = 1`.
 fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     let directive = text[at..].strip_prefix('#')?.trim_start_matches([' ', '\t']);
     let word = token_at(directive, 0);

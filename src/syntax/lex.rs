@@ -12,35 +12,35 @@ use super::word::{self, Category};
 use crate::diagnostic::{Code, Diagnostic, codes};
 use crate::source::Span;
 
-/// One token.
+/// Token of a scene text, by kind and byte offsets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Token {
-    /// Local offset of its first byte.
+    /// Local offset of the token's first byte.
     pub(super) start: u32,
-    /// Offset after its last byte.
+    /// Offset after the token's last byte.
     pub(super) end: u32,
     /// A keyword's number, a name's symbol, or an index into [`Lexed::numbers`] or [`Lexed::lists`].
     pub(super) data: u32,
 }
 
-/// A text in tokens.
+/// A scene text split into tokens.
 #[derive(Default)]
 pub(super) struct Lexed {
     /// One ASCII character for each token: the grammar's input.
     pub(super) classes: Vec<u8>,
     /// The tokens, as many as classes.
     pub(super) tokens: Vec<Token>,
-    /// Values of `NUMBER` tokens.
+    /// Numeric values of the text's `NUMBER` tokens.
     pub(super) numbers: Vec<f64>,
     /// Values of `LITERAL` and `NUMBERS` tokens; the tree shares them.
     pub(super) lists: Vec<NumberList>,
     /// Indices of tokens at which nothing is open, ascending: the text can be cut there.
     pub(super) cuts: Vec<u32>,
-    /// All comments, in local offsets.
+    /// Ranges of all comments in the text, in local offsets.
     pub(super) comments: Vec<(u32, u32)>,
     /// Indices of brackets that are not closed in the rest of the text.
     pub(super) unclosed: Vec<u32>,
-    /// The faults.
+    /// Faults that the lexer found in the text.
     pub(super) faults: Vec<Diagnostic>,
 }
 
@@ -62,7 +62,7 @@ pub(super) fn lex(text: &str, base: usize, names: &Names, lists: bool) -> Lexed 
     lexer.out
 }
 
-/// Maximum number of faults that are reported.
+/// Maximum number of faults that the lexer reports.
 const MAX_FAULTS: usize = 20;
 
 struct Lexer<'t> {

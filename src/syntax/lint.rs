@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// The enabled lints.
+/// Switches that enable lints of a scene's text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lints {
     /// W0209: declared in the scene's own file, and used in none of the files.
@@ -20,7 +20,7 @@ pub struct Lints {
     pub portable: bool,
 }
 
-/// A declaration of a name.
+/// Declaration of a name that a lint examines.
 struct Declaration {
     symbol: Symbol,
     span: Span,
@@ -88,7 +88,7 @@ fn shadows(names: &Names, own: &Scan, all: &[Scan]) -> Vec<Diagnostic> {
     inner.filter_map(hides).collect()
 }
 
-/// The scanner of one file.
+/// Declarations and uses of names that the lints found in one file.
 #[derive(Default)]
 struct Scan {
     declarations: Vec<Declaration>,
@@ -112,7 +112,7 @@ struct Scanner<'t> {
     base: usize,
     lexed: Lexed,
     at: usize,
-    /// The open directives; true for macros.
+    /// Open directives around the token; true for macros.
     open: Vec<bool>,
     out: Scan,
 }
@@ -141,7 +141,7 @@ impl Scanner<'_> {
         self.text[token.start as usize..token.end as usize].ends_with("undef")
     }
 
-    /// `#declare A =`; `#declare A[i] =` declares an element only.
+    /// Scans a declaration, `#declare A =`; `#declare A[i] =` declares an element only.
     fn declaration(&mut self) {
         let token = self.lexed.tokens[self.at];
         let local = self.text[token.start as usize..token.end as usize].ends_with("local");
@@ -158,7 +158,7 @@ impl Scanner<'_> {
         }
     }
 
-    /// `#macro A(B, optional C)`
+    /// Scans a macro definition, `#macro A(B, optional C)`.
     fn definition(&mut self) {
         if self.class(1) == class::NAME {
             self.at += 1;
@@ -177,7 +177,7 @@ impl Scanner<'_> {
         }
     }
 
-    /// Declares the current name.
+    /// Records a declaration of the current name.
     fn declare(&mut self, what: What) {
         let token = self.lexed.tokens[self.at];
         let span = Span::new(self.base + token.start as usize, self.base + token.end as usize);

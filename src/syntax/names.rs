@@ -12,7 +12,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// The symbol of a name, new or known.
+    /// Returns the symbol of a name, new or known.
     pub fn intern(&self, name: &str) -> Symbol {
         let mut symbols = self.symbols.borrow_mut();
         if let Some(&symbol) = symbols.get(name) {
@@ -29,17 +29,17 @@ impl Names {
         self.symbols.borrow().get(name).copied()
     }
 
-    /// The name of a symbol.
+    /// Returns the name of a symbol.
     pub fn text(&self, symbol: Symbol) -> &str {
         &self.texts[symbol.0 as usize]
     }
 
-    /// Number of names.
+    /// Returns the number of names in the symbol table.
     pub fn len(&self) -> usize {
         self.texts.len()
     }
 
-    /// True if there are no names.
+    /// True if the symbol table has no names.
     pub fn is_empty(&self) -> bool {
         self.texts.len() == 0
     }

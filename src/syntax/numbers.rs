@@ -60,14 +60,14 @@ fn scan_digits(bytes: &[u8], at: usize, mut value: u64) -> (u64, usize) {
     (value, i)
 }
 
-/// Powers of ten.
+/// Powers of ten as integers, for converting decimal literals.
 const SMALL_POWERS: [u64; 9] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
 
 fn digit(bytes: &[u8], i: usize) -> Option<u64> {
     bytes.get(i).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10).map(u64::from)
 }
 
-/// `e-5`: its value and end; 0 without an exponent.
+/// Scans an exponent such as `e-5` to its value and end; 0 without an exponent.
 fn scan_exponent(bytes: &[u8], at: usize) -> (i32, usize) {
     let none = (0, at);
     if !matches!(bytes.get(at), Some(b'e' | b'E')) {
@@ -86,7 +86,7 @@ fn scan_exponent(bytes: &[u8], at: usize) -> (i32, usize) {
     (if negative { -exponent } else { exponent }, i)
 }
 
-/// Exact powers of ten.
+/// Powers of ten that `f64` represents exactly.
 const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
     1e21, 1e22,
@@ -182,7 +182,7 @@ impl ListScanner {
         Some(end)
     }
 
-    /// `<1, -2 3>`: commas are optional, but a sign without a comma before it subtracts.
+    /// Scans a vector such as `<1, -2 3>`: commas are optional, but a sign without a comma before it subtracts.
     fn vector(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         let start = self.data.len();
         let mut i = skip_blanks(bytes, at + 1);
@@ -246,7 +246,7 @@ impl WidthsBuilder {
 }
 
 impl NumberList {
-    /// Number of items.
+    /// Returns the number of items in the number list.
     pub fn len(&self) -> usize {
         match &self.widths {
             Widths::Uniform(width) => self.data.len() / (*width).max(1) as usize,
@@ -254,7 +254,7 @@ impl NumberList {
         }
     }
 
-    /// True if the list is empty.
+    /// True if the number list is empty.
     pub fn is_empty(&self) -> bool {
         self.data.is_empty()
     }
@@ -265,7 +265,7 @@ impl NumberList {
         (0..).map_while(move |item| places.find(text, place, item))
     }
 
-    /// Number of components of item `i`.
+    /// Returns the number of components of item `i` of the list.
     pub fn width(&self, i: usize) -> usize {
         match &self.widths {
             Widths::Uniform(width) => *width as usize,

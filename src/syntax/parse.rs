@@ -21,7 +21,7 @@ const PIECE: usize = 8 * 1024;
 /// Maximum number of errors of a file that are reported.
 const MAX_FAULTS: usize = 20;
 
-/// The text to be parsed.
+/// The scene text to be parsed, with its global offset and its table of names.
 pub(super) struct Source<'t> {
     pub(super) text: &'t str,
     /// Global offset of the text's first byte.

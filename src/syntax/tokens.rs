@@ -6,25 +6,25 @@ use crate::source::Span;
 /// All tokens and comments of a file, in order.
 #[derive(Debug, Default)]
 pub struct Tokens {
-    /// Ascending.
+    /// Tokens of the text in ascending order of their offsets.
     tokens: Vec<Token>,
     /// Ranges of comments, with their delimiters, ascending.
     comments: Vec<(u32, u32)>,
-    /// Global offset of the file's first byte.
+    /// Global offset of the first byte of the file.
     base: usize,
 }
 
-/// A token or a comment.
+/// Piece of a source text: a token or a comment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Piece {
-    /// A word, literal, sign or directive.
+    /// Piece that is a word, literal, sign or directive.
     Token(Span),
-    /// `// …` or `/* … */`.
+    /// Piece that is a comment, `// …` or `/* … */`.
     Comment(Span),
 }
 
 impl Piece {
-    /// The piece's span.
+    /// Returns the span of a token or comment.
     pub fn span(self) -> Span {
         match self {
             Piece::Token(span) | Piece::Comment(span) => span,
@@ -37,12 +37,12 @@ impl Tokens {
         Self { tokens: lexed.tokens, comments: lexed.comments, base }
     }
 
-    /// Number of tokens.
+    /// Returns the number of tokens in the text.
     pub fn len(&self) -> usize {
         self.tokens.len()
     }
 
-    /// True if there are no tokens.
+    /// True if the text has no tokens.
     pub fn is_empty(&self) -> bool {
         self.tokens.is_empty()
     }

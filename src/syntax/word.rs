@@ -3,25 +3,25 @@
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
 
-/// The category of a word in the grammar.
+/// Category of a reserved word in the grammar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Category {
     /// Names a block or a parameter in one.
     Keyword,
     /// Takes arguments in parentheses; without them it is a keyword (`julia_fractal { … sqr }`).
     Function,
-    /// A built-in value: `x`, `pi`, `clock`, `on`.
+    /// Category of built-in values such as `x`, `pi`, `clock` and `on`.
     Constant,
     /// durer's own, a word only inside the blocks of [`contextual`]; elsewhere an ordinary name.
     Contextual,
 }
 
-/// A word of the language.
+/// A keyword or other reserved word of the scene language.
 #[derive(Debug)]
 pub struct Word {
-    /// Its spelling.
+    /// Spelling of the reserved word.
     pub name: &'static str,
-    /// Its category.
+    /// Category of the reserved word.
     pub category: Category,
 }
 
@@ -37,17 +37,17 @@ pub fn lookup(word: &str) -> Option<(&'static str, Category)> {
     lookup_number(word).map(|(number, category)| (by_number(number).name, category))
 }
 
-/// The word's entry.
+/// Returns the table entry of a reserved word.
 pub fn entry(word: &str) -> Option<&'static Word> {
     lookup_number(word).map(|(number, _)| by_number(number))
 }
 
-/// The word's number, for [`by_number`], and its category.
+/// Returns the number of a reserved word, for [`by_number`], and its category.
 pub(super) fn lookup_number(word: &str) -> Option<(u32, Category)> {
     TABLE.numbers.get(word).map(|&number| (number, TABLE.words[number as usize].category))
 }
 
-/// The word with this number.
+/// Returns the reserved word with this number.
 pub(super) fn by_number(number: u32) -> &'static Word {
     &TABLE.words[number as usize]
 }
@@ -68,7 +68,7 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     Table { words, numbers }
 });
 
-/// durer's own words inside the block of this name.
+/// Returns the words that only durer has inside the block of this name.
 pub fn contextual(block: &str) -> &'static [&'static str] {
     CONTEXTUAL.iter().find(|(name, _)| *name == block).map_or(&[], |(_, words)| words)
 }
@@ -140,7 +140,7 @@ pub const KEYWORDS: &[&str] = &[
     "variance", "vertex_vectors", "warp", "water_level", "waves", "width", "wood", "wrinkles", "write", "xyz",
 ];
 
-/// Words with arguments in parentheses.
+/// Names of functions that take arguments in parentheses.
 #[rustfmt::skip]
 pub const FUNCTIONS: &[&str] = &[
     "abs", "acos", "acosh", "asc", "asin", "asinh", "atan", "atan2", "atanh", "bitwise_and", "bitwise_or",

@@ -9,9 +9,9 @@ use std::sync::Arc;
 /// A vector of two to five components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VecN {
-    /// Components; those from `len` on are 0.
+    /// Components of the vector; those from `len` on are 0.
     pub c: [f64; 5],
-    /// Number of components, 2 to 5.
+    /// Number of components of the vector, 2 to 5.
     pub len: u8,
 }
 
@@ -30,7 +30,7 @@ impl VecN {
         Self { c, len: s.len() as u8 }
     }
 
-    /// The first three components.
+    /// Returns the first three components of the vector.
     pub fn xyz(&self) -> DVec3 {
         DVec3::new(self.c[0], self.c[1], self.c[2])
     }
@@ -45,7 +45,7 @@ impl From<DVec3> for VecN {
 /// A thing built from a block: a texture, an object, a camera. Its type belongs to a module of a higher layer, so
 /// values hold it as a trait object; [`crate::value::ReaderExt::thing`] recovers the type.
 pub trait Thing: Any + Send + Sync + std::fmt::Debug {
-    /// The block's word: `texture`, `object` …
+    /// Returns the word of the thing's block, such as `texture` or `object`.
     fn kind(&self) -> &'static str;
 }
 
@@ -55,23 +55,23 @@ pub fn downcast<T: Thing>(thing: &Arc<dyn Thing>) -> Option<Arc<T>> {
     any.downcast::<T>().ok()
 }
 
-/// A value of the language.
+/// A value of the scene language.
 #[derive(Clone, Debug)]
 pub enum Value {
     /// A number, also the result 0 or 1 of a condition.
     Float(f64),
-    /// A vector of two to five components.
+    /// Value that is a vector of two to five components.
     Vector(VecN),
-    /// A colour.
+    /// Value that is a colour.
     Color(Color),
-    /// A string.
+    /// Value that is a string.
     Text(Rc<str>),
-    /// A thing built from a block.
+    /// Value that is built from a block, such as a texture.
     Thing(Arc<dyn Thing>),
 }
 
 impl Value {
-    /// Description for messages, with an article: "a number".
+    /// Returns a description of the value for messages, with an article: "a number".
     pub fn describe(&self) -> String {
         match self {
             Value::Float(_) => "a number".into(),

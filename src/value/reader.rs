@@ -15,21 +15,21 @@ use std::sync::Arc;
 /// Kind of the next token; directives and macro calls before it have run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Next {
-    /// A keyword without a `{`.
+    /// Next token is a keyword without a `{`.
     Word(&'static str),
-    /// A keyword and its `{`.
+    /// Next tokens are a keyword and its `{`.
     Block(&'static str),
     /// A declared thing, with the word of its block: `texture`, `object` …
     Thing(&'static str),
-    /// An expression: number, vector, colour or string.
+    /// Next token begins an expression: number, vector, colour or string.
     Value,
-    /// `function { … }`.
+    /// Next tokens begin a function definition, `function { … }`.
     Function,
-    /// `[`, as in a map's entry.
+    /// Next token is a `[`, as in a map's entry.
     Entry,
-    /// A `{` without a word before it.
+    /// Next token is a `{` without a word before it.
     Group,
-    /// The end of the block, entry or file.
+    /// Next comes the end of the block, entry or file.
     End,
 }
 
@@ -45,33 +45,33 @@ impl Next {
     }
 }
 
-/// Language version and gamma in force.
+/// Language version and gamma in force at a point of the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Language {
-    /// `#version` as 100 times the number: 370 for 3.7. Only `interpreter/scene_builder/compat.rs` compares it.
+    /// Number of `#version` times 100: 370 for 3.7. Only `interpreter/scene_builder/compat.rs` compares it.
     pub version: u32,
     /// True if a texture may hold the words of its pigment and finish, as before 3.0.
     pub bare_textures: bool,
-    /// `assumed_gamma`, once `global_settings` has set it.
+    /// Value of `assumed_gamma`, once `global_settings` has set it.
     pub assumed_gamma: Option<Gamma>,
-    /// Working gamma without `assumed_gamma`.
+    /// Working gamma of scenes without `assumed_gamma`.
     pub other_gamma: Gamma,
     /// True if picture files without gamma information are read as sRGB.
     pub srgb_files: bool,
 }
 
-/// Result of [`Reader::float_or_color`].
+/// Result of [`Reader::float_or_color`]: a number or a colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FloatOrColor {
-    /// A number.
+    /// Number, where the scene may give a number or a colour.
     Float(f64),
-    /// A colour.
+    /// Colour, where the scene may give a number or a colour.
     Color(Color),
 }
 
-/// An object with an inside.
+/// An object with an inside, such as a sphere.
 pub trait Solid: std::fmt::Debug + Send + Sync {
-    /// True if the point is inside.
+    /// True if the point is inside of the object.
     fn contains(&self, p: DVec3) -> bool;
 }
 
@@ -93,13 +93,13 @@ pub trait Reader {
     /// The next token, or `Next::End` if a directive or a `;` precedes it. Directives do not run: they may use the name
     /// that is being declared.
     fn continued(&mut self) -> Result<Next>;
-    /// Span of the next token.
+    /// Returns the span of the next token in the scene.
     fn span(&mut self) -> Span;
     /// Consumes the word, or the opening `name {`, `[` or `{`, that [`Reader::next`] returned.
     fn take(&mut self) -> Result<Span>;
     /// Consumes the end of the block; any other token is an error.
     fn leave(&mut self) -> Result<()>;
-    /// Reads an expression.
+    /// Reads an expression of the scene to its value.
     fn value(&mut self) -> Result<(Value, Span)>;
     /// Consumes the declared thing announced by [`Next::Thing`], or the function announced by [`Next::Function`].
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)>;
@@ -125,7 +125,7 @@ pub trait Reader {
     }
     /// Reads exactly `n` numbers in parentheses.
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>>;
-    /// Consumes a `:`.
+    /// Consumes a `:` in the scene.
     fn colon(&mut self) -> Result<()>;
     /// Reads a colour, with or without the word `color` or `rgb` before it.
     fn color(&mut self) -> Result<Color>;
@@ -137,11 +137,11 @@ pub trait Reader {
     ///
     /// Boxed, because a transform is large and mostly passed on.
     fn transform(&mut self) -> Result<Option<Box<Transform>>>;
-    /// Reads a string.
+    /// Reads a string expression of the scene.
     fn text(&mut self) -> Result<String>;
     /// Reads `on`, `off` or a number; true if none comes next.
     fn flag(&mut self) -> Result<bool>;
-    /// Language version and gamma in force.
+    /// Returns the language version and gamma in force.
     fn language(&self) -> Language;
     /// Reads a word or block that durer does not render yet, with its contents, and warns.
     fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported>;
@@ -150,7 +150,7 @@ pub trait Reader {
     /// Finds a file in the folders that a scene searches; `None` if it does not exist, an error if the scene may not
     /// read it. `at` is the span of the name.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
-    /// The file storage that the scene may read.
+    /// Returns the file storage that the scene may read.
     fn files(&self) -> &dyn Files;
     /// Finds a font, or with a warning one with a similar design. `at` is the span of the name.
     fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
@@ -160,7 +160,7 @@ pub trait Reader {
     fn mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>>;
     /// Reads `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.
     fn sized_function(&mut self) -> Result<Option<SizedFunction>>;
-    /// Reports a diagnostic, and continues.
+    /// Reports a diagnostic about the scene, and continues reading.
     fn report(&mut self, diagnostic: Diagnostic);
     /// The error "expected …, found …" about the next token.
     fn unexpected(&mut self, expected: &str) -> Diagnostic;

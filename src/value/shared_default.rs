@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// A type with a static default value.
 pub trait StaticDefault: Clone + 'static {
-    /// The default value.
+    /// Returns the static default value of the type.
     fn static_default() -> &'static Self;
 }
 
@@ -18,10 +18,10 @@ pub trait StaticDefault: Clone + 'static {
 pub struct SharedDefault<T>(Option<Arc<T>>);
 
 impl<T> SharedDefault<T> {
-    /// The default value.
+    /// The shared default value, which allocates nothing.
     pub const DEFAULT: Self = Self(None);
 
-    /// A value of its own.
+    /// Creates a value that is not the shared default.
     pub fn new(part: T) -> Self {
         Self(Some(Arc::new(part)))
     }

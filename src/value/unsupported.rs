@@ -8,18 +8,18 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 /// 5]}`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unsupported {
-    /// A word alone.
+    /// Unsupported item: a keyword without a value.
     Word(&'static str),
     /// Consecutive numbers, or consecutive vectors of one length: a mesh has millions.
     Numbers {
         /// Components per item: 1 for numbers.
         width: usize,
-        /// Components of all items.
+        /// Components of all items in an unsupported list.
         all: Vec<f64>,
     },
-    /// A colour.
+    /// Unsupported item: a colour.
     Color(Color),
-    /// A string.
+    /// Unsupported item: a string.
     Text(Box<str>),
     /// A declared thing, with the word of its block.
     Declared(&'static str),
@@ -36,7 +36,7 @@ impl Unsupported {
         }
     }
 
-    /// Appends a value.
+    /// Appends a value to an unsupported row of items.
     pub fn push_value(row: &mut Vec<Unsupported>, value: &Value) {
         match value {
             Value::Float(x) => Self::push_numbers(row, &[*x]),

@@ -4,16 +4,16 @@
 use super::{Next, Reader, ValueKind, WordSpec};
 use crate::diagnostic::Result;
 
-/// Words of a block.
+/// Words that a block of the scene language accepts.
 #[derive(Debug)]
 pub struct Vocabulary {
-    /// The word before the brace.
+    /// The word before the block's opening brace.
     pub block: &'static str,
-    /// Summary for the manual.
+    /// Summary of the block for the manual.
     pub summary: &'static str,
-    /// Words with an effect.
+    /// Words of the block that have an effect in durer.
     pub words: &'static [WordSpec],
-    /// True if the block takes [`TRANSFORMS`], too.
+    /// True if the block takes the transforms [`TRANSFORMS`], too.
     pub has_transforms: bool,
     /// Words that are read without effect.
     pub ignored: &'static [&'static str],
@@ -22,17 +22,17 @@ pub struct Vocabulary {
 }
 
 impl Vocabulary {
-    /// True if the word has an effect.
+    /// True if the word has an effect in the block.
     pub fn has_effect(&self, word: &str) -> bool {
         self.words.iter().any(|w| w.name == word)
     }
 
-    /// True if the word is read without effect.
+    /// True if the block reads the word without effect.
     pub fn ignores(&self, word: &str) -> bool {
         self.ignored.contains(&word)
     }
 
-    /// True if the word is read with a warning.
+    /// True if the block reads the word with a warning.
     pub fn is_unsupported(&self, word: &str) -> bool {
         self.unsupported.contains(&word)
     }
@@ -46,7 +46,7 @@ impl Vocabulary {
     }
 }
 
-/// A row of a table of words.
+/// Creates a row of a block's table of words.
 pub const fn word(name: &'static str, kind: ValueKind, default: &'static str, summary: &'static str) -> WordSpec {
     WordSpec { name, kind, default, summary }
 }
@@ -57,9 +57,9 @@ pub type Setter<T> = fn(&mut T, &mut dyn Reader) -> Result<()>;
 /// A row of a table of words, with the function that reads its value.
 #[derive(Debug)]
 pub struct Row<T: 'static> {
-    /// Name, type and description of the word.
+    /// Name, type and description of a word in a block.
     pub spec: WordSpec,
-    /// Function that reads the value.
+    /// Function that reads the word's value into the block.
     pub set: Setter<T>,
 }
 
@@ -95,7 +95,7 @@ pub fn set<T>(field: &mut T, read: Result<T>) -> Result<()> {
     Ok(())
 }
 
-/// Filler of arrays under construction.
+/// Filler of word tables that are under construction.
 const NO_WORD: WordSpec = word(EMPTY, ValueKind::Nothing, EMPTY, EMPTY);
 const EMPTY: &str = "";
 

@@ -17,7 +17,7 @@ pub struct FinishedFrames {
 struct Entry {
     frame: u32,
     picture: PathBuf,
-    /// Hash of the picture's file.
+    /// Hash of the finished frame's picture file.
     hash: ContentHash,
     work: Work,
 }

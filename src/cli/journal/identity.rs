@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 /// All inputs that determine the bytes of a picture.
 #[derive(Serialize, Deserialize, Clone, Debug, PartialEq)]
 pub struct Work {
-    /// From [`program`].
+    /// Identity of the program that rendered, from [`program`].
     pub program: String,
-    /// From [`options`].
+    /// Options of the render that affect the picture, from [`options`].
     pub options: String,
     /// Files that were read, with hashes.
     pub files: ReadFiles,

@@ -77,7 +77,7 @@ pub struct Journal {
     path: PathBuf,
     /// Offsets in `old_file` of the pixels of finished tiles, by pass and corner.
     known: HashMap<(u8, usize, usize), (Region, u64)>,
-    /// The journal that is continued.
+    /// File of the earlier journal that a resumed render continues.
     old_file: Option<Mutex<File>>,
     /// Moment from which tiles are written.
     begins: Instant,

@@ -48,7 +48,7 @@ fn option_row(arg: &Arg) -> [String; 2] {
     [code(shown.trim()), help.replace('<', "&lt;") + &words(arg) + &default.unwrap_or_default()]
 }
 
-/// The values of an option with their descriptions.
+/// Returns the values of an option with their descriptions.
 fn words(arg: &Arg) -> String {
     let values = arg.get_possible_values();
     if values.is_empty() || values.iter().any(|value| value.get_help().is_none()) {

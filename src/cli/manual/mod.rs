@@ -9,16 +9,16 @@ mod words;
 
 use crate::value::{ValueKind, Vocabulary, WordSpec};
 
-/// A page of the manual.
+/// A generated page of the manual.
 #[derive(Debug)]
 pub struct Page {
-    /// File name in `docs/src/reference/`.
+    /// File name of the manual page in `docs/src/reference/`.
     pub file: &'static str,
-    /// Text in Markdown.
+    /// Text of the manual page in Markdown.
     pub text: String,
 }
 
-/// All pages, in the order of the manual.
+/// Returns all pages of the manual in their order.
 pub fn pages() -> Vec<Page> {
     let page = |file, title: &str, body: String| Page { file, text: format!("{GENERATED}\n\n# {title}\n\n{body}") };
     vec![
@@ -105,7 +105,7 @@ fn section(block: &Vocabulary, title: &str, own: &[&str]) -> String {
     text
 }
 
-/// Capitalizes the first letter.
+/// Capitalizes the first letter of a manual's sentence.
 fn sentence(text: &str) -> String {
     let mut chars = text.chars();
     let first = chars.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();

@@ -16,7 +16,7 @@ pub struct Files<'s> {
 }
 
 impl<'s> Files<'s> {
-    /// An empty stack.
+    /// Creates an empty stack of INI files.
     pub fn new(sources: &'s Sources) -> Self {
         Self { sources, open: Vec::new() }
     }

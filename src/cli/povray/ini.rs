@@ -19,18 +19,18 @@ use std::ops::Range;
 pub struct Word {
     /// Text of the word as on a command line.
     pub text: String,
-    /// Position of the word in the file.
+    /// Position of the word in the INI file.
     pub span: Span,
     /// Position of the value after `=`; of the whole word without `=`.
     pub value: Span,
 }
 
-/// Contents of an INI file.
+/// Contents of an INI file: settings and syntax faults.
 #[derive(Debug, Default)]
 pub struct Ini {
     /// Words in the order of the text.
     pub words: Vec<Word>,
-    /// Faults of the syntax.
+    /// Syntax faults of the INI file.
     pub faults: Vec<Diagnostic>,
 }
 
@@ -69,7 +69,7 @@ pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
     reader.out
 }
 
-/// Splits `file.ini[section]`.
+/// Splits an INI file's argument `file.ini[section]` into file and section.
 pub fn split_section(word: &str) -> (&str, Option<&str>) {
     match word.strip_suffix(']').and_then(|word| word.split_once('[')) {
         Some((file, section)) => (file, Some(section)),
@@ -126,7 +126,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Reads `Name = value`.
+    /// Reads an INI line of the form `Name = value`.
     fn setting(&mut self, name: Range<usize>, line_end: usize) {
         let after = &self.text[name.end..line_end];
         let equals = name.end + after.find('=').unwrap_or(0) + 1;
@@ -166,7 +166,7 @@ impl Reader<'_> {
     }
 }
 
-/// Removes all quotes: `+I"my scene.pov"`.
+/// Removes all quotes from a POV-Ray option such as `+I"my scene.pov"`.
 fn unquoted(word: &str) -> String {
     let mut quote = None;
     let mut out = String::new();

@@ -8,14 +8,14 @@ use clap::Command;
 use std::ffi::OsString;
 use std::path::Path;
 
-/// Form of a command line.
+/// Form of a command line: durer's options, POV-Ray's, or both.
 #[derive(Debug, PartialEq)]
 pub enum Form {
-    /// durer's own options only.
+    /// Command line with durer's own options only.
     Durer,
     /// A command of durer, the word with this index, with POV-Ray options after it.
     Mixed(usize),
-    /// POV-Ray options without a command.
+    /// Command line of POV-Ray options without a durer command.
     Povray,
 }
 

@@ -25,12 +25,12 @@ use std::iter::Peekable;
 use std::path::Path;
 use table::{Effect, ROWS, Row, Takes};
 
-/// Result of the translation.
+/// Result of translating POV-Ray's options to durer's.
 #[derive(Debug, Default)]
 pub struct Translated {
-    /// The command line in durer's own options.
+    /// Command line in durer's own options.
     pub words: Vec<OsString>,
-    /// The animation, which durer's options cannot express.
+    /// Animation that POV-Ray's options describe and durer's cannot express.
     pub animation: Option<Animation>,
     /// Errors, and warnings about ignored options, with positions in the INI files of [`Sources`].
     pub diagnostics: Vec<Diagnostic>,
@@ -78,9 +78,9 @@ struct Translation<'s> {
     scenes: Vec<OsString>,
     /// Options of durer in their order.
     options: Vec<Own>,
-    /// The command, if one was named.
+    /// Name of the durer command, if the command line names one.
     command: Option<String>,
-    /// True if an option has POV-Ray's form.
+    /// True if an option on the command line has POV-Ray's form.
     any_switch: bool,
     faults: Vec<Diagnostic>,
     idle: Vec<Diagnostic>,
@@ -282,7 +282,7 @@ fn check_value(option: &str, value: &str) -> Result<(), String> {
     }
 }
 
-/// The INI names of all options.
+/// Returns the INI names of all POV-Ray options.
 pub fn ini_names() -> impl Iterator<Item = &'static str> {
     ROWS.iter().map(|row| row.ini).filter(|ini| !ini.is_empty())
 }

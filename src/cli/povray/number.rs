@@ -23,12 +23,12 @@ pub fn real(text: &str) -> Option<f64> {
     if power == 0 { Some(mantissa) } else { text[..end].parse().ok() }
 }
 
-/// The length of the sign in bytes.
+/// Returns the length of a number's sign in bytes.
 fn sign(text: &str) -> usize {
     usize::from(text.starts_with(['+', '-']))
 }
 
-/// The number of digits at the start.
+/// Returns the number of digits at the start of a text.
 fn digits(text: &str) -> usize {
     text.bytes().take_while(u8::is_ascii_digit).count()
 }

@@ -7,14 +7,14 @@ use std::ffi::OsString;
 
 /// An option of durer on a command line.
 pub struct Own {
-    /// Long name: `--output`.
+    /// Long name of a durer option, such as `--output`.
     pub name: String,
-    /// Words of the option.
+    /// Words of the durer option on the command line: its name and its value.
     pub words: Vec<OsString>,
 }
 
 impl Own {
-    /// Splits `--name` or `--name=value`.
+    /// Splits a durer option of the form `--name` or `--name=value`.
     pub fn of(word: String) -> Self {
         let name = word.split('=').next().unwrap_or_default().to_string();
         Self { name, words: vec![word.into()] }

@@ -45,7 +45,7 @@ pub struct Settings {
 type Checked = Result<(), String>;
 
 impl Settings {
-    /// POV-Ray's defaults.
+    /// Creates settings with POV-Ray's defaults.
     pub fn new() -> Self {
         Self { final_clock: 1.0, frame_step: 1, threshold: 0.3, jitter: 1.0, ..Self::default() }
     }

@@ -6,43 +6,43 @@ use super::settings::Settings;
 pub struct Row {
     /// Switch after `+` or `-`; empty if the option has only an INI name.
     pub switch: &'static str,
-    /// Name before `=`; empty if the option has only a switch.
+    /// INI name of the POV-Ray option before `=`; empty if the option has only a switch.
     pub ini: &'static str,
-    /// Kind of value.
+    /// Kind of value that the POV-Ray option takes.
     pub takes: Takes,
-    /// Effect of `+` or of a value.
+    /// Effect of the POV-Ray option written with `+` or with a value.
     pub on: Effect,
-    /// Effect of `-`, or of `off` in an INI file.
+    /// Effect of the POV-Ray option written with `-`, or with `off` in an INI file.
     pub off: Effect,
 }
 
-/// Kind of value.
+/// Kind of value that a POV-Ray option takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
-    /// No value: `+C`, `Continue_Trace=on`.
+    /// POV-Ray option without a value, such as `+C` or `Continue_Trace=on`.
     Nothing,
-    /// A number: `+W640`.
+    /// POV-Ray option with a number, such as `+W640`.
     Number,
-    /// An optional number: `+A0.3`, or `+A` alone.
+    /// POV-Ray option with an optional number: `+A0.3`, or `+A` alone.
     MaybeNumber,
-    /// A text: `+Iscene.pov`.
+    /// POV-Ray option with a text, such as `+Iscene.pov`.
     Text,
-    /// An optional text: `+FN16`, or `+F` alone.
+    /// POV-Ray option with an optional text: `+FN16`, or `+F` alone.
     MaybeText,
 }
 
-/// Effect of an option.
+/// Effect of a POV-Ray option on durer's settings.
 #[derive(Clone, Copy)]
 pub enum Effect {
-    /// None: durer always does this, or the option changes no pixel.
+    /// Effect: none, because durer always does this, or because the option changes no pixel.
     Same,
-    /// An option of durer with the same value.
+    /// Effect: sets the durer option of this name to the same value.
     Option(&'static str),
-    /// An option of durer without a value.
+    /// Effect: sets the durer option of this name, which has no value.
     Flag(&'static str),
     /// A part of an option that is assembled at the end; the function returns the fault of a value.
     Part(fn(&mut Settings, &str) -> Result<(), String>),
-    /// A warning: durer lacks the feature, for this reason.
+    /// Effect: a warning that durer lacks the feature, for this reason.
     Lacks(&'static str),
     /// A warning with `--warn options` only: durer lacks the feature, but the picture is right.
     Idle(&'static str),
@@ -68,7 +68,7 @@ const NO_SHELL: &str = "durer never runs other programs";
 const NO_LOG: &str = "messages go to standard error, which can be redirected";
 const NO_CACHE: &str = "durer has no radiosity files";
 
-/// All options, in the order of the manual.
+/// All POV-Ray options, in the order of the manual.
 pub const ROWS: &[Row] = &[
     // 3.2.1 Animation
     both("K", "Clock", Number, Part(|p, v| p.clock(v))),

@@ -20,25 +20,25 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-/// See the module.
+/// Configuration of `durer render`, read from the command line.
 pub struct Config {
-    /// The scene, or `-` for standard input.
+    /// Path of the scene, or `-` for standard input.
     pub input: PathBuf,
-    /// The pictures to render.
+    /// Pictures that `durer render` renders of the scene.
     pub pictures: Pictures,
     /// Destination of the picture; in an animation without the frame's number.
     pub target: Target,
     /// Prints a stage instead of rendering.
     pub dump: Option<Dump>,
-    /// True if unfinished work is continued.
+    /// True if an unfinished rendering is continued.
     pub resume: bool,
     /// Time after which a journal of the picture is written.
     pub keep_after: Duration,
-    /// Limit of the time from text to picture.
+    /// Limit of the rendering time, from text to picture.
     pub max_time: Option<Seconds>,
-    /// When progress is shown.
+    /// When `durer render` displays its progress.
     pub progress: When,
-    /// Destination of times and counters.
+    /// Destination of the render's times and counters.
     pub stats: Option<Stats>,
     /// Ends the work without a message when it is set.
     pub stop: Option<Arc<AtomicBool>>,
@@ -49,11 +49,11 @@ pub struct Config {
     drawing: render::Options,
 }
 
-/// The pictures of one scene.
+/// Pictures that `durer render` renders of one scene: one, or one per frame.
 pub enum Pictures {
-    /// A single picture at this moment.
+    /// A single picture at this moment of the animation.
     One(Timing),
-    /// A picture for each frame.
+    /// One picture for each frame of an animation.
     Animation(Animation),
 }
 
@@ -112,7 +112,7 @@ impl Config {
         render::Options { frame: timing.frame, ..self.drawing.clone() }
     }
 
-    /// Width and height of the picture in pixels.
+    /// Returns the width and height of the picture in pixels.
     pub fn size(&self) -> (usize, usize) {
         (self.drawing.width, self.drawing.height)
     }

@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-/// See the module.
+/// Rendering of one picture: from the scene's text to the picture file.
 pub struct Job<'a> {
     console: &'a Console,
     sources: &'a Sources,
@@ -41,7 +41,7 @@ pub struct Job<'a> {
     start: Instant,
     /// Warnings of earlier frames, which are not repeated.
     reported: Vec<Diagnostic>,
-    /// Identity of this program.
+    /// Identity of the running program, for the resume journal.
     program: String,
 }
 
@@ -54,7 +54,7 @@ struct Rendered {
 }
 
 impl<'a> Job<'a> {
-    /// Reads the scene's text.
+    /// Creates the rendering of one scene after reading the scene's text.
     pub fn new(
         console: &'a Console,
         sources: &'a Sources,
@@ -155,7 +155,7 @@ impl<'a> Job<'a> {
         Ok(exit)
     }
 
-    /// World → file.
+    /// Renders a world and writes the picture to its file.
     fn write(&self, target: &Target, world: &World, timing: Timing, monitor: &Monitor) -> Result<Rendered> {
         let start = Instant::now();
         let mut draft = target.draft()?;

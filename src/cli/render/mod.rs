@@ -31,7 +31,7 @@ use target::{Target, is_folder};
 /// Inputs of a run beside its arguments.
 #[derive(Default)]
 pub struct Context {
-    /// Animation of POV-Ray's options.
+    /// Animation that POV-Ray's options request.
     pub animation: Option<Animation>,
     /// INI files that the command line was read from.
     pub ini_files: ReadFiles,
@@ -43,9 +43,9 @@ pub struct Context {
 #[derive(Default)]
 struct Done {
     reports: Vec<Report>,
-    /// Pictures that were begun.
+    /// Paths of the pictures whose rendering has begun.
     pictures: Vec<PathBuf>,
-    /// All files that were read.
+    /// All files that the render has read.
     read: ReadFiles,
 }
 

@@ -22,7 +22,7 @@ pub struct Monitor {
     deadline: Option<Instant>,
     /// Stops the rendering when it is set.
     pub stop: Option<Arc<AtomicBool>>,
-    /// Journal of the finished tiles.
+    /// Journal of the picture's finished tiles.
     pub journal: Option<Journal>,
 }
 
@@ -81,7 +81,7 @@ impl Monitor {
         self.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 
-    /// The reason why the picture was not finished.
+    /// Returns the reason why the picture was not finished.
     fn reason(&self) -> Failure {
         if interrupt::is_requested() {
             print_message("interrupted; no picture was written\n");

@@ -9,9 +9,9 @@ use std::time::{Duration, Instant};
 /// Linear light that an 8-bit file stores as 0.
 const BLACK: f32 = 1.5e-4;
 
-/// Encodes rows into a draft.
+/// Encoder of a picture's rows into a draft file.
 pub struct PictureWriter<'d> {
-    /// `None` if the picture has no destination.
+    /// Encoder of the picture's rows; `None` if the picture has no destination.
     encoder: Option<Encoder<&'d mut Draft>>,
     format: Format,
     unwritable: Box<dyn Fn(&io::Error) -> Diagnostic + Send + 'd>,
@@ -21,9 +21,9 @@ pub struct PictureWriter<'d> {
 /// Properties of the rows that were written.
 #[derive(Clone, Copy, Debug)]
 pub struct Written {
-    /// True if all pixels are black.
+    /// True if all pixels of the written picture are black.
     pub is_black: bool,
-    /// Duration of the encoding.
+    /// Duration of encoding the picture.
     pub time: Duration,
 }
 

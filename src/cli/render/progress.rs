@@ -6,17 +6,17 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::time::Instant;
 
-/// Displays the progress.
+/// Display of a render's progress.
 pub enum Progress {
-    /// Displays nothing.
+    /// Progress display that shows nothing.
     Silent,
-    /// A bar on a terminal.
+    /// Progress display as a bar on a terminal.
     Bar(ProgressBar),
-    /// A line at each tenth, without a terminal.
+    /// Progress display without a terminal: a line at each tenth of the picture.
     Lines {
-        /// Start of the rendering.
+        /// Time at which the rendering started.
         start: Instant,
-        /// Tenths printed so far.
+        /// Tenths of the progress that are printed so far.
         printed: AtomicUsize,
     },
 }
@@ -59,7 +59,7 @@ impl Progress {
         }
     }
 
-    /// Removes the bar.
+    /// Removes the progress bar from the terminal.
     pub fn finish(&self) {
         if let Self::Bar(bar) = self {
             bar.finish_and_clear();

@@ -10,7 +10,7 @@ use crate::source::{Disk, Files};
 use serde::Serialize;
 use std::time::Duration;
 
-/// Measurements of one picture.
+/// Measurements of one rendered picture: times and counters.
 #[derive(Serialize, Debug)]
 pub struct Report {
     times: Times,
@@ -22,22 +22,22 @@ pub struct Report {
     height: usize,
 }
 
-/// Durations in seconds.
+/// Durations of a render's phases in seconds.
 #[derive(Serialize, Debug)]
 struct Times {
-    /// Text → Scene.
+    /// Time of parsing the text into a scene, in seconds.
     parse: f64,
-    /// Scene → World.
+    /// Time of building a world from the scene, in seconds.
     build: f64,
-    /// World → pixels.
+    /// Time of tracing the world into pixels, in seconds.
     trace: f64,
-    /// Pixels → file.
+    /// Time of encoding the pixels into a file, in seconds.
     encode: f64,
     total: f64,
 }
 
 impl Report {
-    /// `times` are those of parsing, building, tracing, encoding, and all together.
+    /// Creates a report; `times` are those of parsing, building, tracing, encoding, and all together.
     pub fn new(times: [Duration; 5], rays: RayCounts, options: &render::Options) -> Self {
         let [parse, build, trace, encode, total] = times.map(|t| t.as_secs_f64());
         let processors = || std::thread::available_parallelism().map_or(1, usize::from);

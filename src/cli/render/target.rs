@@ -73,7 +73,7 @@ impl Target {
         self.location == Location::Stdout
     }
 
-    /// The file, if the picture goes to one.
+    /// Returns the picture's file, if the picture goes to one.
     pub fn file(&self) -> Option<&Path> {
         match &self.location {
             Location::File(path) => Some(path),

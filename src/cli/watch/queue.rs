@@ -4,12 +4,12 @@ use crate::preview::Settings;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 
-/// Work that has to be repeated.
+/// Part of a watched picture's work that has to be repeated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Request {
-    /// Render the picture.
+    /// Request to render the picture again, without reading the scene.
     Picture,
-    /// Read the scene and render the picture.
+    /// Request to read the scene and render the picture.
     Scene,
 }
 
@@ -25,13 +25,13 @@ struct Pending {
     stop: Arc<AtomicBool>,
 }
 
-/// Work that was taken from the queue.
+/// Rendering work that was taken from the queue.
 pub struct Work {
-    /// Extent of the work.
+    /// Part of the work that has to be repeated.
     pub request: Request,
-    /// Settings of the page.
+    /// Settings of the page for the rendering.
     pub settings: Settings,
-    /// Set as soon as the work is obsolete.
+    /// Flag that is set as soon as the rendering work is obsolete.
     pub stop: Arc<AtomicBool>,
 }
 
@@ -64,7 +64,7 @@ impl RenderQueue {
     }
 }
 
-/// True if work is obsolete.
+/// True if a newer request made the rendering obsolete.
 pub fn is_stopped(stop: &AtomicBool) -> bool {
     stop.load(Relaxed)
 }

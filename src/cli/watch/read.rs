@@ -18,19 +18,19 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-/// A scene that can be rendered.
+/// A watched scene that can be rendered.
 pub struct Scene {
     pub world: World,
     /// Locked, since the registry of texts may not be used by two threads at once.
     pub sources: Mutex<Sources>,
-    /// The scene's file.
+    /// Path of the watched scene's file.
     pub input: PathBuf,
     /// Arguments of the command line and of the INI file.
     pub args: RenderArgs,
     pub timing: Timing,
 }
 
-/// Result of reading a scene.
+/// Result of reading a watched scene.
 #[derive(Default)]
 pub struct Read {
     pub scene: Option<Scene>,
@@ -40,7 +40,7 @@ pub struct Read {
     pub failed: bool,
     pub size: Option<Size>,
     pub clock: [f64; 3],
-    /// The files that were read.
+    /// Files that were read for the watched scene.
     pub files: ReadFiles,
     /// Durations of text → Scene and of Scene → World.
     pub times: [Duration; 2],
@@ -126,7 +126,7 @@ fn try_read(
     Ok((messages, built.world.map(|world| (world, input, args, timing))))
 }
 
-/// The message of a failure.
+/// Returns the message of a command's failure.
 pub fn diagnostic_of(failure: Failure) -> Diagnostic {
     match failure {
         Failure::Fault(fault) => *fault,
@@ -141,7 +141,7 @@ pub fn diagnostic_of(failure: Failure) -> Diagnostic {
     }
 }
 
-/// A message in the form of the page.
+/// Returns a message in the form that the preview page displays.
 pub fn message(sources: &Sources, diagnostic: &Diagnostic) -> Message {
     use crate::diagnostic::draw;
     let text = draw::render(diagnostic, sources, draw::Style { fancy: false, width: 100 });
@@ -149,7 +149,7 @@ pub fn message(sources: &Sources, diagnostic: &Diagnostic) -> Message {
     Message { severity, code: diagnostic.code.0, text, place: link(sources, diagnostic.span()) }
 }
 
-/// The link that opens a position.
+/// Returns the link that opens a position of the scene in an editor.
 pub fn link(sources: &Sources, span: Span) -> Option<Link> {
     let place = sources.place(span)?;
     let path = sources.locate(span).and_then(|(file, _)| sources.path(file))?;
@@ -167,7 +167,7 @@ fn in_url(path: &Path) -> String {
     slash.to_string() + &text.bytes().map(byte).collect::<String>()
 }
 
-/// Options of World → picture.
+/// Returns the options for rendering a world with the page's settings.
 pub fn drawing(scene: &Scene, settings: &Settings) -> render::Options {
     let threads = scene.args.threads.map_or(0, usize::from);
     let options = session::drawing_options(&scene.args.scene, &scene.args.look, threads, scene.timing);
@@ -190,7 +190,7 @@ pub fn drawing(scene: &Scene, settings: &Settings) -> render::Options {
     render::Options { width: across, height: down, region: Some(render::Region { x, y, width, height }), ..options }
 }
 
-/// Largest factor of a zoom.
+/// Largest zoom factor of the preview page.
 const MAX_ZOOM: f64 = 64.0;
 
 fn render_default() -> Option<f64> {

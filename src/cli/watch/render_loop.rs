@@ -22,21 +22,21 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// See the module.
+/// Loop of `durer watch` that renders each requested picture.
 pub struct RenderLoop {
     args: WatchArgs,
     queue: Arc<RenderQueue>,
     screen: Arc<Screen>,
-    /// The scene on the screen and its options.
+    /// Scene that the preview page displays, and its rendering options.
     displayed: Mutex<Option<(Arc<Scene>, render::Options)>>,
 }
 
-/// Measurements of one picture.
+/// Measurements of one picture that `durer watch` rendered.
 struct Rendered {
     rays: RayCounts,
-    /// Duration of the first coarse level.
+    /// Duration of the picture's first, coarse level.
     first: Duration,
-    /// Duration of the following levels.
+    /// Duration of the picture's levels after the first.
     rest: Duration,
 }
 
@@ -49,7 +49,7 @@ impl RenderLoop {
         Self { args, queue, screen, displayed: Mutex::default() }
     }
 
-    /// Renders until the program ends.
+    /// Renders requested pictures until the program ends.
     pub fn run(&self, console: &Console, files: &FileWatcher) -> Result {
         let mut scene: Option<Arc<Scene>> = None;
         let mut state = PageState {
@@ -156,7 +156,7 @@ impl RenderLoop {
     }
 }
 
-/// The displayed part of the picture.
+/// Returns the displayed part of the picture.
 fn part_of(options: &render::Options) -> Region {
     options.region.unwrap_or(Region { x: 0, y: 0, width: options.width, height: options.height })
 }

@@ -54,7 +54,7 @@ impl Gatherer<'_> {
         Item::Bodies
     }
 
-    /// `#end` is in no arm.
+    /// Finishes a directive's arms; the closing `#end` is in no arm.
     fn finish_arms(&mut self, start: usize, mut arms: Vec<Arm>, span: Span) {
         // Everything before it is in the last arm.
         while let Some(piece) = self.pieces.next

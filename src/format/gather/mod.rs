@@ -8,7 +8,7 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::{Piece, Tokens, is_nothing};
 
-/// In lists longer than this many bytes, each vector is one atom.
+/// Length of a list in bytes above which the formatter treats each vector as one atom.
 const LONG_LIST: usize = 100_000;
 
 /// The atoms of a text whose first byte has the global offset `base`.
@@ -48,11 +48,11 @@ struct Gatherer<'a> {
     base: usize,
     pieces: Pieces<'a>,
     out: Atoms,
-    /// Local offset after the last atom.
+    /// Local offset in the text after the last atom.
     at: usize,
-    /// Flags for the next token.
+    /// Flags for the next token that becomes an atom.
     pending: u16,
-    /// Name of the innermost block.
+    /// Name of the innermost block around the next token.
     block: &'a str,
 }
 
@@ -314,7 +314,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// A body in brackets.
+    /// Gathers the atoms of a body in brackets.
     fn braces(&mut self, span: Span, name: Span, item: Item, body: &[Element]) -> Item {
         let start = self.len();
         if !name.is_none() {

@@ -31,14 +31,14 @@ impl<'a> Interpreter<'a> {
         Ok(Value::Vector(point.into()))
     }
 
-    /// `inside(Object, Point)`: 1 if the point is inside of the object, else 0.
+    /// Evaluates `inside(Object, Point)`: 1 if the point is inside of the object, else 0.
     pub(super) fn inside_object(&mut self, object: &Argument<'a>, point: &Argument<'a>) -> Result<Value> {
         let probe = self.probe(object)?;
         let point = self.argument_vector(point)?;
         Ok(Value::Float(f64::from(probe.inside(point))))
     }
 
-    /// `min_extent(Object)` and `max_extent(Object)`: corners of the object's bounding box.
+    /// Evaluates `min_extent(Object)` or `max_extent(Object)`: corners of the object's bounding box.
     pub(super) fn pov_bounds(&mut self, object: &Argument<'a>, max: bool) -> Result<Value> {
         let pov_bounds = self.object_argument(object)?.pov_bounds();
         Ok(Value::Vector(if max { pov_bounds.max } else { pov_bounds.min }.into()))

@@ -27,29 +27,29 @@ use std::sync::LazyLock;
 /// Maximum length of a string in bytes.
 const MAX_TEXT: usize = 16_000_000;
 
-/// A function that computes a value from values.
+/// A built-in function that computes a value from values.
 pub(super) struct Builtin {
     name: &'static str,
-    /// Arguments, for the manual.
+    /// Arguments of the built-in function as the manual prints them.
     usage: &'static str,
-    /// Summary for the manual.
+    /// Summary of the built-in function for the manual.
     summary: &'static str,
     arity: RangeInclusive<usize>,
     run: fn(&Arguments) -> Result<Value>,
 }
 
-/// Table row of a function.
+/// Table row of a built-in function, by the type of its arguments.
 #[derive(Clone, Copy)]
 enum Function {
-    /// A function of numbers.
+    /// Built-in function whose arguments and result are numbers.
     Numeric(&'static Numeric),
-    /// A function of values.
+    /// Built-in function whose arguments are values of any type.
     Plain(&'static Builtin),
-    /// A function that takes names, array elements or objects.
+    /// Built-in function whose arguments are names, array elements or objects.
     Special(&'static Special),
 }
 
-/// All functions by name.
+/// All built-in functions of the scene language by name.
 static FUNCTIONS: LazyLock<FxHashMap<&'static str, Function>> = LazyLock::new(|| {
     let numeric = numeric_table::TABLE.iter().map(|row| (row.name, Function::Numeric(row)));
     let special = special::TABLE.iter().map(|row| (row.name, Function::Special(row)));
@@ -60,7 +60,7 @@ fn plain() -> impl Iterator<Item = &'static Builtin> {
     [vector::TABLE, text::TABLE].into_iter().flatten()
 }
 
-/// Evaluated arguments with their spans.
+/// Evaluated arguments of a built-in function with their spans.
 pub(super) struct Arguments {
     values: Vec<(Value, Span)>,
 }
@@ -146,7 +146,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Calls a function of values.
+    /// Calls a built-in function with evaluated arguments of any type.
     fn compute(&mut self, name: &str, function: Function, arguments: Arguments, span: Span) -> Result<Value> {
         let found = arguments.values.len();
         match function {

@@ -8,15 +8,15 @@ use crate::syntax::ast::Expr;
 use crate::value::Value;
 use std::ops::RangeInclusive;
 
-/// A row of the table.
+/// Table row of a built-in function with a syntax of its own.
 pub(super) struct Special {
-    /// Name.
+    /// Name of the built-in function.
     pub name: &'static str,
-    /// Arguments, for the manual.
+    /// Arguments of the built-in function as the manual prints them.
     pub usage: &'static str,
-    /// Summary for the manual.
+    /// Summary of the built-in function for the manual.
     pub summary: &'static str,
-    /// Numbers of arguments that the function takes.
+    /// Numbers of arguments that the built-in function takes.
     pub arity: RangeInclusive<usize>,
     /// Function that computes the result; `None` for `select`, which evaluates only one of its arguments.
     pub run: Option<Run>,

@@ -125,7 +125,8 @@ fn format_number(x: f64, width: i64, precision: i64) -> String {
     }
 }
 
-/// `datetime(Days [, Format])`: formats days since the beginning of 2000; the format is that of C's `strftime`.
+/// Evaluates `datetime(Days [, Format])`: formats days since the beginning of 2000; the format is that of C's
+/// `strftime`.
 fn datetime(a: &Arguments) -> Result<Value> {
     let days = a.float(0)?;
     let format = if a.len() > 1 { a.text(1)? } else { "%Y-%m-%d %H:%M:%SZ" };
@@ -143,7 +144,7 @@ fn datetime(a: &Arguments) -> Result<Value> {
 /// Seconds from 1970 to the beginning of the year 2000.
 const EPOCH_2000: i64 = 946_684_800;
 
-/// `substr(S, P, L)`: L characters from character P on, counted from 1.
+/// Evaluates `substr(S, P, L)`: L characters from character P on, counted from 1.
 fn substr(a: &Arguments) -> Result<Value> {
     let (s, from, len) = (a.text(0)?, a.float(1)?, a.float(2)?);
     let count = s.chars().count() as f64;
@@ -153,7 +154,7 @@ fn substr(a: &Arguments) -> Result<Value> {
     text(s.chars().skip(from as usize - 1).take(len as usize).collect())
 }
 
-/// `vstr(N, V, Separator, Width, Precision)`: formats a vector.
+/// Evaluates `vstr(N, V, Separator, Width, Precision)`: formats a vector as a string.
 fn vstr(a: &Arguments) -> Result<Value> {
     let n = a.float(0)?.clamp(2.0, 5.0) as usize;
     let value = &a.values[1].0;

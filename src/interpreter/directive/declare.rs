@@ -11,7 +11,7 @@ use crate::syntax::word::{self, Category};
 use crate::value::Value;
 use std::rc::Rc;
 
-/// Target of a declaration.
+/// Target of a `#declare` or `#local` directive.
 struct Declared {
     symbol: Symbol,
     /// Location of an array element; `None` for the name itself.

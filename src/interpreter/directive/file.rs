@@ -18,11 +18,11 @@ const MAX_WRITTEN: u64 = 4 << 30;
 
 /// A file that `#fopen` opened, until its `#fclose`.
 pub struct OpenFile {
-    /// Name in the scene.
+    /// Name by which the scene refers to a file opened with `#fopen`.
     name: String,
     path: PathBuf,
     access: Access,
-    /// Span of the name in the `#fopen`.
+    /// Span of the file's name in the `#fopen` directive.
     span: Span,
 }
 
@@ -37,7 +37,7 @@ enum Access {
 }
 
 impl<'a> Interpreter<'a> {
-    /// Runs `#fopen Name "file" read`.
+    /// Runs the directive `#fopen Name "file" read`.
     pub fn run_fopen(&mut self, span: Span) -> Result<()> {
         let Some((symbol, _)) = self.read_name()? else {
             let message = "`#fopen` takes a name, a file and `read`, `write` or `append`";
@@ -95,7 +95,7 @@ impl<'a> Interpreter<'a> {
         word
     }
 
-    /// Runs `#fclose Name`.
+    /// Runs the directive `#fclose Name`.
     pub fn run_fclose(&mut self, span: Span) -> Result<()> {
         if let Some((symbol, _)) = self.read_name()? {
             self.close_file(symbol, span);
@@ -237,7 +237,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Runs `#write (Name, A, B)`.
+    /// Runs the directive `#write (Name, A, B)`.
     pub fn run_write(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#write")?;
         let index = match self.read_name()? {

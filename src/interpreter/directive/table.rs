@@ -6,16 +6,16 @@ use crate::source::Span;
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
 
-/// A directive.
+/// Table row of a `#` directive: its name, syntax and summary.
 #[derive(Debug)]
 pub struct DirectiveSpec {
-    /// Words after the `#`; related directives share an entry.
+    /// Names of the directive after the `#`; related directives share an entry.
     pub names: &'static [&'static str],
-    /// Syntax.
+    /// Syntax of the directive as the manual prints it.
     pub form: &'static str,
-    /// Summary in one line.
+    /// Summary of the directive in one line, for the manual.
     pub summary: &'static str,
-    /// Example of a few lines, which runs.
+    /// Example of the directive in a few lines, which runs.
     pub example: &'static str,
     /// Function that runs a directive without a body.
     pub(in crate::interpreter) run: Option<Run>,
@@ -35,7 +35,7 @@ static RUNNERS: LazyLock<FxHashMap<&'static str, (&'static str, Run)>> = LazyLoc
     TABLE.iter().flat_map(runners).collect()
 });
 
-/// Words of all directives.
+/// Names of all directives of the scene language.
 pub(in crate::interpreter) fn names() -> impl Iterator<Item = &'static str> {
     TABLE.iter().flat_map(|row| row.names).copied()
 }

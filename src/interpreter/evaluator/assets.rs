@@ -15,11 +15,11 @@ const MAX_PROBES: usize = 256;
 /// Files and objects that are loaded once per run.
 #[derive(Default)]
 pub struct Assets {
-    /// Decoded picture files.
+    /// Decoded picture files that the scene uses, by path.
     pub pictures: FxHashMap<PathBuf, Arc<Picture>>,
-    /// Shapes built from mesh files.
+    /// Shapes built from mesh files that the scene uses, by path.
     pub meshes: FxHashMap<PathBuf, Arc<dyn Thing>>,
-    /// Parsed fonts.
+    /// Parsed fonts that the scene uses, by location.
     pub fonts: FxHashMap<font::FontLocation, Arc<Font>>,
     /// Font files by the name of the family; `None` for a family that is not installed.
     pub families: FxHashMap<String, Option<font::FontLocation>>,

@@ -7,7 +7,7 @@ use crate::syntax::ast::Symbol;
 use crate::syntax::word;
 use crate::value::{Value, VecN};
 
-/// The built-in constants by symbol.
+/// Built-in constants of the scene language by symbol.
 pub(super) struct Constants {
     values: Vec<Option<Value>>,
     version: Symbol,

@@ -70,7 +70,7 @@ fn missing_key(dictionary: &Array, key: &str, span: Span) -> Fault {
     Box::new(d.maybe_help(did_you_mean(key, keys)))
 }
 
-/// The fault "expected a string".
+/// Returns the fault "expected a string" for a value of another type.
 pub fn not_text<T>(found: &Value, span: Span) -> Result<T> {
     let message = format!("expected a string, found {}", found.describe());
     Diagnostic::new(codes::WRONG_TYPE, span, message).help("`str(A, 0, 3)` makes text of a number").into()

@@ -31,7 +31,7 @@ use std::sync::Arc;
 pub use timing::Timing;
 pub(super) use whole::is_callable;
 
-/// Values of a run.
+/// Values, scopes and constants of one run of the interpreter.
 pub(super) struct Evaluator<'a> {
     inputs: Inputs<'a>,
     scopes: Scopes<'a>,
@@ -46,7 +46,7 @@ pub(super) struct Evaluator<'a> {
 }
 
 impl<'a> Evaluator<'a> {
-    /// An evaluator whose only names are those of `--declare`.
+    /// Creates an evaluator whose only names are those declared by the option `--declare`.
     pub(super) fn new(inputs: Inputs<'a>) -> Self {
         let mut scopes = Scopes::default();
         for (name, value) in &inputs.options.declares {
@@ -79,7 +79,7 @@ impl<'a> Evaluator<'a> {
         &mut self.assets
     }
 
-    /// The built-in constant of this name.
+    /// Returns the built-in constant of this name.
     pub(super) fn constant(&self, symbol: Symbol) -> Option<Value> {
         self.constants.get(symbol, &*self.inputs.options.host)
     }
@@ -88,7 +88,7 @@ impl<'a> Evaluator<'a> {
         self.constants.get(symbol, &*self.inputs.options.host).is_some()
     }
 
-    /// Sets the constant `version`.
+    /// Sets the built-in constant `version`, the language version in force.
     pub(super) fn set_version(&mut self, version: u32) {
         self.constants.set_version(version);
     }

@@ -118,12 +118,12 @@ pub fn divides_by_zero(op: Operator, right: &Value) -> bool {
     op == Operator::Div && numbers_of(right).is_some_and(|v| holds_zero(&v))
 }
 
-/// True if a component is zero.
+/// True if a component of the vector is zero.
 pub fn holds_zero(v: &VecN) -> bool {
     v.c[..v.len as usize].contains(&0.0)
 }
 
-/// Index of a component in a vector or colour.
+/// Returns the index of a named component in a vector or colour.
 pub fn component_index(name: &Name) -> Option<usize> {
     Some(match name.word? {
         "x" | "u" | "red" => 0,

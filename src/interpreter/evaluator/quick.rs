@@ -7,7 +7,7 @@ use crate::function::numeric::{self, Domain, Kernel};
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
-/// A value without heap allocation.
+/// Value of an expression without heap allocation, for fast evaluation.
 pub enum Quick {
     Float(f64),
     Vector(VecN),

@@ -7,13 +7,13 @@ use crate::syntax::ast::{Macro, Symbol};
 use crate::value::Value;
 use std::rc::Rc;
 
-/// Contents of a name or an array element.
+/// Contents of a declared name or an array element.
 #[derive(Clone, Debug)]
 pub enum Slot<'a> {
     Value(Value),
     Array(Rc<Array<'a>>),
     Macro(&'a Macro),
-    /// A file that `#fopen` opened, by its number.
+    /// Contents of a name that `#fopen` opened: the number of the file.
     File(usize),
     /// A macro parameter whose argument was a name or an array element: reads and writes go to that location.
     Alias(LValue),
@@ -27,7 +27,7 @@ type Path = Rc<[usize]>;
 /// An assignable location: the binding of a name, or an element of the array that is bound to the name.
 #[derive(Clone, Debug)]
 pub struct LValue {
-    /// Name of the binding.
+    /// Name of the binding that the location starts from.
     pub symbol: Symbol,
     /// Index of the binding among those of the symbol, the outermost first.
     depth: usize,
@@ -50,7 +50,7 @@ impl LValue {
 /// An array, such as `array[2][3]`, or a dictionary. An element holds anything that can have a name.
 #[derive(Clone, Debug)]
 pub struct Array<'a> {
-    /// Number of elements in each dimension.
+    /// Number of elements in each dimension of the array.
     pub sizes: Box<[usize]>,
     /// Elements in row-major order: the last index varies fastest. `None` for an element without a value.
     pub items: Vec<Option<Slot<'a>>>,
@@ -189,7 +189,7 @@ impl<'a> Scopes<'a> {
         path.map_or(Some(slot), |path| slot.element(path))
     }
 
-    /// Contents of a location.
+    /// Returns the contents of a variable or array element; `None` if undeclared.
     pub fn at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
         self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.depth)?.slot.element(lvalue.path())
     }
@@ -211,7 +211,7 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// The dictionary at a location, if there is one.
+    /// Returns the dictionary at an assignable location, if there is one.
     pub fn dictionary(&self, lvalue: &LValue) -> Option<&Array<'a>> {
         match self.at(lvalue)? {
             Slot::Array(array) if array.keys.is_some() => Some(array),

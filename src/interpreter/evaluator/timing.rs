@@ -3,26 +3,26 @@
 /// The frame of an animation. The default is POV-Ray's without an animation: all values are 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Timing {
-    /// `clock`.
+    /// Value of the constant `clock`, the animation's time.
     pub clock: f64,
-    /// `clock_on`: true in an animation, and if a clock was set.
+    /// Value of the constant `clock_on`: true in an animation, and if a clock was set.
     pub clock_on: bool,
-    /// `clock_delta`: difference of the clock between two frames.
+    /// Value of the constant `clock_delta`: difference of the clock between two frames.
     pub clock_delta: f64,
-    /// `frame_number`.
+    /// Value of the constant `frame_number`, the number of the animation's current frame.
     pub frame: u32,
-    /// `initial_frame`.
+    /// Value of the constant `initial_frame`, the number of the animation's first frame.
     pub initial_frame: u32,
-    /// `final_frame`.
+    /// Value of the constant `final_frame`, the number of the animation's last frame.
     pub final_frame: u32,
-    /// `initial_clock`.
+    /// Value of the constant `initial_clock`, the clock of the animation's first frame.
     pub initial_clock: f64,
-    /// `final_clock`.
+    /// Value of the constant `final_clock`, the clock of the animation's last frame.
     pub final_clock: f64,
 }
 
 impl Timing {
-    /// The value of one of these constants.
+    /// Returns the value of one of the animation's constants.
     pub(in crate::interpreter) fn constant(&self, name: &str) -> Option<f64> {
         Some(match name {
             "clock" => self.clock,

@@ -23,7 +23,7 @@ use std::sync::atomic::AtomicU8;
 /// Maximum number of operations of a function that is inlined into its callers.
 const MAX_COPIED: usize = 500;
 
-/// A function under construction.
+/// Compiler state of a user-defined function under construction.
 struct Compiler {
     graph: Graph,
     parameters: Vec<Symbol>,
@@ -117,7 +117,7 @@ impl<'a> Interpreter<'a> {
         Ok(Arc::new(Spline::new(kind, &points)))
     }
 
-    /// Compiles an expression.
+    /// Compiles an expression of a user-defined function's body.
     fn compile(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
         match &e.kind {
             ExprKind::Number(x) => Ok(c.graph.constant(*x)),

@@ -16,7 +16,7 @@ use std::sync::Arc;
 type PerhapsSized = (Option<[usize; 2]>, Arc<dyn Thing>);
 
 impl<'a> Interpreter<'a> {
-    /// Reads a function.
+    /// Reads a user-defined function from the scene and compiles it.
     pub fn read_function(&mut self) -> Result<Arc<dyn Thing>> {
         self.read_any_function().map(|(_, function)| function)
     }

@@ -16,7 +16,7 @@ fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
     TextureContext::free(DVec3::new(p[0], p[1], p[2]), generator)
 }
 
-/// `function { pigment { … } }`: the colour of a pigment at a point.
+/// User-defined function `function { pigment { … } }`: the colour of a pigment at a point.
 #[derive(Debug)]
 pub(super) struct PigmentSampler(pub(super) PigmentProgram, pub(super) SceneNoise);
 
@@ -38,7 +38,7 @@ impl Sampler for PigmentSampler {
     }
 }
 
-/// `function { pattern { … } }`: the value of a pattern at a point.
+/// User-defined function `function { pattern { … } }`: the value of a pattern at a point.
 #[derive(Debug)]
 pub(super) struct PatternSampler(pub(super) PigmentProgram, pub(super) SceneNoise);
 
@@ -64,7 +64,7 @@ impl Sampler for PatternSampler {
     }
 }
 
-/// `function { transform { … } }`: a transformed point.
+/// User-defined function `function { transform { … } }`: a transformed point.
 #[derive(Debug)]
 pub(super) struct TransformSampler(pub(super) Transform);
 

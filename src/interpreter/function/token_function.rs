@@ -13,7 +13,7 @@ use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
 use crate::value::Value;
 
-/// Compiles operands and operators.
+/// Operands and operators that are compiled into a user-defined function.
 pub(super) struct Compiled<'c>(pub(super) &'c mut Compiler);
 
 impl<'a> Operands<'a> for Compiled<'_> {

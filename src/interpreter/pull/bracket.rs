@@ -6,7 +6,7 @@ use crate::interpreter::stream::{BlockName, OpenBracket, Token};
 use crate::source::Span;
 use crate::syntax::ast::*;
 
-/// Maximum number of open brackets.
+/// Maximum number of simultaneously open brackets in a scene.
 const MAX_NESTING: usize = 5_000;
 
 impl<'a> Interpreter<'a> {

@@ -9,7 +9,7 @@ use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{FloatOrColor, Reader, Value, ValueKind, VecN, WordSpec};
 
-/// Words that begin a colour.
+/// Keywords that begin a colour, such as `rgb`.
 pub const COLOR_WORDS: &[WordSpec] = &[
     word(
         "color",

@@ -263,7 +263,7 @@ fn kind_of(word: &str) -> Option<ValueKind> {
     words.into_iter().find(|known| known.name == word).map(|known| known.kind)
 }
 
-/// True if a `{` follows the word.
+/// True if a `{` follows the word in the scene.
 fn opens_block(word: &str) -> bool {
     is_object(word)
         || matches!(word, "camera" | "background" | "global_settings")
@@ -295,7 +295,7 @@ fn value_after(word: &str) -> (String, String) {
     (what.into(), format!("{word} {value}").trim_end().to_string())
 }
 
-/// Syntax of a block.
+/// Returns the syntax of the block `word` for a message.
 fn block_usage(word: &str) -> String {
     match SPECS.iter().find(|spec| spec.name == word) {
         Some(spec) => {

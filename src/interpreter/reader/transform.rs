@@ -7,7 +7,7 @@ use crate::scene::is_object;
 use crate::source::Span;
 use crate::value::{Next, Reader, ReaderExt, Thing};
 
-/// A declared transform.
+/// A transform that the scene declared under a name.
 #[derive(Debug)]
 pub struct TransformThing(pub(in crate::interpreter) Transform);
 

@@ -6,9 +6,9 @@ use crate::source::{Host, Span};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-/// Maximum depth of macro calls.
+/// Maximum depth of nested macro calls.
 pub const MAX_CALLS: usize = 5_000;
-/// Maximum depth of includes.
+/// Maximum depth of nested include files.
 pub const MAX_INCLUDES: usize = 100;
 /// Bytes per pixel of a function's picture: four components.
 const PER_POINT: u64 = 16;
@@ -19,9 +19,9 @@ const CLOCK_EVERY: u64 = 4096;
 /// Number of bytes of strings between two checks of the clock.
 const TEXT_EVERY: usize = 64 << 20;
 
-/// Work done so far.
+/// Work that the interpreter has done so far, which the limits bound.
 pub(super) struct Usage {
-    /// Directives, loop passes and macro calls.
+    /// Number of directives, loop passes and macro calls that the run has executed.
     steps: u64,
     /// Bytes of strings made since the limits were last checked.
     text_made: usize,

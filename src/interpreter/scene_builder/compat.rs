@@ -5,7 +5,7 @@ use crate::color::Gamma;
 /// Language version of a scene that states none.
 pub const DEFAULT_VERSION: u32 = 370;
 
-/// Converts `#version 3.62` to 362.
+/// Converts the number of a `#version` directive to an integer: 3.62 to 362.
 pub fn version_number(value: f64) -> u32 {
     (value * 100.0).round().clamp(0.0, 10_000.0) as u32
 }

@@ -14,7 +14,7 @@ use crate::value::{Language, Unsupported};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// The scene under construction.
+/// The scene under construction while the interpreter runs.
 pub(super) struct SceneBuilder {
     scene: Scene,
     defaults: Defaults,
@@ -60,7 +60,7 @@ impl SceneBuilder {
         self.version_stated.then_some(self.language.version)
     }
 
-    /// Version and gamma in force.
+    /// Returns the language version and gamma in force at this point of the scene.
     pub(super) fn language(&self) -> Language {
         let version = self.stated_version();
         let srgb_files = version.is_some_and(compat::has_srgb_files);
@@ -153,7 +153,7 @@ impl SceneBuilder {
         settings.gamma.get_or_insert(compat::gamma_without_setting(version));
     }
 
-    /// The scene, and the call traces of its objects.
+    /// Returns the finished scene, and the call traces of its objects.
     pub(super) fn into_scene(self) -> (Scene, Vec<Vec<Label>>) {
         (self.scene, self.origins)
     }

@@ -6,20 +6,20 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::blame;
 
-/// A bracket that is open.
+/// A bracket of the scene text that is still open.
 pub struct OpenBracket {
-    /// The word before the bracket.
+    /// The word before the open bracket.
     pub word: Option<&'static str>,
     /// Span of the word, or of the bracket if it has none.
     pub span: Span,
     /// Span of the bracket alone; `None` if the parser found the matching bracket.
     pub alone: Option<Span>,
     pub bracket: Bracket,
-    /// durer's own words inside the block.
+    /// Keywords that only durer has, inside of the block.
     pub own_words: &'static [&'static str],
-    /// Number of frames where the bracket was opened.
+    /// Number of frames on the stack where the bracket was opened.
     pub frame_count: usize,
-    /// Mode outside of the bracket.
+    /// Reading mode outside of the open bracket.
     pub mode: Mode,
 }
 
@@ -31,9 +31,9 @@ pub(super) struct Unclosed {
     pub(super) braces: bool,
 }
 
-/// Brackets.
+/// Open brackets of the token stream.
 impl<'a> TokenStream<'a> {
-    /// The innermost open bracket.
+    /// Returns the innermost open bracket of the token stream.
     pub fn bracket(&self) -> Option<&OpenBracket> {
         self.open_brackets.last()
     }

@@ -4,12 +4,12 @@ use super::bracket::Unclosed;
 use super::{Mode, OpenBracket, StackFrame, TokenStream};
 use crate::syntax::ast::*;
 
-/// A state of the stream to return to.
+/// A state of the token stream to return to.
 #[derive(Clone, Copy)]
 pub struct Checkpoint {
     frame_count: usize,
     bracket_count: usize,
-    /// Read position in the innermost frame.
+    /// Read position in the innermost frame at the checkpoint.
     at: usize,
     mode: Mode,
 }
@@ -101,7 +101,7 @@ impl StackFrame<'_> {
 
 /// Checkpoints. Frames above a checkpoint are dropped by `Interpreter::unwind`, because scopes end with them.
 impl TokenStream<'_> {
-    /// The present state, to return to after a fault.
+    /// Returns the present state of the token stream, to return to after a fault.
     pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint {
             frame_count: self.frames.len(),
@@ -159,6 +159,6 @@ impl TokenStream<'_> {
     }
 }
 
-/// See [`TokenStream::opened_since`].
+/// Brackets opened since a checkpoint; see [`TokenStream::opened_since`].
 #[derive(Clone, Copy)]
 pub struct Open(Unclosed);

@@ -5,17 +5,17 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use std::path::PathBuf;
 
-/// A row of elements with a read position.
+/// A sequence of elements with a read position, on the token stream's stack.
 pub struct StackFrame<'a> {
     pub(super) elements: &'a [Element],
-    /// Index of the next element.
+    /// Index of the frame's next element to read.
     pub(super) at: usize,
     /// Read position within a literal list: index of the item, and of its first number.
     pub(super) item: (usize, usize),
     kind: FrameKind<'a>,
     /// Span of the whole construct being read: block, call, directive.
     span: Span,
-    /// The closing bracket that follows the last element.
+    /// Closing bracket that follows the frame's last element.
     pub(super) closer: Option<Bracket>,
     /// True if a comma follows the frame's last token.
     pub(super) comma: bool,
@@ -24,21 +24,21 @@ pub struct StackFrame<'a> {
 /// The construct that a frame's elements belong to.
 #[derive(Clone, Copy)]
 pub enum FrameKind<'a> {
-    /// The outermost file.
+    /// Frame of the outermost file, the scene itself.
     File,
     /// The inside of a bracket, or the parts of a split expression.
     Piece,
-    /// A branch of `#if`, or an arm of `#switch`.
+    /// Frame of a branch of `#if`, or of an arm of `#switch`.
     Branch,
-    /// A `#switch`, whose arms lie above; `#break` leaves it.
+    /// Frame of a `#switch`, whose arms lie above; `#break` leaves it.
     Switch,
-    /// A pass of `#while`, with its condition.
+    /// Frame of one pass of `#while`, with its condition.
     While(&'a Head),
-    /// A pass of `#for`.
+    /// Frame of one pass through the body of a `#for` loop.
     For { counter: Symbol, last: f64, step: f64 },
-    /// The body of a macro.
+    /// Frame of a macro call, which reads the macro's body.
     Macro(Symbol),
-    /// An included file.
+    /// Frame of an included file.
     Include,
 }
 
@@ -54,19 +54,19 @@ impl<'a> StackFrame<'a> {
         Self { elements, at: 0, item: (0, 0), kind, span, closer: None, comma: false }
     }
 
-    /// The element at the read position.
+    /// Returns the frame's element at the read position.
     #[inline]
     pub fn next(&self) -> Option<&'a Element> {
         self.elements.get(self.at)
     }
 
-    /// The element after [`Self::next`].
+    /// Returns the frame's element after [`Self::next`].
     #[inline]
     pub fn following(&self) -> Option<&'a Element> {
         self.elements.get(self.at + 1)
     }
 
-    /// The elements from the read position on.
+    /// Returns the frame's elements from the read position on.
     pub fn rest(&self) -> &'a [Element] {
         self.elements.get(self.at..).unwrap_or_default()
     }
@@ -117,12 +117,12 @@ impl<'a> StackFrame<'a> {
         )
     }
 
-    /// True if a `{` comes next.
+    /// True if a `{` is the frame's next token.
     pub fn is_at_brace(&self) -> bool {
         self.opens_brace(self.at)
     }
 
-    /// True if a `(` comes next.
+    /// True if a `(` is the frame's next token.
     pub fn is_at_parenthesis(&self) -> bool {
         match self.next().map(|e| &e.kind) {
             Some(ElementKind::Sign(sign)) => *sign == Sign::Open(Bracket::Paren),
@@ -132,14 +132,14 @@ impl<'a> StackFrame<'a> {
     }
 }
 
-/// Call frames.
+/// Frames of files, loops and macro calls on the token stream's stack.
 impl<'a> TokenStream<'a> {
     #[inline]
     pub fn innermost(&self) -> Option<&StackFrame<'a>> {
         self.frames.last()
     }
 
-    /// All frames, the innermost last.
+    /// Returns all frames of the token stream, the innermost last.
     pub fn frames(&self) -> &[StackFrame<'a>] {
         &self.frames
     }
@@ -154,7 +154,7 @@ impl<'a> TokenStream<'a> {
         &self.include_paths
     }
 
-    /// Reads these elements next.
+    /// Pushes a frame, so that the token stream reads `elements` next.
     pub fn push_frame(&mut self, elements: &'a [Element], kind: FrameKind<'a>, span: Span) {
         self.look_ahead = None;
         self.frames.push(StackFrame::new(elements, kind, span));

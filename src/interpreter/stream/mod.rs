@@ -28,7 +28,7 @@ pub(super) struct TokenStream<'a> {
     inputs: Inputs<'a>,
     /// Sources of elements, the innermost last.
     frames: Vec<StackFrame<'a>>,
-    /// The next token, whose text is not consumed.
+    /// Next token of the stream, whose text is not consumed.
     look_ahead: Option<Token<'a>>,
     /// Tokens that precede `look_ahead`, the next one last; their text is consumed.
     pushed_back: Vec<PushedBack<'a>>,
@@ -41,7 +41,7 @@ pub(super) struct TokenStream<'a> {
     open_brackets: Vec<OpenBracket>,
     /// Global offsets of brackets that the rest of their file does not close.
     unclosed: FxHashSet<u32>,
-    /// Number of macro frames.
+    /// Number of macro frames on the token stream's stack.
     call_depth: usize,
     /// Paths of the included files that are being read, the innermost last.
     include_paths: Vec<PathBuf>,
@@ -238,7 +238,7 @@ impl<'a> TokenStream<'a> {
         }
     }
 
-    /// Consumes the next token.
+    /// Consumes the next token of the stream.
     pub(super) fn advance(&mut self) {
         if let Some(pushed_back) = self.pushed_back.pop() {
             self.comma = pushed_back.comma;
@@ -301,7 +301,7 @@ impl<'a> TokenStream<'a> {
         i - first
     }
 
-    /// Span of the next token.
+    /// Returns the span of the stream's next token.
     pub(super) fn next_span(&self) -> Span {
         if let Some(pushed_back) = self.pushed_back.last() {
             return pushed_back.span;

@@ -6,34 +6,34 @@ use crate::syntax::ast::*;
 /// One token of the stream; an expression or a body that needs no splitting is a single token.
 #[derive(Clone, Copy, Debug)]
 pub enum Token<'a> {
-    /// A keyword without a `{` after it.
+    /// Token that is a keyword without a `{` after it.
     Word(&'static str),
-    /// The name of a built-in function whose arguments follow.
+    /// Token that is a built-in function's name, whose arguments follow.
     Callee(&'static str),
-    /// A word and the `{` after it.
+    /// Token that is a word with the `{` after it.
     Block(BlockName<'a>),
     /// An expression without macro calls; nothing that follows continues it.
     Expr(&'a Expr),
     /// An item of a literal list: one number, or a vector of several.
     Numbers(&'a [f64]),
-    /// `{`, `[` or `(`, with the elements up to the matching bracket if the parser found it.
+    /// Token that is `{`, `[` or `(`, with the elements up to the matching bracket if the parser found it.
     Open(Bracket, Option<&'a [Element]>),
-    /// `function { … }`; `None` for the word `function` alone.
+    /// Token that is a function definition `function { … }`; `None` for the word `function` alone.
     Function(Option<&'a Function>),
     /// An array's element; its indices are evaluated, and [`super::TokenStream::element`] returns the location.
     Element(Span),
-    /// A closing bracket or an operator.
+    /// Token that is a closing bracket or an operator.
     Sign(Sign),
-    /// The end of the text.
+    /// End of the scene text, after the last token.
     End,
 }
 
-/// The word before a `{`.
+/// The word before the `{` of a block.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockName<'a> {
     /// Keyword before the `{`; `None` if that word is not a keyword.
     pub word: Option<&'static str>,
-    /// Span of the word.
+    /// Span of the word before the `{`.
     pub span: Span,
     /// The elements between the braces; `None` where the block's tokens come one by one.
     pub body: Option<&'a [Element]>,
@@ -45,7 +45,7 @@ impl Token<'_> {
         matches!(self, Token::End | Token::Sign(Sign::Close(_)))
     }
 
-    /// True for the closing bracket of this kind.
+    /// True if the token is the closing bracket of this kind.
     pub fn closes(self, bracket: Bracket) -> bool {
         matches!(self, Token::Sign(Sign::Close(found)) if found == bracket)
     }

@@ -17,13 +17,13 @@ use skipped::Skipped;
 
 /// Action on operands and operators: evaluation, compilation of functions, or skipping.
 pub(super) trait Operands<'a> {
-    /// Result of an operand.
+    /// Result of reading one operand of an expression.
     type Value;
 
     /// Reads the next operand with its signs, components and indices.
     fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Self::Value, Span)>;
 
-    /// Applies a binary operator.
+    /// Applies a binary operator to two operands of an expression.
     fn combine(
         &mut self,
         me: &mut Interpreter<'a>,
@@ -35,13 +35,13 @@ pub(super) trait Operands<'a> {
     /// Reads the two branches after a `?`, with the `:` between them, and selects one.
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Self::Value, Span)) -> Result<(Self::Value, Span)>;
 
-    /// Precedence of an operator.
+    /// Returns the precedence of an operator in an expression.
     fn precedence(&self, op: Operator) -> u8 {
         op.precedence()
     }
 }
 
-/// Precedence below that of all operators.
+/// Operator precedence below that of all operators.
 const LOOSEST: u8 = 0;
 
 impl<'a> Interpreter<'a> {

@@ -46,7 +46,7 @@ impl<'a> Operands<'a> for Skipped {
 }
 
 impl Skipped {
-    /// Skips one operand.
+    /// Skips one operand of an expression without evaluating it.
     fn skip(&mut self, me: &mut Interpreter) -> Result<Span> {
         read_signs(me)?;
         let token = me.peek()?;

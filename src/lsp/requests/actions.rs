@@ -15,7 +15,7 @@ use std::collections::HashMap;
 /// Largest number of tokens of a line in which a statement is searched.
 const MAX_TOKENS: usize = 100;
 
-/// The actions for the diagnostics at a position.
+/// Returns the code actions for the diagnostics at a position.
 pub fn actions<S: Client>(server: &mut Server<S>, params: &CodeActionParams) -> Option<CodeActionResponse> {
     let uri = &params.text_document.uri;
     let document = server.document(uri)?;

@@ -8,14 +8,14 @@ use crate::value::decimal;
 use lsp_types::{Color, ColorInformation, ColorPresentation, ColorPresentationParams, DocumentColorParams, TextEdit};
 use std::ops::Range;
 
-/// A colour in a text.
+/// A colour literal in a scene's text.
 struct Found {
     /// Byte range from the word to the end of the numbers.
     at: Range<usize>,
     color: Color,
 }
 
-/// All literal colours of a text.
+/// Returns all literal colours of a document's text.
 pub fn colors<S: Client>(server: &mut Server<S>, params: &DocumentColorParams) -> Vec<ColorInformation> {
     let Some(document) = server.document(&params.text_document.uri) else { return vec![] };
     let tokens: Vec<_> = document.scan.tokens.iter().filter(|token| token.kind != TokenKind::Comment).collect();

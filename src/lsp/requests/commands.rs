@@ -64,7 +64,7 @@ fn show_document(uri: Uri, number: i32) -> Message {
     Message::Request(Request::new(number.into(), "window/showDocument".into(), params))
 }
 
-/// The command line of this program for a scene.
+/// Returns the command line of this program for a scene.
 fn durer(words: &[&str], scene: &Path) -> std::io::Result<Command> {
     let mut command = Command::new(std::env::current_exe()?);
     command.args(words).arg(scene).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());

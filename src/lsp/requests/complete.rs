@@ -23,7 +23,7 @@ const MAX_NAMES: usize = 100;
 /// Largest number of files that are offered.
 const MAX_FILES: usize = 2000;
 
-/// The completions at a position.
+/// Returns the completions at a position of the document.
 pub fn complete<S: Client>(server: &mut Server<S>, params: &CompletionParams) -> Option<CompletionResponse> {
     let at = &params.text_document_position;
     let uri = &at.text_document.uri;
@@ -168,7 +168,7 @@ fn item_of_name(one: &ReachableText, d: &Declaration, file: String) -> Completio
     }
 }
 
-/// The parameters of a macro.
+/// Returns the parameter names of a macro.
 pub fn parameters(one: &ReachableText, d: &Declaration) -> Option<Vec<String>> {
     let found = one.scan.macros.iter().find(|m| d.kind == DeclarationKind::Macro && m.whole.start == d.whole.start);
     found.map(|m| m.parameters.clone())

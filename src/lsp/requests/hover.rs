@@ -44,7 +44,7 @@ fn explained(word: &str, block: &str) -> Option<String> {
     (!lines.is_empty()).then(|| format!("**{word}**\n\n- {}{picture}", lines.join("\n- ")))
 }
 
-/// The last declaration of a name and its position.
+/// Returns the last declaration of a name and its position.
 fn declared(related: &[ReachableText], name: &str, scope: Option<usize>, own: Option<usize>) -> Option<String> {
     let all = related.iter().enumerate().flat_map(|(i, one)| one.scan.declarations.iter().map(move |d| (i, one, d)));
     let fits = |(i, one, d): &(usize, &ReachableText, &crate::lsp::scan::Declaration)| {
@@ -69,7 +69,7 @@ fn declared(related: &[ReachableText], name: &str, scope: Option<usize>, own: Op
     Some(format!("```pov\n{code}\n```\n{place}{more}"))
 }
 
-/// Comments directly above a line.
+/// Returns the comments directly above a line of the scene.
 fn comment_before(text: &str, at: usize) -> String {
     let start = text[..at].rfind('\n').map_or(0, |i| i + 1);
     let mut lines: Vec<&str> =

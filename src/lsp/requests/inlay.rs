@@ -9,7 +9,7 @@ use std::collections::HashMap;
 /// Number of lines from which the end of a directive gets a hint.
 const MIN_LINES: u32 = 8;
 
-/// The hints in a range.
+/// Returns the inlay hints in a range of the document.
 pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Option<Vec<InlayHint>> {
     let uri = &params.text_document.uri;
     let related = server.related(uri);
@@ -49,7 +49,7 @@ fn is_definition(scan: &crate::lsp::scan::Scan, pair: &Pair) -> bool {
     scan.declarations.iter().any(|d| d.kind == DeclarationKind::Macro && d.at == pair.named)
 }
 
-/// Byte offsets of the arguments of a call.
+/// Returns the byte offsets of a call's arguments.
 fn arguments(text: &str, scan: &crate::lsp::scan::Scan, call: &Pair) -> Vec<usize> {
     let first = scan.tokens.partition_point(|token| token.at.start <= call.whole.start);
     let inside = scan.tokens[first..].iter().take_while(|token| token.at.end < call.whole.end);

@@ -26,7 +26,7 @@ pub fn format_range<S: Client>(
     Some(edits(server.document(&params.text_document.uri)?)?.into_iter().filter(touches).collect())
 }
 
-/// One edit for each sequence of changed lines.
+/// Returns one text edit for each sequence of lines that formatting changes.
 fn edits(document: &Document) -> Option<Vec<TextEdit>> {
     let old = document.text.as_str();
     let new = Text::new(decode(old.as_bytes().to_vec()).ok()?.formatted(BASE, WIDTH).ok()?);

@@ -50,7 +50,7 @@ pub fn capabilities(asked: &Value) -> Value {
     })
 }
 
-/// Responds to a request.
+/// Responds to a request from the editor.
 pub fn answer<S: Client>(server: &mut Server<S>, request: Request) -> Response {
     fn by<R: ask::Request>(request: Request, answer: impl FnOnce(R::Params) -> R::Result) -> Response {
         match serde_json::from_value(request.params) {

@@ -12,7 +12,7 @@ use lsp_types::{
 };
 use std::collections::HashMap;
 
-/// A name at a position.
+/// The declared name at a position of the document.
 struct Named {
     name: String,
     range: Range,
@@ -31,7 +31,7 @@ fn named<S: Client>(server: &Server<S>, uri: &Uri, at: Position) -> Option<Named
     Some(Named { name, range: document.text.range(token.at.clone()), owner })
 }
 
-/// An occurrence of a name.
+/// One occurrence of a name in a scene's texts.
 struct Hit {
     range: Range,
     declares: bool,
@@ -84,7 +84,7 @@ pub fn definition<S: Client>(server: &mut Server<S>, params: &GotoDefinitionPara
     Some(GotoDefinitionResponse::Array(all.collect()))
 }
 
-/// The file of the `#include` at a position.
+/// Returns the file that an `#include` at a position names.
 fn included<S: Client>(server: &mut Server<S>, uri: &Uri, at: Position) -> Option<Uri> {
     let document = server.document(uri)?;
     let offset = document.text.offset(at);
@@ -93,7 +93,7 @@ fn included<S: Client>(server: &mut Server<S>, uri: &Uri, at: Position) -> Optio
     crate::lsp::document::uri_of(&crate::lsp::files::find(name, &document.folder(), &search)?)
 }
 
-/// All occurrences of the name.
+/// Returns all occurrences of the name at a position of the document.
 pub fn references<S: Client>(server: &mut Server<S>, params: &ReferenceParams) -> Option<Vec<Location>> {
     let at = &params.text_document_position;
     let named = named(server, &at.text_document.uri, at.position)?;
@@ -106,7 +106,7 @@ pub fn references<S: Client>(server: &mut Server<S>, params: &ReferenceParams) -
     Some(all.collect())
 }
 
-/// All occurrences of the name in its own text.
+/// Returns all occurrences in the document of the name at a position.
 pub fn highlights<S: Client>(
     server: &mut Server<S>,
     params: &DocumentHighlightParams,

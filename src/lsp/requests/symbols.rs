@@ -11,7 +11,7 @@ use lsp_types::{
 /// Largest number of symbols of a search.
 const MAX_SYMBOLS: usize = 1000;
 
-/// Declared names, macros, and the outermost blocks.
+/// Returns the declared names, macros and outermost blocks of a document.
 pub fn of_document<S: Client>(server: &mut Server<S>, params: &DocumentSymbolParams) -> Option<DocumentSymbolResponse> {
     let document = server.document(&params.text_document.uri)?;
     let scan = &document.scan;

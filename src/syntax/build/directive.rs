@@ -67,7 +67,7 @@ impl Builder<'_> {
         (head, body)
     }
 
-    /// `None` if the target is not a plain name with indices.
+    /// Builds a declaration; `None` if the target is not a plain name with indices.
     pub(super) fn declare(&self, pair: Pair<Rule>) -> Option<Declare> {
         if self.single {
             return None;

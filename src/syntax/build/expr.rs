@@ -60,7 +60,7 @@ impl Builder<'_> {
         Some(Expr { span, calls, kind: ExprKind::Choice(Box::new([condition, yes, no])) })
     }
 
-    /// `? yes : no`
+    /// Builds both branches of a conditional expression from `? yes : no`.
     fn branches(&self, choice: Pair<Rule>, place: In) -> Option<[Expr; 2]> {
         let range = super::range(&choice);
         let mut parts: Vec<Pair<Rule>> = choice.into_inner().collect();
@@ -130,7 +130,7 @@ impl Builder<'_> {
         Expr { span, calls, kind: ExprKind::Dot(Box::new(base), name, self.names.intern(text)) }
     }
 
-    /// `[i]` after an array or after another index.
+    /// Builds the index `[i]` after an array or after another index.
     fn index(&self, array: Expr, pairs: Vec<Pair<Rule>>, place: In) -> Option<Expr> {
         let span = pairs.last().map_or(array.span, |last| array.span.to(self.span(last)));
         let indices: Box<[Expr]> = pairs.into_iter().map(|p| self.only_expr(p, place)).collect::<Option<_>>()?;
@@ -247,7 +247,7 @@ impl SignRow {
     }
 }
 
-/// Operators and their right operands.
+/// Binary operators with their right operands, without the first operand.
 type Tail = Vec<(Operator, Expr)>;
 
 /// Groups operands by precedence; operators of one precedence make one flat chain.

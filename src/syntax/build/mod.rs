@@ -21,7 +21,7 @@ use std::ops::Range;
 pub(super) struct Builder<'n> {
     names: &'n Names,
     text: &'n str,
-    /// Global offset of the text's first byte.
+    /// Global offset of the first byte of the text.
     base: usize,
     classes: &'n [u8],
     tokens: &'n [Token],
@@ -35,16 +35,16 @@ pub(super) struct Builder<'n> {
 /// parts of parts could take too long.)
 const SMALL: usize = 24;
 
-/// The context of an expression.
+/// Context in which an expression of the syntax tree is built.
 #[derive(Clone, Copy, PartialEq)]
 enum In {
     Script,
-    /// Between the braces of a `function`.
+    /// Context of an expression between the braces of a `function`.
     Function,
 }
 
 impl<'n> Builder<'n> {
-    /// For the piece that begins at token `first`.
+    /// Creates a builder for the piece that begins at token `first`.
     pub(super) fn new(source: &Source<'n>, lexed: &'n Lexed, first: usize) -> Self {
         let &Source { text, base, names, single } = source;
         let Lexed { classes, tokens, numbers, lists, .. } = lexed;
@@ -57,17 +57,17 @@ impl<'n> Builder<'n> {
         self.elements_into(chunk.into_inner(), range, In::Script, out);
     }
 
-    /// The first token of a pair.
+    /// Returns the first token of a parser's pair.
     fn token(&self, pair: &Pair<Rule>) -> Token {
         self.tokens[pair.as_span().start()]
     }
 
-    /// The text of a token.
+    /// Returns the source text of a token.
     fn token_text(&self, token: Token) -> &'n str {
         &self.text[token.start as usize..token.end as usize]
     }
 
-    /// The text of a pair's first token.
+    /// Returns the text of the first token of a parser's pair.
     fn text_of(&self, pair: &Pair<Rule>) -> &'n str {
         self.token_text(self.token(pair))
     }
@@ -164,7 +164,7 @@ impl<'n> Builder<'n> {
         out.push(Element::new(span, kind));
     }
 
-    /// `#declare` alone, followed by each token of the target, and the `=`.
+    /// Builds `#declare` alone, followed by each token of the target, and the `=`.
     fn declare_pieces(&self, pair: Pair<Rule>, out: &mut Vec<Element>) {
         let (own, token) = (range(&pair), self.token(&pair));
         let directive = Directive::DeclarePieces(token.data == 1);
@@ -232,7 +232,7 @@ impl<'n> Builder<'n> {
         Block { name, body: self.elements(pair, place) }
     }
 
-    /// The word at the start of a pair.
+    /// Returns the word at the start of a parser's pair.
     fn name(&self, pair: &Pair<Rule>) -> Name {
         let token = self.token(pair);
         Name { word: known_word(self.token_text(token)), span: self.token_span(token) }
@@ -242,7 +242,7 @@ impl<'n> Builder<'n> {
         self.names.intern(self.text_of(pair))
     }
 
-    /// `None` if its head is incomplete.
+    /// Builds a function definition; `None` if its head is incomplete.
     fn function(&self, pair: Pair<Rule>) -> Option<Function> {
         let (mut size, mut parameters, mut body) = (vec![], Box::default(), Box::default());
         for part in pair.into_inner() {
@@ -265,13 +265,13 @@ fn is_directive(rule: Rule) -> bool {
     matches!(rule, declare | conditional | while_loop | for_loop | switch | macro_definition | plain)
 }
 
-/// The tokens of a pair.
+/// Returns the range of token indices that a parser's pair covers.
 fn range(pair: &Pair<Rule>) -> Range<usize> {
     let span = pair.as_span();
     span.start()..span.end()
 }
 
-/// The name, if the element is a name alone.
+/// Returns the name, if the syntax element is a name alone.
 pub(super) fn name_of(element: &Element) -> Option<Symbol> {
     match &element.kind {
         ElementKind::Expr(e) => match e.kind {

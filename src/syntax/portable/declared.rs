@@ -8,21 +8,21 @@ use rustc_hash::FxHashMap;
 /// The kind of a declared value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// `texture { … }`, `pigment { … }` …: the block's word.
+    /// Kind of a name declared as a block such as `texture { … }` or `pigment { … }`: the block's word.
     Block(&'static str),
-    /// A vector without a word before it.
+    /// Kind of a name declared as a vector without a word before it.
     Vector,
-    /// Another kind, or different kinds.
+    /// Kind of a name that is declared as another kind, or as different kinds.
     Unknown,
 }
 
 /// Blocks whose names POV-Ray accepts in a block of the same word only.
 const BLOCKS: &[&str] = &["texture", "pigment", "normal", "finish", "interior", "material", "transform"];
 
-/// All names of all files.
+/// All names that the scene's files declare, with their kinds.
 pub(super) struct Declared {
     kinds: FxHashMap<Symbol, Kind>,
-    /// For each macro: true if the last token of its body, and of all others of the name, is the `}` of a block.
+    /// True for a macro if the last token of its body, and of all others of the name, is the `}` of a block.
     macros: FxHashMap<Symbol, bool>,
     /// True if the scene's own file requests a language version without `;` after values.
     pub is_old: bool,
@@ -124,7 +124,7 @@ fn behind(text: &Text, open: usize) -> u8 {
     0
 }
 
-/// `#version 3.1` anywhere.
+/// True if the text contains a `#version` directive below 3.5, or one without a literal number.
 fn is_old(text: &Text) -> bool {
     (0..text.len()).any(|at| {
         text.class(at) == class::PLAIN

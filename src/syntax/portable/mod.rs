@@ -30,7 +30,7 @@ pub(super) fn lint_portability(sources: &Sources, names: &Names, scene_and_inclu
     walk.out
 }
 
-/// The tokens of a file.
+/// Tokens of a file that the portability lint examines.
 struct Text<'t> {
     text: &'t str,
     base: usize,
@@ -72,22 +72,22 @@ impl<'t> Text<'t> {
         token.map_or(Span::NONE, |t| Span::new(self.base + t.start as usize, self.base + t.end as usize))
     }
 
-    /// True for a word of the language.
+    /// True if the token is a word of the scene language.
     fn is_keyword(&self, at: usize) -> bool {
         matches!(self.class(at), class::KEYWORD | class::HEAD | class::FUNCTION)
     }
 }
 
-/// An open bracket.
+/// An open bracket during the portability lint.
 #[derive(Clone, Copy)]
 struct Open<'t> {
-    /// Its class: `BRACE`, `PAREN`, `BRACKET`, `VECTOR`.
+    /// Class of the open bracket: `BRACE`, `PAREN`, `BRACKET` or `VECTOR`.
     class: u8,
-    /// The word before it.
+    /// The word before the open bracket.
     word: &'t str,
-    /// Index of its token.
+    /// Index of the open bracket's token.
     at: usize,
-    /// True if a directive was found inside it.
+    /// True if a directive was found inside of the bracket.
     directed: bool,
     /// True if a word of durer's own was reported in it: one message for each block is enough.
     told: bool,

@@ -188,7 +188,7 @@ impl Walk<'_> {
         })
     }
 
-    /// `pigment { <1, 0, 0> }`, `[0 <1, 0, 0>]`
+    /// Checks for a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
     fn bare_value(&mut self, at: usize) {
         let is_vector = self.text.class(at) == class::VECTOR;
         if self.begins_pigment(at) || is_vector && self.is_map_entry(at) {
@@ -212,7 +212,7 @@ impl Walk<'_> {
             && matches!(map.word, "color_map" | "colour_map" | "pigment_map")
     }
 
-    /// `array { 1, 2 }`
+    /// Checks for an array without a size, `array { 1, 2 }`.
     fn array_without_size(&mut self, at: usize) {
         if self.text.class(at + 1) == class::BRACE {
             self.report(at, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");
@@ -275,7 +275,7 @@ impl Walk<'_> {
         }
     }
 
-    /// A word of durer's own.
+    /// Checks for a word that only durer has.
     fn addition(&mut self, at: usize) {
         let Some(block) = self.block() else { return };
         let name = self.text.word(at);

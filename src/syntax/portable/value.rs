@@ -5,7 +5,7 @@ use crate::syntax::class;
 
 /// Functions that return strings, after which POV-Ray needs no `;`.
 const TEXTS: &[&str] = &["chr", "concat", "datetime", "str", "strlwr", "strupr", "substr", "vstr"];
-/// Words that begin a colour.
+/// Keywords that begin a colour.
 const COLORS: &[&str] = &[
     "color", "colour", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "srgbf", "srgbt", "srgbft", "red", "green", "blue",
     "filter", "transmit",
@@ -60,7 +60,7 @@ fn is_constant(word: &str) -> bool {
     crate::syntax::word::CONSTANTS.iter().any(|(name, _)| *name == word) && word != "input_file_name"
 }
 
-/// Index after the bracket's partner.
+/// Returns the index after the partner of the bracket at `open`.
 fn closed(text: &Text, open: usize) -> Option<usize> {
     let mut depth = 0;
     for at in open..text.len() {

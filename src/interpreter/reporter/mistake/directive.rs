@@ -16,7 +16,7 @@ fn unknown_at<'t>(source: &SourceLine<'t>, d: &Diagnostic) -> Option<(&'t str, &
     if d.code == codes::UNKNOWN_DIRECTIVE { directive_at(source) } else { None }
 }
 
-/// `#ff8800` as a colour.
+/// Recognizes the mistake `#ff8800` for a colour.
 pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = unknown_at(source, d)?;
     let digits = |i: usize, n: usize| u32::from_str_radix(word.get(i..i + n)?, 16).ok();
@@ -30,7 +30,7 @@ pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     Some(habit.message(format!("a colour is not written as `#{word}`")))
 }
 
-/// `#define A 2` as a declaration.
+/// Recognizes the mistake `#define A 2` for a declaration.
 pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_at(source, d)? else { return None };
     let (name, rest) = leading_name(rest.trim_start())?;
@@ -41,27 +41,27 @@ pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     Some(Habit::help(help).declares(name))
 }
 
-/// `#elsif (A)` instead of `#elseif`.
+/// Recognizes the mistake `#elsif (A)` for `#elseif`.
 pub(super) fn other_branch(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, rest) = unknown_at(source, d)?;
     let condition = code_of(rest);
     crate::syntax::fault::is_other_elseif(word).then(|| Habit::help(format!("write `#elseif {condition}`")))
 }
 
-/// `#endif` instead of `#end`.
+/// Recognizes the mistake `#endif` for `#end`.
 pub(super) fn other_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = unknown_at(source, d)?;
     crate::syntax::fault::is_other_end(word).then(|| Habit::help("every directive with a body ends with `#end`"))
 }
 
-/// `#Size = 3;` without the word `declare`.
+/// Recognizes the mistake `#Size = 3;`, without the word `declare`.
 pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (name, rest) = unknown_at(source, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
     Some(Habit::help(format!("write `#declare {name} = {};`", value_text(value))).declares(name))
 }
 
-/// `# the red ball` as a comment.
+/// Recognizes the mistake `# the red ball` for a comment.
 pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     unknown_at(source, d).filter(|_| d.help.is_none())?;
     let text = source.after().trim_end();
@@ -70,7 +70,7 @@ pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     Some(Habit::help(help).at(source.range_of(text)))
 }
 
-/// `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
+/// Recognizes the mistake `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
 pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (_, rest) = unknown_at(source, d)?;
     let rest = rest.trim_start();
@@ -87,7 +87,7 @@ pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     })
 }
 
-/// `#else if (A)` instead of `#elseif`.
+/// Recognizes the mistake `#else if (A)` for `#elseif`.
 pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let before = source.before().trim_end();
     let rest = source.after().strip_prefix("if")?.trim_start();
@@ -98,7 +98,7 @@ pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     Some(habit.code(codes::UNKNOWN_DIRECTIVE))
 }
 
-/// `for (int i = 0; i < 10; i++) {`, with or without `#`.
+/// Recognizes the mistake `for (int i = 0; i < 10; i++) {`, with or without `#`.
 pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let statement = source.statement();
     let bare = !statement.starts_with('#');
@@ -128,7 +128,7 @@ pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     Some(habit.code(codes::SYNTAX).declares(counter))
 }
 
-/// `#include colors.inc` without quotes.
+/// Recognizes the mistake `#include colors.inc`, a file name without quotes.
 pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let rest = source.statement().strip_prefix('#')?.trim_start().strip_prefix("include")?;
     let typed = rest.trim_start();
@@ -147,7 +147,7 @@ pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option
     Some(Habit { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
 }
 
-/// `#macro Ball(R) {` with braces around the body.
+/// Recognizes the mistake `#macro Ball(R) {`, with braces around the body.
 pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let statement = source.statement();
     let head = source.before().trim();
@@ -164,7 +164,7 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
     Some(habit.message(format!("what belongs to a `#{word}` has no braces around it")))
 }
 
-/// `macro Ball(R)`, `if (A = 1)` or `def Ball(r):` without `#`.
+/// Recognizes the mistakes `macro Ball(R)`, `if (A = 1)` and `def Ball(r):`, without `#`.
 pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let statement = source.statement();
     let (word, rest) = leading_name(statement)?;

@@ -6,16 +6,16 @@ use crate::diagnostic::{Code, Diagnostic, Label, codes};
 use crate::source::Span;
 use std::ops::Range;
 
-/// A recognized mistake.
+/// A recognized common mistake in a scene, with replacements for the texts of its fault.
 #[derive(Default)]
 pub(super) struct Habit {
-    /// Code that replaces the fault's.
+    /// Code that replaces the code of the mistake's fault.
     pub(super) code: Option<Code>,
-    /// Message that replaces the fault's.
+    /// Message that replaces the message of the mistake's fault.
     pub(super) message: Option<String>,
     /// Range that replaces the fault's span, in offsets within the file.
     pub(super) range: Option<Range<usize>>,
-    /// Text of the help.
+    /// Text of the help for the recognized mistake.
     pub(super) help: String,
     /// Names that stay undeclared because of the mistake.
     pub(super) names: Vec<String>,
@@ -65,7 +65,7 @@ impl Habit {
 
 type Recognise = fn(&SourceLine, &Diagnostic) -> Option<Habit>;
 
-/// Recognizers in order of precedence.
+/// Recognizers of common mistakes in order of precedence.
 const HABITS: &[Recognise] = &[
     directive::hex_color,
     directive::define,

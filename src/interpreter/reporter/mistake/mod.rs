@@ -22,7 +22,7 @@ use source_line::{SourceLine, leading_name};
 /// Consequences of earlier faults: what depends on them is no further fault.
 #[derive(Default)]
 pub(super) struct Mistakes {
-    /// Names that stay undeclared.
+    /// Names that stay undeclared because of earlier faults.
     names: FxHashSet<String>,
     /// Words of the language that were used as names.
     words: FxHashSet<String>,

@@ -5,7 +5,7 @@ use super::source_line::{SourceLine, code_of, is_letter, leading_name, trailing_
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
-/// `A <> B` as a comparison.
+/// Recognizes the mistake `A <> B` for a comparison.
 pub(super) fn not_equal(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     // The fault may be at either sign.
     let from = source.at.saturating_sub(1).max(source.line.start);
@@ -23,7 +23,7 @@ fn trailing_operand(text: &str) -> &str {
     &text[text.trim_end_matches(|c: char| is_letter(c) || c == '.').len()..]
 }
 
-/// `&&`, `||` or `==`.
+/// Recognizes C's operators `&&`, `||` or `==`.
 pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     // The fault is at the second sign.
     let at = source.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;
@@ -37,7 +37,7 @@ pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     Some(Habit::help(help).message(format!("`{typed}` is not allowed here")))
 }
 
-/// `A + ;` without a right operand.
+/// Recognizes the mistake `A + ;`, without a right operand.
 pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let before = source.text[..source.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
     let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
@@ -45,7 +45,7 @@ pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Hab
     Some(habit.message(format!("expected a value after `{sign}`, found `;`")).at(before.len()..before.len() + 1))
 }
 
-/// `A and B`, `not A` or `A mod 2`.
+/// Recognizes the mistakes `A and B`, `not A` and `A mod 2`.
 pub(super) fn word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, right) = leading_name(source.after())?;
     let left = source.before().trim_end();
@@ -75,7 +75,7 @@ fn operand(text: &str) -> &str {
     &text[..text.find(|c: char| !is_letter(c) && c != '.').unwrap_or(text.len())]
 }
 
-/// `phong = 0.5` with a sign between word and value.
+/// Recognizes the mistake `phong = 0.5`, with a sign between word and value.
 pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let value = source.after().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
     let (before, word) = trailing_name(source.before().trim_end())?;
@@ -85,7 +85,7 @@ pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<H
     plain.then(|| habit.message(format!("`=` is not allowed after `{word}`")))
 }
 
-/// `A[0,1]` with two indices in one bracket.
+/// Recognizes the mistake `A[0,1]`, with two indices in one bracket.
 pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if !matches!(d.code, codes::EXPECTED | codes::SYNTAX | codes::WRONG_COUNT) {
         return None;
@@ -106,7 +106,7 @@ pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Ha
     Some(habit.at(start..source.line.start + close + 1))
 }
 
-/// `<-1 -1 -1>` without commas.
+/// Recognizes the mistake `<-1 -1 -1>`, a vector without commas.
 pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let text = source.text.get(source.at..source.end).filter(|_| d.code == codes::WRONG_COUNT)?;
     let inside = text.strip_prefix('<')?.strip_suffix('>')?;
@@ -123,7 +123,7 @@ pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Opti
     )))
 }
 
-/// `translate 1, 2, 3` without angle brackets.
+/// Recognizes the mistake `translate 1, 2, 3`, without angle brackets.
 pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if d.code != codes::EXPECTED {
         return None;
@@ -144,7 +144,7 @@ pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Ha
     Some(habit.message(format!("`{word}` takes one value, found a list")))
 }
 
-/// `rgb(1, 0, 0)` with parentheses.
+/// Recognizes the mistake `rgb(1, 0, 0)`, a colour in parentheses.
 pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let inside = source.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
     let (numbers, _) = inside.split_once(')')?;
@@ -155,7 +155,7 @@ pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option
     (plain && (word.is_empty() || lookup(word).is_some())).then(|| Habit::help(help))
 }
 
-/// `sphere { [0, 1, 2], 1 }` with square brackets.
+/// Recognizes the mistake `sphere { [0, 1, 2], 1 }`, with square brackets.
 pub(super) fn square_vector(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let inside =
         source.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;

@@ -14,7 +14,7 @@ pub(super) struct SourceLine<'t> {
     pub(super) at: usize,
     /// End of the span, as an offset in the file.
     pub(super) end: usize,
-    /// Range of the line, without its line feed.
+    /// Byte range of the source line, without its line feed.
     pub(super) line: Range<usize>,
 }
 
@@ -29,28 +29,28 @@ impl<'t> SourceLine<'t> {
         Some(Self { file, text, at: range.start, end: range.end, line: start..end })
     }
 
-    /// The line up to the span.
+    /// Returns the source line up to the fault's span.
     pub(super) fn before(&self) -> &'t str {
         &self.text[self.line.start..self.at]
     }
 
-    /// The line from the span on.
+    /// Returns the source line from the fault's span on.
     pub(super) fn after(&self) -> &'t str {
         &self.text[self.at..self.line.end]
     }
 
-    /// The line without comment and surrounding blanks.
+    /// Returns the source line without comment and surrounding blanks.
     pub(super) fn statement(&self) -> &'t str {
         code_of(&self.text[self.line.clone()])
     }
 
-    /// Offset of [`Self::statement`] in the file.
+    /// Returns the offset of [`Self::statement`] in the source file.
     pub(super) fn statement_start(&self) -> usize {
         let line = &self.text[self.line.clone()];
         self.line.start + line.len() - line.trim_start().len()
     }
 
-    /// Words of the line.
+    /// Returns the words of the faulty source line.
     pub(super) fn words(&self) -> impl Iterator<Item = &'t str> {
         self.text[self.line.clone()].split(|c: char| !is_letter(c)).filter(|word| !word.is_empty())
     }
@@ -68,7 +68,7 @@ pub(super) fn code_of(line: &str) -> &str {
     line[..end].trim()
 }
 
-/// True for a character of a name.
+/// True for a character that a name may contain.
 pub(super) fn is_letter(c: char) -> bool {
     c.is_ascii_alphanumeric() || c == '_'
 }

@@ -12,7 +12,7 @@ fn own_name<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
         .map(|(name, rest)| (name, rest.trim_start()))
 }
 
-/// `F(x) = x*x` as a function definition.
+/// Recognizes the mistake `F(x) = x*x` for a function definition.
 pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(source)?;
     let (parameters, rest) = rest.strip_prefix('(')?.split_once(')')?;
@@ -25,7 +25,7 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
     is_list.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
-/// `I++` or `N += 2` as an assignment.
+/// Recognizes the mistake `I++` or `N += 2` for an assignment.
 pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(source)?;
     let start = source.statement_start();
@@ -44,7 +44,7 @@ pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     Some(habit.message(format!("`{shown}` does not change `{name}`")).at(start..end).code(codes::SYNTAX))
 }
 
-/// `float A = 2;` or `let A = 2;` as a declaration.
+/// Recognizes the mistake `float A = 2;` or `let A = 2;` for a declaration.
 pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     let (kind, rest) = leading_name(source.statement())?;
     let known = ["let", "var", "const", "int", "float", "double", "set", "auto", "vector", "string", "vec3"];
@@ -56,7 +56,7 @@ pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Habi
     Some(habit.code(codes::SYNTAX).declares(name))
 }
 
-/// `Size = 3;` without `#declare`.
+/// Recognizes the mistake `Size = 3;`, an assignment without `#declare`.
 pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (name, rest) = own_name(source)?;
     let value = rest.strip_prefix('=').filter(|value| !value.starts_with('='))?;
@@ -67,7 +67,7 @@ pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     inside.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
-/// `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.
+/// Recognizes the mistake `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.
 pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (word, _) = leading_name(source.after())?;
     if d.code != codes::UNKNOWN_WORD || !d.message.ends_with("outside of all braces") {
