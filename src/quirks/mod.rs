@@ -39,8 +39,7 @@ pub struct Quirk {
 /// Places that hold POV-Ray's numbers for a quirk, each in one of these forms:
 ///
 /// - `light_cases/NAME`: the pixels of `tests/light_cases/NAME.pov`;
-/// - `tests/PATH`: any other file with POV-Ray's output, such as `tests/patterns/brick.txt` or
-/// `tests/lang/rules.scene`;
+/// - `tests/PATH`: any other file with POV-Ray's output, such as `tests/lang/rules.scene`;
 /// - `src/PATH.rs::FUNCTION`: a unit test that holds POV-Ray's numbers;
 /// - `conformance/SCENE`: one of POV-Ray's own scenes, whose verdict in `tests/conformance.json` is `same` or `close`.
 pub type Evidence = &'static [&'static str];
