@@ -1,9 +1,8 @@
 //! An open document.
 
-use super::scan::Scan;
 use super::text::Text;
 use crate::diagnostic::Diagnostic;
-use crate::syntax::tokens_of;
+use crate::syntax::{Outline, tokens_of};
 use lsp_types::{TextDocumentContentChangeEvent, Uri};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -25,8 +24,8 @@ pub struct Document {
     pub version: i32,
     /// Present text of the open document.
     pub text: Text,
-    /// Tokens and names of the text.
-    pub scan: Arc<Scan>,
+    /// Outline of the text.
+    pub outline: Arc<Outline>,
     /// Syntax faults of the open document.
     pub faults: Vec<Diagnostic>,
     /// Time of the document's next background run.
@@ -44,12 +43,12 @@ impl Document {
             path,
             version,
             text: Text::new(text),
-            scan: Arc::default(),
+            outline: Arc::default(),
             faults: vec![],
             due: None,
             stop: None,
         };
-        new.scan();
+        new.read();
         new
     }
 
@@ -57,15 +56,15 @@ impl Document {
     pub fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) -> Vec<(Range<usize>, usize)> {
         let made = changes.into_iter().map(|change| self.text.change(change)).collect();
         self.version = version;
-        self.scan();
+        self.read();
         made
     }
 
-    /// Scans the text. Faults that only the syntax tree shows are found by a run.
-    fn scan(&mut self) {
+    /// Builds the outline of the text. Faults that only the syntax tree shows are found by a run.
+    fn read(&mut self) {
         let text = self.text.as_str();
         let (tokens, faults) = tokens_of(text, BASE);
-        self.scan = Arc::new(Scan::of(text, BASE, &tokens));
+        self.outline = Arc::new(Outline::new(text, &tokens));
         self.faults = faults;
     }
 

@@ -2,11 +2,10 @@
 //! the same path.
 
 use super::document::{BASE, Document};
-use super::scan::Scan;
 use super::text::Text;
 use crate::library;
 use crate::source::{Disk, Files as _, SearchPath, Stamp, read_text};
-use crate::syntax::tokens_of;
+use crate::syntax::{Outline, tokens_of};
 use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -15,8 +14,8 @@ use std::sync::Arc;
 pub struct File {
     /// Contents of the included file.
     pub text: Arc<Text>,
-    /// Tokens and names of the included file.
-    pub scan: Arc<Scan>,
+    /// Outline of the included file.
+    pub outline: Arc<Outline>,
     /// State of the included file when it was read.
     read: Option<Stamp>,
 }
@@ -38,8 +37,8 @@ impl Files {
                 Some(text) => text.to_string(),
                 None => read_text(&Disk, path).ok()?,
             };
-            let scan = Arc::new(Scan::of(&text, BASE, &tokens_of(&text, BASE).0));
-            self.0.insert(path.to_path_buf(), File { text: Arc::new(Text::new(text)), scan, read: now });
+            let outline = Arc::new(Outline::new(&text, &tokens_of(&text, BASE).0));
+            self.0.insert(path.to_path_buf(), File { text: Arc::new(Text::new(text)), outline, read: now });
         }
         self.0.get(path)
     }
@@ -52,8 +51,8 @@ pub struct ReachableText {
     pub path: Option<PathBuf>,
     /// Present text of a file that the document reaches.
     pub text: Arc<Text>,
-    /// Tokens and names of a file that the document reaches.
-    pub scan: Arc<Scan>,
+    /// Outline of a file that the document reaches.
+    pub outline: Arc<Outline>,
 }
 
 /// The path of the file that a text in `folder` includes under this name.
@@ -71,24 +70,27 @@ pub fn reachable(
     include: &[PathBuf],
 ) -> Vec<ReachableText> {
     let search = SearchPath::new(&from.folder(), include);
-    let own = ReachableText { path: from.path.clone(), text: Arc::new(from.text.clone()), scan: from.scan.clone() };
+    let own =
+        ReachableText { path: from.path.clone(), text: Arc::new(from.text.clone()), outline: from.outline.clone() };
     let (mut out, mut seen) = (vec![own], HashSet::new());
     seen.extend(from.path.clone());
     let mut at = 0;
     while at < out.len() && out.len() < MAX_FILES {
-        let (scan, folder) =
-            (out[at].scan.clone(), out[at].path.as_deref().and_then(Path::parent).map(Path::to_path_buf));
-        for (name, _) in &scan.includes {
-            let Some(path) = find(name, folder.as_deref().unwrap_or(Path::new(".")), &search) else { continue };
+        let (outline, folder) =
+            (out[at].outline.clone(), out[at].path.as_deref().and_then(Path::parent).map(Path::to_path_buf));
+        for name in &outline.includes {
+            let Some(path) = find(outline.slice(name), folder.as_deref().unwrap_or(Path::new(".")), &search) else {
+                continue;
+            };
             if !seen.insert(path.clone()) {
                 continue;
             }
             let is_it = |document: &&Document| document.path.as_deref().is_some_and(|open| same(open, &path));
             let reached = match open.values().find(is_it) {
-                Some(open) => Some((Arc::new(open.text.clone()), open.scan.clone())),
-                None => files.get(&path).map(|file| (file.text.clone(), file.scan.clone())),
+                Some(open) => Some((Arc::new(open.text.clone()), open.outline.clone())),
+                None => files.get(&path).map(|file| (file.text.clone(), file.outline.clone())),
             };
-            out.extend(reached.map(|(text, scan)| ReachableText { path: Some(path), text, scan }));
+            out.extend(reached.map(|(text, outline)| ReachableText { path: Some(path), text, outline }));
         }
         at += 1;
     }

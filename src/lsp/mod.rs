@@ -2,8 +2,8 @@
 //!
 //! Faults of a text's syntax are published after each change. Other faults follow from a run of the scene, which takes
 //! place on its own thread, within limits, without writing files, and is stopped by the next change. Requests are
-//! answered from the lossless tokens (`scan`) of the open texts and of the files that these include (`files`), and from
-//! the tables of the readers (`words`), so that there is no second parser and no second list of words. `requests/` has
+//! answered from the outlines of the open texts and of the files that these include (`files`), and from the tables of the
+//! readers (`words`), so that there is no second parser and no second list of words. `requests/` has
 //! a file for each family of requests.
 
 // The interior mutability of an address is no part of its value.
@@ -15,7 +15,6 @@ mod files;
 mod manual;
 mod requests;
 mod run;
-mod scan;
 mod server;
 mod text;
 mod words;

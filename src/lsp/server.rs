@@ -202,7 +202,7 @@ impl<S: Client> Server<S> {
                 reached.iter().any(|one| matches!((&one.path, &path), (Some(a), Some(b)) if files::same(a, b)))
             };
             let belongs =
-                if other == key { is_scene } else { path.is_some() && !scene.scan.includes.is_empty() && reads() };
+                if other == key { is_scene } else { path.is_some() && !scene.outline.includes.is_empty() && reads() };
             if belongs {
                 out.push(other.clone());
             }

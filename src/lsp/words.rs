@@ -1,12 +1,12 @@
 //! Explanations of words and lists of the words of a block, from the tables of the readers.
 
-use super::scan::{Scan, directive};
 use crate::function::numeric::{self, Kernel};
 use crate::interpreter;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
 use crate::reference::{BLOCKS, ELSEWHERE, FAMILIES};
 use crate::scene::words::MODIFIERS;
 use crate::shape;
+use crate::syntax::Outline;
 use crate::syntax::word::{CONSTANTS, GROUPS};
 use crate::value::words::TRANSFORMS;
 use crate::value::{Spec, ValueKind, WordSpec};
@@ -202,13 +202,12 @@ pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static
 }
 
 /// Returns the syntax and description of a directive.
-pub fn of_directive(text: &str) -> Option<(&'static str, &'static str)> {
-    let word = directive(text);
+pub fn of_directive(word: &str) -> Option<(&'static str, &'static str)> {
     let row = interpreter::directives::TABLE.iter().find(|row| row.names.contains(&word))?;
     Some((row.form, row.summary))
 }
 
 /// The name of the block around a byte; empty outside of all blocks.
-pub fn block_at(scan: &Scan, offset: usize) -> &str {
-    scan.around(offset, |pair| pair.open == b'{').map_or("", |pair| pair.name.as_str())
+pub fn block_at(outline: &Outline, offset: usize) -> &str {
+    outline.pair_at(offset, |pair| pair.bracket == b'{').map_or("", |pair| outline.head(pair))
 }

@@ -144,9 +144,9 @@ impl Brackets {
         self.pop();
     }
 
-    /// Directives without an end, and all open brackets.
-    pub(super) fn unended(&self) -> Vec<usize> {
-        self.stack.iter().filter(|o| matches!(o.0, Opener::Directive(_))).map(|o| o.1).collect()
+    /// Number of directives without an end.
+    pub(super) fn unended(&self) -> usize {
+        self.stack.iter().filter(|o| matches!(o.0, Opener::Directive(_))).count()
     }
 
     /// Brackets of the outermost body that are open at the text's end.

@@ -125,6 +125,11 @@ pub(super) fn opens_body(class: u8) -> bool {
     DIRECTIVES.iter().any(|row| row.1 == class && row.2 == Role::Opens)
 }
 
+/// True if a token of this class begins with `#`.
+pub(super) fn is_directive(class: u8) -> bool {
+    class == PLAIN || class.is_ascii_uppercase()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -159,6 +164,13 @@ mod tests {
     fn classes_match_the_grammar() {
         let table: BTreeMap<String, u8> = CLASSES.iter().map(|(class, name)| (name.to_string(), *class)).collect();
         assert_eq!(named_in_grammar(), table);
+    }
+
+    #[test]
+    fn directives_have_classes_of_their_own() {
+        for (class, name) in CLASSES {
+            assert_eq!(is_directive(*class), *class == PLAIN || DIRECTIVES.iter().any(|row| row.1 == *class), "{name}");
+        }
     }
 
     #[test]

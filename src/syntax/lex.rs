@@ -3,7 +3,6 @@
 
 use super::Names;
 use super::ast::NumberList;
-use super::blame;
 use super::brackets::{Brackets, MAX_DEPTH, Opener};
 use super::class::{self, Role};
 use super::fault::{is_other_elseif, lost_branch};
@@ -38,6 +37,8 @@ pub(super) struct Lexed {
     pub(super) cuts: Vec<u32>,
     /// Ranges of all comments in the text, in local offsets.
     pub(super) comments: Vec<(u32, u32)>,
+    /// Number of directives without `#end`: as many empty `END` tokens are the last ones.
+    pub(super) unended: usize,
     /// Indices of brackets that are not closed in the rest of the text.
     pub(super) unclosed: Vec<u32>,
     /// Faults that the lexer found in the text.
@@ -406,22 +407,10 @@ impl Lexer<'_> {
         self.at = end;
     }
 
-    /// At the end of the text: reports directives without `#end`, of which the innermost three are enough, and open
-    /// brackets.
+    /// At the end of the text: ends the open directives, so that a tree can be built, and collects the open brackets.
     fn unended(&mut self) {
-        let opener = self.brackets.unended().first().map(|&token| self.out.tokens[token]);
-        let opener = opener.map(|token| token.start as usize..token.end as usize);
-        let blamed = opener.and_then(|opener| blame::open_directive(self.text, self.base, opener));
-        let told = if blamed.is_some() { 0 } else { 3 };
-        self.out.faults.extend(blamed);
-        for token in self.brackets.unended().into_iter().rev().take(told) {
-            let Token { start, end, .. } = self.out.tokens[token];
-            let message = format!("this `{}` is not closed", self.text_of(token));
-            let help = "add `#end` where it should end";
-            self.fault(codes::UNCLOSED, start as usize, end as usize, message, Some(help));
-        }
-        // The tree is built all the same.
-        for _ in self.brackets.unended() {
+        self.out.unended = self.brackets.unended();
+        for _ in 0..self.out.unended {
             self.push(class::END, 0, 0);
         }
         if self.loose_closers == 0 {

@@ -1,9 +1,9 @@
 //! The lints of `--warn`: names that are declared and never used, and names that hide others. They are found in the
 //! text alone, so that branches that do not run count too.
 
-use super::ast::Symbol;
-use super::class;
-use super::lex::{Lexed, lex};
+use super::lex::lex;
+use super::outline::{Declaration, DeclarationKind, Outline};
+use super::tokens::Tokens;
 use super::{Names, portable};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
@@ -20,170 +20,75 @@ pub struct Lints {
     pub portable: bool,
 }
 
-/// Declaration of a name that a lint examines.
-struct Declaration {
-    symbol: Symbol,
-    span: Span,
-    what: What,
-    /// Number of macro definitions that enclose the declaration.
-    depth: usize,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum What {
-    Declare,
-    Local,
-    Macro,
-    Parameter,
-}
-
 /// Lints the first file, which is the scene's own; the others are its includes.
-pub fn lint(sources: &Sources, names: &Names, files: &[FileId], lints: Lints) -> Vec<Diagnostic> {
-    let scans: Vec<Scan> = files.iter().map(|&file| Scan::of(sources, names, file)).collect();
-    let Some(own) = scans.first() else { return vec![] };
+pub fn lint(sources: &Sources, files: &[FileId], lints: Lints) -> Vec<Diagnostic> {
+    let outline = |(i, &file): (usize, &FileId)| {
+        let (text, base) = (sources.text(file), sources.base(file));
+        // Rules about commas need each number of the scene's own file as a token.
+        let lists = i > 0 || !lints.portable;
+        Outline::new(text, &Tokens::new(lex(text, base, &Names::default(), lists), base))
+    };
+    let outlines: Vec<Outline> = files.iter().enumerate().map(outline).collect();
+    let Some(own) = outlines.first() else { return vec![] };
     let mut out = vec![];
     if lints.unused {
-        out.extend(unused(names, own, &scans));
+        out.extend(unused(own, &outlines));
     }
     if lints.shadow {
-        out.extend(shadows(names, own, &scans));
+        out.extend(shadows(own, &outlines));
     }
     if lints.portable {
-        out.extend(portable::lint_portability(sources, names, files));
+        out.extend(portable::lint_portability(own, &outlines));
     }
     out
 }
 
-fn unused(names: &Names, own: &Scan, all: &[Scan]) -> Vec<Diagnostic> {
-    let used: FxHashSet<Symbol> = all.iter().flat_map(|scan| scan.uses.iter().copied()).collect();
-    let mut told = FxHashSet::default();
+fn unused(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
+    let mut used: FxHashSet<&str> = FxHashSet::default();
+    for outline in all {
+        let read = outline.uses.iter().filter(|one| one.is_read);
+        used.extend(read.map(|one| outline.slice(&one.range)));
+        // A loop's counter may be a declared name.
+        let counters = outline.declarations.iter().filter(|d| d.kind == DeclarationKind::Counter);
+        used.extend(counters.map(|d| d.name.as_str()));
+    }
+    use DeclarationKind::{Declare, Local, Macro};
+    let mut reported = FxHashSet::default();
     let mut out = vec![];
-    for d in own.declarations.iter().filter(|d| d.what != What::Parameter && !used.contains(&d.symbol)) {
-        let name = names.text(d.symbol);
+    for d in own.declarations.iter().filter(|d| matches!(d.kind, Declare | Local | Macro)) {
+        let name = d.name.as_str();
         // A leading `_` marks an intentionally unused name.
-        if !name.starts_with('_') && told.insert(d.symbol) {
-            let what = if d.what == What::Macro { "the macro " } else { "" };
-            let message = format!("{what}`{name}` is declared and never used");
+        if !used.contains(name) && !name.starts_with('_') && reported.insert(name) {
+            let kind = if d.kind == Macro { "the macro " } else { "" };
+            let message = format!("{kind}`{name}` is declared and never used");
             let help = format!("remove it, or call it `_{name}` if that is meant");
-            out.push(Diagnostic::new(codes::UNUSED_NAME, d.span, message).help(help));
+            out.push(Diagnostic::new(codes::UNUSED_NAME, own.span(&d.range), message).help(help));
         }
     }
     out
 }
 
-fn shadows(names: &Names, own: &Scan, all: &[Scan]) -> Vec<Diagnostic> {
-    let mut globals: FxHashMap<Symbol, Span> = FxHashMap::default();
-    for d in all.iter().flat_map(|scan| &scan.declarations).filter(|d| d.depth == 0) {
-        globals.entry(d.symbol).or_insert(d.span);
+fn shadows(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
+    let mut globals: FxHashMap<&str, Span> = FxHashMap::default();
+    for outline in all {
+        let global = |d: &&Declaration| d.scope.is_none() && d.kind != DeclarationKind::Counter;
+        for d in outline.declarations.iter().filter(global) {
+            globals.entry(&d.name).or_insert_with(|| outline.span(&d.range));
+        }
     }
-    let inner = own.declarations.iter().filter(|d| d.depth > 0 && matches!(d.what, What::Local | What::Parameter));
     let hides = |d: &Declaration| {
-        let outer = *globals.get(&d.symbol)?;
-        let name = names.text(d.symbol);
-        let what = if d.what == What::Local { "`#local`" } else { "parameter" };
-        let message = format!("the {what} `{name}` hides a name that is declared outside of the macro");
-        let d = Diagnostic::new(codes::HIDDEN_NAME, d.span, message).label("from here on, this one is meant");
+        let kind = match d.kind {
+            DeclarationKind::Local if d.scope.is_some() => "`#local`",
+            DeclarationKind::Parameter => "parameter",
+            _ => return None,
+        };
+        let (name, outer) = (&d.name, *globals.get(d.name.as_str())?);
+        let message = format!("the {kind} `{name}` hides a name that is declared outside of the macro");
+        let d =
+            Diagnostic::new(codes::HIDDEN_NAME, own.span(&d.range), message).label("from here on, this one is meant");
         Some(d.also(outer, "not this one").help("give it another name"))
     };
-    inner.filter_map(hides).collect()
-}
-
-/// Declarations and uses of names that the lints found in one file.
-#[derive(Default)]
-struct Scan {
-    declarations: Vec<Declaration>,
-    uses: Vec<Symbol>,
-}
-
-impl Scan {
-    fn of(sources: &Sources, names: &Names, file: FileId) -> Self {
-        let (text, base) = (sources.text(file), sources.base(file));
-        let mut scanner =
-            Scanner { text, base, lexed: lex(text, base, names, true), at: 0, open: vec![], out: Scan::default() };
-        while scanner.at < scanner.lexed.classes.len() {
-            scanner.step();
-        }
-        scanner.out
-    }
-}
-
-struct Scanner<'t> {
-    text: &'t str,
-    base: usize,
-    lexed: Lexed,
-    at: usize,
-    /// Open directives around the token; true for macros.
-    open: Vec<bool>,
-    out: Scan,
-}
-
-impl Scanner<'_> {
-    fn class(&self, ahead: usize) -> u8 {
-        self.lexed.classes.get(self.at + ahead).copied().unwrap_or(0)
-    }
-
-    fn step(&mut self) {
-        match self.class(0) {
-            class::DECLARE => self.declaration(),
-            class::MACRO => self.definition(),
-            class if class::opens_body(class) => self.open.push(false),
-            class::END => drop(self.open.pop()),
-            // `#undef A` is not a use.
-            class::PLAIN if self.is_undef() && self.class(1) == class::NAME => self.at += 1,
-            class::NAME => self.out.uses.push(Symbol(self.lexed.tokens[self.at].data)),
-            _ => {}
-        }
-        self.at += 1;
-    }
-
-    fn is_undef(&self) -> bool {
-        let token = self.lexed.tokens[self.at];
-        self.text[token.start as usize..token.end as usize].ends_with("undef")
-    }
-
-    /// Scans a declaration, `#declare A =`; `#declare A[i] =` declares an element only.
-    fn declaration(&mut self) {
-        let token = self.lexed.tokens[self.at];
-        let local = self.text[token.start as usize..token.end as usize].ends_with("local");
-        let skipped = if self.class(1) == class::DEPRECATED {
-            1 + (2..5).take_while(|&i| self.class(i) != class::NAME).count()
-        } else {
-            0
-        };
-        if self.class(1 + skipped) == class::NAME {
-            self.at += 1 + skipped;
-            if self.class(1) == class::EQUAL {
-                self.declare(if local { What::Local } else { What::Declare });
-            }
-        }
-    }
-
-    /// Scans a macro definition, `#macro A(B, optional C)`.
-    fn definition(&mut self) {
-        if self.class(1) == class::NAME {
-            self.at += 1;
-            self.declare(What::Macro);
-        }
-        self.open.push(true);
-        if self.class(1) == class::PAREN {
-            self.at += 1;
-            while !matches!(self.class(1), class::PAREN_END | 0) {
-                self.at += 1;
-                // `optional C`: the second name is the parameter's.
-                if self.class(0) == class::NAME && self.class(1) != class::NAME {
-                    self.declare(What::Parameter);
-                }
-            }
-        }
-    }
-
-    /// Records a declaration of the current name.
-    fn declare(&mut self, what: What) {
-        let token = self.lexed.tokens[self.at];
-        let span = Span::new(self.base + token.start as usize, self.base + token.end as usize);
-        let depth = self.open.iter().filter(|is_macro| **is_macro).count();
-        self.out.declarations.push(Declaration { symbol: Symbol(token.data), span, what, depth });
-    }
+    own.declarations.iter().filter_map(hides).collect()
 }
 
 #[cfg(test)]
@@ -191,11 +96,11 @@ mod tests {
     use super::*;
 
     fn told(text: &str, include: &str) -> Vec<String> {
-        let (sources, names) = (Sources::default(), Names::default());
+        let sources = Sources::default();
         let files = [text, include].map(|text| sources.add("a", None, text.into()).unwrap());
         let lints = Lints { unused: true, shadow: true, portable: false };
         let line = |d: &Diagnostic| format!("{} {}", d.code, sources.snippet(d.span()));
-        lint(&sources, &names, &files, lints).iter().map(line).collect()
+        lint(&sources, &files, lints).iter().map(line).collect()
     }
 
     #[test]

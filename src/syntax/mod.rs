@@ -10,6 +10,7 @@ mod lex;
 pub mod lint;
 mod names;
 mod numbers;
+pub mod outline;
 pub use numbers::ListPlaces;
 mod parse;
 mod portable;
@@ -20,6 +21,7 @@ pub use build::{SignRow, begins_with_parenthesis, begins_with_sign, pieces, unes
 pub use class::{continues, opens, structural_directives};
 pub use lex::is_nothing;
 pub use names::Names;
+pub use outline::Outline;
 pub use parse::{Granularity, parse, parse_text, tokens_of};
 pub use portable::MISSING_SEMICOLON;
 pub use tokens::{Piece, Tokens};

@@ -1,10 +1,10 @@
 //! Runs the grammar over a file, piece by piece.
 
-use super::Names;
 use super::ast::{Ast, Element};
 use super::build::Builder;
 use super::lex::{Lexed, lex};
 use super::tokens::Tokens;
+use super::{Names, Outline, blame};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::source::{FileId, Sources, Span};
 use pest::Parser;
@@ -51,16 +51,16 @@ pub fn parse(sources: &Sources, file: FileId, names: &Names, granularity: Granul
 /// bracket and no directive is open.
 pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granularity) -> (Ast, Vec<Diagnostic>) {
     let single = granularity == Granularity::Tokens;
-    let (lexed, mut faults) = read(text, base, names, !single);
+    let lexed = lex(text, base, names, !single);
     let span = |token: &u32| {
         let token = lexed.tokens[*token as usize];
         Span::new(base + token.start as usize, base + token.end as usize)
     };
     let unclosed = lexed.unclosed.iter().map(span).collect();
-    let mut elements = vec![];
+    let (mut elements, mut piece_faults) = (vec![], vec![]);
     // pest must not follow a nesting that is too deep.
     let source = Source { text, base, names, single };
-    let too_deep = faults.iter().any(|fault| fault.code == codes::TOO_DEEP);
+    let too_deep = lexed.faults.iter().any(|fault| fault.code == codes::TOO_DEEP);
     let mut start = 0;
     for (i, &cut) in lexed.cuts.iter().enumerate() {
         let cut = cut as usize;
@@ -68,24 +68,30 @@ pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granulari
             continue;
         }
         if let Err(fault) = parse_piece(&source, &lexed, start..cut, &mut elements) {
-            faults.push(*fault);
+            piece_faults.push(*fault);
         }
         start = cut;
     }
-    (Ast { elements, tokens: Tokens::of(lexed, base), unclosed }, faults)
+    let (tokens, mut faults) = with_faults(lexed, text, base);
+    faults.extend(piece_faults);
+    (Ast { elements, tokens, unclosed }, faults)
 }
 
 /// The tokens of a text without its tree, and the faults of [`parse_text`], in a fraction of its time.
 pub fn tokens_of(text: &str, base: usize) -> (Tokens, Vec<Diagnostic>) {
-    let (lexed, faults) = read(text, base, &Names::default(), true);
-    (Tokens::of(lexed, base), faults)
+    with_faults(lex(text, base, &Names::default(), true), text, base)
 }
 
-fn read(text: &str, base: usize, names: &Names, lists: bool) -> (Lexed, Vec<Diagnostic>) {
-    let mut lexed = lex(text, base, names, lists);
+/// The tokens of a text and the faults of its tokens, including directives without `#end`.
+fn with_faults(mut lexed: Lexed, text: &str, base: usize) -> (Tokens, Vec<Diagnostic>) {
     let mut faults = std::mem::take(&mut lexed.faults);
+    let unended = lexed.unended;
+    let tokens = Tokens::new(lexed, base);
+    if unended > 0 && faults.len() < MAX_FAULTS {
+        faults.extend(blame::open_directives(&Outline::new(text, &tokens)));
+    }
     faults.truncate(MAX_FAULTS);
-    (lexed, faults)
+    (tokens, faults)
 }
 
 /// Parses the tokens of a range.

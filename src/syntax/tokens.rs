@@ -7,11 +7,13 @@ use crate::source::Span;
 #[derive(Debug, Default)]
 pub struct Tokens {
     /// Tokens of the text in ascending order of their offsets.
-    tokens: Vec<Token>,
+    pub(super) tokens: Vec<Token>,
+    /// Lexical class of each token.
+    pub(super) classes: Vec<u8>,
     /// Ranges of comments, with their delimiters, ascending.
-    comments: Vec<(u32, u32)>,
+    pub(super) comments: Vec<(u32, u32)>,
     /// Global offset of the first byte of the file.
-    base: usize,
+    pub(super) base: usize,
 }
 
 /// Piece of a source text: a token or a comment.
@@ -33,8 +35,8 @@ impl Piece {
 }
 
 impl Tokens {
-    pub(super) fn of(lexed: Lexed, base: usize) -> Self {
-        Self { tokens: lexed.tokens, comments: lexed.comments, base }
+    pub(super) fn new(lexed: Lexed, base: usize) -> Self {
+        Self { tokens: lexed.tokens, classes: lexed.classes, comments: lexed.comments, base }
     }
 
     /// Returns the number of tokens in the text.

@@ -4,7 +4,7 @@ use super::{Mode, TokenStream};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::syntax::blame;
+use crate::syntax::{Outline, blame};
 
 /// A bracket of the scene text that is still open.
 pub struct OpenBracket {
@@ -128,6 +128,6 @@ impl<'a> TokenStream<'a> {
     /// a brace which is open where its file ends.
     fn blamed_brace(&self, span: Span) -> Option<Diagnostic> {
         let (file, _) = self.inputs.sources.locate(span)?;
-        blame::open_brace(self.inputs.sources.text(file), self.inputs.sources.base(file))
+        blame::open_brace(&Outline::read(self.inputs.sources, file))
     }
 }

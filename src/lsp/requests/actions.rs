@@ -3,14 +3,14 @@
 use super::commands::EXPLAIN;
 use crate::lsp::diagnostics::EditorDiagnostic;
 use crate::lsp::document::Document;
-use crate::lsp::scan::{Token, TokenKind, directive};
 use crate::lsp::server::{Client, Server};
 use crate::syntax::MISSING_SEMICOLON;
+use crate::syntax::outline::Token;
 use lsp_types::{
     CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Command,
     DiagnosticRelatedInformation, NumberOrString, Range, TextEdit, WorkspaceEdit,
 };
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Largest number of tokens of a line in which a statement is searched.
 const MAX_TOKENS: usize = 100;
@@ -97,13 +97,9 @@ fn wrapped(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> Op
         TextEdit { range: at(diagnostic.range.end), new_text: " }".into() }
     } else {
         // Remove the opening brace; the closing one then ends the block.
-        let next = document
-            .scan
-            .tokens
-            .iter()
-            .find(|token| token.at.start >= bytes.end && token.kind != TokenKind::Comment)?;
-        let is_brace = document.text.as_str().get(next.at.clone()) == Some("{");
-        is_brace.then(|| TextEdit { range: document.text.range(bytes.end..next.at.end), new_text: String::new() })?
+        let next = document.outline.tokens.get(document.outline.first_token(bytes.end))?;
+        let is_brace = document.outline.slice(&next.range) == "{";
+        is_brace.then(|| TextEdit { range: document.text.range(bytes.end..next.range.end), new_text: String::new() })?
     };
     Some((format!("Write `{code}`"), vec![open, second]))
 }
@@ -116,18 +112,17 @@ fn statement(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> 
     if !["object {", "#declare "].iter().any(|begin| wanted.starts_with(begin)) || wanted.contains(['…', '`']) {
         return None;
     }
-    let (text, tokens) = (document.text.as_str(), &document.scan.tokens);
+    let outline = &document.outline;
     let (lo, hi) = (document.text.offset(diagnostic.range.start), document.text.offset(diagnostic.range.end));
     let line = document.text.position(lo).line;
-    let is_here =
-        |token: &&Token| document.text.position(token.at.start).line == line && token.kind != TokenKind::Comment;
-    let here: Vec<_> = tokens.iter().filter(is_here).take(MAX_TOKENS).collect();
-    let is_marked = |token: &Token| lo <= token.at.start && token.at.end <= hi;
+    let is_here = |token: &&Token| document.text.position(token.range.start).line == line;
+    let here: Vec<_> = outline.tokens.iter().filter(is_here).take(MAX_TOKENS).collect();
+    let is_marked = |token: &Token| lo <= token.range.start && token.range.end <= hi;
     // Find the longest row of tokens around the position that occurs in the wanted text; marked tokens may be missing
     // there.
     let occurs = |row: &[&Token]| {
         let mut left = wanted;
-        row.iter().all(|token| match left.split_once(&text[token.at.clone()]) {
+        row.iter().all(|token| match left.split_once(outline.slice(&token.range)) {
             Some((_, after)) => {
                 left = after;
                 true
@@ -138,8 +133,8 @@ fn statement(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> 
     let about = here.iter().position(|token| is_marked(token))?;
     let rows = (0..=about).flat_map(|first| (about + 1..=here.len()).map(move |end| first..end));
     let best = rows.filter(|row| occurs(&here[row.clone()])).max_by_key(|row| (row.len(), row.start))?;
-    let begins = best.start == 0 || matches!(&text[here[best.start - 1].at.clone()], "}" | ";");
-    let bytes = here[best.start].at.start..here[best.end - 1].at.end;
+    let begins = best.start == 0 || matches!(outline.slice(&here[best.start - 1].range), "}" | ";");
+    let bytes = here[best.start].range.start..here[best.end - 1].range.end;
     let edit = TextEdit { range: document.text.range(bytes), new_text: wanted.to_string() };
     begins.then(|| (format!("Write `{wanted}`"), vec![edit]))
 }
@@ -154,15 +149,14 @@ fn on_a_new_line(document: &Document) -> &'static str {
 
 /// The start of the first line after comments, `#version` and `#include`.
 fn first_line(document: &Document) -> usize {
-    let (text, scan) = (&document.text, &document.scan);
-    let all = text.as_str();
-    let head = |token: &&Token| {
-        token.kind == TokenKind::Comment
-            || token.kind == TokenKind::Directive && matches!(directive(&all[token.at.clone()]), "version" | "include")
-    };
-    let of_head = |line: u32| scan.tokens.iter().filter(head).any(|token| text.position(token.at.start).line == line);
-    let first = scan.tokens.iter().map(|token| text.position(token.at.start).line).find(|line| !of_head(*line));
-    first.map_or(all.len(), |line| text.offset(lsp_types::Position::new(line, 0)))
+    let (text, outline) = (&document.text, &document.outline);
+    let is_head = |token: &&Token| matches!(outline.directive(token), "version" | "include");
+    let directives = outline.tokens.iter().filter(is_head).map(|token| token.range.start);
+    let heads = directives.chain(outline.comments.iter().map(|comment| comment.start));
+    let lines: HashSet<u32> = heads.map(|start| text.position(start).line).collect();
+    let first =
+        outline.tokens.iter().map(|token| text.position(token.range.start).line).find(|line| !lines.contains(line));
+    first.map_or(text.as_str().len(), |line| text.offset(lsp_types::Position::new(line, 0)))
 }
 
 /// Help about missing text: a closing bracket or directive, or a camera.
@@ -190,17 +184,17 @@ fn separated(diagnostic: &EditorDiagnostic) -> Option<(String, Vec<TextEdit>)> {
 
 /// Adds an `#include` after the last one at the top, or after `#version`, or below the first comment.
 pub fn include(document: &Document, file: &str) -> TextEdit {
-    let (text, scan) = (&document.text, &document.scan);
+    let (text, outline) = (&document.text, &document.outline);
     let all = text.as_str();
-    let is = |token: &&crate::lsp::scan::Token, word: &str| {
-        token.kind == TokenKind::Directive && directive(&all[token.at.clone()]) == word
-    };
-    let last = scan.pairs.first().map_or(all.len(), |pair| pair.whole.start);
-    let include = scan.includes.iter().rev().map(|(_, at)| at.end).find(|end| *end < last);
-    let version = || scan.tokens.iter().find(|token| is(token, "version")).map(|token| token.at.end);
+    let last = outline.pairs.iter().find(|pair| pair.bracket != b'<');
+    let last = last.map_or(all.len(), |pair| pair.range.start);
+    let include = outline.includes.iter().rev().map(|include| include.end).find(|end| *end < last);
+    let is_version = |token: &&Token| outline.directive(token) == "version";
+    let version = || outline.tokens.iter().find(is_version).map(|token| token.range.end);
     let comment = || {
-        let first = scan.tokens.iter().position(|token| token.kind != TokenKind::Comment).unwrap_or(scan.tokens.len());
-        scan.tokens[..first].last().map(|token| all[..token.at.end].trim_end().len())
+        let first = outline.tokens.first().map_or(all.len(), |token| token.range.start);
+        let last = outline.comments.iter().take_while(|comment| comment.end <= first).last();
+        last.map(|comment| all[..comment.end].trim_end().len())
     };
     let line = include.or_else(version).or_else(comment).map_or(0, |end| text.position(end).line + 1);
     let end = line_end(document);

@@ -2,8 +2,8 @@
 
 use crate::color::transfer::{srgb_decode, srgb_encode};
 use crate::interpreter::COLOR_WORDS;
-use crate::lsp::scan::TokenKind;
 use crate::lsp::server::{Client, Server};
+use crate::syntax::outline::{Token, TokenKind};
 use crate::value::decimal;
 use lsp_types::{Color, ColorInformation, ColorPresentation, ColorPresentationParams, DocumentColorParams, TextEdit};
 use std::ops::Range;
@@ -18,22 +18,20 @@ struct Found {
 /// Returns all literal colours of a document's text.
 pub fn colors<S: Client>(server: &mut Server<S>, params: &DocumentColorParams) -> Vec<ColorInformation> {
     let Some(document) = server.document(&params.text_document.uri) else { return vec![] };
-    let tokens: Vec<_> = document.scan.tokens.iter().filter(|token| token.kind != TokenKind::Comment).collect();
-    let text = document.text.as_str();
-    let word = |pair: &[&crate::lsp::scan::Token]| -> Option<Found> {
-        let name = &text[pair[0].at.clone()];
+    let outline = &document.outline;
+    let word = |pair: &[Token]| -> Option<Found> {
+        let name = outline.slice(&pair[0].range);
         let is_color = matches!(pair[0].kind, TokenKind::Word(_))
             && name.contains("rgb")
             && COLOR_WORDS.iter().any(|row| row.name == name);
         if !is_color {
             return None;
         }
-        let rest = &text[pair[1].at.start..];
-        let numbers = rest.strip_prefix('<')?.split_once('>')?.0;
-        let end = pair[1].at.start + numbers.len() + 2;
-        Some(Found { at: pair[0].at.start..end, color: color(name, numbers)? })
+        let numbers = document.text.as_str()[pair[1].range.start..].strip_prefix('<')?.split_once('>')?.0;
+        let end = pair[1].range.start + numbers.len() + 2;
+        Some(Found { at: pair[0].range.start..end, color: color(name, numbers)? })
     };
-    let found = tokens.windows(2).filter_map(word);
+    let found = outline.tokens.windows(2).filter_map(word);
     found.map(|found| ColorInformation { range: document.text.range(found.at), color: found.color }).collect()
 }
 

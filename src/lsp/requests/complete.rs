@@ -5,9 +5,9 @@ use crate::interpreter;
 use crate::library;
 use crate::lsp::document::Document;
 use crate::lsp::files::ReachableText;
-use crate::lsp::scan::{Declaration, DeclarationKind, TokenKind};
 use crate::lsp::server::{Client, Server};
 use crate::lsp::words;
+use crate::syntax::outline::{Declaration, DeclarationKind, TokenKind};
 use crate::syntax::word::CONSTANTS;
 use crate::value::ValueKind;
 use lsp_types::{
@@ -36,14 +36,17 @@ pub fn complete<S: Client>(server: &mut Server<S>, params: &CompletionParams) ->
 }
 
 fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Option<Vec<CompletionItem>> {
-    let (text, scan) = (document.text.as_str(), &document.scan);
+    let (text, outline) = (document.text.as_str(), &document.outline);
     let before = &text[..offset];
-    let inside = scan.tokens.iter().find(|token| token.at.start < offset && offset <= token.at.end);
-    match inside.map(|token| (token.kind, token.at.clone())) {
-        // A block comment ends at its end, a line comment with its line.
-        Some((TokenKind::Comment, at)) if offset < at.end || text[at.clone()].starts_with("//") => return None,
-        Some((TokenKind::Text, at)) => return Some(paths(document, &text[at.start + 1..offset])),
-        _ => {}
+    // A block comment ends at its end, a line comment with its line.
+    let comment = outline.comment_at(offset).filter(|comment| comment.start < offset);
+    if comment.is_some_and(|comment| offset < comment.end || outline.slice(comment).starts_with("//")) {
+        return None;
+    }
+    let before_offset = &outline.tokens[..outline.first_token(offset)];
+    let inside = before_offset.last().filter(|token| offset <= token.range.end);
+    if let Some(string) = inside.filter(|token| token.kind == TokenKind::String) {
+        return Some(paths(document, &text[string.range.start + 1..offset]));
     }
     // An unclosed string contains the rest of the file.
     let line = &before[before.rfind(['\n', '\r']).map_or(0, |i| i + 1)..];
@@ -54,7 +57,7 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
     if before[..before.len() - typed.len()].trim_end_matches([' ', '\t']).ends_with('#') {
         return Some(directives());
     }
-    let block = words::block_at(scan, offset);
+    let block = words::block_at(outline, offset);
     let mut out: Vec<_> = words::of_block(block).iter().map(item_of_word).collect();
     let values = words::functions().map(|(name, usage, summary)| CompletionItem {
         kind: Some(CompletionItemKind::FUNCTION),
@@ -70,7 +73,7 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
     }
     let colors = interpreter::COLOR_WORDS.iter().map(|row| item_of_word(&row.into()));
     out.extend(colors.map(|word| CompletionItem { sort_text: Some(format!("2{}", word.label)), ..word }));
-    out.extend(names(reached, document.scan.macro_at(offset)));
+    out.extend(names(reached, outline.macro_at(offset)));
     if typed.len() >= MIN_LETTERS {
         out.extend(of_library(document, &out, typed));
     }
@@ -132,7 +135,7 @@ fn names(reached: &[ReachableText], within: Option<usize>) -> Vec<CompletionItem
             DeclarationKind::Counter | DeclarationKind::Local => i == 0 && (d.scope.is_none() || d.scope == within),
             DeclarationKind::Parameter => i == 0 && d.scope == within,
         };
-        for d in one.scan.declarations.iter().filter(is_seen) {
+        for d in one.outline.declarations.iter().filter(is_seen) {
             if !seen.insert(d.name.as_str()) {
                 continue;
             }
@@ -170,8 +173,7 @@ fn item_of_name(one: &ReachableText, d: &Declaration, file: String) -> Completio
 
 /// Returns the parameter names of a macro.
 pub fn parameters(one: &ReachableText, d: &Declaration) -> Option<Vec<String>> {
-    let found = one.scan.macros.iter().find(|m| d.kind == DeclarationKind::Macro && m.whole.start == d.whole.start);
-    found.map(|m| m.parameters.clone())
+    (d.kind == DeclarationKind::Macro).then(|| one.outline.parameters(d).map(String::from).collect())
 }
 
 /// Names of standard include files that are not included yet.

@@ -2,9 +2,9 @@
 
 use super::complete;
 use crate::lsp::files::ReachableText;
-use crate::lsp::scan::{DeclarationKind, TokenKind};
 use crate::lsp::server::{Client, Server};
 use crate::lsp::{manual, words};
+use crate::syntax::outline::{Declaration, DeclarationKind, TokenKind};
 use lsp_types::{Hover, HoverContents, HoverParams, MarkupContent, MarkupKind};
 use std::path::Path;
 
@@ -20,22 +20,22 @@ pub fn hover<S: Client>(server: &mut Server<S>, params: &HoverParams) -> Option<
     let related = server.related(uri);
     let document = server.document(uri)?;
     let offset = document.text.offset(at.position);
-    let token = document.scan.token_at(offset)?;
-    let text = &document.text.as_str()[token.at.clone()];
+    let outline = &document.outline;
+    let token = outline.token_at(offset)?;
+    let text = outline.slice(&token.range);
     let value = match token.kind {
-        TokenKind::Directive => {
-            words::of_directive(text).map(|(form, summary)| format!("```pov\n{form}\n```\n{summary}"))
-        }
-        TokenKind::Word(_) => explained(text, words::block_at(&document.scan, offset)),
+        TokenKind::Directive => words::of_directive(outline.directive(token))
+            .map(|(form, summary)| format!("```pov\n{form}\n```\n{summary}")),
+        TokenKind::Word(_) => explained(text, words::block_at(outline, offset)),
         TokenKind::Name => {
-            let scope = document.scan.owner(text, document.scan.macro_at(token.at.end));
+            let scope = outline.owner(text, outline.macro_at(token.range.end));
             let own = related.iter().position(|one| one.path == document.path);
-            declared(&related, text, scope, own).or_else(|| explained(text, words::block_at(&document.scan, offset)))
+            declared(&related, text, scope, own).or_else(|| explained(text, words::block_at(outline, offset)))
         }
         _ => None,
     };
     let contents = HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value: value? });
-    Some(Hover { contents, range: Some(document.text.range(token.at.clone())) })
+    Some(Hover { contents, range: Some(document.text.range(token.range.clone())) })
 }
 
 fn explained(word: &str, block: &str) -> Option<String> {
@@ -46,34 +46,34 @@ fn explained(word: &str, block: &str) -> Option<String> {
 
 /// Returns the last declaration of a name and its position.
 fn declared(related: &[ReachableText], name: &str, scope: Option<usize>, own: Option<usize>) -> Option<String> {
-    let all = related.iter().enumerate().flat_map(|(i, one)| one.scan.declarations.iter().map(move |d| (i, one, d)));
-    let fits = |(i, one, d): &(usize, &ReachableText, &crate::lsp::scan::Declaration)| {
-        d.name == name && one.scan.owner(name, d.scope) == scope && (scope.is_none() || Some(*i) == own)
+    let all = related.iter().enumerate().flat_map(|(i, one)| one.outline.declarations.iter().map(move |d| (i, one, d)));
+    let fits = |(i, one, d): &(usize, &ReachableText, &Declaration)| {
+        d.name == name && one.outline.owner(name, d.scope) == scope && (scope.is_none() || Some(*i) == own)
     };
     let found: Vec<_> = all.filter(fits).collect();
     let (_, one, d) = found.iter().find(|(i, ..)| Some(*i) == own).or(found.first())?;
     let place = one.path.as_deref().and_then(Path::file_name).map(|file| file.to_string_lossy().into_owned());
-    let line = one.text.position(d.at.start).line + 1;
+    let line = one.text.position(d.range.start).line + 1;
     let place = place.map(|file| format!("{file}, line {line}")).unwrap_or(format!("line {line}"));
     let text = one.text.as_str();
     let code = match d.kind {
         DeclarationKind::Macro => {
-            let about = comment_before(text, d.whole.start);
+            let about = comment_before(one, d.whole.start);
             let parameters = complete::parameters(one, d).unwrap_or_default();
             format!("{about}#macro {}({})", d.name, parameters.join(", "))
         }
         DeclarationKind::Parameter => format!("{name}: a parameter"),
-        _ => format!("{}{}", comment_before(text, d.whole.start), statement(&text[d.whole.start..])),
+        _ => format!("{}{}", comment_before(one, d.whole.start), statement(&text[d.whole.start..])),
     };
     let more = if found.len() > 1 { format!("; declared {} times", found.len()) } else { String::new() };
     Some(format!("```pov\n{code}\n```\n{place}{more}"))
 }
 
 /// Returns the comments directly above a line of the scene.
-fn comment_before(text: &str, at: usize) -> String {
-    let start = text[..at].rfind('\n').map_or(0, |i| i + 1);
+fn comment_before(one: &ReachableText, at: usize) -> String {
+    let before = &one.text.as_str()[..one.outline.line_at(at).start];
     let mut lines: Vec<&str> =
-        text[..start].lines().rev().take_while(|line| line.trim_start().starts_with("//")).take(MAX_LINES).collect();
+        before.lines().rev().take_while(|line| line.trim_start().starts_with("//")).take(MAX_LINES).collect();
     lines.reverse();
     lines.iter().map(|line| format!("{}\n", line.trim())).collect()
 }

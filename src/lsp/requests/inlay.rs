@@ -1,8 +1,8 @@
 //! Inlay hints: the directive that an `#end` closes, and the parameters of arguments.
 
 use super::complete;
-use crate::lsp::scan::{DeclarationKind, Pair, TokenKind};
 use crate::lsp::server::{Client, Server};
+use crate::syntax::outline::{DeclarationKind, Outline, Pair, TokenKind};
 use lsp_types::{InlayHint, InlayHintKind, InlayHintLabel, InlayHintParams, Position};
 use std::collections::HashMap;
 
@@ -14,26 +14,28 @@ pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Opt
     let uri = &params.text_document.uri;
     let related = server.related(uri);
     let document = server.document(uri)?;
-    let (text, scan) = (&document.text, &document.scan);
+    let (text, outline) = (&document.text, &document.outline);
     let (from, to) = (text.offset(params.range.start), text.offset(params.range.end));
     let mut parameters: HashMap<&str, Vec<String>> = HashMap::new();
     for one in &related {
-        for d in one.scan.declarations.iter().filter(|d| d.kind == DeclarationKind::Macro) {
+        for d in one.outline.declarations.iter().filter(|d| d.kind == DeclarationKind::Macro) {
             parameters.entry(&d.name).or_insert_with(|| complete::parameters(one, d).unwrap_or_default());
         }
     }
     let mut out = vec![];
-    for pair in scan.pairs.iter().filter(|pair| pair.closed && pair.whole.start < to && from < pair.whole.end) {
-        if pair.open == b'#' {
-            let (start, end) = (text.position(pair.whole.start), text.position(pair.whole.end));
-            if end.line >= start.line + MIN_LINES && (from..=to).contains(&pair.whole.end) {
+    for pair in
+        outline.pairs.iter().filter(|pair| pair.closer.is_some() && pair.range.start < to && from < pair.range.end)
+    {
+        if pair.bracket == b'#' {
+            let (start, end) = (text.position(pair.range.start), text.position(pair.range.end));
+            if end.line >= start.line + MIN_LINES && (from..=to).contains(&pair.range.end) {
                 let name = text.line(start.line as usize).trim().trim_end_matches(['{', ' ']);
                 let name: String = name.chars().take(40).collect();
                 out.push(hint(end, name, true, false));
             }
-        } else if pair.open == b'(' && !is_definition(scan, pair) {
-            let Some(names) = parameters.get(pair.name.as_str()) else { continue };
-            for (name, at) in names.iter().zip(arguments(text.as_str(), scan, pair)) {
+        } else if pair.bracket == b'(' && !is_definition(outline, pair) {
+            let Some(names) = parameters.get(outline.head(pair)) else { continue };
+            for (name, at) in names.iter().zip(arguments(outline, pair)) {
                 let argument = &text.as_str()[at..];
                 let same = argument.to_lowercase().starts_with(&name.to_lowercase());
                 if !same && name.len() > 1 && (from..=to).contains(&at) {
@@ -45,20 +47,19 @@ pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Opt
     Some(out)
 }
 
-fn is_definition(scan: &crate::lsp::scan::Scan, pair: &Pair) -> bool {
-    scan.declarations.iter().any(|d| d.kind == DeclarationKind::Macro && d.at == pair.named)
+fn is_definition(outline: &Outline, pair: &Pair) -> bool {
+    outline.declarations.iter().any(|d| d.kind == DeclarationKind::Macro && d.range == pair.head)
 }
 
 /// Returns the byte offsets of a call's arguments.
-fn arguments(text: &str, scan: &crate::lsp::scan::Scan, call: &Pair) -> Vec<usize> {
-    let first = scan.tokens.partition_point(|token| token.at.start <= call.whole.start);
-    let inside = scan.tokens[first..].iter().take_while(|token| token.at.end < call.whole.end);
+fn arguments(outline: &Outline, call: &Pair) -> Vec<usize> {
+    let inside = &outline.tokens[call.opener + 1..call.closer.unwrap_or(outline.tokens.len())];
     let (mut out, mut depth, mut fresh) = (vec![], 0i32, true);
-    for token in inside.filter(|token| token.kind != TokenKind::Comment) {
+    for token in inside {
         if std::mem::take(&mut fresh) {
-            out.push(token.at.start);
+            out.push(token.range.start);
         }
-        match &text[token.at.clone()] {
+        match outline.slice(&token.range) {
             "(" | "[" | "{" | "<" => depth += 1,
             ")" | "]" | "}" | ">" => depth -= 1,
             "," => fresh = depth <= 0,

@@ -2,9 +2,9 @@
 
 use crate::format::{WIDTH, decode};
 use crate::lsp::document::{BASE, Document};
-use crate::lsp::scan::TokenKind;
 use crate::lsp::server::{Client, Server};
 use crate::lsp::text::Text;
+use crate::syntax::outline::{Pair, TokenKind};
 use lsp_types::{
     DocumentFormattingParams, DocumentRangeFormattingParams, FoldingRange, FoldingRangeKind, FoldingRangeParams,
     Position, Range, SelectionRange, SelectionRangeParams, TextEdit,
@@ -65,24 +65,19 @@ fn next_equal(a: &[&str], b: &[&str], i: usize, j: usize) -> (usize, usize) {
 /// Blocks, directives with bodies, and comments that extend over several lines.
 pub fn folds<S: Client>(server: &mut Server<S>, params: &FoldingRangeParams) -> Option<Vec<FoldingRange>> {
     let document = server.document(&params.text_document.uri)?;
-    let (text, scan) = (&document.text, &document.scan);
+    let (text, outline) = (&document.text, &document.outline);
     let line = |offset: usize| text.position(offset).line;
     let mut out: Vec<FoldingRange> = vec![];
-    for pair in scan.pairs.iter().filter(|pair| pair.closed) {
+    for pair in outline.pairs.iter().filter(|pair| is_visible(pair)) {
         // The closing line remains visible.
-        let (start, end) = (line(pair.whole.start), line(pair.whole.end).saturating_sub(1));
+        let (start, end) = (line(pair.range.start), line(pair.range.end).saturating_sub(1));
         if start < end && out.last().is_none_or(|last| last.start_line != start) {
             out.push(fold(start, end, FoldingRangeKind::Region));
         }
     }
-    let comments: Vec<_> = scan.tokens.iter().filter(|token| token.kind == TokenKind::Comment).collect();
-    let starts_line =
-        |at: usize| text.as_str()[..at].rsplit(['\n', '\r']).next().is_some_and(|before| before.trim().is_empty());
-    let whole: Vec<(u32, u32)> = comments
-        .iter()
-        .filter(|token| starts_line(token.at.start))
-        .map(|token| (line(token.at.start), line(text.as_str()[..token.at.end].trim_end().len())))
-        .collect();
+    let starting = outline.comments.iter().filter(|comment| outline.line_at(comment.start).is_first);
+    let whole: Vec<(u32, u32)> =
+        starting.map(|comment| (line(comment.start), line(text.as_str()[..comment.end].trim_end().len()))).collect();
     for run in whole.chunk_by(|a, b| a.1 + 1 == b.0) {
         let (start, end) = (run[0].0, run[run.len() - 1].1);
         if start < end {
@@ -90,6 +85,11 @@ pub fn folds<S: Client>(server: &mut Server<S>, params: &FoldingRangeParams) -> 
         }
     }
     Some(out)
+}
+
+/// True for pairs that editors fold and select.
+fn is_visible(pair: &Pair) -> bool {
+    pair.closer.is_some() && pair.bracket != b'<'
 }
 
 fn fold(start_line: u32, end_line: u32, kind: FoldingRangeKind) -> FoldingRange {
@@ -103,16 +103,20 @@ pub fn selections<S: Client>(server: &mut Server<S>, params: &SelectionRangePara
 }
 
 fn selection(document: &Document, offset: usize) -> SelectionRange {
-    let (text, scan): (&Text, _) = (&document.text, &document.scan);
+    let (text, outline) = (&document.text, &document.outline);
     let whole = 0..text.as_str().len();
     let mut ranges = Vec::from([whole]);
-    for pair in scan.pairs.iter().filter(|pair| pair.closed && pair.whole.start <= offset && offset <= pair.whole.end) {
-        ranges.push(pair.named.start.min(pair.whole.start)..pair.whole.end);
-        if pair.open != b'#' && pair.whole.len() > 2 && pair.whole.start < offset && offset < pair.whole.end {
-            ranges.push(pair.whole.start + 1..pair.whole.end - 1);
+    let touches = |pair: &&Pair| is_visible(pair) && pair.range.start <= offset && offset <= pair.range.end;
+    for pair in outline.pairs.iter().filter(touches) {
+        let Pair { head, range, .. } = pair;
+        ranges.push(head.start.min(range.start)..range.end);
+        if pair.bracket != b'#' && range.len() > 2 && range.start < offset && offset < range.end {
+            ranges.push(range.start + 1..range.end - 1);
         }
     }
-    ranges.extend(scan.token_at(offset).map(|token| token.at.clone()));
+    let comment = outline.comment_at(offset).cloned();
+    let token = outline.token_at(offset).filter(|token| comment.is_none() || token.kind != TokenKind::Sign);
+    ranges.extend(token.map(|token| token.range.clone()).or(comment));
     let mut out: Option<SelectionRange> = None;
     for range in ranges {
         let range = text.range(range);

@@ -1,7 +1,6 @@
 //! Code lenses above a scene: "Render" and "Watch and pick".
 
 use super::commands::{RENDER, WATCH};
-use crate::lsp::scan::TokenKind;
 use crate::lsp::server::{Client, Server};
 use lsp_types::{CodeLens, CodeLensParams, Command};
 use serde_json::json;
@@ -10,8 +9,8 @@ use serde_json::json;
 pub fn lenses<S: Client>(server: &mut Server<S>, params: &CodeLensParams) -> Option<Vec<CodeLens>> {
     let document = server.document(&params.text_document.uri)?;
     let path = document.path.as_ref().filter(|_| document.is_scene())?;
-    let first = document.scan.tokens.iter().find(|token| token.kind != TokenKind::Comment);
-    let range = document.text.range(first.map_or(0..0, |token| token.at.clone()));
+    let first = document.outline.tokens.first();
+    let range = document.text.range(first.map_or(0..0, |token| token.range.clone()));
     let lens = |title: &str, command: &str| {
         let command = Command::new(title.into(), command.into(), Some(vec![json!(path)]));
         CodeLens { range, command: Some(command), data: None }

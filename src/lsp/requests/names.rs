@@ -2,8 +2,8 @@
 
 use crate::library;
 use crate::lsp::files::ReachableText;
-use crate::lsp::scan::{DeclarationKind, TokenKind};
 use crate::lsp::server::{Client, Server};
+use crate::syntax::outline::{DeclarationKind, TokenKind};
 use crate::syntax::word::entry;
 use lsp_types::{
     DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, GotoDefinitionParams, GotoDefinitionResponse,
@@ -24,11 +24,12 @@ struct Named {
 fn named<S: Client>(server: &Server<S>, uri: &Uri, at: Position) -> Option<Named> {
     let document = server.document(uri)?;
     let offset = document.text.offset(at);
-    let token = document.scan.token_at(offset).filter(|token| token.kind == TokenKind::Name)?;
-    let name = document.text.as_str()[token.at.clone()].to_string();
+    let outline = &document.outline;
+    let token = outline.token_at(offset).filter(|token| token.kind == TokenKind::Name)?;
+    let name = outline.slice(&token.range).to_string();
     // The declaration of a parameter is inside of its macro, too.
-    let owner = document.scan.owner(&name, document.scan.macro_at(token.at.end));
-    Some(Named { name, range: document.text.range(token.at.clone()), owner })
+    let owner = outline.owner(&name, outline.macro_at(token.range.end));
+    Some(Named { name, range: document.text.range(token.range.clone()), owner })
 }
 
 /// One occurrence of a name in a scene's texts.
@@ -39,16 +40,16 @@ struct Hit {
 
 /// All occurrences of a name in a text. A name of a macro of the first text occurs in no other text.
 fn hits(reached: &ReachableText, named: &Named, is_own: bool) -> Vec<Hit> {
-    let (scan, text) = (&reached.scan, &reached.text);
+    let (outline, text) = (&reached.outline, &reached.text);
     if named.owner.is_some() && !is_own {
         return vec![];
     }
-    let belongs = |scope| scan.owner(&named.name, scope) == named.owner;
-    let declared = scan.declarations.iter().filter(|d| d.name == named.name && belongs(d.scope));
-    let used = scan.uses.iter().filter(|one| one.name == named.name && belongs(one.scope));
+    let belongs = |scope| outline.owner(&named.name, scope) == named.owner;
+    let declared = outline.declarations.iter().filter(|d| d.name == named.name && belongs(d.scope));
+    let used = outline.uses.iter().filter(|one| outline.slice(&one.range) == named.name && belongs(one.scope));
     let mut out: Vec<Hit> = declared
-        .map(|d| Hit { range: text.range(d.at.clone()), declares: true })
-        .chain(used.map(|one| Hit { range: text.range(one.at.clone()), declares: false }))
+        .map(|d| Hit { range: text.range(d.range.clone()), declares: true })
+        .chain(used.map(|one| Hit { range: text.range(one.range.clone()), declares: false }))
         .collect();
     out.sort_by_key(|hit| hit.range.start);
     out
@@ -88,7 +89,9 @@ pub fn definition<S: Client>(server: &mut Server<S>, params: &GotoDefinitionPara
 fn included<S: Client>(server: &mut Server<S>, uri: &Uri, at: Position) -> Option<Uri> {
     let document = server.document(uri)?;
     let offset = document.text.offset(at);
-    let (name, _) = document.scan.includes.iter().find(|(_, at)| at.contains(&offset))?;
+    // (Or one of its quotes.)
+    let contains = |name: &&std::ops::Range<usize>| (name.start - 1..=name.end).contains(&offset);
+    let name = document.outline.slice(document.outline.includes.iter().find(contains)?);
     let search = crate::source::SearchPath::new(&document.folder(), &server.include);
     crate::lsp::document::uri_of(&crate::lsp::files::find(name, &document.folder(), &search)?)
 }
@@ -157,7 +160,7 @@ pub fn rename<S: Client>(server: &mut Server<S>, params: &RenameParams) -> Resul
         return Err(format!("`{}` belongs to `{file}`, which other scenes include", named.name));
     }
     let taken = all.iter().any(|(_, reached, _)| {
-        reached.scan.declarations.iter().any(|d| d.name == new && d.kind != DeclarationKind::Parameter)
+        reached.outline.declarations.iter().any(|d| d.name == new && d.kind != DeclarationKind::Parameter)
     });
     if taken && new != named.name {
         return Err(format!("`{new}` is declared already"));

@@ -1,8 +1,8 @@
 //! Semantic tokens: kinds of words for the colours of the editor.
 
-use crate::lsp::scan::{DeclarationKind, TokenKind};
 use crate::lsp::server::{Client, Server};
 use crate::reference::sorts;
+use crate::syntax::outline::{DeclarationKind, TokenKind};
 use crate::syntax::word::Category;
 use lsp_types::{SemanticToken, SemanticTokens, SemanticTokensParams, SemanticTokensResult};
 use serde_json::{Value, json};
@@ -37,9 +37,9 @@ pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) 
     let uri = &params.text_document.uri;
     let related = server.related(uri);
     let document = server.document(uri)?;
-    let (text, scan) = (&document.text, &document.scan);
+    let (text, outline) = (&document.text, &document.outline);
     let declared = |one: &'_ crate::lsp::files::ReachableText| {
-        one.scan
+        one.outline
             .declarations
             .iter()
             .filter(|d| d.kind == DeclarationKind::Macro)
@@ -47,11 +47,11 @@ pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) 
             .collect::<Vec<_>>()
     };
     let macros: std::collections::HashSet<String> = related.iter().flat_map(declared).collect();
-    let own: HashMap<usize, DeclarationKind> = scan.declarations.iter().map(|d| (d.at.start, d.kind)).collect();
+    let own: HashMap<usize, DeclarationKind> = outline.declarations.iter().map(|d| (d.range.start, d.kind)).collect();
     let sorts = sorts();
     let (mut data, mut last) = (vec![], lsp_types::Position::default());
-    for token in &scan.tokens {
-        let word = &text.as_str()[token.at.clone()];
+    for token in &outline.tokens {
+        let word = outline.slice(&token.range);
         let kind = match token.kind {
             TokenKind::Directive => Type::Keyword,
             TokenKind::Word(Category::Function) => Type::Function,
@@ -59,28 +59,28 @@ pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) 
             TokenKind::Word(_) if sorts.objects.contains(&word) => Type::Class,
             TokenKind::Word(_) if sorts.blocks.contains(&word) => Type::Struct,
             TokenKind::Word(_) => Type::Property,
-            TokenKind::Name if own.get(&token.at.start) == Some(&DeclarationKind::Parameter) => Type::Parameter,
+            TokenKind::Name if own.get(&token.range.start) == Some(&DeclarationKind::Parameter) => Type::Parameter,
             TokenKind::Name if macros.contains(word) => Type::Macro,
             TokenKind::Name => {
-                let scope = scan.macro_at(token.at.end);
+                let scope = outline.macro_at(token.range.end);
                 let is = |what: DeclarationKind| {
-                    scan.declarations.iter().any(|d| d.scope == scope && d.kind == what && d.name == word)
+                    outline.declarations.iter().any(|d| d.scope == scope && d.kind == what && d.name == word)
                 };
                 if scope.is_some() && is(DeclarationKind::Parameter) { Type::Parameter } else { Type::Variable }
             }
-            TokenKind::Text | TokenKind::Number | TokenKind::Sign | TokenKind::Comment => continue,
+            TokenKind::String | TokenKind::Number | TokenKind::Sign => continue,
         };
         if word.contains(['\n', '\r']) {
             continue;
         }
-        let at = text.position(token.at.start);
+        let at = text.position(token.range.start);
         let same_line = at.line == last.line;
         data.push(SemanticToken {
             delta_line: at.line - last.line,
             delta_start: if same_line { at.character - last.character } else { at.character },
             length: word.encode_utf16().count() as u32,
             token_type: kind as u32,
-            token_modifiers_bitset: u32::from(own.contains_key(&token.at.start)),
+            token_modifiers_bitset: u32::from(own.contains_key(&token.range.start)),
         });
         last = at;
     }

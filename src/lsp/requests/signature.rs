@@ -1,9 +1,9 @@
 //! Signature help: the parameters of the macro or function whose call is being typed.
 
 use super::complete;
-use crate::lsp::scan::DeclarationKind;
 use crate::lsp::server::{Client, Server};
 use crate::lsp::words;
+use crate::syntax::outline::{DeclarationKind, Pair};
 use lsp_types::{
     Documentation, MarkupContent, MarkupKind, ParameterInformation, ParameterLabel, SignatureHelp, SignatureHelpParams,
     SignatureInformation,
@@ -16,37 +16,36 @@ pub fn help<S: Client>(server: &mut Server<S>, params: &SignatureHelpParams) -> 
     let related = server.related(uri);
     let document = server.document(uri)?;
     let offset = document.text.offset(at.position);
-    let call = document.scan.around(offset, |pair| pair.open == b'(' && !pair.name.is_empty())?;
+    let outline = &document.outline;
+    let call = outline.pair_at(offset, |pair| pair.bracket == b'(' && !pair.head.is_empty())?;
+    let name = outline.head(call);
     let declared = related.iter().find_map(|one| {
-        let d = one.scan.declarations.iter().find(|d| d.kind == DeclarationKind::Macro && d.name == call.name)?;
+        let d = one.outline.declarations.iter().find(|d| d.kind == DeclarationKind::Macro && d.name == name)?;
         complete::parameters(one, d)
     });
     let (parameters, about) = match declared {
         Some(parameters) => (parameters, ""),
         None => {
-            let (_, usage, summary) = words::functions().find(|(name, ..)| *name == call.name)?;
+            let (_, usage, summary) = words::functions().find(|(other, ..)| *other == name)?;
             let inner = usage.trim_start_matches('(').trim_end_matches(')');
             (inner.split(',').map(|part| part.trim().to_string()).filter(|part| !part.is_empty()).collect(), summary)
         }
     };
     // Count the commas of this call, but not those of nested calls, vectors and blocks.
-    let number = call.whole.start;
-    let inner = |at: usize| {
-        document.scan.around(at + 1, |pair| pair.open != b'#').is_none_or(|pair| pair.whole.start == number)
-    };
-    let text = document.text.as_str();
-    let tokens = document.scan.tokens.iter().filter(|token| token.at.start > number && token.at.end <= offset);
+    let is_bracket = |pair: &Pair| !matches!(pair.bracket, b'#' | b'<');
+    let inner = |at: usize| outline.pair_at(at + 1, is_bracket).is_none_or(|pair| pair.opener == call.opener);
+    let tokens = outline.tokens[call.opener + 1..].iter().take_while(|token| token.range.end <= offset);
     let mut depth = 0i32;
     let mut commas = 0;
     for token in tokens {
-        match &text[token.at.clone()] {
+        match outline.slice(&token.range) {
             "<" => depth += 1,
             ">" => depth -= 1,
-            "," if depth <= 0 && inner(token.at.start) => commas += 1,
+            "," if depth <= 0 && inner(token.range.start) => commas += 1,
             _ => {}
         }
     }
-    let label = format!("{}({})", call.name, parameters.join(", "));
+    let label = format!("{name}({})", parameters.join(", "));
     let information =
         |name: &String| ParameterInformation { label: ParameterLabel::Simple(name.clone()), documentation: None };
     let documentation = MarkupContent { kind: MarkupKind::Markdown, value: about.into() };

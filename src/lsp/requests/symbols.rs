@@ -1,8 +1,8 @@
 //! Symbols of a text: declarations and outermost blocks, for outlines and searches.
 
 use crate::lsp::document::Document;
-use crate::lsp::scan::{Declaration, DeclarationKind, Pair};
 use crate::lsp::server::{Client, Server};
+use crate::syntax::outline::{Declaration, DeclarationKind, Pair};
 use lsp_types::{
     DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, OneOf, SymbolKind, WorkspaceSymbol,
     WorkspaceSymbolParams, WorkspaceSymbolResponse,
@@ -14,17 +14,17 @@ const MAX_SYMBOLS: usize = 1000;
 /// Returns the declared names, macros and outermost blocks of a document.
 pub fn of_document<S: Client>(server: &mut Server<S>, params: &DocumentSymbolParams) -> Option<DocumentSymbolResponse> {
     let document = server.document(&params.text_document.uri)?;
-    let scan = &document.scan;
-    let declared = scan.declarations.iter().filter(|d| d.scope.is_none() || d.kind == DeclarationKind::Macro);
+    let outline = &document.outline;
+    let declared = outline.declarations.iter().filter(|d| d.scope.is_none() || d.kind == DeclarationKind::Macro);
     let mut all: Vec<DocumentSymbol> = declared.map(|d| of_declaration(document, d)).collect();
-    let is_outer = |pair: &&Pair| pair.open == b'{' && pair.outer.is_none() && !pair.name.is_empty();
+    let is_outer = |pair: &&Pair| pair.bracket == b'{' && pair.outer.is_none() && !pair.head.is_empty();
     let is_value = |pair: &Pair| {
-        let before = document.text.as_str()[..pair.named.start].trim_end();
+        let before = document.text.as_str()[..pair.head.start].trim_end();
         before.ends_with('=')
     };
-    all.extend(scan.pairs.iter().filter(is_outer).filter(|pair| !is_value(pair)).map(|pair| {
-        let whole = pair.named.start..pair.whole.end;
-        symbol(document, &pair.name, SymbolKind::OBJECT, whole, pair.named.clone())
+    all.extend(outline.pairs.iter().filter(is_outer).filter(|pair| !is_value(pair)).map(|pair| {
+        let whole = pair.head.start..pair.range.end;
+        symbol(document, outline.head(pair), SymbolKind::OBJECT, whole, pair.head.clone())
     }));
     all.sort_by_key(|symbol| symbol.range.start);
     Some(DocumentSymbolResponse::Nested(all))
@@ -32,13 +32,13 @@ pub fn of_document<S: Client>(server: &mut Server<S>, params: &DocumentSymbolPar
 
 fn of_declaration(document: &Document, d: &Declaration) -> DocumentSymbol {
     // A declaration extends to the end of the braces of its value.
-    let value = document.scan.pairs.iter().find(|pair| {
-        pair.open == b'{'
-            && pair.whole.start > d.at.end
-            && document.text.as_str().get(d.at.end..pair.named.start).is_some_and(|between| between.trim() == "=")
+    let value = document.outline.pairs.iter().find(|pair| {
+        pair.bracket == b'{'
+            && pair.range.start > d.range.end
+            && document.text.as_str().get(d.range.end..pair.head.start).is_some_and(|between| between.trim() == "=")
     });
-    let end = value.map_or(d.whole.end, |pair| pair.whole.end);
-    symbol(document, &d.name, kind(d.kind), d.whole.start..end.max(d.at.end), d.at.clone())
+    let end = value.map_or(d.whole.end, |pair| pair.range.end);
+    symbol(document, &d.name, kind(d.kind), d.whole.start..end.max(d.range.end), d.range.clone())
 }
 
 fn kind(what: DeclarationKind) -> SymbolKind {
@@ -88,8 +88,10 @@ pub fn of_workspace<S: Client>(
             let fits = |d: &&Declaration| {
                 d.kind != DeclarationKind::Parameter && d.scope.is_none() | (d.kind == DeclarationKind::Macro)
             };
-            for d in reached.scan.declarations.iter().filter(fits).filter(|d| d.name.to_lowercase().contains(&wanted)) {
-                let location = Location { uri: uri.clone(), range: reached.text.range(d.at.clone()) };
+            for d in
+                reached.outline.declarations.iter().filter(fits).filter(|d| d.name.to_lowercase().contains(&wanted))
+            {
+                let location = Location { uri: uri.clone(), range: reached.text.range(d.range.clone()) };
                 out.push(WorkspaceSymbol {
                     name: d.name.clone(),
                     kind: kind(d.kind),

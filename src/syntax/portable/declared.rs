@@ -1,13 +1,13 @@
 //! Kinds of the declared names, as far as the text decides them.
 
-use super::{Text, is_directive};
-use crate::syntax::ast::Symbol;
+use super::after_partner;
 use crate::syntax::class;
+use crate::syntax::outline::{Declaration, DeclarationKind, Outline};
 use rustc_hash::FxHashMap;
 
 /// The kind of a declared value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum DeclaredKind {
     /// Kind of a name declared as a block such as `texture { … }` or `pigment { … }`: the block's word.
     Block(&'static str),
     /// Kind of a name declared as a vector without a word before it.
@@ -20,115 +20,76 @@ pub(super) enum Kind {
 const BLOCKS: &[&str] = &["texture", "pigment", "normal", "finish", "interior", "material", "transform"];
 
 /// All names that the scene's files declare, with their kinds.
-pub(super) struct Declared {
-    kinds: FxHashMap<Symbol, Kind>,
+pub(super) struct Declared<'a> {
+    kinds: FxHashMap<&'a str, DeclaredKind>,
     /// True for a macro if the last token of its body, and of all others of the name, is the `}` of a block.
-    macros: FxHashMap<Symbol, bool>,
+    macros: FxHashMap<&'a str, bool>,
     /// True if the scene's own file requests a language version without `;` after values.
     pub is_old: bool,
 }
 
-impl Declared {
-    pub(super) fn of(texts: &[Text]) -> Self {
-        let mut out = Self {
-            kinds: FxHashMap::default(),
-            macros: FxHashMap::default(),
-            is_old: texts.first().is_some_and(is_old),
-        };
-        texts.iter().for_each(|text| out.gather(text));
+impl<'a> Declared<'a> {
+    pub(super) fn new(own: &Outline, all: &'a [Outline]) -> Self {
+        let mut out = Self { kinds: FxHashMap::default(), macros: FxHashMap::default(), is_old: is_old(own) };
+        all.iter().for_each(|outline| out.gather(outline));
         out
     }
 
-    pub(super) fn kind(&self, symbol: Symbol) -> Option<Kind> {
-        self.kinds.get(&symbol).copied()
+    pub(super) fn kind(&self, name: &str) -> Option<DeclaredKind> {
+        self.kinds.get(name).copied()
     }
 
-    /// True if the symbol is a macro whose body ends with a block.
-    pub(super) fn ends_with_block(&self, symbol: Symbol) -> bool {
-        self.macros.get(&symbol) == Some(&true)
+    /// True if the name is a macro whose body ends with a block.
+    pub(super) fn ends_with_block(&self, name: &str) -> bool {
+        self.macros.get(name) == Some(&true)
     }
 
-    fn gather(&mut self, text: &Text) {
-        for at in 0..text.len() {
-            match text.class(at) {
-                class::DECLARE => {
-                    if let Some(symbol) = text.symbol(at + 1) {
-                        self.add(symbol, kind_of(text, at + 2));
-                    }
-                }
-                class::MACRO => {
-                    let block = body_end(text, at).is_some_and(|end| text.before(end) == class::BRACE_END);
-                    if let Some(symbol) = text.symbol(at + 1) {
-                        *self.macros.entry(symbol).or_insert(true) &= block;
-                    }
-                    self.add_parameters(text, at);
-                }
-                class::FOR => self.add_parameters(text, at),
-                _ => {}
+    fn gather(&mut self, outline: &'a Outline) {
+        for d in &outline.declarations {
+            match d.kind {
+                DeclarationKind::Declare | DeclarationKind::Local => self.add(&d.name, kind_of(outline, d)),
+                // These may be of any kind.
+                DeclarationKind::Parameter | DeclarationKind::Counter => self.add(&d.name, DeclaredKind::Unknown),
+                DeclarationKind::Macro => *self.macros.entry(&d.name).or_insert(true) &= is_block_macro(outline, d),
             }
         }
     }
 
-    /// Adds parameters of macros and the variables of loops, which may be of any kind.
-    fn add_parameters(&mut self, text: &Text, at: usize) {
-        let list = (at + 1..text.len()).take_while(|&at| !matches!(text.class(at), class::PAREN_END));
-        list.filter_map(|at| text.symbol(at)).for_each(|symbol| self.add(symbol, Kind::Unknown));
-    }
-
-    fn add(&mut self, symbol: Symbol, kind: Kind) {
-        let known = self.kinds.entry(symbol).or_insert(kind);
+    fn add(&mut self, name: &'a str, kind: DeclaredKind) {
+        let known = self.kinds.entry(name).or_insert(kind);
         if *known != kind {
-            *known = Kind::Unknown;
+            *known = DeclaredKind::Unknown;
         }
     }
 }
 
-/// The `#end` of the directive at `at`.
-fn body_end(text: &Text, at: usize) -> Option<usize> {
-    let mut depth = 0;
-    (at..text.len()).find(|&i| {
-        let class = text.class(i);
-        depth += i32::from(class::opens_body(class)) - i32::from(class == class::END);
-        class == class::END && depth == 0
-    })
+/// True if a block is the last token of the macro that a declaration defines.
+fn is_block_macro(outline: &Outline, d: &Declaration) -> bool {
+    let own = outline.opened_by(outline.first_token(d.whole.start)).and_then(|pair| pair.closer);
+    own.is_some_and(|end| outline.before(end) == class::BRACE_END)
 }
 
-/// The kind of `= value`, from the equal sign on.
-fn kind_of(text: &Text, at: usize) -> Kind {
-    if text.class(at) != class::EQUAL {
-        return Kind::Unknown;
-    }
-    let block = BLOCKS.iter().find(|block| **block == text.word(at + 1));
-    match text.class(at + 1) {
-        class::VECTOR => match behind(text, at + 1) {
-            class::SEMICOLON => Kind::Vector,
-            _ => Kind::Unknown,
-        },
-        _ if text.class(at + 2) == class::BRACE => block.map_or(Kind::Unknown, |block| Kind::Block(block)),
-        _ => Kind::Unknown,
-    }
-}
-
-/// The class of the token after a vector's end.
-fn behind(text: &Text, open: usize) -> u8 {
-    let mut depth = 0;
-    for at in open..text.len() {
-        match text.class(at) {
-            class::VECTOR => depth += 1,
-            class::VECTOR_END if depth == 1 => return text.class(at + 1),
-            class::VECTOR_END => depth -= 1,
-            class if is_directive(class) => return 0,
-            _ => {}
+/// The kind of a declaration's value.
+fn kind_of(outline: &Outline, d: &Declaration) -> DeclaredKind {
+    // (The next token is `=`.)
+    let value = outline.first_token(d.range.end) + 1;
+    let end = match outline.class(value) {
+        class::VECTOR => after_partner(outline, value),
+        class::LITERAL if outline.word(value).starts_with('<') => Some(value + 1),
+        _ if outline.class(value + 1) == class::BRACE => {
+            let block = BLOCKS.iter().find(|block| **block == outline.word(value));
+            return block.map_or(DeclaredKind::Unknown, |block| DeclaredKind::Block(block));
         }
+        _ => None,
+    };
+    match end.map(|end| outline.class(end)) {
+        Some(class::SEMICOLON) => DeclaredKind::Vector,
+        _ => DeclaredKind::Unknown,
     }
-    0
 }
 
 /// True if the text contains a `#version` directive below 3.5, or one without a literal number.
-fn is_old(text: &Text) -> bool {
-    (0..text.len()).any(|at| {
-        text.class(at) == class::PLAIN
-            && text.word(at).ends_with("version")
-            && text.word(at + 1).parse::<f64>().map_or(true, |version| version < 3.5)
-    })
+fn is_old(outline: &Outline) -> bool {
+    let mut versions = (0..outline.tokens.len()).filter(|&at| outline.directive(&outline.tokens[at]) == "version");
+    versions.any(|at| outline.word(at + 1).parse::<f64>().map_or(true, |version| version < 3.5))
 }

@@ -7,149 +7,85 @@ mod declared;
 mod rules;
 mod value;
 
-use super::Names;
-use super::ast::Symbol;
 use super::class;
-use super::lex::{Lexed, lex};
+use super::outline::{Outline, Pair};
 use crate::diagnostic::{Diagnostic, codes};
-use crate::source::{FileId, Sources, Span};
 use declared::Declared;
 
 /// The label at the place where a `;` is missing.
 pub const MISSING_SEMICOLON: &str = "`;` goes here";
 
-/// Reports text of the first file that POV-Ray 3.7 rejects; the other files are its includes.
-pub(super) fn lint_portability(sources: &Sources, names: &Names, scene_and_includes: &[FileId]) -> Vec<Diagnostic> {
-    let texts: Vec<Text> = scene_and_includes.iter().map(|&file| Text::of(sources, names, file)).collect();
-    let Some(own) = texts.first() else { return vec![] };
-    let declared = Declared::of(&texts);
-    let mut walk = Walk { text: own, declared: &declared, open: vec![], macros: vec![], out: vec![] };
-    for at in 0..own.len() {
-        walk.step(at);
+/// Reports text of the scene's own file that POV-Ray 3.7 rejects. `own` has each number as a token; `all` are the
+/// outlines of the file and of its includes.
+pub(super) fn lint_portability(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
+    let declared = Declared::new(own, all);
+    let mut check = Check { outline: own, declared: &declared, directive: None, addition: None, out: vec![] };
+    for at in 0..own.tokens.len() {
+        check.judge(at);
+        if class::is_directive(own.class(at)) {
+            check.directive = Some(at);
+        }
     }
-    walk.out
+    check.out
 }
 
-/// Tokens of a file that the portability lint examines.
-struct Text<'t> {
-    text: &'t str,
-    base: usize,
-    lexed: Lexed,
-}
-
-impl<'t> Text<'t> {
-    fn of(sources: &'t Sources, names: &Names, file: FileId) -> Self {
-        let (text, base) = (sources.text(file), sources.base(file));
-        Self { text, base, lexed: lex(text, base, names, false) }
-    }
-
-    fn len(&self) -> usize {
-        self.lexed.classes.len()
-    }
-
-    /// The class of a token; 0 after the last one.
-    fn class(&self, at: usize) -> u8 {
-        self.lexed.classes.get(at).copied().unwrap_or(0)
-    }
-
-    /// The class of the previous token.
-    fn before(&self, at: usize) -> u8 {
-        at.checked_sub(1).map_or(0, |at| self.class(at))
-    }
-
-    fn word(&self, at: usize) -> &'t str {
-        let token = self.lexed.tokens.get(at);
-        token.and_then(|t| self.text.get(t.start as usize..t.end as usize)).unwrap_or("")
-    }
-
-    fn symbol(&self, at: usize) -> Option<Symbol> {
-        let token = self.lexed.tokens.get(at)?;
-        (self.class(at) == class::NAME).then_some(Symbol(token.data))
-    }
-
-    fn span(&self, at: usize) -> Span {
-        let token = self.lexed.tokens.get(at);
-        token.map_or(Span::NONE, |t| Span::new(self.base + t.start as usize, self.base + t.end as usize))
-    }
-
-    /// True if the token is a word of the scene language.
-    fn is_keyword(&self, at: usize) -> bool {
-        matches!(self.class(at), class::KEYWORD | class::HEAD | class::FUNCTION)
-    }
-}
-
-/// An open bracket during the portability lint.
-#[derive(Clone, Copy)]
-struct Open<'t> {
-    /// Class of the open bracket: `BRACE`, `PAREN`, `BRACKET` or `VECTOR`.
-    class: u8,
-    /// The word before the open bracket.
-    word: &'t str,
-    /// Index of the open bracket's token.
-    at: usize,
-    /// True if a directive was found inside of the bracket.
-    directed: bool,
-    /// True if a word of durer's own was reported in it: one message for each block is enough.
-    told: bool,
-}
-
-struct Walk<'a> {
-    text: &'a Text<'a>,
-    declared: &'a Declared,
-    open: Vec<Open<'a>>,
-    /// The open directives with bodies; those outside of the outermost macro are dropped.
-    macros: Vec<u8>,
+/// Portability lint of a scene's own file, at one of its tokens.
+struct Check<'a> {
+    outline: &'a Outline,
+    declared: &'a Declared<'a>,
+    /// Index of the last directive before the present token.
+    directive: Option<usize>,
+    /// Index of the last token that was reported as a word of durer's own.
+    addition: Option<usize>,
     out: Vec<Diagnostic>,
 }
 
-impl<'a> Walk<'a> {
-    fn step(&mut self, at: usize) {
-        self.judge(at);
-        match self.text.class(at) {
-            opener @ (class::BRACE | class::PAREN | class::BRACKET | class::VECTOR) => {
-                let word = if at > 0 && self.text.is_keyword(at - 1) { self.text.word(at - 1) } else { "" };
-                self.open.push(Open { class: opener, word, at, directed: false, told: false });
-            }
-            class::BRACE_END | class::PAREN_END | class::BRACKET_END | class::VECTOR_END => drop(self.open.pop()),
-            class if is_directive(class) => {
-                self.open.iter_mut().for_each(|open| open.directed = true);
-                if class == class::MACRO || class::opens_body(class) && !self.macros.is_empty() {
-                    self.macros.push(class);
-                } else if class == class::END {
-                    self.macros.pop();
-                }
-            }
-            _ => {}
-        }
+impl<'a> Check<'a> {
+    /// The brackets around a token, the innermost first.
+    fn brackets(&self, at: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
+        self.outline.pairs_around(at).filter(|pair| pair.bracket != b'#' && pair.closer.is_some())
+    }
+
+    /// The directives whose bodies contain a token, the innermost first.
+    fn directives(&self, at: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
+        self.outline.pairs_around(at).filter(|pair| pair.bracket == b'#')
+    }
+
+    fn in_macro(&self, at: usize) -> bool {
+        self.directives(at).any(|pair| self.outline.is_macro(pair))
     }
 
     /// The word of the block that directly contains a token.
-    fn block(&self) -> Option<&'a str> {
-        self.open.last().filter(|open| open.class == class::BRACE).map(|open| open.word)
+    fn block(&self, at: usize) -> Option<&'a str> {
+        self.brackets(at).next().filter(|pair| pair.bracket == b'{').map(|pair| self.outline.head(pair))
     }
 
     fn report(&mut self, at: usize, message: String, help: impl Into<String>) {
-        self.out.push(Diagnostic::new(codes::NOT_PORTABLE, self.text.span(at), message).help(help));
+        self.out.push(Diagnostic::new(codes::NOT_PORTABLE, self.outline.token_span(at), message).help(help));
     }
 }
 
-/// True if a token of this class begins with `#`.
-fn is_directive(class: u8) -> bool {
-    use class::*;
-    matches!(
-        class,
-        DECLARE | IF | IFDEF | IFNDEF | ELSEIF | ELSE | WHILE | FOR | SWITCH | CASE | RANGE | MACRO | END | PLAIN
-    )
+/// True if the token is a word of the scene language.
+fn is_keyword(outline: &Outline, at: usize) -> bool {
+    matches!(outline.class(at), class::KEYWORD | class::HEAD | class::FUNCTION)
+}
+
+/// Index of the token after the partner of an opening bracket; `None` if a directive is between them.
+fn after_partner(outline: &Outline, open: usize) -> Option<usize> {
+    let closer = outline.opened_by(open)?.closer?;
+    (open..closer).all(|at| !class::is_directive(outline.class(at))).then_some(closer + 1)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::source::Sources;
+    use crate::syntax::lint::{Lints, lint};
 
     fn reported(text: &str) -> Vec<String> {
-        let (sources, names) = (Sources::default(), Names::default());
+        let sources = Sources::default();
         let file = sources.add("a", None, text.into()).unwrap();
-        lint_portability(&sources, &names, &[file]).iter().map(|d| sources.snippet(d.span()).to_string()).collect()
+        let lints = Lints { portable: true, ..Lints::default() };
+        lint(&sources, &[file], lints).iter().map(|d| sources.snippet(d.span()).to_string()).collect()
     }
 
     // POV-Ray 3.7 rejects each of these.

@@ -1,9 +1,9 @@
 //! The rules of [`super`].
 
-use super::declared::Kind;
-use super::{Walk, is_directive, value};
+use super::declared::DeclaredKind;
+use super::{Check, is_keyword, value};
 use crate::diagnostic::Label;
-use crate::syntax::class;
+use crate::syntax::class::{self, is_directive};
 use crate::syntax::word::{self, GROUPS, SHAPES};
 
 /// Blocks with numbers and words, in which POV-Ray accepts no comma before a word and none at the end.
@@ -43,55 +43,57 @@ const PAINT_WORDS: &[&str] = &[
 /// Patterns with lists, after whose last entry it accepts a comma.
 const LISTS: &[&str] = &["checker", "hexagon", "brick", "square", "triangular", "cubic", "object", "tiles"];
 
-impl Walk<'_> {
+impl Check<'_> {
     /// Applies the rules to a token.
     pub(super) fn judge(&mut self, at: usize) {
-        match self.text.class(at) {
+        match self.outline.class(at) {
             class::COMMA => self.comma(at),
             class::SEMICOLON => self.semicolon(at),
             class::VECTOR | class::NUMBER => self.bare_value(at),
             class::DECLARE => self.declaration(at),
             class::NAME => self.name(at),
-            class::KEYWORD | class::HEAD if self.text.word(at) == "array" => self.array_without_size(at),
-            class::STRING if at > 0 && self.text.word(at - 1) == "ttf" => self.font(at),
+            class::KEYWORD | class::HEAD if self.outline.word(at) == "array" => self.array_without_size(at),
+            class::STRING if at > 0 && self.outline.word(at - 1) == "ttf" => self.font(at),
             class::KEYWORD => self.addition(at),
             _ => {}
         }
     }
 
     fn comma(&mut self, at: usize) {
-        let Some(open) = self.open.last().copied() else {
+        let mut brackets = self.brackets(at);
+        let Some(open) = brackets.next() else {
             // Between statements; the context of a macro's body is unknown.
-            if self.text.before(at) == class::BRACE_END && self.is_statement(at) {
+            if self.outline.before(at) == class::BRACE_END && self.is_statement(at) {
                 self.report(at, "POV-Ray accepts no comma between objects".into(), "leave it out");
             }
             return;
         };
-        if open.class == class::BRACKET {
+        if open.bracket == b'[' {
             // `array[2, 3]`, `A[1, 2]`; a map's entry is in brackets too.
-            if open.at > 0 && (self.text.word(open.at - 1) == "array" || self.text.class(open.at - 1) == class::NAME) {
+            if self.outline.head(open) == "array" || self.outline.before(open.opener) == class::NAME {
                 let message = "POV-Ray needs each index in brackets of its own";
                 self.report(at, message.into(), "write `[2][3]` for `[2, 3]`");
             }
             return;
         }
-        let Some(block) = self.block() else { return };
-        let next = self.text.class(at + 1);
+        let Some(block) = self.block(at) else { return };
+        let next = self.outline.class(at + 1);
         // Text that a directive inserts there may need it.
-        if is_directive(next) || is_directive(self.text.before(at)) {
+        if is_directive(next) || is_directive(self.outline.before(at)) {
             return;
         }
         // `pigment { object { … } }` is a list of pigments.
-        let outer = self.open.iter().rev().nth(1).map_or("", |outer| outer.word);
+        let outer = brackets.next().map_or("", |outer| self.outline.head(outer));
         if block == "object" && matches!(outer, "pigment" | "normal" | "texture" | "density") {
             return;
         }
-        let modifies = self.text.is_keyword(at + 1) && MODIFIERS.contains(&self.text.word(at + 1));
-        let in_row = ROWS.contains(&block) && self.text.before(at) == class::BRACE_END;
+        let modifies = is_keyword(self.outline, at + 1) && MODIFIERS.contains(&self.outline.word(at + 1));
+        let in_row = ROWS.contains(&block) && self.outline.before(at) == class::BRACE_END;
         if PAINTS.contains(&block) {
-            let begins = self.text.is_keyword(at + 1) && (modifies || PAINT_WORDS.contains(&self.text.word(at + 1)));
+            let begins =
+                is_keyword(self.outline, at + 1) && (modifies || PAINT_WORDS.contains(&self.outline.word(at + 1)));
             // A macro that is called before it may contain a list.
-            let listed = self.text.before(at) == class::PAREN_END || self.has_list(at);
+            let listed = self.outline.before(at) == class::PAREN_END || self.has_list(at);
             if (begins || next == class::BRACE_END) && !listed {
                 self.report(at, format!("in `{block} {{ … }}`, POV-Ray accepts no comma here"), "leave it out");
             }
@@ -111,27 +113,27 @@ impl Walk<'_> {
 
     /// True if the open block has a pattern with a list before this token.
     fn has_list(&self, at: usize) -> bool {
-        let start = self.open.last().map_or(0, |open| open.at);
-        (start..at).any(|i| self.text.class(i) == class::NAME || LISTS.contains(&self.text.word(i)))
+        let start = self.brackets(at).next().map_or(0, |open| open.opener);
+        (start..at).any(|i| self.outline.class(i) == class::NAME || LISTS.contains(&self.outline.word(i)))
     }
 
     fn semicolon(&mut self, at: usize) {
-        match self.open.last() {
+        match self.brackets(at).next() {
             // `#end;`
-            None if self.text.before(at) == class::END && self.begins_statement(at - 1) => {
+            None if self.outline.before(at) == class::END && self.begins_statement(at - 1) => {
                 self.report(at, "POV-Ray accepts no `;` after `#end`".into(), "leave it out");
             }
             // `M();`, where M's last word is none that a `;` may follow
-            None if self.text.before(at) == class::PAREN_END && self.macros.is_empty() && self.calls_objects(at) => {
+            None if self.outline.before(at) == class::PAREN_END && !self.in_macro(at) && self.calls_objects(at) => {
                 let message = "POV-Ray accepts no `;` after this macro, which ends with a block";
                 self.report(at, message.into(), "leave it out");
             }
-            None if self.text.before(at) == class::BRACE_END && self.is_statement(at) => {
+            None if self.outline.before(at) == class::BRACE_END && self.is_statement(at) => {
                 self.report(at, "POV-Ray accepts no `;` after an object".into(), "leave it out");
             }
             // `#include "a.inc";`
-            None if self.text.before(at) == class::STRING && self.macros.is_empty() && at > 1 => {
-                let directive = self.text.word(at - 2);
+            None if self.outline.before(at) == class::STRING && !self.in_macro(at) && at > 1 => {
+                let directive = self.outline.word(at - 2);
                 if matches!(
                     directive.trim_start_matches('#'),
                     "include" | "debug" | "warning" | "render" | "statistics"
@@ -139,9 +141,11 @@ impl Walk<'_> {
                     self.report(at, format!("POV-Ray accepts no `;` after `{directive}`"), "leave it out");
                 }
             }
-            Some(open) if open.class == class::BRACE && !open.directed && STRICT.contains(&open.word) => {
-                let message = format!("in `{} {{ … }}`, POV-Ray accepts no `;`", open.word);
-                self.report(at, message, "leave it out");
+            // A directive inside of the block may insert the `;`'s statement.
+            Some(open) if self.directive < Some(open.opener) => {
+                if let Some(block) = self.block(at).filter(|block| STRICT.contains(block)) {
+                    self.report(at, format!("in `{block} {{ … }}`, POV-Ray accepts no `;`"), "leave it out");
+                }
             }
             _ => {}
         }
@@ -149,48 +153,38 @@ impl Walk<'_> {
 
     /// True if the directive that ends with this `#end` begins at the start of a statement, and not in a value.
     fn begins_statement(&self, end: usize) -> bool {
-        let Some(head) = self.partner(end, class::opens_body, |class| class == class::END) else { return false };
+        let Some(head) = self.outline.closed_by(end).map(|pair| pair.opener) else { return false };
         head == 0
-            || self.text.class(head - 1) == class::SEMICOLON
-            || self.text.class(head - 1) == class::BRACE_END && self.is_statement(head)
+            || self.outline.class(head - 1) == class::SEMICOLON
+            || self.outline.class(head - 1) == class::BRACE_END && self.is_statement(head)
     }
 
     /// True if a call of a macro that ends with an object ends before this token, where a statement may begin.
     fn calls_objects(&self, at: usize) -> bool {
-        let opener = self.partner(at - 1, |class| class == class::PAREN, |class| class == class::PAREN_END);
-        let Some(name) = opener.and_then(|opener| opener.checked_sub(1)) else { return false };
-        let before = self.text.before(name);
+        let Some(name) = self.outline.closed_by(at - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
+            return false;
+        };
+        let before = self.outline.before(name);
         let starts = matches!(before, 0 | class::SEMICOLON | class::END)
             || before == class::BRACE_END && self.is_statement(name);
-        starts && self.text.symbol(name).is_some_and(|name| self.declared.ends_with_block(name))
+        starts && self.outline.class(name) == class::NAME && self.declared.ends_with_block(self.outline.word(name))
     }
 
     /// True if the block that ends before this token is a statement: neither a value, nor a part of a macro or a
     /// branch.
     fn is_statement(&self, at: usize) -> bool {
-        let Some(brace) = self.partner(at - 1, |class| class == class::BRACE, |class| class == class::BRACE_END) else {
+        let Some(head) = self.outline.closed_by(at - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
         };
-        let word = brace.checked_sub(1).map_or("", |head| self.text.word(head));
-        let before = brace.checked_sub(2).map_or(0, |before| self.text.class(before));
+        let (word, before) = (self.outline.word(head), self.outline.before(head));
         let known = is_object(word) || word == "light_source" || word == "camera";
         // (After `=` it is a value, after a comma or `(` an argument.)
         known && matches!(before, 0 | class::BRACE_END | class::SEMICOLON)
     }
 
-    /// The opener of the construct that ends with this token.
-    fn partner(&self, end: usize, opens: impl Fn(u8) -> bool, closes: impl Fn(u8) -> bool) -> Option<usize> {
-        let mut depth = 0;
-        (0..=end).rev().find(|&at| {
-            let class = self.text.class(at);
-            depth += i32::from(closes(class)) - i32::from(opens(class));
-            opens(class) && depth == 0
-        })
-    }
-
     /// Checks for a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
     fn bare_value(&mut self, at: usize) {
-        let is_vector = self.text.class(at) == class::VECTOR;
+        let is_vector = self.outline.class(at) == class::VECTOR;
         if self.begins_pigment(at) || is_vector && self.is_map_entry(at) {
             let what = if is_vector { "vector" } else { "number" };
             self.report(at, format!("POV-Ray accepts no {what} for a colour here"), "write `rgb` before it");
@@ -199,75 +193,80 @@ impl Walk<'_> {
 
     /// True if the token is the first one in a pigment's braces.
     fn begins_pigment(&self, at: usize) -> bool {
-        self.block() == Some("pigment") && self.open.last().is_some_and(|open| open.at + 1 == at)
+        let open = self.brackets(at).next();
+        self.block(at) == Some("pigment") && open.is_some_and(|open| open.opener + 1 == at)
     }
 
     /// True if the token follows the number of an entry of a map of colours.
     fn is_map_entry(&self, at: usize) -> bool {
-        let mut outwards = self.open.iter().rev();
+        let mut outwards = self.brackets(at);
         let (Some(entry), Some(map)) = (outwards.next(), outwards.next()) else { return false };
-        entry.class == class::BRACKET
-            && entry.at + 2 == at
-            && self.text.class(entry.at + 1) == class::NUMBER
-            && matches!(map.word, "color_map" | "colour_map" | "pigment_map")
+        entry.bracket == b'['
+            && entry.opener + 2 == at
+            && self.outline.class(entry.opener + 1) == class::NUMBER
+            && matches!(self.outline.head(map), "color_map" | "colour_map" | "pigment_map")
     }
 
     /// Checks for an array without a size, `array { 1, 2 }`.
     fn array_without_size(&mut self, at: usize) {
-        if self.text.class(at + 1) == class::BRACE {
+        if self.outline.class(at + 1) == class::BRACE {
             self.report(at, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");
         }
     }
 
     fn declaration(&mut self, at: usize) {
-        if self.text.class(at + 1) == class::PAREN {
+        if self.outline.class(at + 1) == class::PAREN {
             let message = "POV-Ray 3.7 declares one name at a time";
             return self.report(at + 1, message.into(), "write a `#declare` for each name");
         }
-        if self.declared.is_old || self.text.class(at + 1) != class::NAME {
+        if self.declared.is_old || self.outline.class(at + 1) != class::NAME {
             return;
         }
-        let Some(equal) = (at + 2..self.text.len()).find(|&i| self.text.class(i) == class::EQUAL) else { return };
+        let Some(equal) = (at + 2..self.outline.tokens.len()).find(|&i| self.outline.class(i) == class::EQUAL) else {
+            return;
+        };
         // Between the name and the equal sign are only indices.
-        let indices = (at + 2..equal).all(|i| !is_directive(self.text.class(i)) && self.text.class(i) != class::BRACE);
-        let Some(end) = value::end(self.text, equal + 1).filter(|_| indices) else { return };
-        let next = self.text.class(end);
-        let goes_on = self.text.is_keyword(end) && !self.text.word(end).is_empty() && next != class::FUNCTION;
+        let indices =
+            (at + 2..equal).all(|i| !is_directive(self.outline.class(i)) && self.outline.class(i) != class::BRACE);
+        let Some(end) = value::end(self.outline, equal + 1).filter(|_| indices) else { return };
+        let next = self.outline.class(end);
+        let goes_on = is_keyword(self.outline, end) && !self.outline.word(end).is_empty() && next != class::FUNCTION;
         // (The token that ends a macro may precede the `;` of its call.)
         let ends_branch = matches!(next, class::END | class::ELSE | class::ELSEIF | class::CASE | class::RANGE)
-            && self.macros.last() != Some(&class::MACRO);
+            && !self.directives(at).next().is_some_and(|inner| self.outline.is_macro(inner));
         if matches!(next, 0 | class::DECLARE | class::PLAIN)
             || ends_branch
-            || goes_on && is_statement_word(self.text.word(end))
+            || goes_on && is_statement_word(self.outline.word(end))
         {
-            let name = self.text.word(at + 1);
+            let name = self.outline.word(at + 1);
             let message = format!("POV-Ray needs a `;` after the value of `{name}`");
             self.report(at + 1, message, format!("`#declare {name} = …;`"));
-            let behind = self.text.span(end - 1).end();
+            let behind = self.outline.token_span(end - 1).end();
             let label = Label { span: behind, text: super::MISSING_SEMICOLON.into() };
-            self.out.last_mut().into_iter().for_each(|told| told.labels.push(label.clone()));
+            self.out.last_mut().into_iter().for_each(|d| d.labels.push(label.clone()));
         }
     }
 
     fn name(&mut self, at: usize) {
-        let next = self.text.class(at + 1);
+        let next = self.outline.class(at + 1);
         let calls = matches!(next, class::PAREN | class::BRACKET | class::EQUAL | class::DOT);
-        let before = self.text.before(at);
+        let before = self.outline.before(at);
         let said =
             matches!(before, class::EQUAL | class::COMMA | class::PLUS | class::MINUS | class::TIMES | class::OVER);
         if calls || said || is_directive(before) {
             return self.addition(at);
         }
         let is_color = self.begins_pigment(at) || self.is_map_entry(at);
-        let block = self.block().unwrap_or("");
-        let kind = self.text.symbol(at).and_then(|symbol| self.declared.kind(symbol));
-        let name = self.text.word(at);
-        match kind {
-            Some(Kind::Block(of)) if is_object(block) && self.text.word(at.saturating_sub(1)) != "transform" => {
+        let block = self.block(at).unwrap_or("");
+        let name = self.outline.word(at);
+        match self.declared.kind(name) {
+            Some(DeclaredKind::Block(of))
+                if is_object(block) && self.outline.word(at.saturating_sub(1)) != "transform" =>
+            {
                 let message = format!("POV-Ray takes the name of a `{of}` only inside of `{of} {{ … }}`");
                 self.report(at, message, format!("write `{of} {{ {name} }}`"));
             }
-            Some(Kind::Vector) if is_color => {
+            Some(DeclaredKind::Vector) if is_color => {
                 let message = format!("`{name}` is a vector, and POV-Ray accepts no vector for a colour here");
                 self.report(at, message, format!("write `rgb {name}`"));
             }
@@ -277,12 +276,13 @@ impl Walk<'_> {
 
     /// Checks for a word that only durer has.
     fn addition(&mut self, at: usize) {
-        let Some(block) = self.block() else { return };
-        let name = self.text.word(at);
+        let (Some(block), Some(open)) = (self.block(at), self.brackets(at).next()) else { return };
+        let name = self.outline.word(at);
         let own = word::contextual(block).contains(&name);
-        let is_named = self.text.symbol(at).is_some_and(|symbol| self.declared.kind(symbol).is_some());
-        if own && !is_named && !self.open.last().is_some_and(|open| open.told) {
-            self.open.iter_mut().for_each(|open| open.told = true);
+        // One message for each block is enough.
+        let is_reported = self.addition > Some(open.opener);
+        if own && self.declared.kind(name).is_none() && !is_reported {
+            self.addition = Some(at);
             let help = match block {
                 "camera" => "`camera { location … look_at … angle … }` is what both know",
                 "mesh" => "triangles that are written out are what both know",
@@ -294,7 +294,7 @@ impl Walk<'_> {
 
     /// A font by its family: a file's name usually has no blanks, or an ending.
     fn font(&mut self, at: usize) {
-        if self.text.word(at).contains(' ') && !self.text.word(at).contains('.') {
+        if self.outline.word(at).contains(' ') && !self.outline.word(at).contains('.') {
             let help = "`ttf \"file.ttf\"` is what both know";
             self.report(at, "only durer finds fonts by the names of their families".into(), help);
         }

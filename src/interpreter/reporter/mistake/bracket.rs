@@ -2,14 +2,14 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::interpreter::reporter::Reporter;
-use crate::syntax::blame;
+use crate::syntax::{Outline, blame};
 
 impl Reporter<'_> {
     /// The error for a `}` before the fault that ends a block too early; another `}` further down is then surplus.
     pub fn closed_early(&mut self, fault: &Diagnostic) -> Option<Diagnostic> {
         let sources = self.inputs.sources;
         let (file, range) = sources.locate(fault.span())?;
-        let look = || blame::early_brace(sources.text(file), sources.base(file)).map(Box::new);
+        let look = || blame::early_brace(&Outline::read(sources, file)).map(Box::new);
         let d = self.mistakes.early.entry(file).or_insert_with(look).as_deref()?.clone();
         let (_, early) = self.inputs.sources.locate(d.span())?;
         (early.start <= range.start).then_some(d)
