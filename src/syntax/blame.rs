@@ -6,7 +6,8 @@ use super::outline::{Line, Outline, Pair};
 use super::word::{self, SHAPES};
 use crate::diagnostic::{Diagnostic, codes};
 
-/// Returns the braces of a text in order: token, line, and the pair that an opening brace opens.
+/// Returns the braces of a text in order: index of the token, line, and the pair of an opening brace. The line of an
+/// opening brace is that of the word before the brace.
 fn braces(outline: &Outline) -> impl Iterator<Item = (usize, Line, Option<&Pair>)> {
     let is_brace = |&token: &usize| matches!(outline.word(token), "{" | "}");
     (0..outline.tokens.len()).filter(is_brace).map(|token| {
@@ -32,7 +33,7 @@ enum Sign<'o> {
 
 /// The brace that most probably has no end, if there is an indication.
 pub fn open_brace(outline: &Outline) -> Option<Diagnostic> {
-    // Each `}` closes the last `{`, also beyond the bodies of directives.
+    // Match each `}` with the last `{`, also across the bodies of directives.
     let mut stack: Vec<(&Pair, Line)> = vec![];
     let mut blamed = None;
     for (token, line, opened) in braces(outline) {

@@ -15,7 +15,7 @@ impl Outline {
     pub fn new(text: &str, tokens: &Tokens) -> Self {
         let range = |start: u32, end: u32| start as usize..end as usize;
         let classes = tokens.tokens.iter().zip(&tokens.classes);
-        // Empty tokens stand for missing `#end`s.
+        // The lexer adds an empty token for each missing `#end`.
         let written = classes.filter(|(token, _)| token.start < token.end);
         let outline = Outline {
             text: text.into(),

@@ -28,7 +28,7 @@ pub enum TokenKind {
     Sign,
 }
 
-/// Token of a scene's text; a comment is none.
+/// Token of a scene's text. Comments are not tokens.
 #[derive(Clone, Debug)]
 pub struct Token {
     /// Byte range of the token in the text.
@@ -46,7 +46,7 @@ pub struct Token {
 pub struct Pair {
     /// Character that opens the pair: `{`, `(`, `[`, `<` of a vector, or `#`. Vectors of plain numbers are no pairs.
     pub bracket: u8,
-    /// Byte range of the word directly before the bracket (empty if there is none), or of the directive's word.
+    /// Byte range of the word directly before the bracket, or of the directive's word; empty without such a word.
     pub head: Range<usize>,
     /// Byte range from the opening token to the end of the closing one. An unclosed pair extends to the end of the
     /// token that closes an enclosing pair, or of the text.
@@ -192,10 +192,11 @@ impl Outline {
         self.enclosing(scope).filter(|&pair| self.is_macro(&self.pairs[pair])).find(owns)
     }
 
-    /// Returns the names of the parameters of the macro that a declaration defines; none for another declaration.
-    pub fn parameters(&self, of: &Declaration) -> impl Iterator<Item = &str> {
-        let own = self.declarations.iter().filter(move |d| d.whole.start == of.whole.start);
-        own.filter(|d| d.kind == DeclarationKind::Parameter).map(|d| d.name.as_str())
+    /// Returns the names of the parameters of a macro. `definition` is the declaration of the macro's name.
+    pub fn parameters(&self, definition: &Declaration) -> impl Iterator<Item = &str> {
+        let first = self.declarations.partition_point(|d| d.range.start <= definition.range.start);
+        let start = definition.whole.start;
+        self.declarations[first..].iter().take_while(move |d| d.whole.start == start).map(|d| d.name.as_str())
     }
 
     /// Returns the line that contains a byte offset.
@@ -292,8 +293,8 @@ mod tests {
         let outline = outline(text);
         let row = |d: &Declaration| {
             assert_eq!(d.name, outline.slice(&d.range));
-            let parameters: Vec<_> = outline.parameters(d).collect();
-            let parameters = if d.kind == DeclarationKind::Macro { parameters.join("+") } else { String::new() };
+            let is_macro = d.kind == DeclarationKind::Macro;
+            let parameters = if is_macro { outline.parameters(d).collect() } else { vec![] }.join("+");
             format!("{:?} {}: {} {parameters}", d.kind, number(d.scope), outline.slice(&d.whole))
         };
         outline.declarations.iter().map(row).collect()
@@ -315,7 +316,7 @@ mod tests {
         let words = [Category::Function, Category::Constant].map(Word);
         let rest = [Name, Name, Word(Category::Keyword), Sign, String, Number, Number, Sign];
         assert_eq!(kinds, [&[Directive], &words[..], &rest].concat());
-        assert_eq!(outline.comments, [45..52]);
+        assert_eq!(outline.comments.iter().map(|one| outline.slice(one)).collect::<Vec<_>>(), ["/* c */"]);
     }
 
     #[test]

@@ -48,7 +48,7 @@ impl<'a> Declared<'a> {
         for d in &outline.declarations {
             match d.kind {
                 DeclarationKind::Declare | DeclarationKind::Local => self.add(&d.name, kind_of(outline, d)),
-                // These may be of any kind.
+                // A parameter or a counter may be of any kind.
                 DeclarationKind::Parameter | DeclarationKind::Counter => self.add(&d.name, DeclaredKind::Unknown),
                 DeclarationKind::Macro => *self.macros.entry(&d.name).or_insert(true) &= is_block_macro(outline, d),
             }
@@ -71,7 +71,7 @@ fn is_block_macro(outline: &Outline, d: &Declaration) -> bool {
 
 /// The kind of a declaration's value.
 fn kind_of(outline: &Outline, d: &Declaration) -> DeclaredKind {
-    // (The next token is `=`.)
+    // The first token after the name is `=`.
     let value = outline.first_token(d.range.end) + 1;
     let end = match outline.class(value) {
         class::VECTOR => after_partner(outline, value),

@@ -141,7 +141,7 @@ impl Check<'_> {
                     self.report(at, format!("POV-Ray accepts no `;` after `{directive}`"), "leave it out");
                 }
             }
-            // A directive inside of the block may insert the `;`'s statement.
+            // After a directive in the same brackets, the `;` may belong to the directive.
             Some(open) if self.directive < Some(open.opener) => {
                 if let Some(block) = self.block(at).filter(|block| STRICT.contains(block)) {
                     self.report(at, format!("in `{block} {{ … }}`, POV-Ray accepts no `;`"), "leave it out");
