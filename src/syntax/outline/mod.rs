@@ -398,6 +398,8 @@ mod tests {
 
     #[test]
     fn tokens_have_neighbours_and_pairs() {
+        // A closing token belongs to its own pair, also after an unclosed bracket.
+        assert_eq!(outline("a { ( }").closed_by(3).map(|pair| pair.opener), Some(1));
         // The tokens: `#if ( 1 ) a { b } #end`.
         let outline = outline("#if (1) a { b } #end");
         let around = |token: usize| outline.pairs_around(token).map(|pair| outline.head(pair)).collect::<Vec<_>>();
