@@ -9,11 +9,11 @@ use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Operator, Sign};
 use crate::texture::tell_bytes;
 use crate::value::words::word;
-use crate::value::{Next, Reader, ValueKind, Vocabulary};
+use crate::value::{Next, Reader, Spec, ValueKind};
 
 /// Words of the outermost level, except shapes.
-pub const STATEMENTS: Vocabulary = Vocabulary {
-    block: "scene",
+pub const STATEMENTS: Spec = Spec {
+    name: "scene",
     summary: "what stands in a scene outside of all braces",
     words: &[
         word(
@@ -40,9 +40,9 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
         word("include", ValueKind::Nothing, "", "`#include`, likewise"),
         word("max_trace_level", ValueKind::Float, "", "of old scenes: as in `global_settings`"),
     ],
-    has_transforms: false,
     ignored: &["max_intersections"],
     unsupported: &["media", "radiosity", "photons"],
+    ..Spec::EMPTY
 };
 
 impl Interpreter<'_> {
@@ -254,5 +254,5 @@ impl Interpreter<'_> {
 }
 
 fn statement_names() -> Vec<&'static str> {
-    STATEMENTS.names().into_iter().chain(crate::shape::SPECS.iter().map(|s| s.name)).collect()
+    STATEMENTS.word_names().into_iter().chain(crate::shape::SPECS.iter().map(|s| s.name)).collect()
 }

@@ -59,8 +59,8 @@ pub fn of_block(block: &str) -> Vec<WordInfo> {
     if let Some(spec) = shape(block) {
         add(&mut out, spec.words);
     }
-    let named = if block.is_empty() { interpreter::STATEMENTS.block } else { block };
-    for table in BLOCKS.iter().map(|block| block.words).filter(|table| table.block == named) {
+    let named = if block.is_empty() { interpreter::STATEMENTS.name } else { block };
+    for table in BLOCKS.iter().map(|block| block.words).filter(|table| table.name == named) {
         add(&mut out, table.words);
         if table.has_transforms {
             add(&mut out, TRANSFORMS);
@@ -122,11 +122,11 @@ pub fn explain(word: &str, block: &str) -> Vec<String> {
         add(form(spec), false);
     }
     for table in BLOCKS.iter().map(|block| block.words) {
-        if table.block == word {
+        if table.name == word {
             add(format!("`{word} {{ … }}`: {}", table.summary), false);
         }
-        for row in table.words.iter().filter(|row| row.name == word && table.block != block) {
-            add(format!("in `{}`: {}", table.block, describe(&row.into())), false);
+        for row in table.words.iter().filter(|row| row.name == word && table.name != block) {
+            add(format!("in `{}`: {}", table.name, describe(&row.into())), false);
         }
     }
     for row in interpreter::COLOR_WORDS.iter().chain(TRANSFORMS).filter(|row| row.name == word) {

@@ -24,8 +24,8 @@ impl Readable for Agate {
     const SPEC: Spec = Spec {
         name: "agate",
         summary: "twisted bands; `octaves`, `lambda` and `omega` shape them too",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =

@@ -19,8 +19,7 @@ impl Readable for Aoi {
     const SPEC: Spec = Spec {
         name: "aoi",
         summary: "the angle at which the ray meets the surface: 0.5 grazing, 1 head on",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

@@ -14,12 +14,8 @@ use serde::Serialize;
 pub struct Boxed {}
 
 impl Readable for Boxed {
-    const SPEC: Spec = Spec {
-        name: "boxed",
-        summary: "falls from 1 at the origin to 0 at the faces of a cube",
-        params: &[],
-        words: &[],
-    };
+    const SPEC: Spec =
+        Spec { name: "boxed", summary: "falls from 1 at the origin to 0 at the faces of a cube", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

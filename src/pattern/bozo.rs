@@ -16,7 +16,7 @@ use serde::Serialize;
 pub struct Bozo {}
 
 impl Readable for Bozo {
-    const SPEC: Spec = Spec { name: "bozo", summary: "smooth noise, as clouds are made of", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "bozo", summary: "smooth noise, as clouds are made of", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -25,8 +25,8 @@ impl Readable for Brick {
     const SPEC: Spec = Spec {
         name: "brick",
         summary: "bricks in mortar; the first colour is the mortar's",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

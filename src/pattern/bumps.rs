@@ -16,7 +16,7 @@ pub struct Bumps {}
 
 impl Readable for Bumps {
     const SPEC: Spec =
-        Spec { name: "bumps", summary: "as `bozo`, but for its colours; in a normal, bumps", params: &[], words: &[] };
+        Spec { name: "bumps", summary: "as `bozo`, but for its colours; in a normal, bumps", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

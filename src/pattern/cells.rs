@@ -15,8 +15,7 @@ use serde::Serialize;
 pub struct RandomCells {}
 
 impl Readable for RandomCells {
-    const SPEC: Spec =
-        Spec { name: "cells", summary: "unit cubes, each with a random number", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "cells", summary: "unit cubes, each with a random number", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

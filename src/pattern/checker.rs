@@ -16,7 +16,7 @@ use serde::Serialize;
 pub struct Checker {}
 
 impl Readable for Checker {
-    const SPEC: Spec = Spec { name: "checker", summary: "cubes of two kinds in turns", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "checker", summary: "cubes of two kinds in turns", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -27,7 +27,7 @@ pub struct Crackle {
 
 impl Readable for Crackle {
     const SPEC: Spec =
-        Spec { name: "crackle", summary: "cells of random shape", params: &[], words: specs!(Self::WORDS) };
+        Spec { name: "crackle", summary: "cells of random shape", words: specs!(Self::WORDS), ..Spec::EMPTY };
 
     const WORDS: &'static [Row<Self>] = &[
         word(

@@ -16,12 +16,8 @@ use serde::Serialize;
 pub struct Cubic {}
 
 impl Readable for Cubic {
-    const SPEC: Spec = Spec {
-        name: "cubic",
-        summary: "six pyramids that meet at the origin: +x, +y, +z, -x, -y, -z",
-        params: &[],
-        words: &[],
-    };
+    const SPEC: Spec =
+        Spec { name: "cubic", summary: "six pyramids that meet at the origin: +x, +y, +z, -x, -y, -z", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

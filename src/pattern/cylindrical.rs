@@ -16,7 +16,7 @@ pub struct Cylindrical {}
 
 impl Readable for Cylindrical {
     const SPEC: Spec =
-        Spec { name: "cylindrical", summary: "falls from 1 on the y axis to 0 one unit away", params: &[], words: &[] };
+        Spec { name: "cylindrical", summary: "falls from 1 on the y axis to 0 one unit away", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

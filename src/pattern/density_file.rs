@@ -54,6 +54,7 @@ impl Readable for DensityFile {
             Param { name: "file", kind: ValueKind::Text, summary: "the file's name" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =

@@ -15,8 +15,7 @@ use serde::Serialize;
 pub struct Dents {}
 
 impl Readable for Dents {
-    const SPEC: Spec =
-        Spec { name: "dents", summary: "noise to the third power; in a normal, dents", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "dents", summary: "noise to the third power; in a normal, dents", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -31,8 +31,8 @@ impl Readable for Facets {
     const SPEC: Spec = Spec {
         name: "facets",
         summary: "surfaces that are cut like a gem; for normals only",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

@@ -221,6 +221,7 @@ impl Readable for Mandel {
         summary: "the Mandelbrot set in the xy plane",
         params: &[ITERATIONS],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[
@@ -282,6 +283,7 @@ impl Readable for Julia {
         summary: "a Julia set in the xy plane",
         params: &[JULIA, ITERATIONS],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[
@@ -332,6 +334,7 @@ impl Readable for Magnet {
             ITERATIONS,
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

@@ -31,8 +31,7 @@ impl Readable for FunctionPattern {
     const SPEC: Spec = Spec {
         name: "function",
         summary: "a formula of x, y and z in braces, as in `#declare F = function { … }`",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -26,7 +26,7 @@ impl Readable for Gradient {
             kind: ValueKind::Vector,
             summary: "the direction; its length does not matter",
         }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

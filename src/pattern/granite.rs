@@ -15,7 +15,7 @@ use serde::Serialize;
 pub struct Granite {}
 
 impl Readable for Granite {
-    const SPEC: Spec = Spec { name: "granite", summary: "grains of all sizes", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "granite", summary: "grains of all sizes", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -16,7 +16,7 @@ use serde::Serialize;
 pub struct Hexagon {}
 
 impl Readable for Hexagon {
-    const SPEC: Spec = Spec { name: "hexagon", summary: "six-sided prisms of three kinds", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "hexagon", summary: "six-sided prisms of three kinds", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -15,7 +15,7 @@ use serde::Serialize;
 pub struct Leopard {}
 
 impl Readable for Leopard {
-    const SPEC: Spec = Spec { name: "leopard", summary: "round spots in rows", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "leopard", summary: "round spots in rows", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -20,8 +20,7 @@ impl Readable for Marble {
     const SPEC: Spec = Spec {
         name: "marble",
         summary: "bands across x, back and forth; of `turbulence` only the first number counts",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

@@ -33,7 +33,7 @@ impl Readable for ObjectPattern {
         name: "object",
         summary: "inside and outside of an object; both in its braces, `object { Thing color A, color B }`, A is outside",
         params: &[Param { name: "object", kind: ValueKind::Block, summary: "any object with an inside" }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -14,8 +14,7 @@ use serde::Serialize;
 pub struct Onion {}
 
 impl Readable for Onion {
-    const SPEC: Spec =
-        Spec { name: "onion", summary: "shells around the origin, one in each unit", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "onion", summary: "shells around the origin, one in each unit", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -59,7 +59,7 @@ impl Readable for PigmentPattern {
         name: "pigment_pattern",
         summary: "the brightness of a pigment in braces",
         params: &[Param { name: "pigment", kind: ValueKind::Block, summary: "any pigment" }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

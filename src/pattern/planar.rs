@@ -15,7 +15,7 @@ pub struct Planar {}
 
 impl Readable for Planar {
     const SPEC: Spec =
-        Spec { name: "planar", summary: "falls from 1 in the xz plane to 0 one unit away", params: &[], words: &[] };
+        Spec { name: "planar", summary: "falls from 1 in the xz plane to 0 one unit away", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -26,7 +26,7 @@ const PART: f64 = 0.577350269;
 
 impl Readable for Quilted {
     const SPEC: Spec =
-        Spec { name: "quilted", summary: "unit cubes with soft seams", params: &[], words: specs!(Self::WORDS) };
+        Spec { name: "quilted", summary: "unit cubes with soft seams", words: specs!(Self::WORDS), ..Spec::EMPTY };
 
     const WORDS: &'static [Row<Self>] = &[
         word("control0", ValueKind::Float, "1", "the slope in the middle, 0 to 1")

@@ -17,8 +17,7 @@ use std::f64::consts::TAU;
 pub struct Radial {}
 
 impl Readable for Radial {
-    const SPEC: Spec =
-        Spec { name: "radial", summary: "once around the y axis, from +x over -z", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "radial", summary: "once around the y axis, from +x over -z", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -20,8 +20,7 @@ impl Readable for Ripples {
     const SPEC: Spec = Spec {
         name: "ripples",
         summary: "rings of equal waves; `frequency` makes them shorter and `phase` moves them",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

@@ -55,7 +55,7 @@ impl Readable for Slope {
             },
             Param { name: "low, high", kind: ValueKind::Float, summary: "which slopes give 0 and 1" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -15,7 +15,7 @@ pub struct Spherical {}
 
 impl Readable for Spherical {
     const SPEC: Spec =
-        Spec { name: "spherical", summary: "falls from 1 at the origin to 0 one unit away", params: &[], words: &[] };
+        Spec { name: "spherical", summary: "falls from 1 at the origin to 0 one unit away", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

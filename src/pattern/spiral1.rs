@@ -27,7 +27,7 @@ pub struct Spiral1 {
 
 impl Readable for Spiral1 {
     const SPEC: Spec =
-        Spec { name: "spiral1", summary: "arms of a spiral around the z axis", params: ARMS, words: &[] };
+        Spec { name: "spiral1", summary: "arms of a spiral around the z axis", params: ARMS, ..Spec::EMPTY };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         Ok(Self { arms: r.float()?.trunc() })

@@ -20,7 +20,7 @@ pub struct Spiral2 {
 
 impl Readable for Spiral2 {
     const SPEC: Spec =
-        Spec { name: "spiral2", summary: "crossed arms of spirals around the z axis", params: ARMS, words: &[] };
+        Spec { name: "spiral2", summary: "crossed arms of spirals around the z axis", params: ARMS, ..Spec::EMPTY };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         Ok(Self { arms: r.float()?.trunc() })

@@ -15,7 +15,7 @@ use serde::Serialize;
 pub struct Spotted {}
 
 impl Readable for Spotted {
-    const SPEC: Spec = Spec { name: "spotted", summary: "as `bozo`, but for its colours", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "spotted", summary: "as `bozo`, but for its colours", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

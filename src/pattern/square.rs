@@ -16,8 +16,7 @@ use serde::Serialize;
 pub struct Square {}
 
 impl Readable for Square {
-    const SPEC: Spec =
-        Spec { name: "square", summary: "rods with square ends, of four kinds", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "square", summary: "rods with square ends, of four kinds", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -16,8 +16,7 @@ use serde::Serialize;
 pub struct Triangular {}
 
 impl Readable for Triangular {
-    const SPEC: Spec =
-        Spec { name: "triangular", summary: "rods with triangular ends, of six kinds", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "triangular", summary: "rods with triangular ends, of six kinds", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -20,8 +20,7 @@ impl Readable for Waves {
     const SPEC: Spec = Spec {
         name: "waves",
         summary: "waves of many lengths; `frequency` makes them shorter and `phase` moves them",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

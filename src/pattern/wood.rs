@@ -18,7 +18,7 @@ pub struct Wood {}
 
 impl Readable for Wood {
     const SPEC: Spec =
-        Spec { name: "wood", summary: "rings around the z axis, back and forth in each unit", params: &[], words: &[] };
+        Spec { name: "wood", summary: "rings around the z axis, back and forth in each unit", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -16,7 +16,7 @@ pub struct Wrinkles {}
 
 impl Readable for Wrinkles {
     const SPEC: Spec =
-        Spec { name: "wrinkles", summary: "noise of all sizes; in a normal, crumpled foil", params: &[], words: &[] };
+        Spec { name: "wrinkles", summary: "noise of all sizes; in a normal, crumpled foil", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

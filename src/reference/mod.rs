@@ -7,14 +7,14 @@ pub use sorts::{Sorts, sorts};
 use crate::medium::INTERIOR;
 use crate::pattern::{CellPattern, FieldPattern, Warp};
 use crate::texture::words::{FINISH, IMAGE_MAP, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
-use crate::value::{Spec, Vocabulary};
+use crate::value::Spec;
 use crate::{atmosphere, camera, interpreter, light, scene, shape};
 
 /// A block and its page in the manual's reference.
 #[derive(Debug)]
 pub struct Block {
     /// Words of the documented block.
-    pub words: &'static Vocabulary,
+    pub words: &'static Spec,
     /// Name of the documented block in Markdown.
     pub name: &'static str,
     /// Page of the block in `docs/src/reference/`.
@@ -32,7 +32,7 @@ pub struct Family {
     pub page: &'static str,
 }
 
-const fn block(words: &'static Vocabulary, name: &'static str, page: &'static str) -> Block {
+const fn block(words: &'static Spec, name: &'static str, page: &'static str) -> Block {
     Block { words, name, page }
 }
 

@@ -38,7 +38,7 @@ pub fn sorts() -> Sorts {
         tables.chain([TRANSFORMS, Modifiers::WORDS]).flatten()
     };
     let objects = sorted(shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
-    let named = BLOCKS.iter().flat_map(|block| block.words.unsupported.iter().copied().chain([block.words.block]));
+    let named = BLOCKS.iter().flat_map(|block| block.words.unsupported.iter().copied().chain([block.words.name]));
     // `function` is part of the grammar itself.
     let named = named.chain(UNSUPPORTED_BLOCKS.iter().copied()).chain(["function"]);
     let with_braces = rows().filter(|row| row.kind == ValueKind::Block).map(|row| row.name);

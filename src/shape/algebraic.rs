@@ -253,6 +253,7 @@ impl<const FORM: usize> Readable for Algebraic<FORM> {
         ][FORM],
         params: [&[COEFFICIENTS] as &[Param], &[COEFFICIENTS], &[ORDER, COEFFICIENTS], &[ORDER]][FORM],
         words: if FORM == 3 { &[TERM, STURM] } else { &[STURM] },
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = if FORM == 3 { Self::TERMS } else { Self::STURM };

@@ -129,7 +129,6 @@ impl Readable for Blob {
     const SPEC: Spec = Spec {
         name: "blob",
         summary: "fields of balls and rods that flow into each other",
-        params: &[],
         words: &[
             word("threshold", ValueKind::Float, "1", "how strong the field is on the surface"),
             word(
@@ -141,6 +140,7 @@ impl Readable for Blob {
             word("cylinder", ValueKind::Block, "", "a rod with round ends: both ends, radius and strength"),
             word("component", ValueKind::Float, "", "an older way to write a ball: strength, radius, centre"),
         ],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

@@ -43,6 +43,7 @@ impl Readable for Cone {
             Param { name: "cap_radius", kind: ValueKind::Float, summary: "the radius there; 0 makes a tip" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[OPEN.sets(|s, _| set(&mut s.0.open, Ok(true)))];

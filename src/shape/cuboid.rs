@@ -63,7 +63,7 @@ impl Readable for Cuboid {
             Param { name: "corner_1", kind: ValueKind::Vector, summary: "any corner" },
             Param { name: "corner_2", kind: ValueKind::Vector, summary: "the corner opposite to it" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

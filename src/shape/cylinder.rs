@@ -37,6 +37,7 @@ impl Readable for Cylinder {
             Param { name: "radius", kind: ValueKind::Float, summary: "its sign does not matter" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[OPEN.sets(|s, _| set(&mut s.0.open, Ok(true)))];

@@ -51,7 +51,7 @@ impl Readable for Disc {
                 summary: "of the hole in its middle; may be left out",
             },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

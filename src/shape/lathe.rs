@@ -59,6 +59,7 @@ impl Readable for Lathe {
             Param { name: "points", kind: ValueKind::Vectors, summary: "distance from the axis, and height" },
         ],
         words: &joined::<5>(&KINDS, specs!(Self::WORDS)),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[super::algebraic::STURM.sets(|_, r| r.flag().map(drop))];

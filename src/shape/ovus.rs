@@ -114,6 +114,7 @@ impl Readable for Ovus {
             Param { name: "top_radius", kind: ValueKind::Float, summary: "of the ball around the top of that one" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[super::algebraic::STURM.sets(|_, r| r.flag().map(drop))];

@@ -80,6 +80,7 @@ impl Readable for Plane {
             Param { name: "distance", kind: ValueKind::Float, summary: "from the origin along the normal" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

@@ -134,7 +134,7 @@ impl Readable for Polygon {
             Param { name: "number_of_points", kind: ValueKind::Float, summary: "how many follow, at least three" },
             Param { name: "points", kind: ValueKind::Vectors, summary: "repeating the first one closes an outline" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

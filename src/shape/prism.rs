@@ -169,6 +169,7 @@ impl Readable for Prism {
             },
         ],
         words: &joined::<8>(&joined::<6>(&KINDS, &SWEEPS), specs!(Self::WORDS)),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

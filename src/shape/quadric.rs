@@ -132,7 +132,7 @@ impl Readable for Quadric {
             Param { name: "<G, H, I>", kind: ValueKind::Vector, summary: "of x, y and z" },
             Param { name: "J", kind: ValueKind::Float, summary: "added to all that; it is negative inside" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -56,7 +56,7 @@ impl Readable for SmoothTriangle {
             Param { name: "corner_3", kind: ValueKind::Vector, summary: "third corner" },
             Param { name: "normal_3", kind: ValueKind::Vector, summary: "the surface's direction there" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

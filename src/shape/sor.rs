@@ -76,6 +76,7 @@ impl Readable for Sor {
             },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

@@ -29,7 +29,7 @@ impl Readable for Sphere {
             Param { name: "center", kind: ValueKind::Vector, summary: "its middle" },
             Param { name: "radius", kind: ValueKind::Float, summary: "the distance; its sign does not matter" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

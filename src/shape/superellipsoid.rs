@@ -316,7 +316,7 @@ impl Readable for Superellipsoid {
             kind: ValueKind::Vector2,
             summary: "how round: near 0 square, 1 round, 2 pointed; around z, and towards z",
         }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -141,7 +141,7 @@ impl Readable for Text {
             Param { name: "depth", kind: ValueKind::Float, summary: "how far the letters reach along z" },
             Param { name: "offset", kind: ValueKind::Vector, summary: "added between one letter and the next" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -131,6 +131,7 @@ impl Readable for Torus {
             Param { name: "minor", kind: ValueKind::Float, summary: "the radius of the rim" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =

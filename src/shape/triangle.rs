@@ -84,7 +84,7 @@ impl Readable for Triangle {
             Param { name: "corner_2", kind: ValueKind::Vector, summary: "second corner" },
             Param { name: "corner_3", kind: ValueKind::Vector, summary: "third corner" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

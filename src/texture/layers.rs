@@ -156,7 +156,7 @@ impl Texture {
                     draft.parts = Some(list);
                 }
             }
-            _ => return Err(r.unknown_word("texture", &TEXTURE.names()).into()),
+            _ => return Err(r.unknown_word_in(&TEXTURE)),
         }
         Ok(())
     }

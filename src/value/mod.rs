@@ -17,4 +17,3 @@ pub use reader::{BuildMesh, FloatOrColor, Language, Next, Reader, ReaderExt, Siz
 pub use shared_default::{SharedDefault, StaticDefault};
 pub use spec::{Param, Spec, ValueKind, WordSpec};
 pub use unsupported::Unsupported;
-pub use words::Vocabulary;

@@ -167,7 +167,7 @@ pub(super) fn finishes() -> String {
     use crate::medium::INTERIOR;
     use texture::words::{FINISH, IRID, NORMAL, REFLECTION, TEXTURE};
     let blocks = [&TEXTURE, &NORMAL, &FINISH, &REFLECTION, &IRID, &INTERIOR];
-    blocks.map(|block| section(block, block.block, &[])).concat()
+    blocks.map(|block| section(block, block.name, &[])).concat()
 }
 
 pub(super) fn settings() -> String {

@@ -310,7 +310,7 @@ fn block_usage(word: &str) -> String {
 /// The block that takes a word; the most likely one of several.
 fn home_of(word: &str) -> Option<&'static str> {
     let homes = [&INTERIOR, &FINISH, &PIGMENT, &POVRAY, &SETTINGS, &LIGHT];
-    homes.into_iter().find(|table| table.has_effect(word)).map(|table| table.block)
+    homes.into_iter().find(|table| table.has_effect(word)).map(|table| table.name)
 }
 
 /// Lists the first twelve words in backticks.

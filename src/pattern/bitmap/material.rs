@@ -24,7 +24,7 @@ impl Readable for MaterialMap {
         name: "material_map",
         summary: "the numbers of a picture's palette choose among textures; all stand in its braces",
         params: &[Param { name: "file", kind: ValueKind::Text, summary: "a picture file's name" }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     /// Reads up to the first texture; the block stays open.

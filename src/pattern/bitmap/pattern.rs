@@ -57,7 +57,7 @@ impl Readable for ImagePattern {
         name: "image_pattern",
         summary: "the brightness of a picture; file and words stand in braces",
         params: &[Param { name: "file", kind: ValueKind::Text, summary: "a picture file's name" }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

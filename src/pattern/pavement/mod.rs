@@ -84,8 +84,8 @@ impl Readable for Pavement {
     const SPEC: Spec = Spec {
         name: "pavement",
         summary: "tiles of several triangles, squares or hexagons, with numbers up to 1 at the joints",
-        params: &[],
         words: specs!(PavementWords::ROWS),
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

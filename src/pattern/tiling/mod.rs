@@ -335,7 +335,7 @@ impl Readable for Tiling {
         name: "tiling",
         summary: "ways to tile the xz plane; a tile of kind i of n has numbers from i/n in its middle to (i + 1)/n at its edges",
         params: &[Param { name: "number", kind: ValueKind::Float, summary: "which tiling, 1 to 27" }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -41,6 +41,7 @@ impl Readable for BlackHole {
             Param { name: "radius", kind: ValueKind::Float, summary: "how far it reaches" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

@@ -60,8 +60,8 @@ impl Readable for CylindricalWarp {
     const SPEC: Spec = Spec {
         name: "cylindrical",
         summary: "lays the pattern's xy plane around the y axis",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =
@@ -90,8 +90,8 @@ impl Readable for SphericalWarp {
     const SPEC: Spec = Spec {
         name: "spherical",
         summary: "lays the unit square of the pattern's xy plane around the origin",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =
@@ -127,8 +127,8 @@ impl Readable for ToroidalWarp {
     const SPEC: Spec = Spec {
         name: "toroidal",
         summary: "lays the unit square of the pattern's xy plane around a ring",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[
@@ -177,7 +177,7 @@ impl Readable for PlanarWarp {
             },
             Param { name: "distance", kind: ValueKind::Float, summary: "how far from the origin the plane lies" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -204,8 +204,7 @@ impl Readable for CubicWarp {
     const SPEC: Spec = Spec {
         name: "cubic",
         summary: "lays the unit square of the pattern's xy plane around a cube about the origin",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

@@ -80,7 +80,7 @@ impl Warp {
             match r.next()? {
                 Next::End => return Ok(warp),
                 next if warp.read_own(next, r)? => {}
-                _ => return Err(r.unknown_word("warp", &warp.spec().word_names().collect::<Vec<_>>()).into()),
+                _ => return Err(r.unknown_word("warp", &warp.spec().word_names()).into()),
             }
         }
     }

@@ -35,6 +35,7 @@ impl Readable for Repeat {
             summary: "from one slice to the next; only one of its three numbers may differ from 0",
         }],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

@@ -22,6 +22,7 @@ impl Readable for TurbulenceWarp {
         summary: "displaces points at random",
         params: &[Param { name: "amount", kind: ValueKind::Vector, summary: "how far points are displaced" }],
         words: TurbulenceParams::WORDS,
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

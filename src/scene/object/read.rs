@@ -181,8 +181,8 @@ impl Object {
                 read => read?,
             };
             if !read {
-                let own = shape.as_deref().map(|s| s.spec().word_names().collect::<Vec<_>>()).unwrap_or_default();
-                let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.names()).collect();
+                let own = shape.as_deref().map(|s| s.spec().word_names()).unwrap_or_default();
+                let words = [own, MODIFIERS.word_names()].concat();
                 let fault = r.unknown_word(self.word, &words);
                 skip_color(next, fault, r)?;
             }

@@ -153,6 +153,7 @@ impl Readable for BicubicPatch {
             word("flatness", ValueKind::Float, "0", "pieces are not halved that no point pulls further than this"),
             word("uv_vectors", ValueKind::Vectors, "", "surface coordinates of the four corners, for `uv_mapping`"),
         ],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -137,6 +137,7 @@ impl Readable for HeightField {
             summary: "a picture file's name, or `function W, H { … }` with the numbers of heights across and deep",
         }],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

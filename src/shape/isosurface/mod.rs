@@ -232,6 +232,7 @@ impl Readable for Isosurface {
             &[word("contained_by", ValueKind::Block, "box { -1, 1 }", "a box or a sphere in braces, at which it ends")],
             specs!(Self::WORDS),
         ),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

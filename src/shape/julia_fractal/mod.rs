@@ -242,6 +242,7 @@ impl Readable for JuliaFractal {
             }
             words
         },
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

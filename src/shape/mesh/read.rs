@@ -77,7 +77,6 @@ impl Readable for Mesh {
     const SPEC: Spec = Spec {
         name: "mesh",
         summary: "triangles that are one object",
-        params: &[],
         words: &[
             word(
                 "triangle",
@@ -89,6 +88,7 @@ impl Readable for Mesh {
             FILE,
             INSIDE_VECTOR,
         ],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
@@ -216,7 +216,6 @@ impl Readable for Mesh2 {
     const SPEC: Spec = Spec {
         name: "mesh2",
         summary: "triangles that are one object, written as lists",
-        params: &[],
         words: &[
             word("vertex_vectors", ValueKind::Block, "", "how many, and the corners"),
             word(
@@ -247,6 +246,7 @@ impl Readable for Mesh2 {
             ),
             INSIDE_VECTOR,
         ],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

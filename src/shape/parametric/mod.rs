@@ -119,6 +119,7 @@ impl Readable for Parametric {
             ],
             specs!(Self::WORDS),
         ),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

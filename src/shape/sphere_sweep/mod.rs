@@ -156,6 +156,7 @@ impl Readable for SphereSweep {
             },
         ],
         words: &joined::<4>(&KINDS, specs!(Self::WORDS)),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =
