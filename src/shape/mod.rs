@@ -197,8 +197,7 @@ impl Shape {
 /// Adds a usage line to the diagnostic of a missing argument.
 fn with_usage(mut fault: Fault, spec: &Spec) -> Fault {
     if fault.code == codes::EXPECTED && fault.help.is_none() {
-        let names: Vec<&str> = spec.params.iter().map(|p| p.name).collect();
-        fault.help = Some(format!("it is written `{} {{ {} … }}`", spec.name, names.join(", ")));
+        fault.help = Some(format!("it is written `{}`", spec.block_usage()));
     }
     fault
 }

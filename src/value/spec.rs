@@ -96,6 +96,18 @@ impl Spec {
         let words = first.iter().chain(transforms).chain(rest).map(|w| w.name);
         words.chain(self.ignored.iter().copied()).chain(self.unsupported.iter().copied()).collect()
     }
+
+    /// Returns the syntax of a form without braces, such as `gradient orientation`.
+    pub fn usage(&self) -> String {
+        self.params.iter().fold(self.name.to_string(), |usage, param| usage + " " + param.name)
+    }
+
+    /// Returns the syntax of a form with braces, such as `box { corner_1, corner_2 … }`.
+    pub fn block_usage(&self) -> String {
+        let params: Vec<_> = self.params.iter().map(|p| p.name).collect();
+        let space = if params.is_empty() { "" } else { " " };
+        format!("{} {{ {}{space}… }}", self.name, params.join(", "))
+    }
 }
 
 #[cfg(test)]

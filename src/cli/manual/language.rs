@@ -19,9 +19,7 @@ pub(super) fn shapes() -> String {
 }
 
 fn shape_section(spec: &Spec) -> String {
-    let params = spec.params.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
-    let mut text =
-        format!("## {}\n\n`{} {{ {params} … }}`: {}.\n\n", spec.name, spec.name, spec.summary.trim_end_matches('.'));
+    let mut text = format!("## {}\n\n`{}`: {}.\n\n", spec.name, spec.block_usage(), spec.summary.trim_end_matches('.'));
     if !spec.params.is_empty() {
         let row = |p: &crate::value::Param| [p.name.to_string(), kind(p.kind).into(), p.summary.into()];
         text += &table(["in this order", "is a", ""], spec.params.iter().map(row));
@@ -154,9 +152,7 @@ fn pictures() -> String {
 }
 
 fn pattern_section(spec: &Spec) -> String {
-    let params = spec.params.iter().map(|p| format!(" {}", p.name)).collect::<String>();
-    let summary = spec.summary;
-    let mut text = format!("## {}\n\n{}: {summary}.\n\n", spec.name, code(&format!("{}{params}", spec.name)));
+    let mut text = format!("## {}\n\n{}: {}.\n\n", spec.name, code(&spec.usage()), spec.summary);
     if !spec.words.is_empty() {
         text += &word_table(spec.words, &[]);
     }

@@ -208,7 +208,7 @@ impl Interpreter<'_> {
         let d = refused(&word, span, block, takes);
         let near = did_you_mean(&word, takes.iter().copied());
         if let Some(spec) = SPECS.iter().find(|spec| spec.name == block && spec.params.iter().any(|p| p.name == word)) {
-            let help = format!("it is written `{}`, and takes {}", block_usage(spec.name), list(takes));
+            let help = format!("it is written `{}`, and takes {}", spec.block_usage(), list(takes));
             return d.help(help);
         }
         let home =
@@ -298,10 +298,7 @@ fn value_after(word: &str) -> (String, String) {
 /// Returns the syntax of the block `word` for a message.
 fn block_usage(word: &str) -> String {
     match SPECS.iter().find(|spec| spec.name == word) {
-        Some(spec) => {
-            let names: Vec<&str> = spec.params.iter().map(|p| p.name).collect();
-            format!("{word} {{ {} … }}", names.join(", "))
-        }
+        Some(spec) => spec.block_usage(),
         None if word == "pigment" => "pigment { rgb <r, g, b> }".into(),
         None => format!("{word} {{ … }}"),
     }
