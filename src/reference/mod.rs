@@ -46,6 +46,7 @@ impl Entry {
 pub const BLOCKS: &[Entry] = &[
     Entry::block(&interpreter::STATEMENTS, "the scene", "scene.md"),
     Entry::block(&scene::words::MODIFIERS, "objects", "objects.md"),
+    Entry::block(&scene::PHOTONS, "`photons` of objects", "objects.md#photons"),
     Entry::block(&camera::words::POVRAY, "`camera`", "cameras.md"),
     Entry::block(&camera::words::LECTURE, "durer's own `camera`", "cameras.md"),
     Entry::block(&light::words::LIGHT, "`light_source`", "lights.md"),

@@ -2,6 +2,8 @@
 
 use super::{Thing, Value, VecN};
 use crate::color::Color;
+use crate::diagnostic::{Diagnostic, codes};
+use crate::source::Span;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// A word, a value or a block. `area_light x*4, z*4, 5, 5` serializes as `{"area_light": [[4, 0, 0], [0, 0, 4], 5,
@@ -25,6 +27,11 @@ pub enum Unsupported {
     Declared(&'static str),
     /// A word with its block or the values after it. `[ … ]` has the word `entry`, `{ … }` the word `group`.
     Block(&'static str, Box<[Unsupported]>),
+}
+
+/// Returns the warning that a word or block of the scene has no effect yet.
+pub fn unsupported_warning(word: &str, at: Span) -> Diagnostic {
+    Diagnostic::new(codes::UNSUPPORTED, at, format!("`{word}` is not supported yet and has no effect"))
 }
 
 impl Unsupported {
