@@ -5,11 +5,12 @@ use super::{Interpreter, reporter::hints};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::scene::{Object, is_object, read_camera};
+use crate::shape::Shape;
 use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Operator, Sign};
 use crate::texture::tell_bytes;
 use crate::value::words::word;
-use crate::value::{Next, Reader, Spec, ValueKind};
+use crate::value::{Family, Next, Reader, Spec, ValueKind};
 
 /// Words of the outermost level, except shapes.
 pub const STATEMENTS: Spec = Spec {
@@ -254,5 +255,5 @@ impl Interpreter<'_> {
 }
 
 fn statement_names() -> Vec<&'static str> {
-    STATEMENTS.word_names().into_iter().chain(crate::shape::SPECS.iter().map(|s| s.name)).collect()
+    STATEMENTS.word_names().into_iter().chain(Shape::SPECS.iter().map(|s| s.name)).collect()
 }

@@ -6,14 +6,14 @@ use crate::interpreter;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
 use crate::reference::{BLOCKS, ELSEWHERE, entries, members};
 use crate::scene::words::MODIFIERS;
-use crate::shape;
+use crate::shape::Shape;
 use crate::syntax::word::{CONSTANTS, GROUPS};
 use crate::value::words::{TRANSFORMS, word};
-use crate::value::{Spec, ValueKind, WordSpec};
+use crate::value::{Family, Spec, ValueKind, WordSpec};
 
 /// Returns the table of words for a shape.
 pub fn shape(name: &str) -> Option<&'static Spec> {
-    shape::SPECS.iter().find(|spec| spec.name == name).copied()
+    Shape::spec_of(name)
 }
 
 fn add(out: &mut Vec<WordSpec>, more: impl IntoIterator<Item = WordSpec>) {
@@ -42,7 +42,7 @@ pub fn of_block(block: &str) -> Vec<WordSpec> {
         }
     }
     if holds_objects {
-        add(&mut out, names(shape::SPECS));
+        add(&mut out, names(Shape::SPECS));
         add(&mut out, interpreter::STATEMENTS.words.iter().copied().filter(|word| GROUPS.contains(&word.name)));
     }
     let mut tables: Vec<&[WordSpec]> = vec![];

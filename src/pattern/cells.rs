@@ -4,10 +4,10 @@
 //! box { 0, <4, 3, 2> pigment { cells color_map { [0 color rgb <0.2, 0.1, 0.6>] [1 color rgb <1, 0.9, 0.4>] } scale 0.999 } }
 //! ```
 
-use super::{EDGE, Field, Readable, TextureContext};
+use super::{EDGE, Field, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise::Cell;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Cubes of random numbers.

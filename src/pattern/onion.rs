@@ -4,9 +4,9 @@
 //! box { <-1, -1, 0>, 1 pigment { onion color_map { [0 color rgb <0.5, 0.2, 0.4>] [1 color rgb <1, 0.9, 0.9>] } scale 0.3 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// `onion`: spherical shells around the origin.

@@ -2,7 +2,7 @@
 
 use super::{
     CellPattern, Cells, Field, FieldParams, FieldPattern, LocalBounds, Modifiers, Pattern, PatternKind, Step,
-    TextureContext, TurbulenceParams, Warp, local_bounds::stretch,
+    TextureContext, TurbulenceParams, Warp, local_bounds::stretch, warp::Bend,
 };
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator, Turbulence};

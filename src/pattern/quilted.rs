@@ -5,11 +5,11 @@
 //!   color_map { [0 color rgb <1, 0.9, 0.8>] [0.6 color rgb <0.4, 0, 0.2>] } scale 0.5 } }
 //! ```
 
-use super::{Field, FieldParams, Readable, TextureContext};
+use super::{Field, FieldParams, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Reader, Spec, ValueKind};
+use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Unit cubes with rounded edges: the number falls towards the seams.

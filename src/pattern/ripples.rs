@@ -5,10 +5,10 @@
 //! ```
 
 use super::waves::{Source, sources};
-use super::{Field, FieldParams, Readable, TextureContext};
+use super::{Field, FieldParams, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 

@@ -4,9 +4,9 @@
 //! box { <-1, -1, 0>, <1, 1, 1> pigment { spherical color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Falls from 1 at the origin to 0 one unit away.

@@ -5,10 +5,10 @@
 //! ```
 
 use super::spiral1::{ARMS, shift, thread};
-use super::{Field, FieldParams, Readable, TextureContext, Wave};
+use super::{Field, FieldParams, TextureContext, Wave};
 use crate::diagnostic::Result;
 use crate::math::fp;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// A spiral over rings.

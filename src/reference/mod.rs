@@ -6,9 +6,10 @@ pub use sorts::{Sorts, sorts};
 
 use crate::medium::INTERIOR;
 use crate::pattern::{CellPattern, FieldPattern, Warp};
+use crate::shape::Shape;
 use crate::texture::words::{FINISH, IMAGE_MAP, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
-use crate::value::Spec;
-use crate::{atmosphere, camera, interpreter, light, scene, shape};
+use crate::value::{Family, Spec};
+use crate::{atmosphere, camera, interpreter, light, scene};
 
 /// A block of the language with its section in the manual's reference.
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +69,7 @@ pub const BLOCKS: &[Entry] = &[
 /// Documented shapes, patterns and warps.
 pub fn members() -> impl Iterator<Item = Entry> {
     let families = [
-        ("shape", true, "shapes.md", shape::SPECS),
+        ("shape", true, "shapes.md", Shape::SPECS),
         ("pattern", false, "pigments.md", CellPattern::SPECS),
         ("pattern", false, "pigments.md", FieldPattern::SPECS),
         ("warp", false, "pigments.md", Warp::SPECS),

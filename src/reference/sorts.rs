@@ -3,11 +3,11 @@
 use super::{BLOCKS, entries};
 use crate::interpreter::{UNSUPPORTED_BLOCKS, directives};
 use crate::pattern::Modifiers;
-use crate::shape;
+use crate::shape::Shape;
 use crate::syntax::word::{CONSTANTS, FUNCTIONS, GROUPS, KEYWORDS};
 use crate::syntax::{continues, opens};
-use crate::value::ValueKind;
 use crate::value::words::TRANSFORMS;
+use crate::value::{Family, ValueKind};
 
 /// Words by kind, each list in alphabetical order. No word is in two of the first five lists.
 #[derive(Debug)]
@@ -33,7 +33,7 @@ pub struct Sorts {
 /// Sorts all words of the language by kind.
 pub fn sorts() -> Sorts {
     let rows = || entries().map(|entry| entry.spec.words).chain([TRANSFORMS, Modifiers::WORDS]).flatten();
-    let objects = sorted(shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
+    let objects = sorted(Shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
     let named = BLOCKS.iter().flat_map(|block| block.spec.unsupported.iter().copied().chain([block.spec.name]));
     // `function` is part of the grammar itself.
     let named = named.chain(UNSUPPORTED_BLOCKS.iter().copied()).chain(["function"]);

@@ -13,11 +13,11 @@
 
 use super::spline::{Curve, Interpolation, KINDS, product, read_points, single_row};
 use super::turned::Walls;
-use super::{Hit, Hits, Kernel, Readable, moved_box, nearest};
+use super::{Hit, Hits, Kernel, moved_box, nearest};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::value::words::{Row, joined, specs};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A curve that is rotated about the y axis.

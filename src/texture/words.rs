@@ -7,7 +7,7 @@ use super::pigment::Pigment;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers};
 use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
-use crate::value::{ReaderExt, Spec, WordSpec};
+use crate::value::{Family, ReaderExt, Spec, WordSpec};
 
 /// The contents of a `pigment` with braces of its own.
 const PIGMENT_PARTS: &[WordSpec] = &[

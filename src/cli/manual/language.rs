@@ -2,19 +2,20 @@
 
 use super::{code, kind, list, section, table, word_table};
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
+use crate::shape::Shape;
 use crate::syntax::word::contextual;
-use crate::value::Spec;
 use crate::value::words::TRANSFORMS;
-use crate::{atmosphere, camera, interpreter, light, scene, shape, texture};
+use crate::value::{Family, Spec};
+use crate::{atmosphere, camera, interpreter, light, scene, texture};
 
 pub(super) fn scene() -> String {
-    let shapes = list(shape::SPECS.iter().map(|s| s.name));
+    let shapes = list(Shape::SPECS.iter().map(|s| s.name));
     section(&interpreter::STATEMENTS, "Outside of all braces", &[]) + &format!("[Shapes](shapes.md): {shapes}.\n")
 }
 
 pub(super) fn shapes() -> String {
     let intro = "Behind what is listed here, every shape takes what [any object](objects.md) takes.\n\n";
-    let each = shape::SPECS.iter().map(|spec| shape_section(spec)).collect::<String>();
+    let each = Shape::SPECS.iter().map(|spec| shape_section(spec)).collect::<String>();
     intro.to_string() + &each
 }
 

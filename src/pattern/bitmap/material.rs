@@ -4,8 +4,8 @@ use super::{Bitmap, Mapping, Texels, word_names};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::pattern::{Cells, Readable};
-use crate::value::{Next, Param, Reader, Spec, ValueKind};
+use crate::pattern::Cells;
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A picture whose palette indices choose textures.

@@ -9,12 +9,12 @@
 mod grid;
 mod plans;
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Next, Reader, Spec, ValueKind};
+use crate::value::{Next, Readable, Reader, Spec, ValueKind};
 use grid::{Cells, Corner, H, Plan};
 use serde::Serialize;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};

@@ -8,10 +8,10 @@
 mod penrose;
 mod seams;
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use penrose::Penrose;
 use seams::value_on_seam;
 use serde::Serialize;

@@ -5,12 +5,12 @@
 //! sphere { 0, 1 pigment { checker color rgb 1, color rgb <0.6, 0, 0> scale 1/8 warp { spherical } } }
 //! ```
 
-use super::super::{Cells, Cubic, Readable};
+use super::super::{Cells, Cubic};
 use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Next, Param, Reader, Spec, ValueKind, WordSpec};
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
