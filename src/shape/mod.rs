@@ -8,8 +8,6 @@ mod cone;
 mod cuboid;
 mod cylinder;
 mod disc;
-mod formula;
-mod frustum;
 mod height_field;
 mod isosurface;
 mod julia_fractal;
@@ -20,22 +18,17 @@ mod ovus;
 mod parametric;
 mod plane;
 mod polygon;
-mod pov_bounds;
 mod prism;
 mod quadric;
-mod quirks;
+mod shared;
 mod smooth_triangle;
 mod sor;
 mod sphere;
 mod sphere_sweep;
-mod spline;
 mod superellipsoid;
-#[cfg(test)]
-mod testing;
 mod text;
 mod torus;
 mod triangle;
-mod turned;
 
 pub use algebraic::{Algebraic, Cubic, Poly, Polynomial, Quartic};
 pub use bicubic_patch::BicubicPatch;
@@ -44,32 +37,34 @@ pub use cone::Cone;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
-pub use formula::{Container, Formula};
-pub use frustum::Frustum;
 pub use height_field::HeightField;
 pub use isosurface::Isosurface;
 pub use julia_fractal::{Algebra, Function, JuliaFractal};
-use kernel::nearest;
-pub use kernel::{Crossing, End, HalfSpace, HalfSpaces, Hit, Hits, Kernel, TextureWeights};
+#[cfg(test)]
+use kernel::testing;
+pub use kernel::{
+    Bounding, Crossing, End, HUGE, HalfSpace, HalfSpaces, Hit, Hits, Kernel, Quirks, TextureWeights, moved_box,
+};
+use kernel::{nearest, pov_bounds};
 pub use lathe::Lathe;
 pub use mesh::{Face, Mesh, Mesh2, TriangleMesh};
 pub use ovus::Ovus;
 pub use parametric::Parametric;
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
-pub use pov_bounds::{HUGE, moved_box};
 pub use prism::Prism;
 pub use quadric::Quadric;
-pub use quirks::{Bounding, Quirks};
+pub use shared::{Container, Curve, Formula, Frustum, Interpolation};
 pub use smooth_triangle::SmoothTriangle;
 pub use sor::Sor;
 pub use sphere::Sphere;
 pub use sphere_sweep::{SphereSweep, Sweep};
-pub use spline::{Curve, Interpolation};
 pub use superellipsoid::Superellipsoid;
 pub use text::Text;
 pub use torus::Torus;
 pub use triangle::Triangle;
+
+use shared::{formula, frustum, spline, turned};
 
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::image_io::Picture;

@@ -1,11 +1,11 @@
 //! For tests of shapes: all hits in order, and a reader of numbers and words without an interpreter.
 
-use super::{Hit, Hits, Kernel, Paints};
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use crate::mesh_io::MeshMaterial;
+use crate::shape::{Hit, Hits, Kernel, Paints};
 use crate::source::Span;
 use crate::value::{FloatOrColor, Language, Next, Readable, Reader, Solid, Thing, Unsupported, Value, VecN};
 use std::collections::VecDeque;

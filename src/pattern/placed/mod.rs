@@ -1,6 +1,17 @@
 //! A pattern with its space and parameters: the common part of pigments, normals and textures.
 
-use super::{CellPattern, Field, FieldPattern, FunctionPattern, Modifiers, Space, TurbulenceParams, Warp};
+mod local_bounds;
+mod modifiers;
+mod program;
+mod space;
+mod turbulence;
+
+pub use modifiers::{Modifiers, Wave};
+pub use program::PatternProgram;
+pub use space::{Space, Step};
+pub use turbulence::TurbulenceParams;
+
+use super::{CellPattern, Field, FieldPattern, FunctionPattern, Warp};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::math::noise::NoiseGenerator;

@@ -1,6 +1,14 @@
 //! The interface of all shapes, in object space: bounds, hits, inside, normal, uv.
 
-use super::{Face, Paints, Quirks, Shape, moved_box};
+pub mod pov_bounds;
+mod quirks;
+#[cfg(test)]
+pub mod testing;
+
+pub use pov_bounds::{HUGE, moved_box};
+pub use quirks::{Bounding, Quirks};
+
+use super::{Face, Paints, Shape};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform};
 use crate::value::{Next, Reader};
@@ -32,7 +40,7 @@ impl Hit {
 pub type Hits = smallvec::SmallVec<[Hit; 4]>;
 
 /// Returns the hit with the smallest `t`.
-pub(super) fn nearest(hits: &Hits) -> Option<Hit> {
+pub fn nearest(hits: &Hits) -> Option<Hit> {
     hits.iter().min_by(|a, b| a.t.total_cmp(&b.t)).copied()
 }
 
