@@ -3,7 +3,7 @@
 use super::{Frame, bmp, netpbm, radiance, tga, tiff_palette};
 use crate::color::transfer;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
-use crate::source::{Files, ReadError, Span};
+use crate::source::{Activity, Files, ReadError, Span};
 use exr::prelude::{ReadChannels, ReadLayers, ReadSpecificChannel};
 use image::{DynamicImage, ImageFormat, ImageReader};
 use std::io::Cursor;
@@ -56,6 +56,7 @@ pub fn decode_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
 
 /// Decodes the bytes of a picture file (E0007).
 pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
+    let _activity = Activity::begin("while a picture was decoded");
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
     decode_any(bytes, ending).map_err(|reason| {
         let reason = reason.lines().next().unwrap_or_default();
