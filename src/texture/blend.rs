@@ -6,7 +6,7 @@ use super::doubts::tell_falling;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::cancel;
 use crate::pattern::{CellPattern, Cells, Pattern, PatternKind};
-use crate::value::{Next, Reader, ReaderExt, Thing};
+use crate::value::{Family, Next, Reader, ReaderExt, Thing};
 use serde::Serialize;
 use smallvec::SmallVec;
 use std::sync::Arc;

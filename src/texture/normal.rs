@@ -168,7 +168,7 @@ impl Normal {
                     Relief::Normals(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.averages())?)));
                 r.leave()?;
             }
-            _ => return Err(r.unknown_word("normal", &NORMAL.names()).into()),
+            _ => return Err(r.unknown_word_in(&NORMAL)),
         }
         Ok(())
     }

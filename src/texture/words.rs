@@ -7,7 +7,7 @@ use super::pigment::Pigment;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers};
 use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
-use crate::value::{ReaderExt, Spec, Vocabulary, WordSpec};
+use crate::value::{Family, ReaderExt, Spec, WordSpec};
 
 /// The contents of a `pigment` with braces of its own.
 const PIGMENT_PARTS: &[WordSpec] = &[
@@ -31,13 +31,13 @@ pub(super) const PIGMENT_ROWS: &[Row<Pigment>] = &[
 ];
 
 /// `pigment { … }`, except colours, patterns and [`Modifiers::WORDS`].
-pub const PIGMENT: Vocabulary = Vocabulary {
-    block: "pigment",
+pub const PIGMENT: Spec = Spec {
+    name: "pigment",
     summary: "the colour of every point: one colour, or a pattern with its colours",
     words: &joined::<{ PIGMENT_PARTS.len() + PIGMENT_ROWS.len() }>(PIGMENT_PARTS, specs!(PIGMENT_ROWS)),
     has_transforms: true,
     ignored: &["no_bump_scale"],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// The readers of [`IMAGE_MAP`]'s words.
@@ -49,13 +49,11 @@ pub(super) const IMAGE_MAP_ROWS: &[Row<Clearness>] = &[
 ];
 
 /// `image_map { … }`, except the words of all pictures ([`bitmap::WORDS`](crate::pattern::bitmap::WORDS)).
-pub const IMAGE_MAP: Vocabulary = Vocabulary {
-    block: "image_map",
+pub const IMAGE_MAP: Spec = Spec {
+    name: "image_map",
     summary: "a picture as the colours of a surface",
     words: specs!(IMAGE_MAP_ROWS),
-    has_transforms: false,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// All words of a pigment, including those of colours and patterns.
@@ -64,12 +62,12 @@ pub fn pigment_names() -> Vec<&'static str> {
     let specs = || CellPattern::SPECS.iter().chain(FieldPattern::SPECS);
     let patterns = specs().map(|s| s.name).chain(Modifiers::WORDS.iter().map(|w| w.name));
     let own = specs().flat_map(|s: &&Spec| s.word_names());
-    colors.into_iter().chain(patterns).chain(PIGMENT.names()).chain(own).collect()
+    colors.into_iter().chain(patterns).chain(PIGMENT.word_names()).chain(own).collect()
 }
 
 /// `texture { … }`
-pub const TEXTURE: Vocabulary = Vocabulary {
-    block: "texture",
+pub const TEXTURE: Spec = Spec {
+    name: "texture",
     summary: "what a surface looks like; several in a row are layers, the last on top",
     words: &[
         word("pigment", Block, "black", "its colour"),
@@ -82,8 +80,7 @@ pub const TEXTURE: Vocabulary = Vocabulary {
         word("tiles", Block, "", "of old scenes: a checker of two textures, `tiles { texture … tile2 texture … }`"),
     ],
     has_transforms: true,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// The contents of a `normal` with braces of its own.
@@ -109,13 +106,12 @@ pub(super) const NORMAL_ROWS: &[Row<Normal>] = &[
 ];
 
 /// `normal { … }`, except patterns and their words.
-pub const NORMAL: Vocabulary = Vocabulary {
-    block: "normal",
+pub const NORMAL: Spec = Spec {
+    name: "normal",
     summary: "bumps that only light sees: a pattern and how deep it seems, `normal { bumps 0.5 }`",
     words: &joined::<{ NORMAL_PARTS.len() + NORMAL_ROWS.len() }>(NORMAL_PARTS, specs!(NORMAL_ROWS)),
     has_transforms: true,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// The readers of [`FINISH`]'s words.
@@ -176,13 +172,13 @@ pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
 ];
 
 /// `finish { … }`
-pub const FINISH: Vocabulary = Vocabulary {
-    block: "finish",
+pub const FINISH: Spec = Spec {
+    name: "finish",
     summary: "how a surface answers to light",
     words: specs!(FINISH_ROWS),
-    has_transforms: false,
     ignored: &["fade_distance", "fade_power"],
     unsupported: &["subsurface"],
+    ..Spec::EMPTY
 };
 
 /// The readers of [`IRID`]'s words.
@@ -193,13 +189,11 @@ pub(super) const IRID_ROWS: &[Row<Irid>] = &[
 ];
 
 /// `finish { irid { … } }`
-pub const IRID: Vocabulary = Vocabulary {
-    block: "irid",
+pub const IRID: Spec = Spec {
+    name: "irid",
     summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
     words: specs!(IRID_ROWS),
-    has_transforms: false,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// The readers of [`REFLECTION`]'s words.
@@ -213,11 +207,9 @@ pub(super) const REFLECTION_ROWS: &[Row<Reflection>] = &[
 ];
 
 /// `finish { reflection { … } }`
-pub const REFLECTION: Vocabulary = Vocabulary {
-    block: "reflection",
+pub const REFLECTION: Spec = Spec {
+    name: "reflection",
     summary: "a mirror: `{ colour }`, or `{ colour seen straight on, colour seen at a slant }`",
     words: specs!(REFLECTION_ROWS),
-    has_transforms: false,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };

@@ -1,8 +1,8 @@
 //! Surfaces of revolution about the y axis: the walls of `lathe` and `sor`.
 
 use super::spline::{blend, blend_slope, product, turns};
-use super::{Hit, Hits};
 use crate::math::{DVec2, DVec3, Range, Ray, bernstein_roots, fp, stable_pair};
+use crate::shape::{Hit, Hits};
 use smallvec::SmallVec;
 
 /// Slope below which a ray counts as level: its hits are all found at one height.

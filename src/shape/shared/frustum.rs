@@ -1,7 +1,7 @@
 //! Common part of `cylinder` and `cone`: a wall around an axis with a linear radius, and two end discs.
 
-use super::{Crossing, End, HalfSpaces, Hit, Hits, nearest, pov_bounds};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair, tolerance};
+use crate::shape::{Crossing, End, HalfSpaces, Hit, Hits, nearest, pov_bounds};
 use crate::value::words::word;
 use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
@@ -174,7 +174,7 @@ impl Frustum {
         }
     }
 
-    /// See [`super::Kernel::pov_bounds`]: the box of a cylinder about the same axis (quirk: `extent_boxes`).
+    /// See [`crate::shape::Kernel::pov_bounds`]: the box of a cylinder about the same axis (quirk: `extent_boxes`).
     pub fn pov_bounds(&self, m: &Transform) -> Aabb {
         let (r, axis) = (self.base_radius.max(self.cap_radius), self.cap - self.base);
         let b = Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, axis.length()) };
@@ -289,9 +289,9 @@ impl Frustum {
 }
 
 /// `open`: without end discs.
-pub(super) const OPEN: WordSpec = word("open", ValueKind::Nothing, "", "takes the discs at the ends away");
+pub const OPEN: WordSpec = word("open", ValueKind::Nothing, "", "takes the discs at the ends away");
 
-/// Implements [`super::Kernel`] for a shape that wraps a frustum.
+/// Implements [`crate::shape::Kernel`] for a shape that wraps a frustum.
 macro_rules! frustum_kernel {
     ($shape:ident) => {
         impl $crate::shape::Kernel for $shape {
@@ -341,4 +341,4 @@ macro_rules! frustum_kernel {
         }
     };
 }
-pub(super) use frustum_kernel;
+pub(crate) use frustum_kernel;
