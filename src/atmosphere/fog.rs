@@ -15,16 +15,16 @@ use crate::value::words::{Row, joined, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary};
 use serde::Serialize;
 
-/// A fog.
+/// Fog of a scene: attenuates light by distance and adds its colour.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fog {
-    /// 2 for ground fog, which is denser below; any other number for uniform fog.
+    /// Type of the fog: 2 for ground fog, which is denser below; any other number for uniform fog.
     pub fog_type: f64,
-    /// Distance over which light falls to 1/e; 0 for no fog.
+    /// Distance in the fog over which light falls to 1/e, in world units; 0 for no fog.
     pub distance: f64,
-    /// Colour; `transmit` is the minimum transmittance, `filter` tints transmitted light.
+    /// Colour of the fog; `transmit` is the minimum transmittance, `filter` tints transmitted light.
     pub color: Color,
-    /// Turbulence of the density.
+    /// Turbulence of the fog's density.
     pub turbulence: TurbulenceParams,
     /// Share of the fog that turbulence can remove.
     pub turb_depth: f64,
@@ -32,7 +32,7 @@ pub struct Fog {
     pub fog_offset: f64,
     /// Height above `fog_offset` at which ground fog has half its density.
     pub fog_alt: f64,
-    /// Upward direction.
+    /// Upward direction for ground fog, in world space.
     pub up: DVec3,
 }
 
@@ -72,7 +72,7 @@ const FOG_ROWS: &[Row<Fog>] = &[
         .sets(|s, r| set(&mut s.turb_depth, r.float())),
 ];
 
-/// `fog { … }`, beside a colour.
+/// Words of a `fog { … }` block, without those of colours.
 pub const FOG: Vocabulary = Vocabulary {
     block: "fog",
     summary: "colour that covers what is far; its `transmit` leaves so much clear, its `filter` colours what is behind",
@@ -83,7 +83,7 @@ pub const FOG: Vocabulary = Vocabulary {
 };
 
 impl Fog {
-    /// Reads what is between the braces.
+    /// Reads the items of a `fog` block.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -114,7 +114,7 @@ impl Fog {
         self.up = by.vector(self.up);
     }
 
-    /// True if the fog has an effect.
+    /// True if the fog has an effect: its distance is not 0.
     pub fn shows(&self) -> bool {
         self.distance != 0.0
     }
@@ -155,7 +155,8 @@ impl Fog {
     }
 }
 
-/// Combines all fogs: the radiances are added, the transmittances are multiplied (quirk: `fogs_add`).
+/// Combines all fogs of a scene along a ray: the radiances are added, the transmittances are multiplied (quirk:
+/// `fogs_add`).
 pub fn segment_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
     fogs.iter().map(|fog| fog.segment(ray, length, noise)).fold(Segment::NONE, |all, one| Segment {
         radiance: all.radiance + one.radiance,

@@ -16,30 +16,30 @@ use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary, WordSpec};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A rainbow. Angles are in radians.
+/// Rainbow of a scene: a coloured arc at a fixed angle to the light. Angles are in radians.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rainbow {
-    /// Direction in which the light shines.
+    /// Direction in which the rainbow's light shines.
     pub direction: DVec3,
-    /// Angle between the direction and the middle of the arc.
+    /// Angle between the direction of the rainbow's light and the middle of the arc, in radians.
     pub angle: f64,
-    /// Angle between the inner and outer edges.
+    /// Angle between the inner and outer edges of the rainbow, in radians.
     pub width: f64,
-    /// Distance over which light falls to 1/e, as in a fog.
+    /// Distance over which a rainbow attenuates light to 1/e, as in a fog.
     pub distance: f64,
-    /// Random displacement of colours, as a share of the width.
+    /// Random displacement of the rainbow's colours, as a share of its width.
     pub jitter: f64,
-    /// Direction of the middle of the arc.
+    /// Direction from the rainbow's centre to the middle of its arc.
     pub up: DVec3,
-    /// Angle of the visible part of the circle.
+    /// Angle of the visible part of the rainbow's circle, in radians.
     pub arc_angle: f64,
-    /// Angle of the part with full strength; beyond it the arc fades.
+    /// Angle of the part of the rainbow with full strength, in radians; beyond it the arc fades.
     pub falloff_angle: f64,
-    /// Colours from the inner to the outer edge.
+    /// Colours from the inner to the outer edge of the rainbow.
     pub color_map: Option<Arc<ColorMap>>,
 }
 
-/// Default distance: what is behind shows without attenuation (quirk: `rainbow_default_distance`).
+/// Default distance of a rainbow: light from behind is not attenuated (quirk: `rainbow_default_distance`).
 const USUAL_DISTANCE: f64 = 1e7;
 
 impl Default for Rainbow {
@@ -92,7 +92,7 @@ const RAINBOW_PARTS: &[WordSpec] = &[
     word("colour_map", Block, "", "the same"),
 ];
 
-/// `rainbow { … }`
+/// Words of a `rainbow { … }` block.
 pub const RAINBOW: Vocabulary = Vocabulary {
     block: "rainbow",
     summary: "an arc of colours about the direction of the sun",
@@ -103,7 +103,7 @@ pub const RAINBOW: Vocabulary = Vocabulary {
 };
 
 impl Rainbow {
-    /// Reads what is between the braces; `source` is the block's name.
+    /// Reads the items of a `rainbow` block; `source` is the span of the word `rainbow`.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -151,7 +151,7 @@ impl Rainbow {
     }
 
     /// Returns radiance and transmittance of the rainbow along a ray, up to the distance `length`; `None` outside the
-    /// arc. `random` returns numbers in [0, 1).
+    /// rainbow's arc. `random` returns numbers in [0, 1).
     fn segment(&self, ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Option<Segment> {
         let map = self.color_map.as_ref()?;
         let direction = self.direction.normalize();
@@ -174,7 +174,8 @@ impl Rainbow {
         Some(Segment::of(color.rgb, clear, color.filter * (1.0 - clear)))
     }
 
-    /// Strength of the arc at a point `aside` of its direction: 1 in the middle, 0 past its ends.
+    /// Returns the strength of a rainbow's arc: 1 in the middle, 0 past its ends. `aside` is the component of the ray's
+    /// direction across the rainbow's axis.
     fn shown(&self, aside: DVec3, direction: DVec3) -> f64 {
         let up = self.up - direction * self.up.dot(direction);
         let from_up = aside.angle_between(up);
@@ -187,12 +188,12 @@ impl Rainbow {
     }
 }
 
-/// 3x² - 2x³
+/// Returns 3x² - 2x³, which rises smoothly from 0 to 1.
 fn smooth_step(x: f64) -> f64 {
     x * x * (3.0 - 2.0 * x)
 }
 
-/// Combines all rainbows that a ray meets: their mean (quirk: `rainbows_average`).
+/// Combines all rainbows that a ray meets along its length: returns their mean (quirk: `rainbows_average`).
 pub fn segment_of(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
     let met: smallvec::SmallVec<[Segment; 2]> =
         rainbows.iter().filter_map(|rainbow| rainbow.segment(ray, length, random)).collect();

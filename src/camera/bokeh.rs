@@ -7,21 +7,23 @@ use crate::math::noise::NoiseGenerator;
 use crate::pattern::TextureContext;
 use crate::texture::{Pigment, PigmentProgram};
 
-/// Number of cells along a side of the lens.
+/// Number of cells along a side of the square lens of `bokeh`.
 const SIDE: usize = 128;
 
-/// A square lens: the distribution of rays over its cells.
+/// Square lens of focal blur with `bokeh`: the distribution of rays over its cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bokeh {
-    /// For each row of cells, and the end: share of all light before it.
+    /// Cumulative distribution of light over the lens's rows of cells: for each row, and the end, the share of all
+    /// light before it.
     rows: Vec<f64>,
-    /// For each cell of each row, and the end: share of the row's light before it.
+    /// Cumulative distributions of light over the cells of each row: for each cell, and the end, the share of the row's
+    /// light before it.
     cells: Vec<Vec<f64>>,
 }
 
 impl Bokeh {
-    /// Evaluates the pigment's brightness, clamped to 0..1, from <0, 0> to <1, 1>. A pigment that is black everywhere
-    /// counts as white.
+    /// Builds the lens from the pigment's brightness, clamped to 0..1, from <0, 0> to <1, 1>. A pigment that is black
+    /// everywhere counts as white.
     pub(super) fn new(pigment: &Pigment, noise: NoiseGenerator, waves: usize) -> Self {
         let program = PigmentProgram::new(pigment);
         Self::of(|at| {
@@ -52,7 +54,7 @@ impl Bokeh {
         DVec2::new(2.0 * x - 1.0, 1.0 - 2.0 * y)
     }
 
-    /// Mean position of the lens's rays.
+    /// Mean position of the rays on the lens.
     #[cfg(test)]
     fn mean(&self) -> DVec2 {
         let n = 200;
@@ -76,7 +78,8 @@ fn shares(weights: &[f64]) -> Vec<f64> {
     starts
 }
 
-/// Finds the cell that contains a cumulative share; returns its index and the position along all cells, from 0 to 1.
+/// Finds the cell whose range of cumulative shares contains `at`; returns its index and the position along all cells,
+/// from 0 to 1.
 fn invert(shares: &[f64], at: f64) -> (usize, f64) {
     let cells = shares.len() - 1;
     let cell = shares.partition_point(|share| *share <= at).clamp(1, cells) - 1;

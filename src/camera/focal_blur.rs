@@ -11,25 +11,25 @@ use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::sync::Arc;
 
-/// Settings of focal blur as written.
+/// Settings of a camera's focal blur as written.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FocalBlur {
     /// Four times the radius of the lens (quirk: `aperture_is_four_radii`); 0 for no blur.
     pub aperture: f64,
-    /// A point of the plane in focus.
+    /// A point of the plane in focus, in world space.
     pub focal_point: DVec3,
-    /// Minimum and maximum number of rays a pixel.
+    /// Minimum and maximum number of rays a pixel for focal blur.
     pub samples: [u32; 2],
     /// Probability, from 0 to 1, with which the variance of a pixel must be below `variance`.
     pub confidence: f64,
-    /// Variance of the mean of a pixel's rays at which no more rays are cast, in proportion to their share of the
-    /// maximum; 0 to cast all.
+    /// For focal blur, variance of the mean of a pixel's rays at which no more rays are cast, in proportion to their
+    /// share of the maximum; 0 to cast all.
     pub variance: f64,
 }
 
-/// Default variance (quirk: `focal_blur_defaults`; the manual says 1/128).
+/// Default variance of focal blur (quirk: `focal_blur_defaults`; the manual says 1/128).
 const USUAL_VARIANCE: f64 = 1e-4;
-/// Default minimum number of rays (quirk: `focal_blur_defaults`).
+/// Default minimum number of rays a pixel with focal blur (quirk: `focal_blur_defaults`).
 const USUAL_LEAST: u32 = 7;
 
 impl Default for FocalBlur {
@@ -38,7 +38,7 @@ impl Default for FocalBlur {
     }
 }
 
-/// Words of focal blur, and how each is read.
+/// Words of focal blur in a camera block, and how each is read.
 pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
     word(
         "aperture",
@@ -62,7 +62,7 @@ pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
     .sets(|s, r| set(&mut s.blur.variance, r.float().map(f64::abs))),
 ];
 
-/// Maximum number of rays a pixel.
+/// Maximum number of rays a pixel that a scene may ask for in focal blur.
 const MOST: f64 = 1e6;
 
 impl FocalBlur {
@@ -82,8 +82,8 @@ impl FocalBlur {
         Ok(())
     }
 
-    /// Lowers the settings; `None` without blur. `origin` and `ahead`, of length 1, are the camera's, in the same space
-    /// as the focal point.
+    /// Lowers the settings of focal blur; `None` without blur. `origin` and `ahead`, of length 1, are the camera's, in
+    /// the same space as the focal point.
     pub(super) fn lens(&self, origin: DVec3, ahead: DVec3) -> Option<Lens> {
         let distance = (self.focal_point - origin).dot(ahead);
         if self.aperture == 0.0 || self.samples[1] == 0 || distance == 0.0 || !distance.is_finite() {
@@ -102,20 +102,20 @@ impl FocalBlur {
     }
 }
 
-/// A lowered lens.
+/// Lowered lens of focal blur.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Lens {
-    /// Radius in world units.
+    /// Radius of the lens in world units.
     pub radius: f64,
-    /// Distance of the plane in focus.
+    /// Distance of the plane in focus from the lens, in world units.
     pub distance: f64,
-    /// Minimum and maximum number of rays a pixel.
+    /// Minimum and maximum number of rays a pixel through the lens.
     pub samples: [u32; 2],
-    /// Variance of the mean of a pixel that is acceptable; 0 to cast all rays.
+    /// Acceptable variance of the mean of a pixel's rays; 0 to cast all rays.
     pub variance: f64,
-    /// Quantile of the normal distribution for the required confidence.
+    /// Quantile of the normal distribution for the confidence that focal blur requires.
     pub quantile: f64,
-    /// Transmittance over a square of twice the radius; `None` for a disc.
+    /// Transmittance of the lens over a square of twice its radius; `None` for a disc.
     #[serde(skip)]
     pub bokeh: Option<Arc<Bokeh>>,
 }
@@ -133,8 +133,8 @@ impl Lens {
         self.variance > 0.0 && squares * f64::from(self.samples[1]) <= self.variance * sure * n * n * (n + 1.0)
     }
 
-    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `place` is in [0, 1)²,
-    /// `axes` are the unit vectors right, up and ahead.
+    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `place` in [0, 1)² selects
+    /// the point, `axes` are the camera's unit vectors right, up and ahead.
     pub fn through(&self, ray: &Ray, place: DVec2, axes: &[DVec3; 3]) -> Ray {
         let [right, up, ahead] = *axes;
         let focus = ray.at(self.distance / ray.dir.dot(ahead));

@@ -9,12 +9,12 @@ use crate::source::Span;
 use crate::value::{Reader, Unsupported};
 use serde::Serialize;
 
-/// The camera as written.
+/// The lecture's camera as written in a scene: `eye`, `center`, `up` and angles of view.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LectureCamera {
-    /// Position of the eye.
+    /// Position of the camera's eye.
     pub eye: DVec3,
-    /// The point in the centre of the picture.
+    /// The point shown in the centre of the picture.
     pub center: DVec3,
     /// Direction that points up in the picture.
     pub up: DVec3,
@@ -22,9 +22,9 @@ pub struct LectureCamera {
     pub fov_x: Option<f64>,
     /// Vertical angle of view in degrees.
     pub fov_y: Option<f64>,
-    /// Transform of the whole camera.
+    /// Transform of the whole camera, applied last.
     pub transform: Transform,
-    /// Items that are read and not rendered yet.
+    /// Items of the camera block that are read and not rendered yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
@@ -55,7 +55,7 @@ impl LectureCamera {
         Ok(())
     }
 
-    /// Lowers the camera: p(i, j) = eye + α·u + β·v − w.
+    /// Lowers the lecture's camera: p(i, j) = eye + α·u + β·v − w.
     pub fn eye(&self) -> LoweredCamera {
         let w = (self.eye - self.center).normalize();
         let u = self.up.cross(w).normalize();
@@ -71,7 +71,8 @@ impl LectureCamera {
     }
 }
 
-/// The window of a frame of unit vectors; a missing tangent follows from square pixels.
+/// Returns the window of a camera's frame of unit vectors at distance 1; the tangents are of half the angles of view,
+/// and a missing one follows from square pixels.
 pub(super) fn window(frame: &Frame, (tan_x, tan_y): (Option<f64>, Option<f64>), width: usize, height: usize) -> Window {
     let aspect = width as f64 / height as f64;
     let tan_x = tan_x.or(tan_y.map(|y| y * aspect)).unwrap_or(aspect);
@@ -85,7 +86,7 @@ pub(super) fn window(frame: &Frame, (tan_x, tan_y): (Option<f64>, Option<f64>), 
     }
 }
 
-/// Reads an angle of view.
+/// Reads a camera's angle of view in degrees.
 pub(super) fn read_field_of_view(word: &str, r: &mut dyn Reader) -> Result<Option<f64>> {
     let (at, angle) = (r.span(), r.float()?);
     if angle > 0.0 && angle < 180.0 {

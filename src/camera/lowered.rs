@@ -6,22 +6,22 @@ use crate::math::{DVec2, DVec3, Ray};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A lowered camera.
+/// Lowered camera, from which the rays of a picture are generated.
 #[derive(Clone, Debug, Serialize)]
 pub struct LoweredCamera {
-    /// Position and orientation.
+    /// Position and orientation of the lowered camera.
     pub frame: Frame,
-    /// Projection.
+    /// Projection of the lowered camera.
     pub projection: Projection,
     /// Lens of focal blur; `None` for a pinhole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lens: Option<Lens>,
-    /// Perturbation of rays by a `normal`.
+    /// Perturbation of camera rays by a `normal`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bumps: Option<Bumps>,
 }
 
-/// The rays of a picture of one size.
+/// Generator of camera rays for a picture of a given size.
 #[derive(Clone, Debug)]
 pub struct View {
     rays: Rays,
@@ -32,27 +32,27 @@ pub struct View {
 
 #[derive(Clone, Debug)]
 enum Rays {
-    /// Rays through a flat window.
+    /// Camera rays through a flat window.
     Window(Window),
-    /// Rays of a curved projection, or with bumps.
+    /// Camera rays of a curved projection.
     Bent(Box<Bent>),
-    /// Rays from the faces of meshes.
+    /// Camera rays from the faces of meshes.
     Faces(Arc<MeshRays>),
 }
 
-/// A projection that is not a flat window.
+/// Camera projection that is not a flat window: curved or orthographic.
 #[derive(Clone, Debug)]
 struct Bent {
     projection: Projection,
     origin: DVec3,
-    /// Unit vectors right, up and ahead.
+    /// Unit vectors right, up and ahead of the camera.
     axes: [DVec3; 3],
-    /// Lengths: width and height of the window, length of the direction.
+    /// Width and height of the camera's window, and length of its direction.
     lengths: DVec3,
 }
 
 impl LoweredCamera {
-    /// The rays of a picture of this size in pixels.
+    /// Returns the generator of camera rays for a picture of this size in pixels.
     pub fn view(&self, width: usize, height: usize) -> View {
         let frame = self.frame;
         let rays = match self.projection.clone() {
@@ -71,23 +71,24 @@ impl LoweredCamera {
 }
 
 impl View {
-    /// Maximum number of rays through a point of the picture.
+    /// Maximum number of camera rays through a point of the picture; more than 1 only for a mesh camera.
     pub fn count(&self) -> usize {
         if let Rays::Faces(mesh) = &self.rays { mesh.count() } else { 1 }
     }
 
-    /// Maximum distance of a hit, in world units.
+    /// Maximum distance of a hit along a camera ray, in world units.
     pub fn reach(&self) -> f64 {
         if let Rays::Faces(mesh) = &self.rays { mesh.reach() } else { f64::INFINITY }
     }
 
-    /// Returns the unit ray through a point of the picture, in pixels from the top left corner; `None` where the camera
-    /// has no ray.
+    /// Returns the unit camera ray through a point of the picture, in pixels from the top left corner; `None` where the
+    /// camera has no ray.
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
         self.ray_of(x, y, 0)
     }
 
-    /// Returns ray `number` of several.
+    /// Returns camera ray `number` of the several through a point of the picture, in pixels; only a mesh camera has
+    /// more than one.
     pub fn ray_of(&self, x: f64, y: f64, number: usize) -> Option<Ray> {
         // -½ to ½, to the right and up
         let at = || DVec2::new(x / self.size.x - 0.5, 0.5 - y / self.size.y);
@@ -101,7 +102,7 @@ impl View {
         Some(self.bumps.as_ref().map_or(ray, |bumps| bumps.turn(ray, place)))
     }
 
-    /// Common origin of all rays; `None` if each ray has its own.
+    /// Common origin of all camera rays; `None` if each ray has its own.
     pub fn origin(&self) -> Option<DVec3> {
         match &self.rays {
             Rays::Window(window) => Some(window.origin),
@@ -111,7 +112,7 @@ impl View {
         }
     }
 
-    /// The flat window of a camera without bumps.
+    /// The flat window of a camera whose rays are not perturbed; `None` for any other camera.
     pub fn window(&self) -> Option<&Window> {
         match &self.rays {
             Rays::Window(window) if self.bumps.is_none() => Some(window),

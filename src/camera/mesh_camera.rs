@@ -11,63 +11,63 @@ use serde::Serialize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// The camera as written.
+/// Mesh camera as written: rays start from the faces of meshes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MeshCamera {
-    /// Number of rays a pixel, one for each mesh.
+    /// Number of rays a pixel of a mesh camera, one for each mesh.
     pub rays: usize,
-    /// Assignment of faces to pixels.
+    /// Assignment of the mesh camera's faces to pixels.
     pub distribution: Distribution,
-    /// Maximum distance of a hit.
+    /// Maximum distance of a hit along a mesh camera's ray.
     pub reach: f64,
-    /// True to interpolate the normals of corners.
+    /// True if the mesh camera interpolates the normals of corners.
     pub smooth: bool,
-    /// The meshes, in the order written.
+    /// The mesh camera's meshes, in the order written.
     #[serde(skip)]
     pub meshes: Vec<PlacedMesh>,
 }
 
-/// The faces of a mesh with its transform.
+/// The faces of a mesh camera's mesh, with the mesh's transform.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedMesh {
-    /// Faces in object space, in the order written. Copies of one mesh share them.
+    /// Faces of the mesh in object space, in the order written. Copies of one mesh share them.
     pub faces: Arc<[Face]>,
-    /// World from object.
+    /// Transform of the mesh from object to world space.
     pub transform: Transform,
 }
 
 impl PlacedMesh {
-    /// Centre of a face and its normal, of any length.
+    /// Returns the centre of the mesh's face and its normal, of any length; `None` if the mesh has no such face.
     fn middle(&self, index: usize) -> Option<(DVec3, DVec3)> {
         let Face { corners: [a, b, c], normal, .. } = self.faces.get(index)?;
         Some((self.transform.point((*a + *b + *c) / 3.0), self.transform.normal(*normal)))
     }
 
-    /// A face in world space.
+    /// Returns a face of the mesh in world space.
     fn face(&self, index: usize) -> Face {
         self.faces[index].clone().moved(&self.transform)
     }
 }
 
-/// Assignment of faces to pixels; the numbers are those of the manual.
+/// Assignment of a mesh camera's faces to pixels; the numbers are those of POV-Ray's manual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Distribution {
-    /// 0: each mesh has a face for each pixel, row by row.
+    /// Mesh camera, distribution 0: each mesh has a face for each pixel, row by row.
     Layers,
-    /// 1: all meshes together have a face for each pixel.
+    /// Mesh camera, distribution 1: all meshes together have a face for each pixel.
     Row,
-    /// 2: each mesh covers a stripe of the picture.
+    /// Mesh camera, distribution 2: each mesh covers a stripe of the picture.
     Stripes,
-    /// 3: a pixel belongs to the face that contains its uv.
+    /// Mesh camera, distribution 3: a pixel belongs to the face that contains its uv coordinates.
     Uv,
 }
 
-/// Reads a mesh between the braces of its block; objects are above this layer.
+/// Function that reads a mesh between the braces of its block; a parameter, since objects are in a layer above cameras.
 pub type ReadMesh<'a> = &'a mut dyn FnMut(&mut dyn Reader) -> Result<PlacedMesh>;
 
 impl PovrayCamera {
-    /// Reads what is between the braces.
+    /// Reads the items of a `mesh_camera` block.
     pub(super) fn read_mesh_camera(&mut self, r: &mut dyn Reader, read_mesh: ReadMesh) -> Result<()> {
         let mut camera = MeshCamera::read_numbers(r)?;
         loop {
@@ -123,21 +123,22 @@ impl MeshCamera {
     }
 }
 
-/// A lowered mesh camera.
+/// Lowered mesh camera.
 #[derive(Debug)]
 pub struct MeshRays {
     camera: Arc<MeshCamera>,
-    /// Distance between the origin of a ray and its face.
+    /// Distance between the origin of a mesh camera's ray and its face.
     offset: f64,
-    /// True if rays point against the normals.
+    /// True if the mesh camera's rays point against the normals.
     reversed: bool,
-    /// Hierarchy over the faces of the first mesh in uv space, and their numbers in its order.
+    /// For distribution 3 of a mesh camera: hierarchy over the faces of the first mesh in uv space, and the faces'
+    /// numbers in its order.
     by_uv: (Bvh, Vec<u32>),
 }
 
 impl MeshRays {
-    /// Lowers the camera. Of location and direction only z counts: the distance before the face, and the sign of the
-    /// direction (quirk: `mesh_camera_location`).
+    /// Lowers a mesh camera. Of location and direction only z counts: the offset of the ray's origin from the face, and
+    /// the sign of the direction (quirk: `mesh_camera_location`).
     pub(super) fn new(camera: &Arc<MeshCamera>, location: DVec3, direction: DVec3) -> Self {
         let boxes = match camera.distribution {
             Distribution::Uv => camera.meshes[0].faces.iter().map(uv_box).collect(),
@@ -149,18 +150,18 @@ impl MeshRays {
         Self { camera: camera.clone(), offset: location.z, reversed: direction.z < -1e-10, by_uv: (bvh, order) }
     }
 
-    /// Maximum number of rays through a point of the picture.
+    /// Maximum number of rays of the mesh camera through a point of the picture.
     pub fn count(&self) -> usize {
         if self.camera.distribution == Distribution::Layers { self.camera.rays } else { 1 }
     }
 
-    /// Maximum distance of a hit.
+    /// Maximum distance of a hit along a ray of the mesh camera.
     pub fn reach(&self) -> f64 {
         self.camera.reach
     }
 
-    /// Returns ray `number` through a point of the picture, in pixels; `None` without a face. (quirk:
-    /// `mesh_camera_first_row`)
+    /// Returns the mesh camera's ray `number` through a point of the picture, in pixels; `None` without a face (quirk:
+    /// `mesh_camera_first_row`).
     pub(super) fn ray(&self, x: f64, y: f64, number: usize, size: DVec2) -> Option<Ray> {
         let (x, y) = (x.min(size.x - 1.0), y.max(1.0) - 1.0);
         let meshes = &self.camera.meshes;
@@ -190,7 +191,7 @@ impl MeshRays {
         self.from(middle, normal)
     }
 
-    /// Returns the ray from the first face that contains this uv.
+    /// Returns the ray from the first face of the mesh that contains this uv.
     fn by_uv(&self, uv: DVec2) -> Option<Ray> {
         let (bvh, order) = &self.by_uv;
         let mut first: Option<(u32, DVec3)> = None;

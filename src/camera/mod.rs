@@ -35,11 +35,11 @@ use serde::Serialize;
 use std::sync::Arc;
 use words::{KIND_ROWS, LECTURE, LECTURE_ROWS, POVRAY, POVRAY_ROWS};
 
-/// A camera as written.
+/// Camera as written in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Camera {
-    /// POV-Ray's camera.
+    /// Camera of POV-Ray's language.
     Povray(PovrayCamera),
     /// The lecture's camera: `eye center up fov_x fov_y`.
     Lecture(LectureCamera),
@@ -58,7 +58,8 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Reads what is between the braces; `source` is the block's name, and `mesh` reads the meshes of a mesh camera.
+    /// Reads the items of a `camera` block; `source` is the span of its word, and `mesh` reads the meshes of a mesh
+    /// camera.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -138,7 +139,7 @@ impl Camera {
         if r.next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", &words::names()).into()) }
     }
 
-    /// Lowers the camera; `noise` and `waves` are the scene's settings, for a `normal`.
+    /// Lowers the camera; `noise` and `waves` are the scene's settings for patterns, used by the camera's `normal`.
     pub fn eye(&self, noise: NoiseGenerator, waves: usize) -> LoweredCamera {
         match self {
             Camera::Povray(camera) => {
@@ -154,7 +155,7 @@ impl Camera {
     }
 }
 
-/// Reads `bokeh { }`: pigments, of which the last counts.
+/// Reads a camera's `bokeh { }` block and returns the last of its pigments.
 fn read_bokeh(r: &mut dyn Reader, defaults: &Texture) -> Result<Option<Arc<Pigment>>> {
     let mut pigment = None;
     loop {

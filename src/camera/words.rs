@@ -7,7 +7,7 @@ use crate::value::ValueKind::{Block, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Vocabulary, WordSpec};
 
-/// Words of [`POVRAY`], and how each is read.
+/// Words of POV-Ray's camera block, and how each is read.
 pub(super) const POVRAY_ROWS: &[Row<PovrayCamera>] = &[
     word("location", Vector, "<0, 0, 0>", "the eye").sets(|s, r| set(&mut s.location, r.vector())),
     word("direction", Vector, "<0, 0, 1>", "from the eye to the middle of the picture; its length zooms")
@@ -33,7 +33,7 @@ pub(super) const POVRAY_ROWS: &[Row<PovrayCamera>] = &[
     .sets(PovrayCamera::read_angle),
 ];
 
-/// Words of projections, and how each is read.
+/// Words of camera projections, and how each is read.
 pub(super) const KIND_ROWS: &[Row<PovrayCamera>] = &[
     word("perspective", Nothing, "", "rays from one point through a flat window: this kind of camera it is anyway")
         .sets(|s, _| set(&mut s.kind, Ok(Kind::Perspective))),
@@ -58,10 +58,10 @@ pub(super) const KIND_ROWS: &[Row<PovrayCamera>] = &[
         .sets(|s, _| set(&mut s.kind, Ok(Kind::Spherical))),
 ];
 
-/// Words of projections, for the manual.
+/// Words of camera projections, for the manual.
 pub const KINDS: &[WordSpec] = specs!(KIND_ROWS);
 
-/// Words with blocks: mesh camera and perturbation.
+/// Words of the camera block that have blocks of their own: mesh camera, `normal` and `bokeh`.
 const BLOCKS: &[WordSpec] = &[
     word(
         "mesh_camera",
@@ -86,7 +86,7 @@ const BLOCKS: &[WordSpec] = &[
 /// Words of focal blur, for the manual.
 pub const BLUR: &[WordSpec] = specs!(BLUR_ROWS);
 
-/// POV-Ray's camera.
+/// Vocabulary of POV-Ray's camera block.
 pub const POVRAY: Vocabulary = Vocabulary {
     block: "camera",
     summary: "where the picture is taken from; x to the right, y up, z away from you",
@@ -99,7 +99,7 @@ pub const POVRAY: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// Words of [`LECTURE`], and how each is read.
+/// Words of the lecture's camera, and how each is read.
 pub(super) const LECTURE_ROWS: &[Row<LectureCamera>] = &[
     word("eye", Vector, "<0, 0, 0>", "where it is").sets(|s, r| set(&mut s.eye, r.vector())),
     word("center", Vector, "<0, 0, -1>", "the point in the middle of the picture")
@@ -111,7 +111,7 @@ pub(super) const LECTURE_ROWS: &[Row<LectureCamera>] = &[
         .sets(|s, r| set(&mut s.fov_y, read_field_of_view("fov_y", r))),
 ];
 
-/// The lecture's camera, an addition of durer; right-handed.
+/// Vocabulary of the lecture's camera, an addition of durer; right-handed.
 pub const LECTURE: Vocabulary = Vocabulary {
     block: "camera",
     summary: "durer's own camera, right-handed: x to the right, y up, z towards you; the word `eye` makes it this one",
@@ -121,7 +121,7 @@ pub const LECTURE: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// All words of both cameras.
+/// Returns the words of both kinds of camera.
 pub(super) fn names() -> Vec<&'static str> {
     let own = LECTURE.words.iter().map(|w| w.name).filter(|name| *name != "up");
     let mut names = POVRAY.names();

@@ -6,23 +6,23 @@ use fontdb::{Database, FaceInfo, Family, ID, Query, Source, Stretch, Style, Weig
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Location of a font.
+/// Location of a font: in durer or in a file.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum FontLocation {
-    /// durer's built-in font.
+    /// Built-in font of durer.
     Own,
-    /// The font with this index in a file, counted from 0.
+    /// Font in a file, by its index in the file, counted from 0.
     File(PathBuf, u32),
 }
 
 impl FontLocation {
-    /// The first or only font of a file.
+    /// The first or only font of a font file.
     pub fn first_of(path: PathBuf) -> Self {
         Self::File(path, 0)
     }
 }
 
-/// Style that a font's name asks for.
+/// Weight, slant and width that a font's name asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct FontStyle {
     weight: Weight,
@@ -32,7 +32,7 @@ struct FontStyle {
 
 const PLAIN: FontStyle = FontStyle { weight: Weight::NORMAL, style: Style::Normal, stretch: Stretch::Normal };
 
-/// Words of weight after a family's name.
+/// Words that name a font's weight after the family's name.
 const WEIGHTS: &[(&str, Weight)] = &[
     ("thin", Weight::THIN),
     ("extralight", Weight::EXTRA_LIGHT),
@@ -74,7 +74,7 @@ pub fn of_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<Fon
     places.into_iter().find(|(face, _)| *face == id).map(|(_, place)| place)
 }
 
-/// Adds the descriptions of a file's fonts, without the file's bytes, to a database.
+/// Adds the descriptions of a font file's fonts, without the file's bytes, to a database.
 fn add_faces(
     fonts: &mut Database,
     bytes: Vec<u8>,

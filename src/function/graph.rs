@@ -14,49 +14,51 @@ use std::sync::atomic::{AtomicU8, Ordering};
 /// Index of an operation in its [`Graph`]; operands have smaller indices.
 pub type Id = u32;
 
-/// An operation of a function's computation; it refers to its operands by index.
+/// An operation of a function's computation graph; it refers to its operands by index.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
-    /// A number, by its bits.
+    /// A constant of a function, by its bits.
     Constant(u64),
     /// A parameter of the function, by its index.
     Parameter(u16),
-    /// A row of [`numeric::TABLE`] with one argument.
+    /// Call of a built-in numeric function with one argument: its row in [`numeric::TABLE`], and the argument.
     One(u8, Id),
-    /// A row of the table with two arguments.
+    /// Call of a built-in numeric function with two arguments: its row in [`numeric::TABLE`], and the arguments.
     Two(u8, Id, Id),
-    /// An operator with two operands.
+    /// An operator with two operands, by their indices.
     Binary(Operator, Id, Id),
-    /// The second operand if the first is not 0, else the third; the other one is not evaluated.
+    /// The conditional `a ? b : c`: the second operand if the first is not 0, else the third; the other one is not
+    /// evaluated.
     Choice(Id, Id, Id),
-    /// A component of the result of a call of [`Graph::callees`].
+    /// A component of the result of a call: index of the function in [`Graph::callees`], component, arguments.
     Call(u32, u8, Box<[Id]>),
 }
 
-/// Target of an [`Operation::Call`].
+/// Function, pattern or series that a function's graph calls.
 #[derive(Clone, Debug)]
 pub enum Callee {
-    /// One of the functions behind `functions.inc`.
+    /// One of POV-Ray's internal functions, the ones behind `functions.inc`.
     Internal(&'static Internal),
-    /// `f_noise3d`: its generator is that of the scene, which may be set later.
+    /// POV-Ray's `f_noise3d`, whose noise generator is that of the scene and may be set after the function is declared.
     SceneNoise(Arc<AtomicU8>),
-    /// A function that is too large to be inlined.
+    /// A declared function that is too large to be inlined.
     Function(Arc<Function>),
-    /// A pigment, pattern, transform or spline.
+    /// A pigment, pattern, transform or spline that a function evaluates.
     Sampler(Arc<dyn Sampler>),
-    /// `sum(I, A, B, …)` and `prod`: the body's parameters are those of the enclosing function and the counter.
+    /// The call `sum(I, A, B, …)` or `prod(…)`: the body's parameters are those of the enclosing function and the
+    /// counter.
     Series {
-        /// True for `prod`, false for `sum`.
+        /// True for the series `prod`, false for `sum`.
         product: bool,
-        /// The terms or factors.
+        /// Program that computes a term of `sum`, or a factor of `prod`.
         body: Arc<Program>,
     },
 }
 
-/// All operations of a function, operands first.
+/// Computation graph of a function: all its operations, operands first.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
-    /// Operations, each after its operands.
+    /// Operations of the function, each after its operands.
     pub nodes: Vec<Operation>,
     /// Functions that [`Operation::Call`] refers to by index.
     pub callees: Vec<Callee>,
@@ -85,7 +87,8 @@ pub(super) fn operate(op: Operator, a: f64, b: f64) -> f64 {
     }
 }
 
-/// Bounds of an operator's result over intervals; `same` is true if both operands are one node.
+/// Returns the bounds of an operator's result while its operands are in these intervals; `same` is true if both
+/// operands are one node.
 pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool) -> Interval {
     use Operator::*;
     let sure = |yes: bool, no: bool| match (yes, no) {
@@ -111,7 +114,7 @@ pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool
 }
 
 impl Callee {
-    /// A component of the result.
+    /// Calls the function; returns a component of its result.
     pub fn call(&self, component: usize, arguments: &[f64]) -> f64 {
         match self {
             Callee::Internal(internal) => (internal.compute)(arguments),
@@ -122,7 +125,7 @@ impl Callee {
         }
     }
 
-    /// All components of a result with several.
+    /// Calls a function with several components; returns all of them.
     pub(super) fn call_all(&self, arguments: &[f64]) -> [f64; 5] {
         match self {
             Callee::Function(function) => function.call(arguments),
@@ -131,7 +134,7 @@ impl Callee {
         }
     }
 
-    /// True if the result is a number, whatever component is asked for.
+    /// True if the called function returns a number; every component is then that number.
     pub(super) fn gives_number(&self) -> bool {
         let gives = match self {
             Callee::Function(function) => function.gives(),
@@ -151,8 +154,8 @@ impl Callee {
         }
     }
 
-    /// Bounds on the components, and on their gradients by the first three arguments, within `radius` of the point that
-    /// these arguments are.
+    /// Returns bounds on the components of a call's result, and on their gradients by the first three arguments, while
+    /// these move at most `radius` away from the values given.
     pub(super) fn bounds_near(&self, arguments: &[f64], radius: f64) -> [LocalBounds; 5] {
         let rest = &arguments[3..];
         let (steepest, bend) = match self {
@@ -203,11 +206,11 @@ fn scene_noise(generator: &AtomicU8, p: &[f64]) -> f64 {
     noise::noise(DVec3::new(p[0], p[1], p[2]), generator_of(generator))
 }
 
-/// Maximum number of terms of a series; longer ones give NaN.
+/// Maximum number of terms of `sum` and `prod`; a longer series gives NaN.
 const MAX_TERMS: f64 = 1e7;
 
-/// Evaluates a series. The arguments are the first and last value of the counter, and then those of the enclosing
-/// function.
+/// Evaluates a `sum` or `prod`. The arguments are the first and last value of the counter, and then those of the
+/// enclosing function.
 fn series(product: bool, body: &Program, arguments: &[f64]) -> f64 {
     let [first, last, outer @ ..] = arguments else { return f64::NAN };
     let mut inner = outer.to_vec();
@@ -226,18 +229,18 @@ fn series(product: bool, body: &Program, arguments: &[f64]) -> f64 {
 }
 
 impl Graph {
-    /// True if both graphs are equal.
+    /// True if both graphs compute the same by the same operations.
     pub fn is_alike(&self, other: &Graph) -> bool {
         (self.result, &self.nodes, self.callees.len()) == (other.result, &other.nodes, other.callees.len())
             && self.callees.iter().zip(&other.callees).all(|(a, b)| a.is(b))
     }
 
-    /// Adds a constant and returns its index.
+    /// Adds a constant to the function's graph and returns its index.
     pub fn constant(&mut self, x: f64) -> Id {
         self.add(Operation::Constant(x.to_bits()))
     }
 
-    /// The value of an operation, if it is a constant.
+    /// The value of an operation of the graph, if the operation is a constant.
     pub fn known(&self, id: Id) -> Option<f64> {
         match self.nodes[id as usize] {
             Operation::Constant(bits) => Some(f64::from_bits(bits)),
@@ -245,7 +248,7 @@ impl Graph {
         }
     }
 
-    /// Finds or adds an operation.
+    /// Finds an operation in the function's graph or adds it; returns its index.
     pub fn add(&mut self, node: Operation) -> Id {
         let node = self.folded(&node).map_or(node, |x| Operation::Constant(x.to_bits()));
         if let Operation::Choice(condition, yes, no) = node
@@ -271,7 +274,7 @@ impl Graph {
         })
     }
 
-    /// Adds a component of the result of a call, and returns its index.
+    /// Adds a component of the result of a call to the function's graph, and returns its index.
     pub fn call(&mut self, callee: Callee, component: u8, arguments: Box<[Id]>) -> Id {
         let index = self.callees.iter().position(|c| c.is(&callee)).unwrap_or_else(|| {
             self.callees.push(callee);
@@ -280,7 +283,8 @@ impl Graph {
         self.add(Operation::Call(index as u32, component, arguments))
     }
 
-    /// Copies another graph, with these operands for its parameters.
+    /// Copies another function's graph into this one, with these operands for its parameters; returns the index of its
+    /// result.
     pub fn inline(&mut self, other: &Graph, arguments: &[Id]) -> Id {
         let mut ids: Vec<Id> = Vec::with_capacity(other.nodes.len());
         for node in &other.nodes {
@@ -302,7 +306,8 @@ impl Graph {
         ids[other.result as usize]
     }
 
-    /// Bounds of the result while the parameters are in these intervals and every operation gives a number.
+    /// Returns bounds of the function's result while the parameters are in these intervals and every operation gives a
+    /// number.
     pub fn bounds(&self, parameters: &[Interval]) -> Interval {
         let mut all: Vec<Interval> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
@@ -329,7 +334,7 @@ impl Graph {
     }
 }
 
-/// Applies a row of the table with one argument.
+/// Calls the built-in numeric function of a table row with one argument.
 pub(super) fn one(row: u8, a: f64) -> f64 {
     match numeric::TABLE[row as usize].kernel {
         Kernel::One(f) => f(a),
@@ -337,7 +342,7 @@ pub(super) fn one(row: u8, a: f64) -> f64 {
     }
 }
 
-/// Applies a row of the table with two arguments.
+/// Calls the built-in numeric function of a table row with two arguments.
 pub(super) fn two(row: u8, a: f64, b: f64) -> f64 {
     match numeric::TABLE[row as usize].kernel {
         Kernel::Two(f) | Kernel::Many(f) => f(a, b),

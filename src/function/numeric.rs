@@ -5,46 +5,46 @@ use crate::math::fp;
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
 
-/// Implementation of a function.
+/// Rust implementation of a built-in numeric function, such as `sin` or `max`.
 #[derive(Clone, Copy, Debug)]
 pub enum Kernel {
-    /// A function of one argument.
+    /// A numeric function of one argument.
     One(fn(f64) -> f64),
-    /// A function of two arguments.
+    /// A numeric function of two arguments.
     Two(fn(f64, f64) -> f64),
-    /// One or more arguments, folded from the left.
+    /// A numeric function of one or more arguments, folded from the left.
     Many(fn(f64, f64) -> f64),
 }
 
-/// Arguments for which a script can evaluate a function; in `function { }` all others give NaN.
+/// Arguments for which a script can evaluate a numeric function; in `function { }` all others give NaN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Domain {
-    /// Every number is accepted.
+    /// Numeric function that accepts every number.
     All,
-    /// -1 to 1; other numbers are clamped.
+    /// Numeric function for numbers from -1 to 1; others are clamped.
     Arc,
-    /// Numbers that are 0 or above.
+    /// Numeric function for numbers of at least 0.
     FromZero,
-    /// Numbers above 0.
+    /// Numeric function for numbers above 0.
     AboveZero,
-    /// Not two zeros; the reason.
+    /// Numeric function whose two arguments must not both be 0, with the reason.
     NotBothZero(&'static str),
-    /// All, but a second argument of 0 is a division by zero.
+    /// Numeric function for which a second argument of 0 is a division by zero.
     Divides,
 }
 
-/// A row of the table.
+/// A row of the table of built-in numeric functions.
 #[derive(Debug)]
 pub struct Numeric {
     /// Name of the function in a scene.
     pub name: &'static str,
-    /// Rust function that computes the result.
+    /// Rust function that computes the numeric function.
     pub kernel: Kernel,
     /// Arguments for which a script can evaluate the function.
     pub domain: Domain,
-    /// Its bounds; the second interval equals the first for one argument.
+    /// Bounds of the numeric function over two intervals of arguments; for one argument both intervals are equal.
     pub bounds: fn(Interval, Interval) -> Interval,
-    /// One line for the manual.
+    /// One line about the numeric function for the manual.
     pub summary: &'static str,
 }
 
@@ -81,12 +81,12 @@ impl Numeric {
     }
 }
 
-/// Returns the bounds of a function that can give any number.
+/// Returns the bounds of a numeric function that can give any number.
 fn any(_: Interval, _: Interval) -> Interval {
     Interval::ALL
 }
 
-/// All functions. The arcs are not clamped here: outside of [-1, 1] they are NaN.
+/// All built-in numeric functions. `asin` and `acos` are not clamped here: outside of [-1, 1] they are NaN.
 pub const TABLE: &[Numeric] = &[
     one("abs", f64::abs, |a, _| a.abs(), "the distance from 0"),
     one("acos", fp::acos_or_nan, any, "the angle in radians whose cosine it is").of(Domain::Arc),
@@ -135,7 +135,7 @@ fn bits(a: f64, b: f64, f: fn(i64, i64) -> i64) -> f64 {
     f(a as i64, b as i64) as f64
 }
 
-/// Index of the row with this name.
+/// Finds the index of the row of [`TABLE`] for a function's name.
 pub fn find(name: &str) -> Option<u8> {
     NUMBERS.get(name).copied()
 }
@@ -144,8 +144,8 @@ static NUMBERS: LazyLock<FxHashMap<&'static str, u8>> =
     LazyLock::new(|| TABLE.iter().enumerate().map(|(i, row)| (row.name, i as u8)).collect());
 
 impl Numeric {
-    /// The reason why a script cannot evaluate the function for these arguments; functions give NaN instead. `b` equals
-    /// `a` for one argument.
+    /// The reason why a script cannot evaluate a numeric function for these arguments; inside `function { }` the result
+    /// is NaN instead. `b` equals `a` for one argument.
     pub fn fault(&self, a: f64, b: f64) -> Option<String> {
         match self.domain {
             Domain::FromZero if a < 0.0 => Some(format!("{a} has no square root")),
@@ -155,7 +155,7 @@ impl Numeric {
         }
     }
 
-    /// The argument as scripts use it: that of an arc is clamped to its domain.
+    /// Returns the argument that a script passes on: clamped to -1..1 for `asin` and `acos`.
     pub fn clamped(&self, a: f64) -> f64 {
         if self.domain == Domain::Arc { a.clamp(-1.0, 1.0) } else { a }
     }

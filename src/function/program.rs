@@ -5,7 +5,7 @@ use super::numeric::{self, Kernel};
 use crate::syntax::ast::Operator;
 use smallvec::SmallVec;
 
-/// Index of a register: first the parameters, then the constants, then results.
+/// Index of a register of a compiled function: first the parameters, then the constants, then results.
 type Register = u16;
 
 /// An instruction of a compiled function.
@@ -15,17 +15,18 @@ enum Step {
     Sub(Register, Register, Register),
     Mul(Register, Register, Register),
     Div(Register, Register, Register),
-    /// An operator that has no instruction of its own.
+    /// Instruction that applies an operator without an instruction of its own.
     Binary(Operator, Register, Register, Register),
     One(fn(f64) -> f64, Register, Register),
     Two(fn(f64, f64) -> f64, Register, Register, Register),
     Copy(Register, Register),
-    /// Jumps over the instructions up to this one if the register is 0.
+    /// Instruction that jumps to this position if the register is 0.
     SkipIfZero(Register, u32),
     Skip(u32),
-    /// Callee, component, and the position and number of the arguments' registers in [`Program::arguments`].
+    /// Instruction that calls a function: index of the callee, component, position and number of the arguments'
+    /// registers in [`Program::arguments`], register of the result.
     Call(u32, u8, u32, u16, Register),
-    /// All components of a call, into five registers.
+    /// Instruction that calls a function and stores all its components in five registers.
     CallAll(u32, u32, u16, Register),
 }
 
@@ -39,36 +40,36 @@ pub struct Program {
     parameters: usize,
     registers: usize,
     result: Register,
-    /// Initial values of the first registers, including the constants.
+    /// Initial values of the first registers of a compiled function, including the constants.
     start: Box<[f64; FEW]>,
 }
 
-/// Maximum number of registers of most programs.
+/// Number of registers that suffices for most compiled functions.
 const FEW: usize = 24;
-/// Maximum number of registers of larger programs.
+/// Number of registers that suffices for larger compiled functions.
 const SOME: usize = 64;
-/// Programs with more registers allocate memory.
+/// Maximum number of registers of a compiled function without allocation of memory.
 const MANY: usize = 256;
 /// Maximum number of arguments of a call that needs no allocation.
 const FEW_ARGUMENTS: usize = 12;
 /// Number of operations after one that are searched for other components of the same call.
 const NEAR: usize = 24;
-/// Register indices have 16 bits.
+/// Maximum number of operations of a compiled function, since register indices have 16 bits.
 const MAX_OPERATIONS: usize = 60_000;
 
-/// Generator of a function's instructions from its graph.
+/// Compiler of a function's graph to instructions.
 struct Writer<'g> {
     graph: &'g Graph,
     steps: Vec<Step>,
     constants: Vec<f64>,
     arguments: Vec<Register>,
-    /// Register of each result that is already evaluated at the current position.
+    /// Register of each operation's result that is already evaluated at the current position of the program.
     places: Vec<Option<Register>>,
     next: usize,
 }
 
 impl Program {
-    /// Compiles a graph; `None` if it has more than 60 000 operations.
+    /// Compiles a function's graph; `None` if it has more than 60 000 operations.
     pub fn new(graph: Graph, parameters: usize) -> Option<Self> {
         if graph.nodes.len() + parameters > MAX_OPERATIONS {
             return None;
@@ -104,7 +105,7 @@ impl Program {
         &self.graph
     }
 
-    /// The result for these parameters.
+    /// Runs the compiled function for these parameters.
     pub fn run(&self, parameters: &[f64]) -> f64 {
         // (A short program would spend most of its time clearing registers, and on copies whose lengths the compiler
         // does not know.)
@@ -178,7 +179,7 @@ impl Program {
 }
 
 impl Writer<'_> {
-    /// Ensures that a result is evaluated at this position; returns its register.
+    /// Emits the instructions that evaluate an operation, unless its result is available; returns its register.
     fn write(&mut self, id: Id) -> Register {
         if let Some(place) = self.places[id as usize] {
             return place;
@@ -244,7 +245,8 @@ impl Writer<'_> {
         place
     }
 
-    /// The operations, among this one and the next few, that use components of the same call, with their components.
+    /// Finds, among this operation and the next few, those that use components of the same call; returns their indices
+    /// and components.
     fn siblings(&self, id: Id, callee: u32, list: &[Id]) -> SmallVec<[(usize, u8); 5]> {
         let is_one = |(i, node): (usize, &Operation)| match node {
             Operation::Call(other, component, same) if *other == callee && **same == *list => Some((i, *component)),
@@ -253,7 +255,8 @@ impl Writer<'_> {
         self.graph.nodes.iter().enumerate().skip(id as usize).take(NEAR).filter_map(is_one).collect()
     }
 
-    /// Operations that only one branch needs are evaluated in that branch, and are unknown after it.
+    /// Emits a conditional. Operations that only one branch needs are evaluated in that branch, and are unknown after
+    /// it.
     fn choice(&mut self, condition: Id, yes: Id, no: Id) -> Register {
         let condition = self.write(condition);
         let to = self.register();
@@ -279,7 +282,7 @@ impl Writer<'_> {
     }
 }
 
-/// Evaluates a graph recursively, without bytecode: the reference for tests.
+/// Evaluates a function's graph recursively, without bytecode: the reference for tests.
 #[cfg(test)]
 pub(super) fn slow(graph: &Graph, parameters: &[f64]) -> f64 {
     fn value(graph: &Graph, id: Id, p: &[f64]) -> f64 {

@@ -10,16 +10,17 @@ use smallvec::SmallVec;
 const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };
 const ONE: Interval = Interval { lo: 1.0, hi: 1.0 };
 
-/// Bounds of a value and of its gradient: in a box, or within a distance of the box. Jumps have unbounded gradients.
+/// Bounds of a function's value and gradient over a box of its parameters: each gradient is within a distance of a box
+/// of gradients, and jumps have unbounded gradients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// Bounds of the value.
+    /// Bounds of the function's value.
     pub value: Interval,
-    /// The box: derivatives by each of up to three parameters.
+    /// Box of gradients: bounds of the derivatives by each of up to three parameters.
     pub by: [Interval; 3],
-    /// Maximum distance from the box.
+    /// Maximum distance of the function's gradient from the box `by`.
     pub around: f64,
-    /// True if nearly all gradients are far shorter than these bounds.
+    /// True if nearly all gradients of the function are far shorter than these bounds.
     pub rough: bool,
 }
 
@@ -29,7 +30,7 @@ impl Slope {
         Self::flat(Interval::point(x))
     }
 
-    /// The parameter with this index, which is in the interval.
+    /// Returns the slope of the parameter with this index, whose value is in the interval.
     pub fn parameter(i: usize, value: Interval) -> Self {
         let mut by = [ZERO; 3];
         if let Some(by) = by.get_mut(i) {
@@ -46,7 +47,7 @@ impl Slope {
         Self { value, by: [Interval::ALL; 3], around: 0.0, rough: false }
     }
 
-    /// Bounds of the derivative along a direction; infinite if unknown.
+    /// Returns bounds of the function's derivative along a direction; infinite if unknown.
     pub fn along(&self, d: DVec3) -> Interval {
         let [x, y, z] = [0, 1, 2].map(|i| times(self.by[i], Interval::point(d[i])));
         let sum = plus(plus(x, y), z);
@@ -54,12 +55,13 @@ impl Slope {
         Interval { lo: sum.lo - far, hi: sum.hi + far }
     }
 
-    /// True if the value is constant.
+    /// True if the function is constant over the box.
     fn is_flat(&self) -> bool {
         self.by == [ZERO; 3] && self.around == 0.0
     }
 
-    /// The chain rule, for a function with this value and the derivative `derivative` by `self`.
+    /// Chain rule: returns the slope of a function f(self), whose value and derivative by `self` are in these
+    /// intervals.
     fn chain(&self, value: Interval, derivative: Interval) -> Self {
         let most = derivative.lo.abs().max(derivative.hi.abs());
         let around = if self.around == 0.0 { 0.0 } else { self.around * most };
@@ -72,7 +74,7 @@ impl Slope {
         Self { value, by: [by(0), by(1), by(2)], around: self.around + other.around, rough }
     }
 
-    /// The chain rule for two arguments with these derivatives.
+    /// Chain rule for a function of two arguments: its value and its derivatives by both are in these intervals.
     fn both(value: Interval, a: &Self, by_a: Interval, b: &Self, by_b: Interval) -> Self {
         a.chain(value, by_a).plus(value, &b.chain(value, by_b), 1.0)
     }
@@ -84,7 +86,7 @@ impl Slope {
     }
 }
 
-/// The product; exactly 0 if one factor is.
+/// Product of two intervals; exactly 0 if one factor is.
 fn times(a: Interval, b: Interval) -> Interval {
     if a == ZERO || b == ZERO { ZERO } else { a * b }
 }
@@ -98,8 +100,8 @@ fn plus(a: Interval, b: Interval) -> Interval {
 }
 
 impl Graph {
-    /// Bounds of the result and its derivatives, while the parameters have these. `room` is filled with those of all
-    /// operations.
+    /// Returns bounds of the function's result and of its derivatives, from those of its parameters. `room` is scratch
+    /// memory for those of all operations.
     pub fn slope(&self, parameters: &[Slope], room: &mut Vec<Slope>) -> Slope {
         room.clear();
         let mut last = None;
@@ -110,8 +112,8 @@ impl Graph {
         room.get(self.result as usize).copied().unwrap_or(Slope::steep(Interval::ALL))
     }
 
-    /// The bounds of one operation. `last` are the results of the last call: the next operation often uses another
-    /// component.
+    /// Returns the slope of one operation of the graph. `last` has the results of the last call: the next operation
+    /// often uses another component of it.
     fn slope_of<'g>(
         &'g self,
         node: &'g Operation,
@@ -147,7 +149,8 @@ impl Graph {
 }
 
 impl Function {
-    /// Bounds of the number and of its derivatives, over a box of its parameters. `room` is scratch memory.
+    /// Returns bounds of the function's number and of its derivatives, over a box of its parameters. `room` is scratch
+    /// memory.
     pub fn slope(&self, parameters: &[Interval], room: &mut Vec<Slope>) -> Slope {
         let list: SmallVec<[Slope; 4]> =
             parameters.iter().enumerate().map(|(i, &value)| Slope::parameter(i, value)).collect();
@@ -176,7 +179,7 @@ fn of_operator(op: Operator, a: &Slope, b: &Slope, same: bool) -> Slope {
     }
 }
 
-/// A function of one argument, by its derivative over an interval.
+/// Slope of a built-in function of one argument, from its derivative over an interval.
 fn of_one(row: &numeric::Numeric, a: &Slope) -> Slope {
     let value = (row.bounds)(a.value, a.value);
     if a.is_flat() {
@@ -213,7 +216,7 @@ fn numeric_bounds(name: &str) -> fn(Interval, Interval) -> Interval {
     numeric::find(name).map_or(|_, _| Interval::ALL, |row| numeric::TABLE[row as usize].bounds)
 }
 
-/// A function of two arguments.
+/// Slope of a built-in function of two arguments.
 fn of_two(row: &numeric::Numeric, a: &Slope, b: &Slope) -> Slope {
     let value = (row.bounds)(a.value, b.value);
     if a.is_flat() && b.is_flat() {
@@ -254,7 +257,7 @@ fn of_two(row: &numeric::Numeric, a: &Slope, b: &Slope) -> Slope {
     }
 }
 
-/// atan2 over a box.
+/// Bounds of atan2 over a box of y and x.
 fn angle(y: Interval, x: Interval) -> Interval {
     if y.contains(0.0) && x.lo <= 0.0 {
         return Interval::new(-3.2, 3.2);
@@ -264,7 +267,7 @@ fn angle(y: Interval, x: Interval) -> Interval {
     all.into_iter().reduce(Interval::hull).unwrap_or(Interval::ALL).widened()
 }
 
-/// All components of a call.
+/// Slopes of all components of a call.
 fn of_call(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
     if let Callee::Function(function) = callee
         && let Body::Numeric(program) = &function.body
@@ -303,7 +306,7 @@ fn of_call(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
     each(&|component| if is_flat { Slope::flat(bounds(component)) } else { Slope::steep(bounds(component)) })
 }
 
-/// Upper bound of the factor by which three numbers lengthen a step of the parameters.
+/// Upper bound of the factor by which three coordinates lengthen a step of the function's parameters.
 fn longest(numbers: [&Slope; 3]) -> f64 {
     let size = |i: &Interval| i.lo.abs().max(i.hi.abs());
     let turns = numbers.iter().map(|n| n.around * n.around).sum::<f64>().sqrt();

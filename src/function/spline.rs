@@ -3,34 +3,34 @@
 use super::{Gives, Sampler};
 use crate::value::{Thing, VecN};
 
-/// Interpolation between the points.
+/// Interpolation between a spline's points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SplineKind {
-    /// Straight lines between the points.
+    /// Linear spline: straight lines between the points.
     Linear,
-    /// A parabola through three points at a time.
+    /// Quadratic spline: a parabola through three points at a time.
     Quadratic,
-    /// Cubic with two continuous derivatives, and none bent at the ends.
+    /// Natural spline: cubic with two continuous derivatives, and curvature 0 at the ends.
     Natural,
-    /// Cubic through all points but the first and last, which only define the direction at their neighbours.
+    /// Cubic spline through all points but the first and last, which only define the direction at their neighbours.
     Cubic,
 }
 
-/// Points in the order of their parameters.
+/// Spline: points in the order of their parameters, and their interpolation.
 #[derive(Clone, Debug)]
 pub struct Spline {
-    /// Interpolation unless a call names another.
+    /// Interpolation of the spline's points, unless a call names another.
     pub kind: SplineKind,
-    /// Parameter and point, ascending.
+    /// Parameter and point of each of the spline's entries, in ascending order.
     points: Vec<(f64, [f64; 5])>,
-    /// Number of components of a point.
+    /// Number of components of the spline's points.
     pub len: u8,
-    /// Second derivatives of the natural spline.
+    /// Second derivatives of the natural spline at its points.
     bends: Vec<[f64; 5]>,
 }
 
 impl SplineKind {
-    /// The kind with this name.
+    /// Returns the kind of spline with this word, such as `cubic_spline`.
     pub fn of(word: &str) -> Option<Self> {
         Some(match word {
             "linear_spline" => Self::Linear,
@@ -43,7 +43,8 @@ impl SplineKind {
 }
 
 impl Spline {
-    /// From points in any order; of two with one parameter the last counts. At least one is required.
+    /// Creates a spline from points in any order; of two points with one parameter the last counts. At least one point
+    /// is required.
     pub fn new(kind: SplineKind, given: &[(f64, VecN)]) -> Self {
         let mut points: Vec<(f64, [f64; 5])> = vec![];
         for (t, point) in given {
@@ -57,12 +58,12 @@ impl Spline {
         Self { kind, points, len, bends }
     }
 
-    /// The points, ascending, for a spline that adds more.
+    /// The spline's parameters and points in ascending order, for a spline that adds more.
     pub fn points(&self) -> impl Iterator<Item = (f64, VecN)> + '_ {
         self.points.iter().map(|(t, c)| (*t, VecN { c: *c, len: self.len }))
     }
 
-    /// The point at a parameter; constant before the first and after the last.
+    /// Returns the spline's point at a parameter; constant before the first and after the last.
     pub fn at(&self, t: f64, kind: SplineKind) -> [f64; 5] {
         let (p, n) = (&self.points, self.points.len());
         // The cubic begins at the second point and ends at the last but one.
@@ -89,8 +90,8 @@ impl Spline {
         out
     }
 
-    /// Hermite's cubic; the slope at a point is the mean of those of the lines to its neighbours (quirk:
-    /// `cubic_spline_slopes`).
+    /// Component `c` of a cubic spline between the points i and i + 1, by Hermite's cubic; the slope at a point is the
+    /// mean of those of the lines to its neighbours (quirk: `cubic_spline_slopes`).
     fn cubic(&self, i: usize, t: f64, c: usize) -> f64 {
         let p = &self.points;
         let slope = |i: usize| (p[i + 1].1[c] - p[i].1[c]) / (p[i + 1].0 - p[i].0);
@@ -104,7 +105,8 @@ impl Spline {
             + (s3 - s2) * h * m1
     }
 
-    /// From the values and second derivatives at both ends (Press et al., "Numerical Recipes", 1992, section 3.3).
+    /// Component `c` of a natural spline between the points i and i + 1, from the values and second derivatives at both
+    /// ends (Press et al., "Numerical Recipes", 1992, section 3.3).
     fn natural(&self, i: usize, t: f64, c: usize) -> f64 {
         let p = &self.points;
         let h = p[i + 1].0 - p[i].0;
@@ -118,7 +120,7 @@ fn line(a: (f64, [f64; 5]), b: (f64, [f64; 5]), t: f64, c: usize) -> f64 {
     a.1[c] + (b.1[c] - a.1[c]) * (t - a.0) / (b.0 - a.0)
 }
 
-/// Lagrange's parabola through three points.
+/// Component `c` of Lagrange's parabola through three points of a spline.
 fn parabola(p: &[(f64, [f64; 5])], t: f64, c: usize) -> f64 {
     let [t0, t1, t2] = [p[0].0, p[1].0, p[2].0];
     p[0].1[c] * (t - t1) * (t - t2) / ((t0 - t1) * (t0 - t2))
@@ -126,7 +128,7 @@ fn parabola(p: &[(f64, [f64; 5])], t: f64, c: usize) -> f64 {
         + p[2].1[c] * (t - t0) * (t - t1) / ((t2 - t0) * (t2 - t1))
 }
 
-/// Second derivatives at the points, 0 at both ends: a tridiagonal system, solved from both sides.
+/// Second derivatives of a natural spline at its points, 0 at both ends: a tridiagonal system, solved from both sides.
 fn bends(p: &[(f64, [f64; 5])]) -> Vec<[f64; 5]> {
     let n = p.len();
     let mut out = vec![[0.0; 5]; n];

@@ -30,13 +30,13 @@ impl Header {
         })
     }
 
-    /// Reorders rows from the file's order to top first.
+    /// Reorders a BMP file's rows from the file's order to top first.
     fn top_first<T: Copy>(&self, rows: Vec<T>) -> Vec<T> {
         if self.up { rows.chunks(self.width).rev().flatten().copied().collect() } else { rows }
     }
 }
 
-/// Palette index of each pixel, from the top left; `None` without a palette, or if the file is broken.
+/// Palette index of each pixel of a BMP file, from the top left; `None` without a palette, or if the file is broken.
 pub(super) fn indices(bytes: &[u8]) -> Option<Vec<u8>> {
     let header = Header::read(bytes)?;
     let data = bytes.get(header.start..)?;
@@ -48,7 +48,7 @@ pub(super) fn indices(bytes: &[u8]) -> Option<Vec<u8>> {
     Some(header.top_first(rows))
 }
 
-/// Uncompressed data; each row is padded to a multiple of four bytes.
+/// Decodes uncompressed palette indices of a BMP file; each row is padded to a multiple of four bytes.
 fn plain(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let stride = header.width.checked_mul(header.bits)?.div_ceil(32) * 4;
     let data = data.get(..stride.checked_mul(header.height)?)?;
@@ -63,8 +63,8 @@ fn plain(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     Some(data.chunks(stride).flat_map(|row| (0..header.width).map(move |x| number(row, x))).collect())
 }
 
-/// Run-length data: pairs of a count and a byte that is repeated; a count of 0 ends a row (0), ends the picture (1),
-/// moves the position (2), or precedes literal bytes.
+/// Decodes run-length data of a BMP file: pairs of a count and a byte that is repeated; a count of 0 ends a row (0),
+/// ends the picture (1), moves the position (2), or precedes literal bytes.
 fn runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let (width, halves) = (header.width, header.bits == 4);
     // A run of two bytes has at most 255 pixels, and a move at most 255 rows.

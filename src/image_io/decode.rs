@@ -16,9 +16,10 @@ pub struct Pixels {
     pub width: usize,
     /// Height of the decoded picture in pixels.
     pub height: usize,
-    /// 1 gray, 2 gray and alpha, 3 colour, 4 colour and alpha.
+    /// Channels of a decoded picture: 1 gray, 2 gray and alpha, 3 colour, 4 colour and alpha.
     pub channels: usize,
-    /// Row by row from the top left, the channels of a pixel adjacent; colours are not multiplied by alpha.
+    /// Samples of a decoded picture, row by row from the top left, the channels of a pixel adjacent; colours are not
+    /// multiplied by alpha.
     pub samples: Samples,
 }
 
@@ -45,16 +46,19 @@ impl From<Pixels> for Decoded {
     }
 }
 
-/// Decodes a file.
+/// Decodes a picture file.
 ///
 /// # Errors
-/// E0002 if it does not exist, E0003 if it can't be read, E0007 if it is not a picture.
+/// E0002 if the file does not exist, E0003 if it can't be read, E0007 if it is not a picture.
 pub fn decode_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
     let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
     decode_bytes(&bytes, path).map(|decoded| decoded.pixels)
 }
 
-/// Decodes the bytes of a picture file (E0007).
+/// Decodes the bytes of a picture file.
+///
+/// # Errors
+/// E0007 if it is not a picture.
 pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
     decode_any(bytes, ending).map_err(|reason| {
@@ -73,11 +77,11 @@ pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
     })
 }
 
-/// Decodes png, jpg, bmp, tga, tiff, gif, ppm, hdr or exr. The bytes decide which; the ending of the file's name counts
-/// only for tga, which has no signature.
+/// Decodes a picture in the format png, jpg, bmp, tga, tiff, gif, ppm, hdr or exr. The bytes decide which; the ending
+/// of the file's name counts only for tga, which has no signature.
 ///
 /// # Errors
-/// The reason why it is not a picture, in words.
+/// The reason why the bytes are not a picture, in words.
 pub fn decode(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
     decode_any(bytes, ending).map(|decoded| decoded.pixels)
 }
@@ -113,7 +117,7 @@ fn decode_any(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
     Ok(Decoded { pixels, indices: bmp::indices(bytes) })
 }
 
-/// Decodes the formats of the crate `image`.
+/// Decodes a picture whose format the crate `image` supports.
 fn decode_usual(bytes: &[u8]) -> Result<Pixels, String> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
     reader.decode().map(Pixels::from).map_err(|e| e.to_string())
@@ -201,7 +205,7 @@ impl Pixels {
         Self { channels: n - 1, samples, ..self }
     }
 
-    /// Adds an alpha for each pixel, if the samples are bytes of colour.
+    /// Adds an alpha channel to a decoded picture, if its samples are bytes of colour.
     fn with_alpha(self, alpha: &[u8]) -> Self {
         let solid = self.without_alpha();
         let (Samples::U8(v), 3) = (&solid.samples, solid.channels) else { return solid };
@@ -213,7 +217,8 @@ impl Pixels {
         Self { channels: 4, samples, ..solid }
     }
 
-    /// Converts to linear light: integers are decoded by the sRGB curve, floating-point numbers are linear already.
+    /// Converts a decoded picture to linear light: integers are decoded by the sRGB curve, floating-point numbers are
+    /// linear already.
     pub fn to_frame(&self) -> Frame {
         let pixels = match &self.samples {
             Samples::U8(v) => self.gather(v, &curve(255), |x| f32::from(x) / 255.0, usize::from),
@@ -234,7 +239,8 @@ impl Pixels {
     }
 }
 
-/// Expands a pixel of one to four channels to colour and alpha, each converted by its function; a missing alpha is 1.
+/// Expands a pixel of one to four channels to red, green, blue and alpha, each converted by its function; a missing
+/// alpha is 1.
 pub fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
     match *pixel {
         [gray] => [color(gray), color(gray), color(gray), 1.0],
@@ -245,7 +251,7 @@ pub fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) 
     }
 }
 
-/// Returns the linear light of each code from 0 to `max`.
+/// Returns the linear light of each sRGB code from 0 to `max`.
 fn curve(max: u16) -> Vec<f32> {
     (0..=max).map(|code| transfer::srgb_decode(f64::from(code) / f64::from(max)) as f32).collect()
 }

@@ -4,10 +4,10 @@ use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::source::{Files, ReadError, Span};
 use std::path::Path;
 
-/// Numbers from 0 to 1 on a grid.
+/// Densities from 0 to 1 on a three-dimensional grid, the contents of a df3 file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Voxels {
-    /// Number of samples along x, y and z.
+    /// Number of the grid's samples along x, y and z.
     pub size: [usize; 3],
     numbers: Numbers,
 }
@@ -20,10 +20,10 @@ enum Numbers {
 }
 
 impl Voxels {
-    /// Reads a df3 file.
+    /// Reads a df3 density file.
     ///
     /// # Errors
-    /// E0002 if it does not exist, E0003 if it can't be read, E0007 if its length is wrong.
+    /// E0002 if the file does not exist, E0003 if it can't be read, E0007 if its length is wrong.
     pub fn read(files: &dyn Files, path: &Path) -> Result<Self> {
         let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
         Self::decode(&bytes).map_err(|reason| {
@@ -32,11 +32,11 @@ impl Voxels {
         })
     }
 
-    /// Decodes three sizes of two bytes, then all numbers, x fastest, of one, two or four bytes, as the file's length
-    /// implies; all are big-endian.
+    /// Decodes a df3 density file: three sizes of two bytes, then all densities, x fastest, of one, two or four bytes,
+    /// as the file's length implies; all are big-endian.
     ///
     /// # Errors
-    /// The reason why it is not a df3 file, in words.
+    /// The reason why the bytes are not a df3 file, in words.
     pub fn decode(bytes: &[u8]) -> std::result::Result<Self, String> {
         let Some((&header, body)) = bytes.split_first_chunk::<6>() else { return Err("it is too short".into()) };
         let [a, b, c, d, e, f] = header;

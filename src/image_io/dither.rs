@@ -5,17 +5,18 @@
 
 use super::quantize::Scale;
 
-/// Method of rounding light to integer codes.
+/// Dithering method for rounding light to integer codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dither {
-    /// An ordered pattern of 2, 3 or 4 pixels (Bayer, An optimum method for two-level rendition, 1973).
+    /// Ordered dithering by a pattern with a side of 2, 3 or 4 pixels (Bayer, An optimum method for two-level
+    /// rendition, 1973).
     Bayer(usize),
     /// Dithering that adds the rounding error to the row's next pixel.
     Row,
-    /// The error is divided among the next pixel and two below.
+    /// Dithering that divides the rounding error among the next pixel and two below.
     Simple,
-    /// The error is divided among the next pixel and three below (Floyd and Steinberg, An adaptive algorithm for
-    /// spatial greyscale, 1976).
+    /// Dithering that divides the rounding error among the next pixel and three below (Floyd and Steinberg, An adaptive
+    /// algorithm for spatial greyscale, 1976).
     FloydSteinberg,
 }
 
@@ -23,19 +24,19 @@ const TWO: [usize; 4] = [1, 4, 3, 2];
 const THREE: [usize; 9] = [3, 6, 2, 7, 1, 8, 4, 9, 5];
 const FOUR: [usize; 16] = [1, 13, 4, 16, 9, 5, 12, 8, 3, 15, 2, 14, 11, 7, 10, 6];
 
-/// A receiver of a pixel's error: offset to the right, offset down, share.
+/// A receiver of a pixel's rounding error in dithering: offset to the right, offset down, share.
 type Share = (isize, usize, f32);
 const SIMPLE: &[Share] = &[(1, 0, 0.5), (0, 1, 0.25), (1, 1, 0.25)];
 const FLOYD_STEINBERG: &[Share] = &[(1, 0, 7.0 / 16.0), (-1, 1, 3.0 / 16.0), (0, 1, 5.0 / 16.0), (1, 1, 1.0 / 16.0)];
 
-/// Rounds one row after the other.
+/// State of a picture's dithering, row after row.
 pub(super) struct Ditherer {
     dither: Dither,
     channels: usize,
     row: usize,
-    /// Light to be added to this row and the two below, by channel.
+    /// Rounding errors to be added to this row and the two below, by pixel and channel.
     errors: [Vec<f32>; 3],
-    /// Rounding error of the row's last pixel, by channel.
+    /// Rounding error of the last pixel in the row, by channel.
     last: [f32; 4],
 }
 
@@ -45,7 +46,7 @@ impl Ditherer {
         Self { dither, channels, row: 0, errors, last: [0.0; 4] }
     }
 
-    /// Converts the light of a row, from 0 to 1, channel by channel, to codes.
+    /// Dithers a row of light, from 0 to 1, channel by channel, to integer codes.
     pub fn codes(&mut self, row: &[f32], scale: Scale) -> Vec<u16> {
         let codes = row.iter().enumerate().map(|(i, &x)| self.code(i, x, scale)).collect();
         self.errors.rotate_left(1);
@@ -54,7 +55,7 @@ impl Ditherer {
         codes
     }
 
-    /// Code of the light with this index in its row.
+    /// Dithers the light with index `i` in its row to an integer code.
     fn code(&mut self, i: usize, light: f32, scale: Scale) -> u16 {
         let (column, channel) = (i / self.channels, i % self.channels);
         let round = |light| scale.code(scale.number(channel, light) + 0.5);
@@ -79,8 +80,8 @@ impl Ditherer {
         }
     }
 
-    /// Distributes the error of a pixel. The first column receives errors from above one row late, and errors beyond
-    /// the sides are lost (quirk: `dithering`).
+    /// Distributes a pixel's rounding error to its neighbours. The first column receives errors from above one row
+    /// late, and errors beyond the sides are lost (quirk: `dithering`).
     fn share(&mut self, i: usize, error: f32) {
         let shares = if self.dither == Dither::Simple { SIMPLE } else { FLOYD_STEINBERG };
         for &(right, down, share) in shares {

@@ -18,11 +18,11 @@ use std::io::{self, Cursor, Seek, Write};
 pub struct Encoding {
     /// File format of the encoded picture.
     pub format: Format,
-    /// 8 or 16 bits a channel, or for exr 16 or 32, where the format has them.
+    /// Bits per channel of the encoded picture, where the format has a choice: 8 or 16, for exr 16 or 32.
     pub depth: u8,
-    /// True to keep transparency, where the format can; otherwise the picture is composited over black.
+    /// True to encode transparency, where the format can; otherwise the picture is composited over black.
     pub alpha: bool,
-    /// True to keep brightness alone, as height fields do; png and ppm (which is then pgm) can.
+    /// True to encode brightness alone, as height fields do, where the format can: png and ppm, which is then pgm.
     pub gray: bool,
     /// Transfer curve of the picture's integer codes.
     pub gamma: Gamma,
@@ -37,7 +37,7 @@ pub struct Encoding {
 pub enum Packing {
     /// OpenEXR compression: none.
     None,
-    /// Run-length encoding by lines: ten times as fast as the denser methods.
+    /// OpenEXR compression: run-length encoding by lines, ten times as fast as the denser methods.
     #[default]
     Runs,
     /// OpenEXR compression: Deflate, sixteen lines at once.
@@ -45,7 +45,7 @@ pub enum Packing {
 }
 
 impl Encoding {
-    /// 8 bits, or 32 for exr; the sRGB curve, no transparency.
+    /// Default encoding for a format: 8 bits a channel, or 32 for exr; the sRGB curve, no transparency.
     pub fn new(format: Format) -> Self {
         let depth = if format == Format::Exr { 32 } else { 8 };
         let (gamma, packing) = (Gamma::Srgb, Packing::default());
@@ -56,14 +56,14 @@ impl Encoding {
         self.alpha && self.format.has_alpha()
     }
 
-    /// True if the light of all pixels is kept until the last row: the rows of bmp files start at the bottom, and error
-    /// diffusion does too (quirk: `bmp_dithers_upwards`; patterns start at the top).
+    /// True if the encoder stores the light of all pixels until the last row: the rows of bmp files start at the
+    /// bottom, and error diffusion does too (quirk: `bmp_dithers_upwards`; patterns start at the top).
     fn keeps_light(&self) -> bool {
         let hands_on = self.dither.is_some_and(|dither| !matches!(dither, Dither::Bayer(_)));
         self.format == Format::Exr || self.format == Format::Bmp && hands_on
     }
 
-    /// Memory per pixel until the file is finished, in bytes.
+    /// Memory that the encoder needs per pixel until the file is finished, in bytes.
     pub fn kept(&self) -> usize {
         match self.format {
             Format::Png | Format::Ppm | Format::Hdr => 0,
@@ -73,12 +73,13 @@ impl Encoding {
     }
 }
 
-/// A consumer of a picture, some whole rows of linear light at a time, from the top; pixels are those of a [`Frame`].
+/// Consumer of a picture's rows of linear light, some whole rows at a time, from the top; pixels are those of a
+/// [`Frame`].
 pub trait Rows: Send {
-    /// Consumes the next rows.
+    /// Consumes the picture's next rows.
     ///
     /// # Errors
-    /// The reason why they can't be stored.
+    /// The reason why the rows can't be stored.
     fn take(&mut self, rows: &[[f32; 4]]) -> Result<()>;
 }
 
@@ -89,7 +90,7 @@ impl Rows for Frame {
     }
 }
 
-/// The reason why a picture was not stored.
+/// The reason why a picture could not be encoded or written.
 #[derive(Debug)]
 pub enum EncodeError {
     /// Encoding failed because the picture's file can't be written.
@@ -99,7 +100,8 @@ pub enum EncodeError {
 }
 
 impl EncodeError {
-    /// E0008, or the result of `unwritable` if the file can't be written.
+    /// Converts the error to a diagnostic: E0008 if the format can't hold the picture, or the result of `unwritable` if
+    /// the file can't be written.
     pub fn into_fault(self, format: Format, unwritable: impl FnOnce(&io::Error) -> Diagnostic) -> Fault {
         Box::new(match self {
             Self::Io(error) => unwritable(&error),
@@ -141,7 +143,7 @@ pub(super) type Encoded<T = ()> = std::result::Result<T, EncodeError>;
 const JPEG_QUALITY: u8 = 92;
 
 /// A picture file that is being written: rows are passed from the top, and are written immediately where the format
-/// allows.
+/// allows it.
 pub struct Encoder<W: Write + Seek> {
     encoding: Encoding,
     width: usize,
@@ -154,14 +156,14 @@ enum Out<W: Write + Seek> {
     /// PNG encoder, which writes each row immediately.
     Png(Box<PngWriter<W>>),
     Flat(W),
-    /// Rows are kept in the file's own form until the last one.
+    /// Encoder of a format of integers, which collects the samples of all rows until the last one.
     Integers(W, Vec<u8>),
     Floats(W, Vec<[f32; 4]>),
 }
 
 impl<W: Write + Seek> Encoder<W> {
-    /// Begins the file of a picture of this size: integers follow the sRGB curve, floating-point formats have linear
-    /// light.
+    /// Begins the file of a picture of this size: integers follow the transfer curve of `encoding`, floating-point
+    /// formats have linear light.
     ///
     /// # Errors
     /// If the format can't hold the picture, or the file can't be written.
@@ -188,7 +190,7 @@ impl<W: Write + Seek> Encoder<W> {
         Ok(Self { encoding: *encoding, width, height, integers, out })
     }
 
-    /// Adds rows.
+    /// Adds rows to a picture file.
     ///
     /// # Errors
     /// If they can't be written.
@@ -224,7 +226,7 @@ impl<W: Write + Seek> Encoder<W> {
         Ok(())
     }
 
-    /// Ends the file.
+    /// Ends a picture file.
     ///
     /// # Errors
     /// If it can't be written, or the format can't hold the picture.
@@ -245,7 +247,7 @@ impl<W: Write + Seek> Encoder<W> {
     }
 }
 
-/// The bytes of the file of a whole picture.
+/// Encodes a whole picture; returns the bytes of the file.
 ///
 /// # Errors
 /// E0008 if the format can't hold the picture.
@@ -282,7 +284,7 @@ fn encode_integers<W: Write + Seek>(
     Ok(())
 }
 
-/// Alpha is associated (colours are multiplied by it), as OpenEXR's specification demands.
+/// Writes an OpenEXR picture. Alpha is associated (colours are multiplied by it), as OpenEXR's specification demands.
 fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32; 4]], how: &Encoding) -> Encoded {
     let compression = match how.packing {
         Packing::None => Compression::Uncompressed,
@@ -312,7 +314,7 @@ fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32
     Ok(())
 }
 
-/// The bytes before the size in a file of these rows, and those after it.
+/// Encodes a Radiance HDR picture of these rows; returns the file's bytes before the size and after it.
 fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>, Vec<u8>)> {
     let mut file = Vec::new();
     HdrEncoder::new(&mut file).encode(rows, width, height)?;
@@ -329,14 +331,14 @@ fn brightness(&[r, g, b, a]: &[f32; 4]) -> [f32; 4] {
     [gray, gray, gray, a]
 }
 
-/// Keeps one of three equal colour channels, and alpha.
+/// Removes two of three equal colour channels from encoded gray pixels, and keeps alpha.
 fn one_of_three(pixels: &[u8], encoding: Encoding) -> Vec<u8> {
     let number = usize::from(encoding.depth / 8);
     let pixel = number * if encoding.keeps_alpha() { 4 } else { 3 };
     pixels.chunks(pixel).flat_map(|pixel| pixel[..number].iter().chain(&pixel[3 * number..])).copied().collect()
 }
 
-/// Replaces NaN by 0: it would spread through every program that reads the file.
+/// Replaces NaN by 0 in a sample: NaN would spread through every program that reads the file.
 fn number(x: f32) -> f32 {
     if x.is_nan() { 0.0 } else { x }
 }

@@ -25,12 +25,12 @@ pub enum Format {
     Tiff,
 }
 
-/// Table row of a picture format's capabilities.
+/// Capabilities of a picture format, as a row of the table of formats.
 struct Row {
     format: Format,
-    /// Endings of file names; the first one is the format's name.
+    /// Endings of file names in a picture format; the first one is the format's name.
     endings: &'static [&'static str],
-    /// Bits per channel that the format allows; empty for floating-point numbers.
+    /// Bits per channel that a picture format allows; empty for floating-point numbers.
     depths: &'static [u8],
     alpha: bool,
     max_side: usize,
@@ -72,7 +72,7 @@ impl Format {
         ROWS.iter().map(|row| row.endings[0])
     }
 
-    /// True if the number of bits per channel can be chosen.
+    /// True if the picture format offers a choice of bits per channel.
     pub fn has_depth(self) -> bool {
         !self.row().depths.is_empty()
     }
@@ -111,7 +111,7 @@ impl Format {
         Diagnostic::new(codes::UNKNOWN_FORMAT, Span::NONE, message).help(help).into()
     }
 
-    /// Checks whether the format can hold a picture of this size with this number of bits per channel.
+    /// Checks whether the picture format can hold a picture of this size with this number of bits per channel.
     ///
     /// # Errors
     /// E0008 if it can't.

@@ -7,16 +7,16 @@ use crate::diagnostic::file;
 use crate::source::{Files, ReadError};
 use std::path::Path;
 
-/// Relation of a picture file's numbers to light.
+/// Relation of a picture file's sample numbers to light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stored {
-    /// Numbers are used as they are: ppm, tiff, hdr, exr.
+    /// Samples are used as they are: the formats ppm, tiff, hdr, exr.
     Plain,
-    /// Unknown; png, jpeg, gif, tga and bmp usually follow the sRGB curve.
+    /// The file names no transfer curve; png, jpeg, gif, tga and bmp usually follow the sRGB curve.
     Unsaid,
-    /// Numbers follow the sRGB curve, according to the file.
+    /// Samples follow the sRGB curve, according to the file.
     Srgb,
-    /// Light is the number to the power of this, according to the file.
+    /// Light is the sample to the power of this, according to the file.
     Power(f64),
 }
 
@@ -27,17 +27,17 @@ pub struct Picture {
     pub pixels: Pixels,
     /// Relation of the picture's samples to light.
     pub stored: Stored,
-    /// Palette index of each pixel, row by row from the top, if the file has a palette.
+    /// Palette index of each pixel of the decoded picture, row by row from the top, if the file has a palette.
     pub indices: Option<Vec<u8>>,
-    /// True for a png of grays alone, of up to eight bits each.
+    /// True if the picture file is a png of grays alone, of up to eight bits each.
     pub gray_bytes: bool,
 }
 
 impl Picture {
-    /// Decodes a file.
+    /// Decodes a picture file.
     ///
     /// # Errors
-    /// E0002 if it does not exist, E0003 if it can't be read, E0007 if it is not a picture.
+    /// E0002 if the file does not exist, E0003 if it can't be read, E0007 if it is not a picture.
     pub fn read(files: &dyn Files, path: &Path) -> Result<Self> {
         let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
         let Decoded { mut pixels, mut indices } = decode_bytes(&bytes, path)?;
@@ -61,22 +61,22 @@ impl Picture {
     }
 }
 
-/// POV-Ray's value of a gray in a png of grays: rounded down to a byte after the weights have reduced it (quirk:
-/// `gray_png_rounds_down`).
+/// Returns POV-Ray's value for a gray sample of a png of grays: rounded down to a byte after the weights have reduced
+/// it (quirk: `gray_png_rounds_down`).
 pub fn kept_gray(gray: f32) -> f32 {
     let [r, g, b] = GRAY_WEIGHTS.map(|weight| weight as f32 * gray);
     (((r + g) + b) * 255.0).floor().clamp(0.0, 255.0) / 255.0
 }
 
-/// A function's number in the 16 bits of a function picture: truncated, and numbers below 0 or above 1 wrap (quirk:
-/// `function_picture_wraps`): 0.25 is 16383, 1.001 is 64, and -0.3 is 45876.
+/// Converts a function's number to the 16 bits of a picture that a function fills: truncated, and numbers below 0 or
+/// above 1 wrap (quirk: `function_picture_wraps`): 0.25 is 16383, 1.001 is 64, and -0.3 is 45876.
 pub fn wrapped(x: f32) -> u16 {
     // (the product is rounded to 24 bits before)
     (x * 65535.0) as i64 as u16
 }
 
-/// From the chunks of a png: the relation to light, palette indices, and whether the file is gray. A transparent colour
-/// has no effect (quirk: `png_transparent_color`).
+/// Reads what the chunks of a png say: the relation of samples to light, palette indices, and whether one colour is
+/// declared transparent. That colour has no effect (quirk: `png_transparent_color`).
 fn png_extras(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
     let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::IDENTITY);
@@ -99,7 +99,8 @@ fn png_extras(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
     (encoding, Some(indices), false)
 }
 
-/// The number at an index in a row of numbers of 1, 2, 4 or 8 bits, the first in the highest bits.
+/// Returns the sample at column `x` of a picture's row with `depth` bits a sample (1, 2, 4 or 8), the first in the
+/// highest bits.
 fn unpacked(row: &[u8], x: usize, depth: usize) -> u8 {
     let per_byte = 8 / depth;
     let shift = 8 - depth * (x % per_byte + 1);
@@ -107,7 +108,7 @@ fn unpacked(row: &[u8], x: usize, depth: usize) -> u8 {
     if depth == 8 { byte } else { (byte >> shift) & ((1 << depth) - 1) }
 }
 
-/// The palette indices of a gif's first frame.
+/// Returns the palette indices of a gif's first frame.
 fn gif_indices(bytes: &[u8]) -> Option<Vec<u8>> {
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::Indexed);

@@ -4,16 +4,17 @@ use super::dither::Ditherer;
 use crate::color::{Gamma, transfer};
 use std::sync::LazyLock;
 
-/// Finds the code of a number by a table instead of a power: for each small interval of numbers (with equal leading
-/// bits) the code of its start, and the one number in the interval, if any, from which on the code is one more.
+/// Quantizes light to integer codes by a table instead of a power: for each small interval of numbers (with equal
+/// leading bits) the code of its start, and the one number in the interval, if any, from which on the code is one more.
 struct Quantizer {
-    /// Entry k is the smallest number with a code above k; the last is infinite.
+    /// Entry k is the smallest light with a code above k; the last is infinite.
     thresholds: Vec<f32>,
-    /// Code of the smallest number in each interval.
+    /// Code of the smallest light in each of the quantizer's intervals.
     starts: Vec<u16>,
-    /// Start of the first interval, with code 0.
+    /// Start of the quantizer's first interval, which has code 0.
     lowest: f32,
-    /// Number of trailing bits that an interval ignores: so few that no two thresholds are in one interval.
+    /// Number of trailing bits of the light that the quantizer's intervals ignore: so few that no two thresholds are in
+    /// one interval.
     shift: u32,
 }
 
@@ -35,7 +36,7 @@ impl Quantizer {
         Self { starts: starts.collect(), thresholds, lowest: f32::from_bits(first << shift), shift }
     }
 
-    /// The code nearest to the curve; 0 for NaN and negative numbers, the largest one above 1.
+    /// Returns the integer code nearest to the encoded light; 0 for NaN and negative numbers, the largest one above 1.
     #[inline]
     fn code(&self, x: f32) -> u16 {
         let x = if x > self.lowest { x.min(1.0) } else { self.lowest };
@@ -44,19 +45,20 @@ impl Quantizer {
     }
 }
 
-/// The smallest number with this code: the light of the half between the code and the one below. As in POV-Ray 3.7 the
-/// half itself is rounded up, and the nearest `f32` counts: `rgb 0.7` without any gamma is 178.5 and becomes 179.
+/// Returns the smallest light with this integer code: that of the half between the code and the one below. As in
+/// POV-Ray 3.7 the half itself is rounded up, and the nearest `f32` counts: `rgb 0.7` without any gamma is 178.5 and
+/// becomes 179.
 fn threshold(code: u16, max: u16) -> f32 {
     let half = ((f64::from(code) - 0.5) / f64::from(max)) as f32;
     transfer::srgb_decode(f64::from(half)) as f32
 }
 
-/// Code of alpha and other numbers without a curve; 0 for NaN.
+/// Returns the code of alpha and other samples without a transfer curve, before truncation; 0 for NaN.
 fn linear(x: f32, max: f32) -> f32 {
     x.clamp(0.0, 1.0) * max + 0.5
 }
 
-/// Red, green, blue over black, where alpha is not kept.
+/// Composites a pixel over black, for pictures without alpha; returns red, green and blue.
 pub(super) fn over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
     if a == 1.0 {
         return [r, g, b];
@@ -65,19 +67,19 @@ pub(super) fn over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
     [r * a, g * a, b * a]
 }
 
-/// Rows of three or four bytes a pixel, by the sRGB curve.
+/// Encodes pixels by the sRGB curve as three or four bytes a pixel.
 pub(super) fn bytes(pixels: &[[f32; 4]], alpha: bool) -> Vec<u8> {
     let table = &*BITS8;
     pack(pixels, alpha, |x| table.code(x) as u8, |a| linear(a, 255.0) as u8)
 }
 
-/// [`bytes`] with 16 bits a channel.
+/// Encodes pixels by the sRGB curve as three or four 16-bit integers a pixel.
 pub(super) fn words(pixels: &[[f32; 4]], alpha: bool) -> Vec<u16> {
     let table = &*BITS16;
     pack(pixels, alpha, |x| table.code(x), |a| linear(a, 65_535.0) as u16)
 }
 
-/// Conversion of light to the integers of a file.
+/// Encoder of linear light to the integers of a picture file.
 pub(super) struct Integers {
     pub wide: bool,
     pub alpha: bool,
@@ -87,7 +89,8 @@ pub(super) struct Integers {
 }
 
 impl Integers {
-    /// Whole rows as bytes; 16-bit samples are big-endian, or in native order.
+    /// Encodes whole rows of a picture to bytes; 16-bit samples are big-endian if `high_first` is true, in native order
+    /// otherwise.
     pub fn rows(&mut self, rows: &[[f32; 4]], high_first: bool) -> Vec<u8> {
         let order = if high_first { u16::to_be_bytes } else { u16::to_ne_bytes };
         if self.ditherer.is_none() && self.gamma == Gamma::Srgb {
@@ -115,7 +118,7 @@ impl Integers {
         out
     }
 
-    /// Light of a pixel's channels, clamped to 0 to 1.
+    /// Returns the light of a pixel's channels, clamped to 0..1, composited over black where alpha is not encoded.
     fn lights(&self, &[r, g, b, a]: &[f32; 4]) -> impl Iterator<Item = f32> {
         let [r, g, b] = if self.alpha { [r, g, b] } else { over_black([r, g, b, a]) };
         // (`max` replaces NaN by 0.)
@@ -123,22 +126,22 @@ impl Integers {
     }
 }
 
-/// Conversion between light and the numbers of a file. A fourth channel is opacity, which has no curve.
+/// Conversion between light and the integer codes of a picture file. A fourth channel is opacity, which has no curve.
 #[derive(Clone, Copy)]
 pub(super) struct Scale {
     pub gamma: Gamma,
-    /// The largest integer code of a channel.
+    /// The largest integer code of a channel: 255 or 65535.
     pub max: f32,
 }
 
 impl Scale {
-    /// Returns the unrounded code of a light in a channel.
+    /// Returns the encoded light of a channel in units of integer codes, not rounded.
     pub fn number(self, channel: usize, light: f32) -> f32 {
         let encoded = if channel == 3 { light } else { self.gamma.encode(f64::from(light)) as f32 };
         encoded.clamp(0.0, 1.0) * self.max
     }
 
-    /// Returns the integer code at or below a number.
+    /// Rounds an encoded light down to an integer code.
     pub fn code(self, number: f32) -> u16 {
         number.min(self.max) as u16
     }
@@ -150,7 +153,7 @@ impl Scale {
     }
 }
 
-/// Stores colours by one function and alpha by another.
+/// Packs the pixels' channels: colours are encoded by one function and alpha by another.
 fn pack<T: Copy + Default>(
     pixels: &[[f32; 4]],
     alpha: bool,

@@ -2,7 +2,10 @@
 
 use super::{Pixels, Samples};
 
-/// Decodes a Radiance HDR file; the error is the reason in words.
+/// Decodes a Radiance HDR file.
+///
+/// # Errors
+/// The reason why it can't be decoded, in words.
 pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
     let mut rest = bytes;
     while !line(&mut rest)?.is_empty() {}
@@ -29,7 +32,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
     Ok(Pixels { width, height, channels: 3, samples: Samples::F32(samples) })
 }
 
-/// Maximum number of pixels: a short file can claim any number.
+/// Maximum number of pixels of a Radiance HDR file: a short file can claim any number.
 const MOST: usize = 1 << 26;
 
 const CUT_OFF: &str = "it is cut off";
@@ -47,7 +50,8 @@ fn take<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], String> {
     Ok(head)
 }
 
-/// Decodes a row: the four channels one after the other, each run-length encoded, or else pixel by pixel.
+/// Decodes a row of a Radiance HDR file: the four channels one after the other, each run-length encoded, or else pixel
+/// by pixel.
 fn row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     match **rest {
         [2, 2, a, b, ..] if usize::from(u16::from_be_bytes([a, b])) == width => *rest = &rest[4..],
@@ -68,7 +72,8 @@ fn row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     Ok((0..width).map(|i| [r[i], g[i], b[i], e[i]]).collect())
 }
 
-/// Decodes pixel by pixel; (1, 1, 1, n) repeats the previous pixel n times; consecutive ones are digits of base 256.
+/// Decodes a row of a Radiance HDR file pixel by pixel; (1, 1, 1, n) repeats the previous pixel n times; consecutive
+/// ones are digits of base 256.
 fn plain(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     let mut out: Vec<[u8; 4]> = vec![];
     let mut shift = 0;

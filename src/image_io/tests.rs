@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Every 8-bit code in every channel, alpha too.
+/// A test picture with every 8-bit code in every channel, also in alpha.
 fn all_codes() -> Frame {
     let rgba: Vec<u8> = (0..=255u8).flat_map(|i| [i, 255 - i, i ^ 0x55, i.max(1)]).collect();
     Pixels { width: 16, height: 16, channels: 4, samples: Samples::U8(rgba) }.to_frame()
@@ -16,7 +16,7 @@ fn round_trip(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Pixels {
     decode(&encoded(frame, format, depth, alpha), format.name()).unwrap()
 }
 
-/// A bmp is dithered from the bottom: turned upside down, it equals the png of the picture turned upside down.
+/// Test: a bmp is dithered from the bottom; turned upside down, it equals the png of the picture turned upside down.
 #[test]
 fn bmp_is_dithered_from_the_bottom() {
     let light = |x: usize, y: usize| (x * 7 + y * 13) as f32 / 500.0;
@@ -36,8 +36,8 @@ fn bmp_is_dithered_from_the_bottom() {
     }
 }
 
-/// Brightness of the light in the file's curve, as with POV-Ray's `+FNg` (its output for `rgb <1, 0.3, 0.1>` as 16
-/// bits).
+/// Test: the gray of a picture is the brightness of its light in the file's curve, as with POV-Ray's `+FNg` (its output
+/// for `rgb <1, 0.3, 0.1>` as 16 bits).
 #[test]
 fn gray_is_brightness() {
     let frame = Frame { width: 2, height: 1, pixels: vec![[1.0, 0.3, 0.1, 1.0], [0.5, 0.5, 0.5, 0.5]] };

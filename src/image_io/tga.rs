@@ -22,7 +22,10 @@ struct Header {
 
 const HEADER: usize = 18;
 
-/// Decodes a TGA file; the error is the reason in words.
+/// Decodes a TGA file.
+///
+/// # Errors
+/// The reason why it can't be decoded, in words.
 pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
     let head = bytes.get(..HEADER).ok_or("it ends within its header")?;
     let word = |at: usize| usize::from(u16::from_le_bytes([head[at], head[at + 1]]));
@@ -61,8 +64,8 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
     }
 }
 
-/// Run-length data: a byte below 128 is the number of literal pixels minus 1; a larger one repeats the next pixel,
-/// as often as it exceeds 127.
+/// Expands the run-length data of a TGA file: a byte below 128 is the number of literal pixels minus 1; a larger one
+/// repeats the next pixel, as often as it exceeds 127.
 fn unpacked(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, String> {
     let mut out = vec![];
     while out.len() < wanted {
@@ -114,7 +117,7 @@ impl Header {
         })
     }
 
-    /// The decoded picture; alpha is dropped if the file has none.
+    /// Returns the decoded TGA picture; alpha is dropped if the file has none.
     fn finished(&self, channels: usize, alpha: bool, samples: Vec<u8>, indices: Option<Vec<u8>>) -> Decoded {
         let pixels = Pixels { width: self.width, height: self.height, channels, samples: Samples::U8(samples) };
         Decoded { pixels: if alpha { pixels } else { pixels.without_alpha() }, indices }

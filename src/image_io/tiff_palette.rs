@@ -28,7 +28,7 @@ impl File<'_> {
         Some((if self.little { u32::from_le_bytes(*four) } else { u32::from_be_bytes(*four) }) as usize)
     }
 
-    /// Offset of the value of a tag of the first picture.
+    /// Offset of the value of a tag of the TIFF file's first picture.
     fn value(&self, tag: u16) -> Option<usize> {
         let start = self.long(4)?;
         let count = usize::from(self.word(start)?);
@@ -37,7 +37,8 @@ impl File<'_> {
     }
 }
 
-/// Decodes a palette TIFF; `None` if the file has no such palette. `gray` decodes the bytes of a modified file.
+/// Decodes a TIFF file with a palette; `None` if the file has no palette that is read. `gray` decodes the bytes of a
+/// file that is modified to be gray.
 pub(super) fn decode(bytes: &[u8], gray: impl Fn(&[u8]) -> Result<Pixels, String>) -> Option<Result<Decoded, String>> {
     let little = match bytes.get(..4)? {
         b"II*\0" => true,

@@ -6,15 +6,16 @@ mod index;
 
 pub use index::{declared_in, declares, index_names, is_standard};
 
-/// Prefix of the built-in files' names in messages.
+/// Prefix of the names of built-in include files in messages.
 pub const FOLDER: &str = "<durer>";
 
-/// The text of a built-in file. The name may have any letter case, as on the systems that many scenes come from.
+/// Returns the text of a built-in include file. The name may have any letter case, as on the systems that many scenes
+/// come from.
 pub fn find(name: &str) -> Option<&'static str> {
     FILES.iter().find(|(file, _)| file.eq_ignore_ascii_case(name)).map(|(_, text)| *text)
 }
 
-/// Names of the built-in files.
+/// Returns the names of the built-in include files.
 pub fn names() -> impl Iterator<Item = &'static str> {
     FILES.iter().map(|(name, _)| *name)
 }

@@ -8,22 +8,23 @@ use crate::value::ValueKind::{Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, set, word};
 use serde::Serialize;
 
-/// A grid of lights about the location of a light.
+/// Grid of an area light's point lights about its location.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Area {
-    /// Sides of the grid.
+    /// Vectors along the two sides of an area light's grid; their lengths are the sizes.
     pub axes: [DVec3; 2],
-    /// Number of lights along each side.
+    /// Number of lights along each side of an area light's grid.
     pub size: [u32; 2],
-    /// Number of halvings after which subdivision stops where the corners agree; `None` to use all lights.
+    /// Number of halvings after which an area light's subdivision stops where the corners agree; `None` to use all
+    /// lights.
     pub adaptive: Option<u32>,
-    /// True to displace lights at random.
+    /// True if an area light's point lights are displaced at random.
     pub jitter: bool,
-    /// True to bend the grid to a disc.
+    /// True if an area light's grid is mapped to a disc.
     pub circular: bool,
-    /// True to turn the grid towards the point that it illuminates.
+    /// True if an area light's grid is turned towards the point that it illuminates.
     pub orient: bool,
-    /// True if each light illuminates by itself; otherwise the grid only shapes the shadow.
+    /// True if each point of an area light illuminates by itself; otherwise the grid only shapes the shadow.
     pub illumination: bool,
 }
 
@@ -61,9 +62,9 @@ pub(super) const AREA_ROWS: &[Row<Light>] = &[
         .sets(|s, r| set(&mut s.area.illumination, r.flag())),
 ];
 
-/// Maximum number of lights along a side.
+/// Maximum number of lights along a side of an area light's grid.
 const MOST: f64 = 1e5;
-/// Displacement of the lights of a circular grid, as a share of half a side (quirk: `circular_area_light`).
+/// Displacement of the lights of a circular area light, as a share of half a side (quirk: `circular_area_light`).
 const BESIDE: f64 = 0.002;
 
 impl Light {
@@ -88,8 +89,8 @@ impl Light {
 }
 
 impl Area {
-    /// Returns the vector from the light's location to the light `cell`. `toward` is the direction to the illuminated
-    /// point, length 1; `random` are two numbers in [0, 1) for jitter.
+    /// Returns the vector from the area light's location to the light `cell` of its grid. `toward` is the direction to
+    /// the illuminated point, length 1; `random` are two numbers in [0, 1) for jitter.
     pub fn offset(&self, cell: [u32; 2], toward: DVec3, random: Option<[f64; 2]>) -> DVec3 {
         let place = |i: usize| {
             let steps = f64::from(self.size[i].max(2) - 1);
@@ -110,8 +111,8 @@ impl Area {
         (a * u + b * v) * 0.5
     }
 
-    /// Sides of a grid that faces a direction: the first side is perpendicular to z, or to y if the direction is nearly
-    /// z (quirk: `oriented_area_sides`).
+    /// Returns the sides of an area light's grid that faces a direction: the first side is perpendicular to z, or to y
+    /// if the direction is nearly z (quirk: `oriented_area_sides`).
     fn facing(&self, toward: DVec3) -> [DVec3; 2] {
         let up = if toward.z.abs() > 0.99 { DVec3::Y } else { DVec3::Z };
         let level = up.cross(toward).normalize_or(DVec3::X);

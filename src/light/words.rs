@@ -7,7 +7,7 @@ use crate::value::ValueKind::{Block, Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Vocabulary, WordSpec};
 
-/// Words of all lights, and how each is read.
+/// Words of every light source, and how each is read.
 pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
     word("point_at", Vector, "<0, 0, 1>", "what beams and parallel light point at")
         .sets(|s, r| set(&mut s.point_at, r.vector())),
@@ -25,7 +25,7 @@ pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
         .sets(|s, r| set(&mut s.media_attenuation, r.flag())),
 ];
 
-/// Words with an object, which the scene reads.
+/// Words of a light source that have an object, which the scene reads: `looks_like` and `projected_through`.
 const LIGHT_PARTS: &[WordSpec] = &[
     word(
         "looks_like",
@@ -38,7 +38,7 @@ const LIGHT_PARTS: &[WordSpec] = &[
 
 const OWN: usize = LIGHT_ROWS.len() + BEAM_ROWS.len();
 
-/// `light_source { location, color … }`
+/// Vocabulary of `light_source { location, color … }`.
 pub const LIGHT: Vocabulary = Vocabulary {
     block: "light_source",
     summary: "a light: `light_source { place, colour … }`; it is not seen itself",

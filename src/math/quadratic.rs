@@ -6,32 +6,32 @@ use super::{Aabb, DMat3, DVec3, Transform, solve_quadratic, tolerance};
 /// Relative rounding error of sums and products of a few numbers, with a large reserve.
 const ROUNDING: f64 = 1e-13;
 
-/// A quadratic function of a point p: w·Qw + 2·h·w + c with w = p - center.
+/// Quadratic function of a point p: w·Qw + 2·h·w + c with w = p - center.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quadratic {
-    /// Matrix Q of the quadratic terms, symmetric.
+    /// Symmetric matrix Q of the quadratic terms.
     pub q: DMat3,
-    /// Half of the linear terms.
+    /// Half of the coefficients of the quadratic function's linear terms.
     pub h: DVec3,
-    /// Value at the centre.
+    /// Value of the quadratic function at its centre.
     pub c: f64,
-    /// Any point; near the middle of the surface, the numbers are small.
+    /// Point about which the quadratic function is expanded; numbers are small if it is near the middle of the surface.
     pub center: DVec3,
 }
 
 impl Quadratic {
-    /// The polynomial in the outer space: q(M⁻¹·p).
+    /// Returns the transformed quadratic function: q(M⁻¹·p) at a point p of the outer space.
     pub fn under(&self, m: &Transform) -> Self {
         let a = m.inv.matrix3;
         Self { q: a.transpose() * self.q * a, h: a.transpose() * self.h, c: self.c, center: m.point(self.center) }
     }
 
-    /// With the opposite sign, which exchanges inside and outside.
+    /// Returns the quadratic function with the opposite sign, which exchanges inside and outside.
     pub fn negated(&self) -> Self {
         Self { q: -self.q, h: -self.h, c: -self.c, ..*self }
     }
 
-    /// Bounding box of all points in `around` where the polynomial is not positive.
+    /// Bounding box of all points in `around` where the quadratic function is not positive.
     pub fn bounds_in(&self, around: Aabb) -> Aabb {
         let numbers = [self.q.x_axis, self.q.y_axis, self.q.z_axis, self.h, self.center];
         if around.is_empty() || !numbers.iter().all(|v| v.is_finite()) || !self.c.is_finite() {
@@ -53,7 +53,8 @@ impl Quadratic {
         found.grown(tolerance::BOUNDS * size).intersection(around)
     }
 
-    /// s with s·w² ≤ w·Qw: 2·q·x·y is at least -|q|·(x² + y²). Zeros stay zeros, all else is rounded downwards.
+    /// Returns coefficients s of a lower bound without mixed terms: s with s·w² ≤ w·Qw: 2·q·x·y is at least -|q|·(x² +
+    /// y²). Zeros stay zeros, all else is rounded downwards.
     fn least_squares(&self) -> DVec3 {
         let columns = [self.q.x_axis, self.q.y_axis, self.q.z_axis];
         let size = columns.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
@@ -64,8 +65,8 @@ impl Quadratic {
         DVec3::new(least(0), least(1), least(2))
     }
 
-    /// The interval along an axis where the sum can be 0 or less, given the intervals of the others; `None` if it is
-    /// empty.
+    /// Returns the interval along an axis where the quadratic function can be 0 or less, given the intervals along the
+    /// other axes; `None` if it is empty.
     fn along(&self, axis: usize, squares: DVec3, within: &Aabb) -> Option<(f64, f64)> {
         let others = [(axis + 1) % 3, (axis + 2) % 3];
         let least = others.map(|i| minimum(squares[i], 2.0 * self.h[i], within.min[i], within.max[i]));

@@ -1,17 +1,18 @@
 //! Random numbers that are functions of a key, independent of the order of calls.
 
-/// A number in [0, 1) that is a function of its key alone: (frame, pixel, sample, dimension) or the
+/// Returns a random number in [0, 1) that is a function of its key alone: (frame, pixel, sample, dimension) or the
 /// like. SplitMix64's finaliser (Steele, Lea and Flood 2014) folds the words in.
 pub fn unit(key: &[u64]) -> f64 {
     (mix(folded(key)) >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// A key hashed to one word.
+/// Returns a random word of 64 bits that is a function of its key alone.
 pub fn word(key: &[u64]) -> u64 {
     mix(folded(key))
 }
 
-/// The numbers of [`unit()`] for a key followed by 1, 2, 3 …: for tests. (Rendering code names each number's purpose.)
+/// Sequence of random numbers: [`unit()`] of a key followed by 1, 2, 3 …; for tests. (Rendering code names each
+/// number's purpose.)
 #[derive(Clone, Copy, Debug)]
 pub struct Stream {
     folded: u64,
@@ -19,12 +20,12 @@ pub struct Stream {
 }
 
 impl Stream {
-    /// The stream of this key.
+    /// Creates the sequence of random numbers of this key.
     pub fn new(key: &[u64]) -> Self {
         Self { folded: folded(key), dimension: 0 }
     }
 
-    /// The next number in [0, 1).
+    /// Returns the next random number in [0, 1).
     #[allow(clippy::should_implement_trait)]
     pub fn next(&mut self) -> f64 {
         self.dimension += 1;

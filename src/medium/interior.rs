@@ -42,7 +42,7 @@ const INTERIOR_ROWS: &[Row<Interior>] = &[
         .sets(|s, r| set(&mut s.caustics, r.float())),
 ];
 
-/// `interior { … }`
+/// Vocabulary of the block `interior { … }`.
 pub const INTERIOR: Vocabulary = Vocabulary {
     block: "interior",
     summary: "what fills a shape",
@@ -72,7 +72,7 @@ pub struct Interior {
     pub fade_color: Rgb,
     /// Strength of bright spots in shadows, where light enters at a right angle; 0 for none.
     pub caustics: f64,
-    /// Items that are read and not rendered yet.
+    /// Items of an `interior` block that are read and not rendered yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
@@ -100,7 +100,7 @@ impl Thing for Interior {
 }
 
 impl Interior {
-    /// Reads the items between the braces; items override those of `base`.
+    /// Reads the items of an `interior` block; they override those of `base`.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.

@@ -3,7 +3,7 @@
 use super::words::{lines, number};
 use super::{MeshMaterial, ReadResult};
 
-/// Appends the materials of a file; `file` is its name, for messages.
+/// Appends the materials of an MTL file; `file` is its name, for messages.
 pub fn read(bytes: &[u8], file: &str, out: &mut Vec<MeshMaterial>) -> ReadResult<()> {
     let first = out.len();
     for (line, text) in lines(bytes) {
@@ -42,7 +42,7 @@ pub fn read(bytes: &[u8], file: &str, out: &mut Vec<MeshMaterial>) -> ReadResult
     Ok(())
 }
 
-/// The file's name after options such as `-o 0 0 0`; it may contain blanks.
+/// Returns the picture's file name in a line of an MTL file, after options such as `-o 0 0 0`; it may contain blanks.
 fn picture(rest: &str) -> Option<String> {
     let mut words = rest.split_ascii_whitespace().peekable();
     while words.peek().is_some_and(|word| word.starts_with('-')) {

@@ -5,7 +5,7 @@ use super::{MeshFile, NONE, Open, ReadResult, direction, mtl, point, polygon};
 use crate::math::DVec2;
 use glam::Vec3;
 
-/// Reads a file. Lines that do not describe polygons are skipped.
+/// Reads an OBJ file. Lines that do not describe polygons are skipped.
 pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     let mut out = MeshFile::default();
     let mut state = State::default();
@@ -41,7 +41,7 @@ pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     Ok(out)
 }
 
-/// Reads the material files that a line names; a missing one becomes a remark.
+/// Reads the material files that a line of an OBJ file names; a missing one becomes a remark.
 fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> ReadResult<()> {
     // One name, which may contain blanks, or else several.
     if let Ok(bytes) = open(rest) {
@@ -56,7 +56,7 @@ fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> ReadResult<()> {
     Ok(())
 }
 
-/// At least `least` numbers; missing ones are 0.
+/// Reads at least `least` numbers from a line of an OBJ file; missing ones are 0.
 fn numbers(rest: &str, least: usize, line: usize) -> ReadResult<[f64; 4]> {
     let mut out = [0.0; 4];
     let mut count = 0;
@@ -67,17 +67,17 @@ fn numbers(rest: &str, least: usize, line: usize) -> ReadResult<[f64; 4]> {
     if count < least { Err(format!("line {line}: expected {least} numbers, found {count}")) } else { Ok(out) }
 }
 
-/// State of the reader of faces.
+/// State of the reader of faces in an OBJ file.
 #[derive(Default)]
 struct State {
-    /// The current material.
+    /// Index of the current material in an OBJ file.
     slot: u32,
     corners: Vec<[Option<u32>; 3]>,
     points: Vec<Vec3>,
 }
 
 impl State {
-    /// `f 1/2/3 4/5/6 …`: corner, surface coordinates, normal.
+    /// Reads a face of an OBJ file: `f 1/2/3 4/5/6 …`, indices of corner, surface coordinates and normal.
     fn read_face(&mut self, rest: &str, line: usize, out: &mut MeshFile) -> ReadResult<()> {
         let all = &mut out.triangles;
         let lengths = [all.vertices.len(), all.uvs.len(), all.normals.len()];
@@ -110,7 +110,7 @@ impl State {
     }
 }
 
-/// An index counted from 1, or backwards from the end.
+/// Reads an index of an OBJ file, counted from 1, or backwards from the end.
 fn index(text: &str, length: usize, what: &str, line: usize) -> ReadResult<u32> {
     let n: i64 = text.parse().map_err(|_| format!("line {line}: expected the number of a {what}, found `{text}`"))?;
     let place = if n < 0 { length as i64 + n } else { n - 1 };

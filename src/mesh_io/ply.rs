@@ -6,10 +6,11 @@ use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType};
 use std::io::{BufRead, ErrorKind, Read};
 
-/// Number of elements that are read at once. A header's count thus reserves no memory for data that the file does not have.
+/// Number of elements of a PLY file that are read at once. A header's count thus reserves no memory for data that the
+/// file does not have.
 const BATCH: usize = 1 << 12;
 
-/// Reads the `vertex` and `face` elements of a file and skips all others.
+/// Reads the `vertex` and `face` elements of a PLY file and skips all others.
 ///
 /// # Errors
 /// The reason why the file is not understood, with the line where it is text.
@@ -31,7 +32,7 @@ pub fn read(bytes: &[u8]) -> ReadResult<MeshFile> {
     Ok(MeshFile { triangles: out, ..MeshFile::default() })
 }
 
-/// The parser's message in one line of bounded length (the parser quotes whole lines of the file).
+/// Returns the PLY parser's message in one line of bounded length (the parser quotes whole lines of the file).
 fn message(error: ParseError) -> String {
     let text = error.to_string();
     let words: Vec<&str> = text.split_whitespace().collect();
@@ -42,7 +43,7 @@ fn message(error: ParseError) -> String {
     text
 }
 
-/// Calls `visit` with the number and the value of each element of one kind.
+/// Calls `visit` with the index and the value of each element of one kind in a PLY file.
 fn each<T: BufRead, E: PropertyAccess>(
     reader: &mut Reader<T>,
     element: &ElementDef,
@@ -64,7 +65,7 @@ fn each<T: BufRead, E: PropertyAccess>(
     Ok(())
 }
 
-/// An element whose properties are ignored.
+/// Element of a PLY file whose properties are ignored.
 struct Skipped;
 
 impl PropertyAccess for Skipped {
@@ -73,10 +74,10 @@ impl PropertyAccess for Skipped {
     }
 }
 
-/// Position, normal and surface coordinates of a vertex; 0 where the file has no such property.
+/// Position, normal and surface coordinates of a PLY file's vertex; 0 where the file has no such property.
 struct Vertex([f64; 8]);
 
-/// Index in [`Vertex`] of a property, under the names that programs write.
+/// Returns the index in [`Vertex`] of a vertex property, under the names that programs write.
 fn slot(name: &str) -> Option<usize> {
     Some(match name {
         "x" => 0,
@@ -116,7 +117,7 @@ impl PropertyAccess for Vertex {
     }
 }
 
-/// The vertex numbers of a face's corners, in any type of number; `None` without the list.
+/// The vertex indices of a PLY file's face, in any type of number; `None` without the list.
 struct Face(Option<Property>);
 
 fn is_list_of_corners(name: &str) -> bool {
@@ -137,7 +138,7 @@ impl PropertyAccess for Face {
     }
 }
 
-/// Replaces `out` by the numbers of a list property.
+/// Replaces `out` by the numbers of a list property in a PLY file.
 fn numbers_of(property: &Property, out: &mut Vec<f64>) {
     out.clear();
     match property {

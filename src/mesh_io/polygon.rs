@@ -3,12 +3,12 @@
 use crate::math::{DVec2, DVec3};
 use glam::Vec3;
 
-/// Larger polygons are assumed to be convex: clipping ears takes time in proportion to the square of the number of
-/// corners.
+/// Number of corners from which a polygon is assumed to be convex: clipping ears takes time in proportion to the square
+/// of the number of corners.
 const LARGE: usize = 2000;
 
-/// The triangles of a polygon, as indices of its corners: a fan if it is convex; else ears are clipped (Meisters,
-/// Polygons have ears, 1975).
+/// Calls `visit` with the triangles of a polygon, as indices of its corners: a fan if it is convex; else ears are
+/// clipped (Meisters, Polygons have ears, 1975).
 pub fn triangles(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
     let n = points.len();
     let flat = if n > 3 && n <= LARGE { flattened(points) } else { vec![] };
@@ -29,7 +29,7 @@ pub fn triangles(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
     visit([rest[0], rest[1], rest[2]]);
 }
 
-/// The polygon projected along the axis of its normal (Newell's sum), counter-clockwise.
+/// Returns the polygon projected along the axis of its normal (Newell's sum), counter-clockwise.
 fn flattened(points: &[Vec3]) -> Vec<DVec2> {
     let wide = || points.iter().map(|p| p.as_dvec3());
     let (first, next) = (points[0].as_dvec3(), wide().cycle().skip(1));
@@ -39,12 +39,12 @@ fn flattened(points: &[Vec3]) -> Vec<DVec2> {
     wide().map(|p| DVec2::new(p[(z + 1) % 3], p[(z + 2) % 3] * sign)).collect()
 }
 
-/// Twice the signed area of three corners, negative if they turn to the right.
+/// Returns twice the signed area of three corners of a polygon, negative if they turn to the right.
 fn turn(flat: &[DVec2], a: usize, b: usize, c: usize) -> f64 {
     (flat[b] - flat[a]).perp_dot(flat[c] - flat[b])
 }
 
-/// True if the corner turns to the left, with no other corner in its triangle.
+/// True if the polygon's corner b turns to the left, with no other corner in its triangle.
 fn is_ear(flat: &[DVec2], [a, b, c]: [usize; 3], rest: &[usize]) -> bool {
     let holds = |p: usize| turn(flat, a, b, p) >= 0.0 && turn(flat, b, c, p) >= 0.0 && turn(flat, c, a, p) >= 0.0;
     let other = |p: &&usize| ![flat[a], flat[b], flat[c]].contains(&flat[**p]);

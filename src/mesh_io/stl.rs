@@ -5,10 +5,10 @@ use super::{MeshFile, NONE, ReadResult, Triangles, point, polygon};
 use glam::Vec3;
 use rustc_hash::FxHashMap;
 
-/// Size of a triangle, in bytes.
+/// Size of a triangle in a binary STL file, in bytes.
 const SIZE: usize = 50;
 
-/// Reads either kind.
+/// Reads an STL file, binary or text.
 pub fn read(bytes: &[u8]) -> ReadResult<MeshFile> {
     let mut joined = Joined::default();
     // Binary files may begin like text; then their length decides.
@@ -22,7 +22,7 @@ pub fn read(bytes: &[u8]) -> ReadResult<MeshFile> {
     Ok(MeshFile { triangles: joined.triangles, ..MeshFile::default() })
 }
 
-/// Triangles that share vertices with equal bits.
+/// Triangles of an STL file that share vertices with equal bits.
 #[derive(Default)]
 struct Joined {
     triangles: Triangles,

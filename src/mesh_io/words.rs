@@ -2,20 +2,20 @@
 
 use super::ReadResult;
 
-/// Words in order, with the current line number.
+/// Words of a mesh file's text in order, with the current line number.
 pub struct Words<'a> {
     rest: &'a [u8],
-    /// Current line, counted from 1.
+    /// Current line of the mesh file, counted from 1.
     pub line: usize,
 }
 
 impl<'a> Words<'a> {
-    /// The words of a text whose first line has this number.
+    /// Returns the words of a text whose first line has this number.
     pub fn new(rest: &'a [u8], line: usize) -> Self {
         Self { rest, line }
     }
 
-    /// The next word, on this line or a later one.
+    /// Returns the next word of the text, on this line or a later one.
     pub fn next(&mut self) -> Option<&'a [u8]> {
         loop {
             let first = *self.rest.first()?;
@@ -31,13 +31,14 @@ impl<'a> Words<'a> {
         Some(word)
     }
 
-    /// The current line, for a message.
+    /// Returns the current line of the mesh file, for a message.
     pub fn place(&self) -> String {
         format!("line {}", self.line)
     }
 }
 
-/// The lines of a text, each with its number and without its end; a line that ends in `\` is joined with the next.
+/// Returns the lines of a text, each with its number and without its end; a line that ends in `\` is joined with the
+/// next.
 pub fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
     let text = |line: &[u8]| String::from_utf8_lossy(line).trim().to_string();
     let mut rest = bytes.split(|b| *b == b'\n').enumerate();
@@ -53,7 +54,7 @@ pub fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
     })
 }
 
-/// Parses a number.
+/// Parses a number in a mesh file; `place` gives its position for the error message.
 pub fn number(word: &[u8], place: impl FnOnce() -> String) -> ReadResult<f64> {
     let text = std::str::from_utf8(word).ok();
     text.and_then(|text| text.parse().ok()).ok_or_else(|| {

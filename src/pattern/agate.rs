@@ -13,10 +13,10 @@ use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Bands along z, displaced by noise.
+/// Pattern `agate`: bands along z, displaced by noise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Agate {
-    /// Strength of the displacement; single precision, as in POV-Ray.
+    /// Strength of the displacement of the `agate` pattern's bands; single precision, as in POV-Ray.
     pub turbulence: f64,
 }
 

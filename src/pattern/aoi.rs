@@ -11,7 +11,7 @@ use crate::value::{Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// From 0.5 where the ray grazes the surface to 1 where it is perpendicular.
+/// Pattern `aoi`, by the angle of incidence: from 0.5 where the ray grazes the surface to 1 where it is perpendicular.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Aoi {}
 

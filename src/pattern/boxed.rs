@@ -9,7 +9,7 @@ use crate::diagnostic::Result;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Falls from 1 at the origin to 0 at the faces of a cube.
+/// Pattern `boxed`: falls from 1 at the origin to 0 at the faces of a cube.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Boxed {}
 

@@ -11,7 +11,7 @@ use crate::math::noise;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// `bozo`: smooth noise between 0 and 1.
+/// Pattern `bozo`: smooth noise between 0 and 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Bozo {}
 

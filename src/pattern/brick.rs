@@ -12,12 +12,12 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Rows of bricks; every other row is shifted by half a brick.
+/// Pattern `brick`: rows of bricks; every other row is shifted by half a brick.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Brick {
-    /// Distance from the start of one brick to the start of the next.
+    /// Distance from the start of one brick to the start of the next, along each axis.
     pub size: DVec3,
-    /// Thickness of the mortar, as a part of `size`.
+    /// Thickness of the mortar between bricks, as a part of `size`.
     pub mortar: f64,
 }
 
@@ -41,7 +41,7 @@ impl Readable for Brick {
 }
 
 impl Brick {
-    /// Position of the point in its brick, relative to the brick's corner.
+    /// Position of a point in its brick, relative to the brick's corner.
     fn within(&self, p: DVec3) -> DVec3 {
         let mut q = (p + EDGE) / self.size;
         // every other row is moved by half a brick in x, the others in z

@@ -10,7 +10,7 @@ use crate::math::{DVec3, noise};
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// `bumps`: smooth noise between 0 and 1.
+/// Pattern `bumps`: smooth noise between 0 and 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Bumps {}
 

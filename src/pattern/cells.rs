@@ -10,7 +10,7 @@ use crate::math::noise::Cell;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Cubes of random numbers.
+/// Pattern `cells`: unit cubes with random numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RandomCells {}
 

@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Cubes of two alternating kinds.
+/// Pattern `checker`: unit cubes of two alternating kinds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Checker {}
 

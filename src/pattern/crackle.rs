@@ -12,16 +12,16 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Distances to the nearest of random sites; each unit cube holds one.
+/// Pattern `crackle`: distances to the nearest of random sites; each unit cube holds one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Crackle {
-    /// Weights of the distances to the nearest, second and third site.
+    /// Weights of the distances to the nearest, second and third site of `crackle`.
     pub form: DVec3,
-    /// Exponent of the metric: a distance is (Σ|d|ᵐ)^(1/m).
+    /// Exponent m of the metric of `crackle`: a distance is (Σ|d|ᵐ)^(1/m).
     pub metric: f64,
-    /// Distance in a fourth dimension.
+    /// Distance of all sites of `crackle` in a fourth dimension.
     pub offset: f64,
-    /// True if all of a cell has the same number.
+    /// True if all points of a cell of `crackle` have the same number.
     pub solid: bool,
 }
 
@@ -80,16 +80,16 @@ impl Field for Crackle {
     }
 }
 
-/// The three nearest sites of a point.
+/// The three nearest sites of a point in the pattern `crackle`.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest {
     /// Sums of powers of the distances to the three nearest sites, ascending.
     pub sums: [f64; 3],
-    /// Position of the site that is nearest to the point.
+    /// Position of the site of `crackle` that is nearest to the point.
     pub site: DVec3,
 }
 
-/// Searches the cubes around the point for the sites with the smallest sums.
+/// Finds the three sites of `crackle` nearest to a point; the sums of powers of their distances are smallest.
 pub fn nearest(p: DVec3, metric: f64) -> Nearest {
     let (cell, within) = Cell::of(p);
     let mut near = Nearest { sums: [f64::INFINITY; 3], site: p };
@@ -124,7 +124,7 @@ pub fn nearest(p: DVec3, metric: f64) -> Nearest {
     near
 }
 
-/// The site among the cubes around the point whose coordinates have the least sum.
+/// Finds the site in the cubes around the point whose coordinates have the least sum.
 pub fn lowest(p: DVec3) -> DVec3 {
     let (cell, within) = Cell::of(p);
     let corner = p - within;
@@ -135,7 +135,7 @@ pub fn lowest(p: DVec3) -> DVec3 {
 }
 
 impl Nearest {
-    /// Inserts the sums of squares of the sites around `within`; `self` is empty.
+    /// Inserts the squared distances from the position `within` a cube to the sites `around` it; `self` is empty.
     fn squares(self, around: &Around, within: DVec3) -> Self {
         let (sums, nearest) = around.least_squares(within);
         let [xs, ys, zs] = &around.points;
@@ -143,7 +143,7 @@ impl Nearest {
         Self { sums, site: nearest.map_or(self.site, |i| self.site + of(i)) }
     }
 
-    /// Keeps the three smallest sums, ascending.
+    /// Inserts a site of `crackle` with the sum of powers of its distance; keeps the three smallest sums, ascending.
     fn insert(&mut self, sum: f64, site: DVec3) {
         let [first, second, third] = self.sums;
         if sum < first {
@@ -156,7 +156,7 @@ impl Nearest {
     }
 }
 
-/// Cubes that are searched, nearest first: one step along each axis, or two along a single one.
+/// Offsets of the cubes that `crackle` searches, nearest first: one step along each axis, or two along a single one.
 const AROUND: [[isize; 3]; 81] = around();
 
 const fn around() -> [[isize; 3]; 81] {

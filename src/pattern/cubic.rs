@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// The nearest of the six directions +x, +y, +z, -x, -y, -z.
+/// Pattern `cubic`: the nearest of the six directions +x, +y, +z, -x, -y, -z.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cubic {}
 

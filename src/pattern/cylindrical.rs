@@ -10,7 +10,7 @@ use crate::math::fp;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Falls from 1 on the y axis to 0 one unit away.
+/// Pattern `cylindrical`: falls from 1 on the y axis to 0 one unit away.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cylindrical {}
 

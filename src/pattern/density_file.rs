@@ -9,13 +9,13 @@ use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A grid of numbers from <0, 0, 0> to <1, 1, 1>; 0 outside.
+/// Pattern `density_file`: a grid of numbers from <0, 0, 0> to <1, 1, 1>; 0 outside.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DensityFile {
-    /// Grid of the file's numbers.
+    /// Grid of the density file's numbers.
     #[serde(serialize_with = "print_size")]
     pub voxels: Arc<Voxels>,
-    /// Interpolation between the numbers.
+    /// Interpolation between the density file's numbers.
     pub between: Voxel,
 }
 
@@ -23,11 +23,11 @@ pub struct DensityFile {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Voxel {
-    /// Each number fills a box.
+    /// Density file without interpolation: each number fills a box.
     Nearest,
-    /// Linear interpolation along each axis.
+    /// Linear interpolation of a density file along each axis.
     Linear,
-    /// Cubic interpolation along each axis.
+    /// Cubic interpolation of a density file along each axis.
     Cubic,
 }
 
@@ -77,7 +77,8 @@ impl Readable for DensityFile {
 }
 
 impl DensityFile {
-    /// The weighted sum of the numbers from `cell` on, with `weights` for each axis; the grid repeats.
+    /// Returns the weighted sum of the density file's numbers from `cell` on, with `weights` for each axis; the grid
+    /// repeats.
     fn sum<const N: usize>(&self, cell: [i64; 3], weights: [[f64; N]; 3]) -> f64 {
         let mut sum = 0.0;
         for k in 0..N {
@@ -93,13 +94,13 @@ impl DensityFile {
     }
 }
 
-/// Wraps an index into the grid. Negative indices wrap like POV-Ray's unsigned 64-bit integers (quirk:
-/// `density_file_wraps`).
+/// Wraps an index into the grid of a density file. Negative indices wrap like POV-Ray's unsigned 64-bit integers
+/// (quirk: `density_file_wraps`).
 fn around(place: i64, size: usize) -> usize {
     (place as u64 % size as u64) as usize
 }
 
-/// Weights of the four numbers around position `t` between the middle two (Catmull and Rom 1974).
+/// Weights of the four numbers of a density file around position `t` between the middle two (Catmull and Rom 1974).
 fn curve(t: f64) -> [f64; 4] {
     let near = |d: f64| (1.5 * d - 2.5) * d * d + 1.0;
     let far = |d: f64| ((2.5 - 0.5 * d) * d - 4.0) * d + 2.0;

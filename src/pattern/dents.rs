@@ -10,7 +10,7 @@ use crate::math::{DVec3, noise};
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Noise to the third power.
+/// Pattern `dents`: noise to the third power.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Dents {}
 

@@ -12,19 +12,19 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// `facets`: normals of a surface of flat pieces.
+/// Pattern `facets`: normals of a surface of flat pieces.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Facets {
     /// Strength of the random turn of the normal in each cell of space. At 0 there are no cells of space; instead
     /// similar normals become equal.
     pub coords: f64,
-    /// Size of the cells of space, or of the cells of normals.
+    /// Size of the cells of space in `facets`, or of the cells of normals.
     pub size: f64,
-    /// Exponent of the metric; 2 is Euclidean.
+    /// Exponent of the metric of `facets`; 2 is Euclidean.
     pub metric: f64,
 }
 
-/// POV-Ray 3.7's replacement for a size of 0 (quirk: facets_least_size).
+/// POV-Ray 3.7's replacement for a size of 0 in `facets` (quirk: facets_least_size).
 const LEAST_SIZE: f64 = 1e-6;
 
 impl Readable for Facets {
@@ -49,7 +49,7 @@ impl Readable for Facets {
 }
 
 impl Field for Facets {
-    /// 0: as a pigment, the pattern is uniform.
+    /// Returns 0: as a pigment, the pattern `facets` is uniform.
     fn value(&self, _: &TextureContext) -> f64 {
         0.0
     }

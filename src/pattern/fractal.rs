@@ -13,31 +13,32 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Next, Param, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// The property of an orbit that becomes the number, and its factor.
+/// Property of a fractal's orbit that becomes the pattern's number, and its factor.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct OrbitValue {
-    /// 0 to 6 as in the manual; 7 and 8 are undocumented (quirk: fractal_types).
+    /// Number after `exterior` or `interior` of a fractal pattern: 0 to 6 as in the manual; 7 and 8 are undocumented
+    /// (quirk: fractal_types).
     pub kind: u8,
-    /// Factor; most types multiply by it.
+    /// Factor of a fractal pattern's number; most types multiply by it.
     pub factor: f64,
 }
 
 /// Parameters that all fractal patterns share.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Orbits {
-    /// Maximum number of iterations.
+    /// Maximum number of iterations of a fractal pattern.
     pub iterations: u32,
-    /// For points that escape, or that reach a fixed point.
+    /// Property for points of a fractal that escape, or that reach a fixed point.
     pub exterior: OrbitValue,
-    /// For points that never escape.
+    /// Property for points of a fractal that never escape.
     pub interior: OrbitValue,
 }
 
-/// Result of an orbit.
+/// Result of a fractal's orbit.
 enum End {
-    /// Step of the escape, and the position then.
+    /// Orbit that escapes: the step, and the position then.
     Left(u32, Complex),
-    /// Last position, and the least squared distance from 0.
+    /// Orbit that does not escape: last position, and the least squared distance from 0.
     Stays(Complex, f64),
 }
 
@@ -82,8 +83,8 @@ impl Orbits {
         Ok(Self { iterations, exterior, interior })
     }
 
-    /// The number of an orbit that begins at `z` and continues by `step` until it has `left`. `starts` is true if `z`
-    /// belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
+    /// Returns the pattern's number for an orbit that begins at `z` and continues by `step` until it has `left`.
+    /// `starts` is true if `z` belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
     fn value<const BLOCK: u32>(
         &self,
         z: Complex,
@@ -169,7 +170,7 @@ impl Orbits {
         End::Stays(z, least)
     }
 
-    /// The number of the orbit z → zⁿ + c.
+    /// Returns the pattern's number for the orbit z → zⁿ + c.
     fn powers(&self, n: u32, z: Complex, c: Complex) -> f64 {
         match n {
             2 if !far(c) => self.value::<8>(z, |z| z.square() + c, far, true),
@@ -178,12 +179,13 @@ impl Orbits {
         }
     }
 
-    /// `i` modulo `turn`, divided by the factor (quirk: `fractal_types`); 0 for a `turn` of 0, where POV-Ray crashes.
+    /// Returns `i` modulo `turn`, divided by the factor (quirk: `fractal_types`); 0 for a `turn` of 0, where POV-Ray
+    /// crashes.
     fn turn(i: u32, turn: f64, factor: f64) -> f64 {
         if turn == 0.0 { 0.0 } else { f64::from(i) % turn / factor }
     }
 
-    /// Types that exterior and interior share.
+    /// Returns a number of an orbit's last position `z`, for the types that exterior and interior share.
     fn common(kind: u8, z: Complex) -> f64 {
         match kind {
             2 => z.x,
@@ -206,12 +208,12 @@ fn read_exponent(r: &mut dyn Reader) -> Result<u32> {
     Ok(if (2.0..=33.0).contains(&exponent) { exponent as u32 } else { 2 })
 }
 
-/// z → zⁿ + c, where c is the point.
+/// Pattern `mandel`: z → zⁿ + c, where c is the point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Mandel {
-    /// Iterations, exterior and interior.
+    /// Iterations, exterior and interior of the pattern `mandel`.
     pub orbits: Orbits,
-    /// Exponent n of the iteration.
+    /// Exponent n of the iteration in the pattern `mandel`.
     pub exponent: u32,
 }
 
@@ -255,7 +257,8 @@ impl Field for Mandel {
         self.orbits.powers(self.exponent, c, c)
     }
 
-    /// Other exponents have gray defaults (quirk: `fractal_exponents`).
+    /// Returns the colours of `mandel` without a map; exponents other than 2 have gray defaults (quirk:
+    /// `fractal_exponents`).
     fn default_colors(&self) -> Vec<(f64, Color)> {
         if self.exponent != 2 {
             return GRAYS.to_vec();
@@ -265,14 +268,14 @@ impl Field for Mandel {
     }
 }
 
-/// z → zⁿ + c, where z begins at the point.
+/// Pattern `julia`: z → zⁿ + c, where z begins at the point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Julia {
-    /// x + iy is the number c.
+    /// The number c = x + iy of the pattern `julia`.
     pub constant: DVec2,
-    /// Iterations, exterior and interior.
+    /// Iterations, exterior and interior of the pattern `julia`.
     pub orbits: Orbits,
-    /// Exponent n of the iteration.
+    /// Exponent n of the iteration in the pattern `julia`.
     pub exponent: u32,
 }
 
@@ -302,14 +305,15 @@ impl Field for Julia {
     }
 }
 
-/// The two formulas of magnetic renormalisation (H.-O. Peitgen and P. H. Richter, "The Beauty of Fractals", 1986).
+/// Pattern `magnet`: one of the two formulas of magnetic renormalisation (H.-O. Peitgen and P. H. Richter, "The Beauty
+/// of Fractals", 1986).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Magnet {
-    /// True for the second formula.
+    /// True for the second formula of the pattern `magnet`.
     pub second: bool,
-    /// For `julia`: the number c is x + iy for all points.
+    /// For `magnet … julia`, the number c = x + iy for all points; `None` if c is the point.
     pub constant: Option<DVec2>,
-    /// Iterations, exterior and interior.
+    /// Iterations, exterior and interior of the pattern `magnet`.
     pub orbits: Orbits,
 }
 

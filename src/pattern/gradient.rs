@@ -10,10 +10,10 @@ use crate::math::DVec3;
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A ramp along a direction.
+/// Pattern `gradient`: a ramp along a direction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Gradient {
-    /// Unit vector along which the number grows.
+    /// Unit vector along which the number of `gradient` grows.
     pub direction: DVec3,
 }
 

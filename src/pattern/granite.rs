@@ -10,7 +10,7 @@ use crate::math::noise;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// `granite`: the sum of six octaves of noise.
+/// Pattern `granite`: the sum of six octaves of noise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Granite {}
 

@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// A honeycomb in the xz plane.
+/// Pattern `hexagon`: a honeycomb in the xz plane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Hexagon {}
 

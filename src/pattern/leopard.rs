@@ -10,7 +10,7 @@ use crate::math::fp;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// The square of the mean of three sines.
+/// Pattern `leopard`: the square of the mean of three sines.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Leopard {}
 

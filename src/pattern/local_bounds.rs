@@ -7,7 +7,7 @@ use crate::math::{DMat3, fp};
 use std::f64::consts::PI;
 
 impl Modifiers {
-    /// Bounds of [`Modifiers::apply`] over numbers with the bounds `raw`.
+    /// Returns local bounds of a pattern's numbers after frequency, phase and wave, from their bounds `raw` before.
     pub fn bounds_near(&self, raw: LocalBounds) -> LocalBounds {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 {
@@ -38,7 +38,7 @@ impl Modifiers {
 }
 
 impl Wave {
-    /// Bounds of the wave over numbers within one period.
+    /// Returns local bounds of a wave over numbers within one period.
     fn bounds_near(self, v: LocalBounds) -> LocalBounds {
         let Interval { lo, hi } = v.range;
         let chain =

@@ -12,7 +12,7 @@ use crate::math::noise;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// `marble`: bands along x.
+/// Pattern `marble`: bands along x.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Marble {}
 

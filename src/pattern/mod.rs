@@ -140,15 +140,16 @@ pub(crate) fn extreme_points() -> impl Iterator<Item = DVec3> {
 
 /// A pattern of cells: each kind of cell has a colour, pigment or texture of its own.
 pub trait Cells {
-    /// Number of kinds of cells.
+    /// Number of the pattern's kinds of cells.
     fn count(&self) -> usize;
-    /// The kind of the cell that contains the point.
+    /// Returns the kind of the pattern's cell that contains the point.
     fn cell(&self, p: DVec3) -> usize;
-    /// True if all points within a radius are certainly in the same cell; false if that is not quickly decided.
+    /// True if all points within a radius are certainly in the same cell of the pattern; false if that is not quickly
+    /// decided.
     fn is_uniform(&self, _p: DVec3, _radius: f64) -> bool {
         false
     }
-    /// Default colour of a kind of cell.
+    /// Default colour of a kind of the pattern's cells.
     fn default_color(&self, cell: usize) -> Color;
 }
 
@@ -279,5 +280,6 @@ fields! {
 const SIX_COLORS: [Rgb; 6] =
     [Rgb::X, Rgb::Y, Rgb::Z, Rgb::new(1.0, 1.0, 0.0), Rgb::new(0.0, 1.0, 1.0), Rgb::new(1.0, 0.0, 1.0)];
 
-/// Added before `floor`, so that a surface at a whole number is entirely in one cell (quirk: cell_edges).
+/// Number added before `floor`, so that a surface at a whole number is entirely in one cell of a pattern (quirk:
+/// cell_edges).
 const EDGE: f64 = 1e-10;

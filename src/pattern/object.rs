@@ -12,7 +12,7 @@ use crate::value::{Param, Reader, Solid, Spec, ValueKind};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// An object whose inside is the second kind.
+/// Pattern `object`: points outside the object are of the first kind, points inside of the second.
 #[derive(Clone, Debug)]
 pub struct ObjectPattern(Arc<dyn Solid>);
 

@@ -9,7 +9,7 @@ use crate::diagnostic::Result;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// `onion`: spherical shells around the origin.
+/// Pattern `onion`: spherical shells around the origin.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Onion {}
 

@@ -8,32 +8,32 @@ use crate::value::words::{is_row, read_row};
 use crate::value::{Next, Reader, SharedDefault, StaticDefault};
 use serde::Serialize;
 
-/// Function from points to what is chosen.
+/// Choice of a pattern: function from points to the entry or number that is shown.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PatternKind {
     /// No pattern; every point gets the same value.
     #[default]
     Plain,
-    /// A number for each point; a map turns the number into what is shown.
+    /// Pattern that assigns a number to each point; a map turns the number into what is shown.
     Field(FieldPattern),
-    /// The index of a cell, into a list.
+    /// Pattern that assigns a cell to each point; the cell's index selects from a list.
     Cells(CellPattern),
-    /// `average`: the weighted mean of all entries of the map.
+    /// Pattern `average`: the weighted mean of all entries of the map.
     Average,
-    /// The point is replaced by (u, v, 0), and the first entry of the map shows: the form of a block with `uv_mapping`
-    /// for a pigment or normal that begins with it (see [`Pattern::around`]).
+    /// Pattern whose point is replaced by (u, v, 0), and the first entry of the map shows: the form of a block with
+    /// `uv_mapping` for a pigment or normal that begins with it (see [`Pattern::around`]).
     Surface,
 }
 
 /// A pattern with all its parameters except its colours.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Pattern {
-    /// Function from points to what is chosen.
+    /// Function from points to the entry or number that the pattern selects.
     pub kind: PatternKind,
-    /// Frequency, phase and wave type.
+    /// Frequency, phase and wave type of the pattern.
     pub modifiers: Modifiers,
-    /// Transforms, warps and turbulence.
+    /// Transforms, warps and turbulence of the pattern.
     pub space: Space,
     /// Version of the noise that the pattern's `noise_generator` selects; `None` without that keyword.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -76,11 +76,11 @@ impl StaticDefault for Pattern {
 }
 
 impl Pattern {
-    /// Reads one element if it belongs to the pattern: its name, its words, transforms, warps, turbulence; false if
-    /// not.
+    /// Reads one element if it belongs to the pattern: its name, its words, transforms, warps, turbulence; returns
+    /// false if not.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read_element(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
             next if next.is_transform() => {
@@ -123,7 +123,7 @@ impl Pattern {
         Ok(true)
     }
 
-    /// Reads the rest of a pattern after its name; false if the word is not a pattern.
+    /// Reads the rest of a pattern after its name; returns false if the word is not a pattern.
     fn read_name(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<bool> {
         let block = matches!(r.next()?, Next::Block(_));
         if FieldPattern::is_name(word) {
@@ -154,7 +154,7 @@ impl Pattern {
         matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function
     }
 
-    /// True if all entries of the map are mixed.
+    /// True if the pattern mixes all entries of the map.
     pub fn averages(&self) -> bool {
         self.kind == PatternKind::Average
     }
@@ -164,22 +164,23 @@ impl Pattern {
         self.around.as_deref_mut().unwrap_or(&mut self.space).then(by);
     }
 
-    /// Ends the block that contains the pattern.
+    /// Ends the block that contains the pattern: a pattern with `uv_mapping` keeps its space apart from later
+    /// transforms.
     pub fn end(&mut self) {
         if self.uv {
             self.around.get_or_insert_default();
         }
     }
 
-    /// Takes the space around a pattern that was mapped by uv; from then on the pattern receives points. `None` if the
-    /// pattern was not mapped.
+    /// Removes and returns the space around a pattern that was mapped by uv; from then on the pattern receives points.
+    /// `None` if the pattern was not mapped.
     pub fn take_around(&mut self) -> Option<Self> {
         let space = *self.around.take()?;
         self.uv = false;
         Some(Self { kind: PatternKind::Surface, space, ..Self::default() })
     }
 
-    /// Puts back the space that [`Self::take_around`] returned.
+    /// Restores the space around a pattern that [`Self::take_around`] returned.
     pub fn put_around(&mut self, around: Self) {
         (self.uv, self.around) = (true, Some(Box::new(around.space)));
     }
@@ -202,10 +203,10 @@ impl Pattern {
     }
 }
 
-/// Reads the argument of `noise_generator`; 0, where `least` allows it, is the scene's generator.
+/// Reads the argument of a pattern's `noise_generator`; 0, where `least` allows it, is the scene's generator.
 ///
 /// # Errors
-/// With the place of what is not understood, and what was expected there.
+/// A diagnostic at the item that is not understood.
 pub fn read_noise_generator(r: &mut dyn Reader, least: f64) -> Result<Option<NoiseGenerator>> {
     let (at, n) = (r.span(), r.float()?);
     if (least..4.0).contains(&n) {

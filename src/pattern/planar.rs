@@ -9,7 +9,7 @@ use crate::diagnostic::Result;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Falls from 1 in the xz plane to 0 one unit away.
+/// Pattern `planar`: falls from 1 in the xz plane to 0 one unit away.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Planar {}
 

@@ -9,37 +9,37 @@ use crate::math::noise::{self, NoiseGenerator, Turbulence};
 use glam::DAffine3;
 use serde::Serialize;
 
-/// A lowered [`Pattern`]: pigments, normals, texture maps and functions all evaluate patterns through this type.
+/// A lowered pattern: pigments, normals, texture maps and functions all evaluate patterns through this type.
 #[derive(Clone, Debug, Serialize)]
 pub struct PatternProgram {
-    /// `uv_mapping`: the steps begin at (u, v, 0).
+    /// True for `uv_mapping`: the pattern's steps begin at (u, v, 0).
     uv: bool,
-    /// Steps from the outer space to the pattern's own, in the order in which they apply to a point.
+    /// Steps from the outer space to the pattern's own space, in the order in which they apply to a point.
     way: Box<[Move]>,
     value: Value,
 }
 
-/// A step from one space to the next.
+/// Step of a lowered pattern from one space to the next.
 #[derive(Clone, Debug, Serialize)]
 enum Move {
-    /// The product of the inverses of consecutive transforms.
+    /// Product of the inverses of consecutive transforms of a pattern.
     Affine(DAffine3),
     Warp(Warp),
-    /// `turbulence`: strength along each axis, and its octaves.
+    /// Turbulence of a pattern: strength along each axis, and its octaves.
     Turbulence(DVec3, #[serde(skip)] Turbulence),
 }
 
-/// Function from points to numbers.
+/// Function from points to numbers of a lowered pattern.
 #[derive(Clone, Debug, Serialize)]
 enum Value {
     Plain,
-    /// All entries are mixed.
+    /// Lowered pattern `average`: all entries of the map are mixed.
     Average,
     Field(Box<Number>),
     Cells(Box<(CellPattern, Modifiers)>),
 }
 
-/// A pattern of numbers with its parameters. (Boxed, because most pigments are colours.)
+/// Lowered pattern of numbers with its parameters. (Boxed, because most pigments are colours.)
 #[derive(Clone, Debug, Serialize)]
 struct Number {
     field: FieldPattern,
@@ -54,33 +54,34 @@ impl PatternProgram {
         Self { uv: pattern.by_uv(), way: way(pattern), value: value(pattern) }
     }
 
-    /// True if the pattern is constant.
+    /// True if the lowered pattern is constant.
     pub fn is_plain(&self) -> bool {
         matches!(self.value, Value::Plain)
     }
 
-    /// True if all entries of the map are mixed.
+    /// True if the lowered pattern mixes all entries of the map.
     pub fn averages(&self) -> bool {
         matches!(self.value, Value::Average)
     }
 
-    /// True if the pattern receives (u, v, 0) instead of the point.
+    /// True if the lowered pattern receives (u, v, 0) instead of the point.
     pub fn by_uv(&self) -> bool {
         self.uv
     }
 
-    /// The number that the map receives, or the index of the cell; and the point in the space of the pattern's entries.
+    /// Evaluates the lowered pattern at a point. Returns the number that the map receives, or the index of the cell;
+    /// and the point in the space of the pattern's entries.
     pub fn see(&self, ctx: &TextureContext) -> (f64, TextureContext) {
         let inner = self.enter(ctx);
         (self.number(&inner), inner)
     }
 
-    /// The number of [`Self::see`] alone.
+    /// Evaluates the lowered pattern at a point. Returns the number that the map receives, or the index of the cell.
     pub fn number_at(&self, ctx: &TextureContext) -> f64 {
         if self.way.is_empty() && !self.uv { self.number(ctx) } else { self.number(&self.enter(ctx)) }
     }
 
-    /// The point in the space of the pattern and its entries.
+    /// Returns a point in the space of the lowered pattern and its entries.
     pub fn enter(&self, ctx: &TextureContext) -> TextureContext {
         let p = if self.uv { ctx.uv.extend(0.0) } else { ctx.p };
         ctx.at(self.way.iter().fold(p, |p, step| match step {
@@ -90,7 +91,7 @@ impl PatternProgram {
         }))
     }
 
-    /// The number that the map receives, or the index of the cell, at a point in the pattern's space.
+    /// Returns the number that the map receives, or the index of the cell, at a point in the lowered pattern's space.
     pub fn number(&self, inner: &TextureContext) -> f64 {
         match &self.value {
             Value::Plain | Value::Average => 0.0,
@@ -105,7 +106,7 @@ impl PatternProgram {
         }
     }
 
-    /// Bounds on the numbers of [`Self::see`] within a radius of a point.
+    /// Returns bounds on the numbers of [`Self::see`] within a radius of a point.
     pub fn bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
         let mut longer = if self.uv { f64::INFINITY } else { 1.0 };
         for step in &self.way {
@@ -128,7 +129,7 @@ impl PatternProgram {
         LocalBounds { steepest: if near.steepest == 0.0 { 0.0 } else { near.steepest * longer }, ..near }
     }
 
-    /// The normal `n` with bumps that the pattern computes itself, at a point in the pattern's space.
+    /// Returns the normal `n` with bumps that the lowered pattern computes itself, at a point in the pattern's space.
     pub fn bumped(&self, inner: &TextureContext, n: DVec3, amount: f64) -> Option<DVec3> {
         match &self.value {
             Value::Field(number) => number.field.bumped(&number.context(inner), &number.words(), n, amount),
@@ -142,7 +143,7 @@ impl Number {
         FieldParams { modifiers: &self.modifiers, turbulence: &self.turbulence }
     }
 
-    /// The context with the pattern's own noise generator.
+    /// Returns the point with the pattern's own noise generator, if the pattern has one.
     fn context(&self, inner: &TextureContext) -> TextureContext {
         TextureContext { noise: self.noise.unwrap_or(inner.noise), ..*inner }
     }
@@ -161,7 +162,7 @@ fn value(pattern: &Pattern) -> Value {
     }
 }
 
-/// The steps of a pattern: the transform that was written last applies first.
+/// Returns the steps of a pattern: the transform that was written last applies first.
 fn way(pattern: &Pattern) -> Box<[Move]> {
     if pattern.kind == PatternKind::Surface {
         return Box::default();

@@ -12,16 +12,16 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Unit cubes with rounded edges: the number falls towards the seams.
+/// Pattern `quilted`: unit cubes with rounded edges; the number falls towards the seams.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Quilted {
-    /// Steepness in the middle.
+    /// Steepness of `quilted` in the middle of a cube.
     pub control0: f64,
-    /// Steepness at the seam.
+    /// Steepness of `quilted` at the seam.
     pub control1: f64,
 }
 
-/// 1/√3 with POV-Ray's digits (quirk: quilted_constant).
+/// 1/√3 with POV-Ray's digits, for `quilted` (quirk: quilted_constant).
 const PART: f64 = 0.577350269;
 
 impl Readable for Quilted {
@@ -41,7 +41,7 @@ impl Readable for Quilted {
 }
 
 impl Quilted {
-    /// A Bézier curve from 0 to 1 with the two controls.
+    /// Evaluates the Bézier curve of `quilted` from 0 to 1 with the two controls.
     pub fn curve(&self, t: f64) -> f64 {
         let s = 1.0 - t;
         3.0 * self.control0 * t * s * s + 3.0 * self.control1 * t * t * s + t * t * t

@@ -12,7 +12,7 @@ use crate::value::{Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Waves of one length.
+/// Pattern `ripples`: waves of one length.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Ripples {}
 

@@ -12,33 +12,34 @@ use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// 0 for a normal against the direction, 0.5 across it, 1 along it.
+/// Pattern `slope`: 0 for a normal against the direction, 0.5 across it, 1 along it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Slope {
-    /// The direction or point, in world space.
+    /// Direction or point of the pattern `slope`, in world space.
     pub towards: Towards,
-    /// Slopes that give 0 and 1.
+    /// Slopes at which the pattern `slope` is 0 and 1.
     pub range: [f64; 2],
-    /// Altitude that is mixed in.
+    /// Altitude that is mixed into the pattern `slope`.
     pub altitude: Option<Box<Altitude>>,
 }
 
-/// Direction that gives 1.
+/// Direction of the normal for which the pattern `slope` is 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Towards {
-    /// A direction; its length is its weight against the altitude's.
+    /// Direction of `slope`; its length is its weight against the altitude's.
     Direction(DVec3),
-    /// The direction towards a point.
+    /// Direction of `slope` towards a point.
     Point(DVec3),
 }
 
-/// A ramp that is mixed in.
+/// Ramp of altitude that is mixed into the pattern `slope`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Altitude {
-    /// Upward direction, in the pattern's space; its length is its weight against the direction's.
+    /// Upward direction of `slope`'s altitude, in the pattern's space; its length is its weight against the
+    /// direction's.
     pub up: DVec3,
-    /// Heights that give 0 and 1.
+    /// Heights at which the altitude of `slope` counts 0 and 1.
     pub range: [f64; 2],
 }
 
@@ -95,7 +96,7 @@ fn read_range(r: &mut dyn Reader) -> Result<[f64; 2]> {
     }
 }
 
-/// Linear from 0 at the low end to 1 at the high end, and beyond; unchanged if both are equal.
+/// Maps x linearly from 0 at the low end to 1 at the high end, and beyond; unchanged if both are equal.
 fn within(x: f64, [low, high]: [f64; 2]) -> f64 {
     if low == high { x } else { (x - low) / (high - low) }
 }

@@ -6,36 +6,36 @@ use crate::math::{DVec3, Transform};
 use crate::value::SharedDefault;
 use serde::Serialize;
 
-/// Transforms, warps and turbulence between the outer space and the pattern's own.
+/// Transforms, warps and turbulence between the outer space and a pattern's own space.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Space {
-    /// The steps up to the last warp, in the order written; usually none.
+    /// Steps of the pattern up to the last warp, in the order written; usually none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inner: Vec<Step>,
-    /// The transforms after the last warp.
+    /// Transforms of the pattern after the last warp.
     pub transform: SharedDefault<Transform>,
-    /// `turbulence`, which applies last to a point wherever it is written.
+    /// Turbulence of the pattern, which applies last to a point wherever it is written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turbulence: Option<Box<TurbulenceParams>>,
 }
 
-/// A step that moves a point.
+/// Step that moves the point of a pattern.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Step {
-    /// Moves the point by a matrix.
+    /// Step of a pattern that moves the point by a transform.
     Moved(Transform),
-    /// Moves the point by a warp.
+    /// Step of a pattern that moves the point by a warp.
     Warped(Warp),
 }
 
 impl Space {
-    /// Appends a transform of the pattern.
+    /// Appends a transform to the pattern's space.
     pub fn then(&mut self, by: &Transform) {
         self.transform = self.transform.then(by).into();
     }
 
-    /// Appends a warp, which later transforms move too.
+    /// Appends a warp to the pattern's space; later transforms move it too.
     pub fn warp(&mut self, warp: Warp) {
         if !self.transform.is_identity() {
             self.inner.push(Step::Moved(*std::mem::take(&mut self.transform)));
@@ -43,12 +43,12 @@ impl Space {
         self.inner.push(Step::Warped(warp));
     }
 
-    /// The parameters of `turbulence`, to be changed.
+    /// Returns the parameters of the pattern's `turbulence` for modification.
     pub fn turbulence_mut(&mut self) -> &mut TurbulenceParams {
         self.turbulence.get_or_insert_default()
     }
 
-    /// A normal of the outer space, in the pattern's own: transforms by transposed matrices; warps have no effect.
+    /// Transforms a normal from the outer space to the pattern's space, by transposed matrices; warps have no effect.
     pub fn normal_inside(&self, n: DVec3) -> DVec3 {
         self.inner.iter().rev().fold(self.transform.inverse_normal(n), |n, step| match step {
             Step::Moved(transform) => transform.inverse_normal(n),
@@ -56,7 +56,7 @@ impl Space {
         })
     }
 
-    /// A normal of the pattern's own space, in the outer space.
+    /// Transforms a normal from the pattern's space to the outer space.
     pub fn normal_outside(&self, n: DVec3) -> DVec3 {
         let n = self.inner.iter().fold(n, |n, step| match step {
             Step::Moved(transform) => transform.normal(n),
@@ -65,7 +65,7 @@ impl Space {
         self.transform.normal(n)
     }
 
-    /// True if no point moves.
+    /// True if the pattern's space equals the outer space.
     pub fn is_plain(&self) -> bool {
         self.inner.is_empty() && self.turbulence.is_none() && self.transform.is_identity()
     }

@@ -9,7 +9,7 @@ use crate::diagnostic::Result;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Falls from 1 at the origin to 0 one unit away.
+/// Pattern `spherical`: falls from 1 at the origin to 0 one unit away.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spherical {}
 

@@ -11,17 +11,17 @@ use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// The parameter for the number of arms, which both spirals have.
+/// Parameter for the number of arms of the patterns `spiral1` and `spiral2`.
 pub(super) const ARMS: &[Param] = &[Param {
     name: "arms",
     kind: ValueKind::Float,
     summary: "how many arms wind around the axis; the fraction is dropped",
 }];
 
-/// `spiral1`: spiral arms around the z axis.
+/// Pattern `spiral1`: spiral arms around the z axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spiral1 {
-    /// Number of arms around the axis.
+    /// Number of arms of `spiral1` around the z axis.
     pub arms: f64,
 }
 
@@ -48,7 +48,8 @@ impl Field for Spiral1 {
     }
 }
 
-/// Grows by 1 with each unit along z and away from it, and by the number of arms with each turn, starting at -y.
+/// Returns the number of a spiral pattern before its wave: it grows by 1 with each unit along z and away from it, and
+/// by the number of arms with each turn, starting at -y.
 pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
     if p.x == 0.0 && p.y == 0.0 {
         return p.z;
@@ -57,7 +58,7 @@ pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
     p.z + p.truncate().length() + arms * fp::fraction(turn)
 }
 
-/// The number that `turbulence` adds, in addition to the displacement of the point.
+/// Returns the number that `turbulence` adds to a spiral pattern, in addition to the displacement of the point.
 pub(super) fn shift(at: &TextureContext, params: &FieldParams) -> f64 {
     let amount = params.turbulence.amount.x;
     if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, params.turbulence.series(), at.noise) }

@@ -11,10 +11,10 @@ use crate::math::fp;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// A spiral over rings.
+/// Pattern `spiral2`: a spiral over rings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spiral2 {
-    /// Number of arms around the axis.
+    /// Number of arms of `spiral2` around the z axis.
     pub arms: f64,
 }
 

@@ -10,7 +10,7 @@ use crate::math::noise;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// `spotted`: smooth noise between 0 and 1.
+/// Pattern `spotted`: smooth noise between 0 and 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spotted {}
 

@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Squares of length 1 in the xz plane.
+/// Pattern `square`: squares of length 1 in the xz plane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Square {}
 

@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// Triangles with sides of length 1 in the xz plane, in rows along x.
+/// Pattern `triangular`: triangles with sides of length 1 in the xz plane, in rows along x.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Triangular {}
 

@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
-/// Waves of many lengths.
+/// Pattern `waves`: waves of many lengths.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Waves {}
 
@@ -56,22 +56,22 @@ impl Field for Waves {
     }
 }
 
-/// A source of waves.
+/// A source of the patterns `waves` and `ripples`.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
-    /// Position on the unit sphere.
+    /// Position of the source of waves on the unit sphere.
     pub place: DVec3,
-    /// Waves per unit, from 0.01 to 1.01.
+    /// Frequency of the source of waves, from 0.01 to 1.01 per unit.
     pub frequency: f64,
 }
 
-/// The first `count` sources; at most 4096 exist.
+/// Returns the first `count` sources of waves; at most 4096 exist.
 pub fn sources(count: usize) -> &'static [Source] {
     &SOURCES[..count.clamp(1, SOURCES.len())]
 }
 
-/// Positions are vector noise at whole numbers, normalised; frequencies are POV-Ray's random numbers of 15 bits after
-/// the first 7168 with seed 1 (quirk: wave_sources).
+/// Sources of waves. Positions are vector noise at whole numbers, normalised; frequencies are POV-Ray's random numbers
+/// of 15 bits after the first 7168 with seed 1 (quirk: wave_sources).
 static SOURCES: LazyLock<Vec<Source>> = LazyLock::new(|| {
     let mut state = 1u32;
     let mut random = move || {

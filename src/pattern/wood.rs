@@ -12,7 +12,7 @@ use crate::value::{Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// `wood`: rings around the z axis.
+/// Pattern `wood`: rings around the z axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Wood {}
 

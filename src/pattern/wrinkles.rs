@@ -10,7 +10,7 @@ use crate::math::{DVec3, noise};
 use crate::value::{Reader, Spec};
 use serde::Serialize;
 
-/// `wrinkles`: the sum of ten octaves of noise.
+/// Pattern `wrinkles`: the sum of ten octaves of noise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Wrinkles {}
 

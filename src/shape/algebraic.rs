@@ -20,44 +20,44 @@ use crate::value::words::{Row, word};
 use crate::value::{Param, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// `cubic { <…> }`
+/// Algebraic surface `cubic { <…> }`.
 pub type Cubic = Algebraic<0>;
-/// `quartic { <…> }`
+/// Algebraic surface `quartic { <…> }`.
 pub type Quartic = Algebraic<1>;
-/// `poly { order, <…> }`
+/// Algebraic surface `poly { order, <…> }`.
 pub type Poly = Algebraic<2>;
-/// `polynomial { order, xyz(…): … }`
+/// Algebraic surface `polynomial { order, xyz(…): … }`.
 pub type Polynomial = Algebraic<3>;
 
 const FORMS: [&str; 4] = ["cubic", "quartic", "poly", "polynomial"];
 
-/// An algebraic surface in one of the four notations.
+/// Algebraic surface in one of POV-Ray's four notations.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Algebraic<const FORM: usize> {
-    /// Maximum sum of exponents.
+    /// Order of the surface's polynomial: the maximum sum of exponents.
     pub order: usize,
-    /// Coefficients of all monomials, in falling order.
+    /// Coefficients of all monomials of the surface's polynomial, in falling order.
     pub coefficients: Vec<f64>,
-    /// Terms with coefficients other than 0.
+    /// Terms of the surface's polynomial with coefficients other than 0.
     #[serde(skip)]
     rows: Vec<PowersOfZ>,
 }
 
-/// xⁱ·yʲ·(c₀ + c₁·z + …): terms that are evaluated together.
+/// Terms xⁱ·yʲ·(c₀ + c₁·z + …) of a polynomial, which are evaluated together.
 #[derive(Clone, Debug, PartialEq)]
 struct PowersOfZ {
     i: usize,
     j: usize,
-    /// Coefficients of powers of z; the last is not 0.
+    /// Coefficients of the powers of z in these terms; the last is not 0.
     c: Vec<f64>,
 }
 
-/// Number of coefficients of an order.
+/// Number of coefficients of a polynomial in x, y and z of this order.
 fn count(order: usize) -> usize {
     (order + 1) * (order + 2) * (order + 3) / 6
 }
 
-/// Index of the coefficient of xⁱ·yʲ·zᵏ.
+/// Index of the coefficient of xⁱ·yʲ·zᵏ in a polynomial of this order.
 fn place(order: usize, [i, j, k]: [usize; 3]) -> usize {
     // Before it are all monomials with a higher power of x, then those with the same power of x and a higher one of y.
     let (of_yz, of_z) = (order - i, order - i - j);
@@ -76,7 +76,7 @@ struct Univariate<const N: usize> {
 impl<const N: usize> Univariate<N> {
     const ZERO: Self = Self { c: [0.0; N], len: 0 };
 
-    /// Multiplies by (o + v·s)ⁿ.
+    /// Multiplies the polynomial by (o + v·s)ⁿ.
     fn times(&mut self, o: f64, v: f64, n: usize) {
         for _ in 0..n {
             if self.len == 0 {
@@ -99,7 +99,7 @@ impl<const N: usize> Univariate<N> {
     }
 }
 
-/// A value and its derivatives by x, y and z.
+/// Value of a polynomial and its derivatives by x, y and z.
 #[derive(Clone, Copy, Default)]
 struct Slopes {
     value: f64,
@@ -107,7 +107,7 @@ struct Slopes {
 }
 
 impl Slopes {
-    /// Multiplies by the n-th power of the coordinate along an axis.
+    /// Multiplies a polynomial's value and derivatives by the n-th power of the coordinate along an axis.
     fn times(mut self, p: DVec3, axis: usize, n: usize) -> Self {
         for _ in 0..n {
             self.by *= p[axis];
@@ -123,7 +123,7 @@ impl Slopes {
 }
 
 impl<const FORM: usize> Algebraic<FORM> {
-    /// A polynomial of an order up to 35, with a coefficient for each monomial.
+    /// Creates the surface of a polynomial of an order up to 35, with a coefficient for each monomial.
     pub fn new(order: usize, coefficients: Vec<f64>) -> Self {
         let mut rows = vec![];
         for i in (0..=order).rev() {
@@ -139,7 +139,7 @@ impl<const FORM: usize> Algebraic<FORM> {
         Self { order, coefficients, rows }
     }
 
-    /// Returns the polynomial at o + s·v, by Horner's rule in x, in y and in z.
+    /// Returns the polynomial along the line o + s·v, by Horner's rule in x, in y and in z.
     fn along<const N: usize>(&self, o: DVec3, v: DVec3) -> Univariate<N> {
         let (mut of_x, mut of_y) = (Univariate::<N>::ZERO, Univariate::<N>::ZERO);
         let (mut i, mut j) = (self.order, self.order);
@@ -186,7 +186,8 @@ impl<const FORM: usize> Algebraic<FORM> {
         of_x.plus(of_y.times(p, 1, j)).times(p, 0, i)
     }
 
-    /// Calls `found` with each hit in the range, ascending, until it returns true.
+    /// Calls `found` with each hit of a ray on the algebraic surface in the range, ascending, until `found` returns
+    /// true.
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
         // Start from the ray's point nearest to the origin, so that a distant eye costs no digits.
         let length = ray.dir.length();
@@ -206,7 +207,7 @@ impl<const FORM: usize> Algebraic<FORM> {
         }
     }
 
-    /// `xyz(i, j, k): number`
+    /// Reads a term of a `polynomial`: `xyz(i, j, k): number`.
     fn read_term(&mut self, r: &mut dyn Reader) -> Result<()> {
         let span = r.span();
         let powers = r.numbers_in_parentheses(3)?;
@@ -231,7 +232,7 @@ const ORDER: Param = Param { name: "order", kind: ValueKind::Float, summary: "th
 const COEFFICIENTS: Param =
     Param { name: "<coefficients>", kind: ValueKind::Vectors, summary: "a number for each power, in falling order" };
 
-/// Reads an order from 2 to 35.
+/// Reads the order of a polynomial, from 2 to 35.
 fn read_order(form: &str, r: &mut dyn Reader) -> Result<usize> {
     let (span, order) = (r.span(), r.float()?.floor());
     if (2.0..=MAX_DEGREE as f64).contains(&order) {
@@ -284,7 +285,7 @@ impl<const FORM: usize> Algebraic<FORM> {
 }
 
 const TERM: WordSpec = word("xyz", ValueKind::Block, "", "`xyz(i, j, k): c` adds c·xⁱ·yʲ·zᵏ");
-/// `sturm` has no effect: durer always uses an exact method.
+/// The word `sturm`, which has no effect: durer always solves polynomials exactly.
 pub(super) const STURM: WordSpec =
     word("sturm", ValueKind::Flag, "off", "a more exact method in POV-Ray; changes nothing here");
 
@@ -324,7 +325,7 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
         if n.length_squared() > 0.0 { n } else { DVec3::X }
     }
 
-    /// POV-Ray has no mapping for these shapes.
+    /// Returns false: POV-Ray defines no uv mapping for algebraic surfaces.
     fn has_uv_mapping(&self) -> bool {
         false
     }

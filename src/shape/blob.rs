@@ -25,14 +25,14 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// Fields that merge into each other.
+/// Blob: the surface of fields that merge into each other.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Blob {
-    /// Strength of the field on the surface; inside it is stronger.
+    /// Strength of the field on the blob's surface; inside it is stronger.
     pub threshold: f64,
-    /// Components in the order of the hierarchy.
+    /// Components of the blob in the order of its hierarchy.
     pub components: Vec<Component>,
-    /// True if any component, even one without strength, has a texture.
+    /// True if any component of the blob, even one without strength, has a texture.
     #[serde(skip)]
     textured: bool,
     #[serde(skip)]
@@ -42,7 +42,7 @@ pub struct Blob {
 }
 
 impl Blob {
-    /// Builds the hierarchy over the components; leaves out those without strength and those beyond the range of
+    /// Builds the hierarchy over the blob's components; leaves out those without strength and those beyond the range of
     /// numbers.
     fn arrange(&mut self) {
         self.components.retain(|component| component.strength != 0.0 && bvh::fits(&component.bounds()));
@@ -67,7 +67,7 @@ impl Blob {
         sum
     }
 
-    /// Calls `visit` with each hit in `range`, in ascending `t`, until it returns `Break`.
+    /// Calls `visit` with each hit on the blob in `range`, in ascending `t`, until it returns `Break`.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
         let range = range.ahead(Self::QUIRKS.min_distance);
         let Some((enter, _)) = self.bounds.slabs(ray, range) else { return };
@@ -110,8 +110,8 @@ impl Blob {
     }
 }
 
-/// True if all Bernstein coefficients between -h and h have one sign; then the polynomial has no root there (Farouki
-/// and Rajan, On the numerical condition of polynomials in Bernstein form, 1987).
+/// True if all Bernstein coefficients of a polynomial between -h and h have one sign; then it has no root there
+/// (Farouki and Rajan, On the numerical condition of polynomials in Bernstein form, 1987).
 fn never_zero(c: &[f64; 5], h: f64) -> bool {
     // As a polynomial of x = t/h: p(x) = Σ pᵢ·xⁱ; with x = 2s - 1 the coefficients are linear in those.
     let [p4, p3, p2, p1, p0] = [c[0] * h * h * h * h, c[1] * h * h * h, c[2] * h * h, c[3] * h, c[4]];
@@ -203,7 +203,7 @@ impl Kernel for Blob {
         self.bounds
     }
 
-    /// Box of the components with positive strength; without any the blob is inverted, and infinite once it is
+    /// Box of the blob's components with positive strength; without any the blob is inverted, and infinite once it is
     /// transformed (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let strong = self.components.iter().filter(|component| component.strength > 0.0);

@@ -16,12 +16,12 @@ use crate::value::words::{Row, set, specs};
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A cone or frustum.
+/// Cone or frustum of a cone.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cone(pub Frustum);
 
 impl Cone {
-    /// The cone between two different points.
+    /// Creates the cone between two different points.
     pub fn new(base: DVec3, mut base_radius: f64, cap: DVec3, mut cap_radius: f64, open: bool) -> Self {
         // quirk: cone_negative_radii
         let largest = base_radius.max(cap_radius);

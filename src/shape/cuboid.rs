@@ -12,23 +12,23 @@ use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A box (`Box` is a type of Rust).
+/// Axis-aligned box of the scene language (`Box` is a type of Rust).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cuboid {
-    /// The corner with the smaller coordinates.
+    /// Corner of the box with the smaller coordinates.
     pub min: DVec3,
-    /// The corner with the larger coordinates.
+    /// Corner of the box with the larger coordinates.
     pub max: DVec3,
 }
 
 impl Cuboid {
-    /// The box between two opposite corners.
+    /// Creates the box between two opposite corners.
     pub fn new(a: DVec3, b: DVec3) -> Self {
         Self { min: a.min(b), max: a.max(b) }
     }
 
-    /// Returns where the ray enters and leaves, each with its face: axis · 2, plus 1 on the side of `max` (lecture,
-    /// "Ray – AAB intersection").
+    /// Returns where the ray enters and leaves the box, each with its face: axis · 2, plus 1 on the side of `max`
+    /// (lecture, "Ray – AAB intersection").
     fn faces(&self, ray: &Ray) -> Option<[End; 2]> {
         let mut near = End::at(f64::NEG_INFINITY);
         let mut far = End::at(f64::INFINITY);
@@ -111,7 +111,8 @@ impl Kernel for Cuboid {
         if hit.part % 2 == 1 { axis } else { -axis }
     }
 
-    /// A cross of six squares, four wide and three high (manual, picture "UV Boxmap").
+    /// Returns surface coordinates on a cross of six squares, into which the box is unfolded, four wide and three high
+    /// (manual, picture "UV Boxmap").
     fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
         // 0 … 1 along each edge; a flat box has 0.
         let size = self.max - self.min;

@@ -15,12 +15,12 @@ use crate::value::words::{Row, set, specs};
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A cylinder or tube.
+/// Cylinder, open or closed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cylinder(pub Frustum);
 
 impl Cylinder {
-    /// The cylinder between two different points.
+    /// Creates the cylinder between two different points.
     pub fn new(base: DVec3, cap: DVec3, radius: f64, open: bool) -> Self {
         let radius = radius.abs();
         Self(Frustum::new(base, cap, radius, radius, open))

@@ -18,16 +18,16 @@ use serde::Serialize;
 pub struct Disc {
     /// Centre of the disc and of its hole.
     pub center: DVec3,
-    /// Length 1; zero if the scene gives no direction, and then nothing is rendered.
+    /// Normal of the disc, of length 1; zero if the scene gives no direction, and then nothing is rendered.
     pub normal: DVec3,
-    /// Outer radius, not negative.
+    /// Outer radius of the disc, not negative.
     pub radius: f64,
-    /// Radius of the hole, not negative.
+    /// Radius of the disc's hole, not negative.
     pub hole: f64,
 }
 
 impl Disc {
-    /// A disc with a normal of any length.
+    /// Creates a disc with a normal of any length.
     pub fn new(center: DVec3, normal: DVec3, radius: f64, hole: f64) -> Self {
         Self { center, normal: normal.normalize_or_zero(), radius: radius.abs(), hole: hole.abs() }
     }
@@ -116,7 +116,8 @@ impl Kernel for Disc {
         self.normal
     }
 
-    /// Polar coordinates: angle and radius. POV-Ray has no mapping for this shape.
+    /// Returns the polar coordinates of a point of the disc: angle and radius. POV-Ray defines no uv mapping for a
+    /// disc.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let (e1, e2) = self.normal.any_orthonormal_pair();
         let d = p - self.center;

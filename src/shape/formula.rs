@@ -8,7 +8,7 @@ use crate::value::{Next, Reader, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A function with one value.
+/// Function with one value that defines an isosurface or a parametric surface.
 #[derive(Clone, Debug)]
 pub struct Formula(Arc<Function>);
 
@@ -28,7 +28,7 @@ impl Formula {
     /// Reads a function of the parameters `names`.
     ///
     /// # Errors
-    /// A diagnostic at anything else.
+    /// A diagnostic for anything but such a function.
     pub fn read(r: &mut dyn Reader, names: &str) -> Result<Self> {
         if !matches!(r.next()?, Next::Function | Next::Thing("function")) {
             return Err(r.unexpected(&format!("`function {{ … }}` of {names}")).into());
@@ -54,30 +54,30 @@ impl Formula {
         }
     }
 
-    /// For tests: a function of three numbers.
+    /// Wraps a function of three numbers, for tests.
     pub fn new(function: Function) -> Self {
         Self(Arc::new(function))
     }
 
-    /// Value at a point.
+    /// Value of the formula's function at a point.
     pub fn at(&self, p: DVec3) -> f64 {
         self.0.part(0, &[p.x, p.y, p.z])
     }
 
-    /// Bounds of value and gradient in a box; `room` is reused memory.
+    /// Bounds of the value and gradient of the formula's function in a box; `room` is scratch memory.
     pub fn slope(&self, b: &Aabb, room: &mut Vec<Slope>) -> Slope {
         let side = |axis: usize| Interval { lo: b.min[axis], hi: b.max[axis] };
         self.0.slope(&[side(0), side(1), side(2)], room)
     }
 }
 
-/// The solid that bounds a surface.
+/// Container of an isosurface or parametric surface: the solid that bounds it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Container {
-    /// A `box`, whose edges are parallel to the axes.
+    /// Container that is a `box`, whose edges are parallel to the axes.
     Box(Cuboid),
-    /// A `sphere` with any centre and radius.
+    /// Container that is a `sphere` with any centre and radius.
     Sphere(Sphere),
 }
 
@@ -88,7 +88,7 @@ impl Default for Container {
 }
 
 impl Container {
-    /// Reads `{ box { … } }` or `{ sphere { … } }`, from the opening brace on.
+    /// Reads a container, `{ box { … } }` or `{ sphere { … } }`, from the opening brace on.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -110,7 +110,7 @@ impl Container {
         Ok(container)
     }
 
-    /// Bounding box of the container.
+    /// Bounding box of a surface's container.
     pub fn bounds(&self) -> Aabb {
         match self {
             Self::Box(b) => b.bounds(),
@@ -118,7 +118,7 @@ impl Container {
         }
     }
 
-    /// True if the point is inside.
+    /// True if the point is inside the surface's container.
     pub fn contains(&self, p: DVec3) -> bool {
         match self {
             Self::Box(b) => b.bounds().contains(p),
@@ -126,7 +126,7 @@ impl Container {
         }
     }
 
-    /// Interval of a line inside the solid.
+    /// Interval of a line inside the surface's container.
     pub fn stretch(&self, ray: &Ray) -> Option<(f64, f64)> {
         match self {
             Self::Box(b) => b.bounds().slabs(ray, Range::ALL).filter(|(near, far)| near.is_finite() && far.is_finite()),
@@ -139,7 +139,7 @@ impl Container {
         }
     }
 
-    /// Outward normal at a point of the surface.
+    /// Outward normal at a point of the container's surface.
     pub fn normal(&self, p: DVec3) -> DVec3 {
         match self {
             Self::Box(b) => {

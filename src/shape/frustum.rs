@@ -7,46 +7,46 @@ use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Number of tangent planes of a round wall, for bounds.
+/// Number of tangent planes of a cone's or cylinder's wall, for bounds.
 const SIDES: usize = 8;
 
-/// Part number of the wall.
+/// Part number of the wall of a cone or cylinder.
 pub const WALL: u32 = 0;
-/// Part number of the disc around the base point.
+/// Part number of a cone's or cylinder's disc around the base point.
 pub const BASE: u32 = 1;
-/// Part number of the disc around the cap point.
+/// Part number of a cone's or cylinder's disc around the cap point.
 pub const CAP: u32 = 2;
 
-/// A wall around an axis, closed by discs unless `open`. Radii have signs: if they differ, the wall is an hourglass
-/// through the axis (quirk: `cone_negative_radii`).
+/// Frustum of a cone: a wall around an axis, closed by discs unless `open`. Radii have signs: if they differ, the wall
+/// is an hourglass through the axis (quirk: `cone_negative_radii`).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Frustum {
-    /// Centre of the base.
+    /// Centre of the frustum's base.
     pub base: DVec3,
-    /// Centre of the cap; never the base.
+    /// Centre of the frustum's cap; never equal to the base.
     pub cap: DVec3,
-    /// Radius at the base.
+    /// Radius of the frustum at the base.
     pub base_radius: f64,
-    /// Radius at the cap.
+    /// Radius of the frustum at the cap.
     pub cap_radius: f64,
-    /// True if the solid has no discs at its ends.
+    /// True if the frustum has no discs at its ends.
     pub open: bool,
     #[serde(skip)]
     frame: Precomputed,
 }
 
-/// Constants for all rays.
+/// Constants of a frustum for all rays.
 #[derive(Clone, Debug, PartialEq)]
 struct Precomputed {
-    /// Axis divided by its squared length.
+    /// Axis of the frustum divided by its squared length.
     along: DVec3,
-    /// Two unit vectors perpendicular to the axis and each other.
+    /// Two unit vectors perpendicular to the frustum's axis and each other.
     across: (DVec3, DVec3),
     middle: DVec3,
 }
 
-/// A point or direction in the frame of the axis: `w` is 0 at the base and 1 at the cap, `x` and `y` are lengths
-/// perpendicular to the axis.
+/// A point or direction in the frame of a frustum's axis: `w` is 0 at the base and 1 at the cap, `x` and `y` are
+/// lengths perpendicular to the axis.
 struct Split {
     w: f64,
     x: f64,
@@ -54,14 +54,14 @@ struct Split {
 }
 
 impl Split {
-    /// Squared distance from the axis.
+    /// Squared distance from the frustum's axis.
     fn across_squared(&self) -> f64 {
         self.x * self.x + self.y * self.y
     }
 }
 
 impl Frustum {
-    /// The wall between two different points.
+    /// Creates the frustum between two different points.
     pub fn new(base: DVec3, cap: DVec3, base_radius: f64, cap_radius: f64, open: bool) -> Self {
         let axis = cap - base;
         let frame = Precomputed {
@@ -76,7 +76,7 @@ impl Frustum {
         self.cap - self.base
     }
 
-    /// Radius at the fraction `w` of the axis from base to cap.
+    /// Radius of the frustum at the fraction `w` of the axis from base to cap.
     fn radius(&self, w: f64) -> f64 {
         self.base_radius + w * (self.cap_radius - self.base_radius)
     }
@@ -86,12 +86,12 @@ impl Frustum {
         Split { w: v.dot(*along), x: v.dot(*x), y: v.dot(*y) }
     }
 
-    /// True if there is no surface.
+    /// True if the frustum has no surface.
     pub fn is_empty(&self) -> bool {
         self.base_radius == 0.0 && self.cap_radius == 0.0
     }
 
-    /// Box around both end circles.
+    /// Bounding box of both end circles of the frustum.
     pub fn bounds(&self) -> Aabb {
         if self.is_empty() {
             return Aabb::EMPTY;
@@ -103,19 +103,19 @@ impl Frustum {
         around(self.base, self.base_radius).union(around(self.cap, self.cap_radius))
     }
 
-    /// Returns a ray in the frame, relative to its point nearest to the centre, so that a distant eye costs no digits:
-    /// `t` of that point, the point, and the direction.
+    /// Returns a ray in the frustum's frame, relative to its point nearest to the centre, so that a distant eye costs
+    /// no digits: `t` of that point, the point, and the direction.
     fn shifted(&self, ray: &Ray) -> (f64, Split, Split) {
         let shift = (self.frame.middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
         (shift, self.split(ray.at(shift) - self.base), self.split(ray.dir))
     }
 
-    /// True for a cylinder with both end discs.
+    /// True if the frustum is a cylinder with both end discs.
     fn is_closed_cylinder(&self) -> bool {
         !self.open && self.base_radius == self.cap_radius
     }
 
-    /// The closest hit in the range.
+    /// Returns the closest hit on the frustum in the range.
     pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         if self.is_closed_cylinder() && !self.is_empty() {
             let Crossing::Through(ends) = self.cross_cylinder(ray) else { return None };
@@ -126,7 +126,7 @@ impl Frustum {
         nearest(&all)
     }
 
-    /// Appends the hits in the range.
+    /// Appends the frustum's hits in the range.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if self.is_empty() {
             return;
@@ -174,14 +174,15 @@ impl Frustum {
         }
     }
 
-    /// See [`super::Kernel::pov_bounds`]: the box of a cylinder about the same axis (quirk: `extent_boxes`).
+    /// Box that POV-Ray reports for the frustum, see [`super::Kernel::pov_bounds`]: the box of a cylinder about the
+    /// same axis (quirk: `extent_boxes`).
     pub fn pov_bounds(&self, m: &Transform) -> Aabb {
         let (r, axis) = (self.base_radius.max(self.cap_radius), self.cap - self.base);
         let b = Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, axis.length()) };
         pov_bounds::framed(m, axis, self.base, &b)
     }
 
-    /// Half-spaces of both ends and of tangent planes around the wall.
+    /// Half-spaces that contain the frustum: of both ends and of tangent planes around the wall.
     pub fn half_spaces(&self) -> HalfSpaces {
         let Self { base, cap, base_radius, cap_radius, .. } = *self;
         let axis = (cap - base).normalize();
@@ -195,7 +196,7 @@ impl Frustum {
         out
     }
 
-    /// True if the point is between the ends and nearer to the axis than the wall.
+    /// True if the point is between the frustum's ends and nearer to the axis than the wall.
     pub fn inside(&self, p: DVec3) -> bool {
         let at = self.split(p - self.base);
         let slack = if self.open { tolerance::INSIDE } else { -tolerance::INSIDE };
@@ -203,7 +204,7 @@ impl Frustum {
         at.w > -slack && at.w < 1.0 + slack && at.across_squared() < r * r - tolerance::INSIDE
     }
 
-    /// True with both end discs and no hourglass.
+    /// True if the frustum is convex: with both end discs and no hourglass.
     pub fn is_convex(&self) -> bool {
         !self.open && self.base_radius * self.cap_radius >= 0.0
     }
@@ -227,7 +228,8 @@ impl Frustum {
         }
     }
 
-    /// The intersection of the interval between the ends and the interval within the wall.
+    /// Interval of a line inside a closed cylinder: the intersection of the interval between the ends and the interval
+    /// within the wall.
     fn cross_cylinder(&self, ray: &Ray) -> Crossing {
         let (shift, o, v) = self.shifted(ray);
         let r2 = self.base_radius * self.base_radius;
@@ -257,7 +259,7 @@ impl Frustum {
         }
     }
 
-    /// Outward normal at a point of a part of the surface.
+    /// Outward normal at a point of a part of the frustum's surface.
     pub fn normal(&self, p: DVec3, part: u32) -> DVec3 {
         let axis = self.axis();
         match part {
@@ -275,7 +277,7 @@ impl Frustum {
         }
     }
 
-    /// Angle about the axis, and height. POV-Ray has no mapping for these shapes.
+    /// Angle about the frustum's axis, and height along it. POV-Ray defines no uv mapping for cones and cylinders.
     pub fn uv(&self, p: DVec3, part: u32) -> DVec2 {
         let at = self.split(p - self.base);
         let u = fp::turn(at.y, at.x);
@@ -288,7 +290,7 @@ impl Frustum {
     }
 }
 
-/// `open`: without end discs.
+/// The word `open` of a cone or cylinder: without end discs.
 pub(super) const OPEN: WordSpec = word("open", ValueKind::Nothing, "", "takes the discs at the ends away");
 
 /// Implements [`super::Kernel`] for a shape that wraps a frustum.

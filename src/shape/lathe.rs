@@ -20,19 +20,19 @@ use crate::value::words::{Row, joined, specs};
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A curve that is rotated about the y axis.
+/// Lathe: a curve that is rotated about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Lathe {
-    /// Interpolation of the outline between its points.
+    /// Interpolation of the lathe's outline between its points.
     pub interpolation: Interpolation,
-    /// The curve as distance from the axis and height.
+    /// Curve of the lathe: distance from the axis and height.
     pub curve: Curve,
     #[serde(skip)]
     walls: Walls,
 }
 
 impl Lathe {
-    /// The curve through some points.
+    /// Creates the lathe of a curve through these points.
     pub fn new(interpolation: Interpolation, points: &[DVec2]) -> Self {
         let curve = single_row(interpolation, points);
         let (min, max) = curve.ends();
@@ -81,7 +81,7 @@ impl Kernel for Lathe {
         m.aabb(&self.bounds())
     }
 
-    /// For a `bezier_spline`, the box of all control points (quirk: `extent_boxes`).
+    /// Bounding box of the lathe; for a `bezier_spline`, that of all control points (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let bezier = self.interpolation == Interpolation::Bezier;
         moved_box(m, &self.box_of(if bezier { self.curve.hull() } else { self.curve.ends() }))
@@ -102,7 +102,7 @@ impl Kernel for Lathe {
         self.curve.surrounds(p.y, |x| x > across)
     }
 
-    /// The normal points to the right of the curve's direction (quirk: `sweep_normal_side`).
+    /// Normal of the lathe, which points to the right of the curve's direction (quirk: `sweep_normal_side`).
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         self.walls.normal(p, hit)
     }

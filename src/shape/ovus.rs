@@ -16,33 +16,33 @@ use crate::value::words::{Row, specs};
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Part numbers of the surface.
+/// Part numbers of an ovus: lower ball, upper ball, band.
 const BOTTOM: u32 = 0;
 const BAND: u32 = 1;
 const TOP: u32 = 2;
-/// Tolerance, relative to the larger radius, within which a point belongs to two neighbouring parts.
+/// Tolerance, relative to the larger radius, within which a point belongs to two neighbouring parts of an ovus.
 const OVERLAP: f64 = 1e-9;
 
-/// A solid egg: two balls joined by an arc that turns about the y axis.
+/// Ovus, a solid egg: two balls joined by an arc that is rotated about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Ovus {
-    /// Radius of the ball around the origin.
+    /// Radius of the ovus's ball around the origin.
     pub bottom: f64,
-    /// Radius of the ball above it.
+    /// Radius of the ovus's upper ball.
     pub top: f64,
-    /// Centre of the arc: distance from the axis, on the opposite side, and height.
+    /// Centre of the ovus's arc: distance from the axis, on the opposite side, and height.
     #[serde(skip)]
     middle: DVec2,
-    /// Radius of the arc; 0 if there is only one ball.
+    /// Radius of the ovus's arc; 0 if there is only one ball.
     #[serde(skip)]
     arc: f64,
-    /// Heights of the band's ends.
+    /// Heights of the ends of the ovus's band.
     #[serde(skip)]
     ends: [f64; 2],
 }
 
 impl Ovus {
-    /// An egg with radii that are not negative.
+    /// Creates an ovus with radii that are not negative.
     pub fn new(bottom: f64, top: f64) -> Self {
         if top >= 2.0 * bottom {
             return Self { bottom, top, middle: DVec2::ZERO, arc: 0.0, ends: [f64::NEG_INFINITY; 2] };
@@ -63,12 +63,12 @@ impl Ovus {
         }
     }
 
-    /// Vector from the centre of the arc to the point, in the plane through the axis.
+    /// Vector from the centre of the ovus's arc to the point, in the plane through the axis.
     fn off_middle(&self, p: DVec3) -> DVec2 {
         DVec2::new(fp::hypot(p.x, p.z) + self.middle.x, p.y - self.middle.y)
     }
 
-    /// True if a point of the torus is in the band.
+    /// True if a point of the torus is on the ovus's band, between two heights.
     fn is_band(&self, p: DVec3, [low, high]: [f64; 2]) -> bool {
         // Of the two arcs of a closed torus the one that curves towards the axis.
         let here = self.off_middle(p);
@@ -77,7 +77,7 @@ impl Ovus {
         (low..=high).contains(&p.y) && off(here) <= off(other)
     }
 
-    /// Entry and exit of a line; the shape is convex.
+    /// Returns the entry and exit of a line; an ovus is convex.
     fn ends(&self, ray: &Ray) -> Option<[Hit; 2]> {
         let slack = OVERLAP * self.bottom.max(self.top);
         let ends = [self.ends[0] + slack, self.ends[1] - slack];
@@ -149,7 +149,7 @@ impl Kernel for Ovus {
         Aabb { min: DVec3::new(-across, low, -across), max: DVec3::new(across, high, across) }
     }
 
-    /// As wide as the whole circle of the arc (quirk: `extent_boxes`).
+    /// Box of the ovus, as wide as the whole circle of its arc (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let Aabb { min, max } = self.bounds();
         let across = (self.arc - self.middle.x).max(max.x);
@@ -178,7 +178,8 @@ impl Kernel for Ovus {
         DVec3::new(p.x * out, from.y, p.z * out)
     }
 
-    /// Angle about the axis, and angle seen from the middle of the height (quirk: `ovus_uv`).
+    /// Surface coordinates of an ovus: angle about the axis, and angle seen from the middle of the height (quirk:
+    /// `ovus_uv`).
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let height = p.y - self.bounds().center().y;
         DVec2::new(fp::turn(p.z, p.x), 2.0 * fp::turn(fp::hypot(p.x, p.z), -height))

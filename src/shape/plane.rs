@@ -16,14 +16,14 @@ use crate::value::words::{Row, specs, word};
 use crate::value::{Next, Param, Reader, ReaderExt, Spec, ValueKind};
 use serde::Serialize;
 
-/// A half-space, bounded by a plane.
+/// Plane: a half-space that the plane bounds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plane {
-    /// Outward normal, length 1.
+    /// Outward normal of the plane, length 1.
     pub normal: DVec3,
-    /// Distance from the origin along the normal.
+    /// Distance of the plane from the origin along the normal.
     pub distance: f64,
-    /// Spanning vectors, if the plane is given by them.
+    /// Spanning vectors of the plane, if it is given by them.
     pub span: Option<Box<Spanned>>,
 }
 
@@ -39,24 +39,24 @@ pub struct Spanned {
 }
 
 impl Plane {
-    /// POV-Ray's form; `None` if the normal has no direction.
+    /// Creates a plane in POV-Ray's form; `None` if the normal has no direction.
     pub fn new(normal: DVec3, distance: f64) -> Option<Self> {
         Some(Self { normal: normal.try_normalize()?, distance, span: None })
     }
 
-    /// A·x + B·y + C·z + D = 0; inside it is negative.
+    /// Creates the plane A·x + B·y + C·z + D = 0, which is negative inside; `None` if the normal has no direction.
     pub fn implicit(abcd: [f64; 4]) -> Option<Self> {
         let n = DVec3::new(abcd[0], abcd[1], abcd[2]);
         Self::new(n, -abcd[3] / n.length())
     }
 
-    /// n·(x - q) = 0.
+    /// Creates the plane n·(x - q) = 0; `None` if the normal n has no direction.
     pub fn through(point: DVec3, normal: DVec3) -> Option<Self> {
         let plane = Self::new(normal, 0.0)?;
         Some(Self { distance: plane.normal.dot(point), ..plane })
     }
 
-    /// q + u·i + v·j.
+    /// Creates the plane q + u·i + v·j; `None` if i and j are parallel.
     pub fn spanned(point: DVec3, i: DVec3, j: DVec3) -> Option<Self> {
         let plane = Self::through(point, i.normalize_or_zero().cross(j.normalize_or_zero()))?;
         Some(Self { span: Some(Box::new(Spanned { point, i, j })), ..plane })
@@ -120,14 +120,14 @@ impl Readable for Plane {
     }
 }
 
-/// Returns the error for a form's word that is not first.
+/// Returns the error for a word of another form of a plane that is not first.
 fn second_form(word: &str, r: &mut dyn Reader) -> Result<()> {
     let help = "write either `normal, distance` or one of the forms with words";
     let message = format!("`{word}` must be the first thing in a `plane`");
     Err(Diagnostic::new(codes::TWO_FORMS, r.span(), message).help(help).into())
 }
 
-/// Reads the rest of `point q normal n` or `point q span i, j`.
+/// Reads the rest of a plane in the form `point q normal n` or `point q span i, j`.
 fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
     let point = r.vector()?;
     if r.accept("normal")? {
@@ -209,7 +209,8 @@ impl Kernel for Plane {
         self.normal
     }
 
-    /// The lecture's (u, v), or coordinates along two directions of the plane. POV-Ray has no mapping for planes.
+    /// Surface coordinates of a plane: the lecture's (u, v), or coordinates along two directions of the plane. POV-Ray
+    /// defines no uv mapping for planes.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         match &self.span {
             Some(spanned) => spanned.coordinates(p),

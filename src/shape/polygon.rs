@@ -14,28 +14,29 @@ use crate::source::Span;
 use crate::value::{Param, Reader, Spec, Value, ValueKind};
 use serde::Serialize;
 
-/// Outlines in a plane.
+/// Polygon: one or more outlines in a plane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Polygon {
-    /// Points of each outline; the first is not repeated at the end.
+    /// Points of each outline of the polygon; the first is not repeated at the end.
     pub outlines: Vec<Vec<DVec3>>,
-    /// Length 1; zero if the points are collinear or not coplanar, and then nothing is rendered.
+    /// Normal of the polygon, of length 1; zero if the points are collinear or not coplanar, and then nothing is
+    /// rendered.
     pub normal: DVec3,
-    /// Axis of the projection: the one nearest to the normal.
+    /// Index of the axis along which the polygon is projected: the one nearest to the normal.
     drop: usize,
-    /// All sides in the projection.
+    /// All sides of the projected polygon.
     #[serde(skip)]
     sides: Vec<[DVec2; 2]>,
-    /// Reason why nothing is rendered.
+    /// Reason why the polygon is not rendered; `None` if it is.
     #[serde(skip)]
     fault: Option<&'static str>,
-    /// True if the last outline is not closed.
+    /// True if the polygon's last outline is not closed.
     #[serde(skip)]
     unclosed: bool,
 }
 
 impl Polygon {
-    /// Outlines from points; a repeated first point ends an outline.
+    /// Creates a polygon from points; a repeated first point ends an outline.
     pub fn new(points: &[DVec3]) -> Self {
         let (outlines, unclosed) = split(points);
         let area = outlines.iter().map(|o| vector_area(o)).max_by(|a, b| a.length().total_cmp(&b.length()));
@@ -55,8 +56,9 @@ impl Polygon {
         Self { sides: sides.collect(), outlines, normal, drop, fault, unclosed }
     }
 
-    /// True if the half-line from the point along +x crosses an odd number of sides (lecture, "Point-in-polygon
-    /// problem"). A side includes its lower end but not its upper end, so that a corner is crossed once.
+    /// True if the half-line from the point along +x crosses an odd number of the polygon's sides (lecture,
+    /// "Point-in-polygon problem"). A side includes its lower end but not its upper end, so that a corner is crossed
+    /// once.
     fn covers(&self, p: DVec2) -> bool {
         let mut odd = false;
         for [a, b] in &self.sides {
@@ -70,12 +72,13 @@ impl Polygon {
     }
 }
 
-/// Projects a point along an axis.
+/// Projects a point along the coordinate axis with index `drop`.
 fn seen(p: DVec3, drop: usize) -> DVec2 {
     DVec2::new(p[(drop + 1) % 3], p[(drop + 2) % 3])
 }
 
-/// Splits the points where an outline returns to its first point; also returns true if the last outline does not.
+/// Splits a polygon's points where an outline returns to its first point; also returns true if the last outline does
+/// not.
 fn split(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
     let mut outlines = vec![];
     let mut current: Vec<DVec3> = vec![];
@@ -92,8 +95,8 @@ fn split(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
     (outlines, unclosed)
 }
 
-/// Returns the normal by the first point, the first that differs, and the first that is not collinear with both (quirk:
-/// `polygon_side`).
+/// Returns the normal of a polygon by the first point, the first that differs, and the first that is not collinear with
+/// both (quirk: `polygon_side`).
 fn normal_of_first_turn(points: &[DVec3]) -> DVec3 {
     let sides = points.iter().map(|p| *p - points[0]);
     let Some(first) = sides.clone().find(|side| side.length() > tolerance::SAME_POINT) else { return DVec3::ZERO };
@@ -101,7 +104,7 @@ fn normal_of_first_turn(points: &[DVec3]) -> DVec3 {
     sides.clone().find(turns).map_or(DVec3::ZERO, |second| first.cross(second))
 }
 
-/// Half the sum of the cross products around the outline: its length is the area, its direction a normal.
+/// Half the sum of the cross products around a polygon's outline: its length is the area, its direction a normal.
 fn vector_area(outline: &[DVec3]) -> DVec3 {
     let Some(&first) = outline.first() else { return DVec3::ZERO };
     let corners = outline.windows(2).map(|w| (w[0] - first).cross(w[1] - first));
@@ -111,7 +114,7 @@ fn vector_area(outline: &[DVec3]) -> DVec3 {
     if area.length() > 1e-14 * size * size { area } else { DVec3::ZERO }
 }
 
-/// Reads a point of two or three numbers, or a number for all three.
+/// Reads a point of a polygon: two or three numbers, or one number for all three.
 fn read_point(r: &mut dyn Reader) -> Result<DVec3> {
     let (value, span) = r.value()?;
     let point = match value {
@@ -202,7 +205,8 @@ impl Kernel for Polygon {
         self.normal
     }
 
-    /// The two coordinates of the projection. POV-Ray has no mapping for polygons.
+    /// Surface coordinates of a polygon: the two coordinates of the projection. POV-Ray defines no uv mapping for
+    /// polygons.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         seen(p, self.drop)
     }

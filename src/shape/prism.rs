@@ -22,36 +22,36 @@ use crate::value::words::{Row, joined, specs, word};
 use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// Part number of a lid; other parts are segments of the outline.
+/// Part number of a prism's lid; other parts are segments of the outline.
 const LID: u32 = u32::MAX;
 
-/// An outline that is swept along y.
+/// Prism: an outline that is swept along y.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Prism {
-    /// Interpolation of the outlines between their points.
+    /// Interpolation of the prism's outlines between their points.
     pub interpolation: Interpolation,
-    /// True if the outline grows with y from an apex at the origin.
+    /// True if the prism's outline grows with y from an apex at the origin.
     pub conic: bool,
-    /// The y coordinate of the lower end.
+    /// The y coordinate of the prism's lower end.
     pub bottom: f64,
-    /// The y coordinate of the upper end.
+    /// The y coordinate of the prism's upper end.
     pub top: f64,
-    /// The outlines, as x and z.
+    /// Outlines of the prism, as x and z.
     pub outlines: Curve,
     /// True if the prism has no lids at its ends.
     pub open: bool,
     #[serde(skip)]
     unclosed: bool,
-    /// Bounding rectangle of the outlines.
+    /// Bounding rectangle of the prism's outlines.
     #[serde(skip)]
     ends: (DVec2, DVec2),
 }
 
-/// Margin of bounds, relative to a distance: far above rounding.
+/// Margin of a prism's bounds, relative to a distance: far above rounding.
 const MARGIN: f64 = 1e-6;
 
 impl Prism {
-    /// A prism between two heights in any order. Outlines end where their first point is repeated.
+    /// Creates a prism between two heights in any order. Outlines end where their first point is repeated.
     pub fn new(interpolation: Interpolation, conic: bool, heights: [f64; 2], points: &[DVec2], open: bool) -> Self {
         let (outlines, unclosed) = outlines(interpolation, points);
         let (bottom, top) = (heights[0].min(heights[1]), heights[0].max(heights[1]));
@@ -59,7 +59,7 @@ impl Prism {
         Self { interpolation, conic, bottom, top, outlines, open, unclosed, ends }
     }
 
-    /// Scale of the outline at a height.
+    /// Scale of the prism's outline at a height.
     fn size(&self, y: f64) -> f64 {
         if self.conic { y } else { 1.0 }
     }
@@ -70,7 +70,7 @@ impl Prism {
         size != 0.0 && at.cmpge(min).all() && at.cmple(max).all() && self.outlines.surrounds(at.y, |x| x > at.x)
     }
 
-    /// Bounding box for outlines within a rectangle.
+    /// Bounding box of the prism for outlines within a rectangle.
     fn box_of(&self, (min, max): (DVec2, DVec2)) -> Aabb {
         let at = |y: f64| {
             let size = self.size(y);
@@ -79,7 +79,7 @@ impl Prism {
         at(self.bottom).union(at(self.top))
     }
 
-    /// Parameter of the ray where it hits the wall over a point of the outline.
+    /// Returns the parameter of the ray where it hits the prism's wall over a point of the outline.
     fn wall(&self, ray: &Ray, p: DVec2) -> f64 {
         let (o, v) = (ray.origin, ray.dir);
         if self.conic {
@@ -115,7 +115,7 @@ impl Prism {
         }
     }
 
-    /// Returns the part of the range between the heights of the lids, with a margin.
+    /// Returns the part of the ray's range between the heights of the prism's lids, with a margin.
     fn way_between_lids(&self, ray: &Ray, range: Range) -> Range {
         if ray.dir.y == 0.0 {
             return range;
@@ -126,8 +126,8 @@ impl Prism {
         if margin.is_finite() { Range { min: min - margin, max: max + margin } } else { range }
     }
 
-    /// True if the ray can hit a segment's wall there: a hit over a point of the segment is between the hits over its
-    /// control points.
+    /// True if the ray can hit the wall of a prism's segment in the range `way`: a hit over a point of the segment is
+    /// between the hits over its control points.
     fn is_on_way(&self, ray: &Ray, segment: usize, way: Range) -> bool {
         if self.conic {
             return true;
@@ -223,7 +223,7 @@ impl Kernel for Prism {
         self.box_of(self.ends)
     }
 
-    /// For a `bezier_spline`, the box of all control points (quirk: `extent_boxes`).
+    /// Bounding box of the prism; for a `bezier_spline`, that of all control points (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let ends = if self.interpolation == Interpolation::Bezier { self.outlines.hull() } else { self.ends };
         moved_box(m, &self.box_of(ends))
@@ -244,8 +244,8 @@ impl Kernel for Prism {
         p.y >= self.bottom && p.y <= self.top && self.covers(p)
     }
 
-    /// The normal of walls points to the right of the outline's direction, seen from above, and to the left of a
-    /// `bezier_spline`; the normal of both lids is y (quirk: `sweep_normal_side`).
+    /// Normal of the prism. That of walls points to the right of the outline's direction, seen from above, and to the
+    /// left of a `bezier_spline`; the normal of both lids is y (quirk: `sweep_normal_side`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         if hit.part == LID {
             return DVec3::Y;
@@ -261,7 +261,7 @@ impl Kernel for Prism {
         n.with_y(-(n.x * at.x + n.z * at.y))
     }
 
-    /// POV-Ray has no mapping for prisms.
+    /// Returns false: POV-Ray defines no uv mapping for prisms.
     fn has_uv_mapping(&self) -> bool {
         false
     }

@@ -14,43 +14,43 @@ use crate::source::Span;
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Curvature along a line, relative to its maximum, below which the line is left to `hits` and `inside`.
+/// Curvature of a quadric along a line, relative to its maximum, below which the line is left to `hits` and `inside`.
 const STRAIGHT: f64 = 1e-6;
 
-/// A surface of second order.
+/// Quadric: a surface of second order.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Quadric {
-    /// Coefficients of x², y² and z².
+    /// Coefficients of x², y² and z² in the quadric.
     pub squares: DVec3,
-    /// Coefficients of x·y, x·z and y·z.
+    /// Coefficients of x·y, x·z and y·z in the quadric.
     pub mixed: DVec3,
-    /// Coefficients of x, y and z.
+    /// Coefficients of x, y and z in the quadric.
     pub linear: DVec3,
-    /// Constant term J of the equation.
+    /// Constant term J of the quadric's equation.
     pub constant: f64,
     #[serde(skip)]
     centered: Centered,
 }
 
-/// The quadratic form about its centre: q·Qq + 2·h·q + c with q = p - centre.
+/// Quadric about its centre: q·Qq + 2·h·q + c with q = p - centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Centered {
-    /// Q, a symmetric matrix.
+    /// Symmetric matrix Q of the centred quadric.
     q: DMat3,
-    /// Zero, unless there is no unique centre.
+    /// Linear term h of the centred quadric: zero, unless there is no unique centre.
     h: DVec3,
     c: f64,
     center: DVec3,
-    /// Largest element of Q.
+    /// Largest element of the quadric's matrix Q.
     size: f64,
-    /// Bounding box of a closed surface; empty if there is no surface.
+    /// Bounding box of a closed quadric; empty if there is no surface. `None` for other quadrics.
     ends: Option<Aabb>,
-    /// True for a filled ellipsoid.
+    /// True if the quadric is a filled ellipsoid.
     convex: bool,
 }
 
 impl Quadric {
-    /// Coefficients in the order of the manual: A B C, D E F, G H I, J.
+    /// Creates a quadric from coefficients in the order of the manual: A B C, D E F, G H I, J.
     pub fn new(squares: DVec3, mixed: DVec3, linear: DVec3, constant: f64) -> Self {
         let (xy, xz, yz) = (0.5 * mixed.x, 0.5 * mixed.y, 0.5 * mixed.z);
         let q = DMat3::from_cols_array(&[squares.x, xy, xz, xy, squares.y, yz, xz, yz, squares.z]);
@@ -70,7 +70,7 @@ impl Quadric {
         Self { squares, mixed, linear, constant, centered }
     }
 
-    /// Value of the form; negative inside.
+    /// Value of the quadric's form at a point; negative inside.
     fn implicit(&self, p: DVec3) -> f64 {
         self.centered.value(p - self.centered.center)
     }
@@ -79,7 +79,7 @@ impl Quadric {
         self.curve(ray).1
     }
 
-    /// Curvature of the form along a ray, and its roots.
+    /// Returns the curvature of the quadric's form along a ray, and its roots.
     fn curve(&self, ray: &Ray) -> (f64, Option<(f64, f64)>) {
         let Centered { q, h, center, .. } = &self.centered;
         // Start from the ray's point nearest to the centre, so that a distant eye costs no digits.
@@ -98,7 +98,8 @@ impl Centered {
         q.dot(self.q * q + 2.0 * self.h) + self.c
     }
 
-    /// Returns 1 if Q is positive definite, -1 if negative definite, 0 otherwise (Sylvester's criterion).
+    /// Returns 1 if the quadric's matrix Q is positive definite, -1 if negative definite, 0 otherwise (Sylvester's
+    /// criterion).
     fn definite(&self) -> f64 {
         let (a, b) = (self.q.x_axis, self.q.y_axis);
         let sign = a.x.signum();
@@ -106,7 +107,7 @@ impl Centered {
         if a.x != 0.0 && minor > 0.0 && self.q.determinant() * sign > 0.0 { sign } else { 0.0 }
     }
 
-    /// Bounding box: an ellipsoid extends √(-c·(Q⁻¹)ᵢᵢ) along axis i.
+    /// Bounding box of the quadric: an ellipsoid extends √(-c·(Q⁻¹)ᵢᵢ) along axis i.
     fn box_around(&self) -> Option<Aabb> {
         let sign = self.definite();
         if sign == 0.0 {
@@ -159,7 +160,8 @@ impl Kernel for Quadric {
         self.centered.ends.unwrap_or(Aabb::INFINITE)
     }
 
-    /// Box of an axis-parallel ellipsoid; infinite for all others (quirk: `extent_boxes`).
+    /// Box that POV-Ray reports for the quadric: that of an axis-parallel ellipsoid; infinite for all others (quirk:
+    /// `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         match self.centered.ends {
             Some(ends) if self.mixed == DVec3::ZERO && !ends.is_empty() => moved_box(m, &ends),
@@ -224,7 +226,7 @@ impl Kernel for Quadric {
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
 
-    /// POV-Ray has no mapping for them.
+    /// Returns false: POV-Ray defines no uv mapping for quadrics.
     fn has_uv_mapping(&self) -> bool {
         false
     }

@@ -14,29 +14,29 @@ use crate::source::Span;
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A triangle with a normal at each corner.
+/// Smooth triangle, with a normal at each corner.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SmoothTriangle {
     /// The flat triangle that rays hit; the normals only shade it.
     pub flat: Triangle,
-    /// Normals of length 1, in the order of the corners; zero where the scene gives no direction, and then nothing is
-    /// rendered.
+    /// Normals of the smooth triangle, of length 1, in the order of the corners; zero where the scene gives no
+    /// direction, and then nothing is rendered.
     pub normals: [DVec3; 3],
 }
 
 impl SmoothTriangle {
-    /// A triangle with normals of any length.
+    /// Creates a smooth triangle with normals of any length.
     pub fn new(flat: Triangle, normals: [DVec3; 3]) -> Self {
         Self { flat, normals: normals.map(DVec3::normalize_or_zero) }
     }
 
-    /// True if the normals point to both sides of the triangle, or into its plane.
+    /// True if the smooth triangle's normals point to both sides of it, or into its plane.
     fn is_twisted(&self) -> bool {
         self.is_twisted_under(&Transform::IDENTITY)
     }
 
-    /// True if the normals point to both sides under the transform M, which can change their angles (quirk:
-    /// `twisted_smooth_triangle`).
+    /// True if the smooth triangle's normals point to both sides under the transform M, which can change their angles
+    /// (quirk: `twisted_smooth_triangle`).
     fn is_twisted_under(&self, m: &Transform) -> bool {
         let face = m.normal(self.flat.face_normal());
         let sides = self.normals.map(|n| m.normal(n).dot(face));
@@ -106,7 +106,7 @@ impl Kernel for SmoothTriangle {
         true
     }
 
-    /// The triangle with normals of length 1 under M, so that interpolation weighs them equally (quirk:
+    /// Returns the smooth triangle with normals of length 1 under M, so that interpolation weighs them equally (quirk:
     /// `smooth_triangle_normals`).
     fn changed_under(&self, m: &Transform) -> Option<Self> {
         let normals = match self.is_twisted_under(m) {
@@ -122,7 +122,8 @@ impl Kernel for SmoothTriangle {
         (1.0 - hit.uv.x - hit.uv.y) * n1 + hit.uv.x * n2 + hit.uv.y * n3
     }
 
-    /// The lecture's (u, v). POV-Ray has no mapping for triangles outside meshes.
+    /// Surface coordinates of a smooth triangle: the lecture's (u, v). POV-Ray defines no uv mapping for triangles
+    /// outside meshes.
     fn uv(&self, _: DVec3, hit: &Hit) -> DVec2 {
         hit.uv
     }

@@ -20,26 +20,26 @@ use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 use smallvec::smallvec;
 
-/// Part number of the lower lid; the upper lid follows, other parts are segments.
+/// Part number of the lower lid of a surface of revolution; the upper lid follows, other parts are segments.
 const BOTTOM: u32 = u32::MAX - 1;
 const TOP: u32 = u32::MAX;
 
 /// A surface of revolution.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sor {
-    /// Radii and heights; the first and last point only give directions.
+    /// Radii and heights of the surface of revolution; the first and last point only give directions.
     pub points: Vec<DVec2>,
     /// True if the surface of revolution has no lids at its ends.
     pub open: bool,
-    /// Bernstein coefficients of the squared radius between neighbouring points.
+    /// Bernstein coefficients of the surface's squared radius between neighbouring points.
     #[serde(skip)]
     squares: Vec<[f64; 4]>,
     #[serde(skip)]
     walls: Walls,
 }
 
-/// Squared radius from the second to the third of four points: a cubic function of the height with the slopes 2·r·dr/dh
-/// of the chords from each end's neighbours (manual, "Surface of Revolution").
+/// Squared radius of a surface of revolution from the second to the third of four points: a cubic function of the
+/// height with the slopes 2·r·dr/dh of the chords from each end's neighbours (manual, "Surface of Revolution").
 fn squares(p: &[DVec2]) -> [f64; 4] {
     let step = (p[2].y - p[1].y) / 3.0;
     let slope = |before: DVec2, at: DVec2, after: DVec2| 2.0 * at.x * (after.x - before.x) / (after.y - before.y);
@@ -48,7 +48,7 @@ fn squares(p: &[DVec2]) -> [f64; 4] {
 }
 
 impl Sor {
-    /// A surface through at least four points with increasing heights.
+    /// Creates a surface of revolution through at least four points with increasing heights.
     pub fn new(points: Vec<DVec2>, open: bool) -> Self {
         let squares: Vec<[f64; 4]> = points.windows(4).map(squares).collect();
         let level = 0.5 * (points[1].y + points[points.len() - 2].y);
@@ -57,7 +57,7 @@ impl Sor {
         Self { points, open, squares, walls }
     }
 
-    /// Radius and height of both ends.
+    /// Radius and height of both ends of the surface of revolution.
     fn ends(&self) -> [DVec2; 2] {
         [self.points[1], self.points[self.points.len() - 2]]
     }
@@ -145,8 +145,8 @@ impl Kernel for Sor {
         }
     }
 
-    /// On the lids, from the centre to the rim of the lower and back to the centre of the upper lid (quirk:
-    /// `lathe_uv`).
+    /// Surface coordinates of a surface of revolution. On the lids, they run from the centre to the rim of the lower
+    /// and back to the centre of the upper lid (quirk: `lathe_uv`).
     fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
         let [bottom, top] = self.ends();
         let (around, across) = (fp::turn(p.z, p.x), fp::hypot(p.x, p.z));

@@ -12,7 +12,7 @@ use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// A solid ball.
+/// Sphere: a solid ball.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sphere {
     /// Centre of the ball.
@@ -60,7 +60,7 @@ impl Kernel for Sphere {
         Aabb { min: center - reach, max: center + reach }
     }
 
-    /// A sphere that stays a sphere keeps its width (quirk: `extent_boxes`).
+    /// Box that POV-Ray reports for the sphere: a sphere that stays a sphere keeps its width (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let axes = DVec3::AXES.map(|axis| m.vector(axis));
         let same = |a: DVec3, b: DVec3| {
@@ -107,7 +107,8 @@ impl Kernel for Sphere {
 }
 
 impl Sphere {
-    /// Returns both roots of |p₀ + t·v - c|² = r² (lecture, "Ray – sphere intersection").
+    /// Returns both roots of |p₀ + t·v - c|² = r², where a ray crosses the sphere (lecture, "Ray – sphere
+    /// intersection").
     fn roots(&self, ray: &Ray) -> Option<(f64, f64)> {
         if self.radius == 0.0 {
             return None;

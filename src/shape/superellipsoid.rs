@@ -17,25 +17,25 @@ use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
-/// Accuracy of roots; closer roots are one.
+/// Accuracy of a superellipsoid's roots; closer roots are one.
 const STEP: f64 = 1e-15;
-/// Length of a Newton step after which no other is needed.
+/// Length of a Newton step for a superellipsoid's root after which no other is needed.
 const SHORT: f64 = 1e-9;
-/// Logarithm of the gauge beyond which a point is inside or outside despite rounding.
+/// Logarithm of a superellipsoid's gauge beyond which a point is inside or outside despite rounding.
 const CLEAR: f64 = 1e-12;
-/// Maximum number of factors in a power by multiplication.
+/// Maximum number of factors in a power that is computed by multiplication.
 const MOST_FACTORS: u32 = 64;
 
-/// A superquadric ellipsoid, whose roundness two exponents define.
+/// Superellipsoid, whose roundness two exponents define.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Superellipsoid {
-    /// East-west exponent, not negative; 0 is square.
+    /// East-west exponent of the superellipsoid, not negative; 0 is square.
     pub e: f64,
-    /// North-south exponent, not negative.
+    /// North-south exponent of the superellipsoid, not negative.
     pub n: f64,
 }
 
-/// xᵃ, for an exponent that is usually whole.
+/// Computes xᵃ, for an exponent that is usually whole.
 fn power(x: f64, a: f64) -> f64 {
     let whole = a as u32;
     if f64::from(whole) != a || whole > MOST_FACTORS {
@@ -52,7 +52,7 @@ fn power(x: f64, a: f64) -> f64 {
     product
 }
 
-/// x^(1/a) of a number between 1 and 2, for an exponent that is often a power of two.
+/// Computes x^(1/a) of a number between 1 and 2, for an exponent that is often a power of two.
 fn root(x: f64, a: f64) -> f64 {
     match a {
         _ if x == 1.0 || a == 1.0 => x,
@@ -63,7 +63,7 @@ fn root(x: f64, a: f64) -> f64 {
     }
 }
 
-/// (xᵃ + yᵃ)^(1/a) of positive numbers, and its derivatives by x and y.
+/// Computes (xᵃ + yᵃ)^(1/a) of positive numbers, and its derivatives by x and y.
 fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
     let (big, small) = if x > y { (x, y) } else { (y, x) };
     if big == 0.0 {
@@ -84,13 +84,13 @@ fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
     if x > y { (value, by_big, by_small) } else { (value, by_small, by_big) }
 }
 
-/// An end of a piece of a line.
+/// End of a piece of a line in a superellipsoid's cube.
 #[derive(Clone, Copy)]
 struct End {
     s: f64,
-    /// The point, with absolute coordinates.
+    /// Point of the line at this end, with absolute coordinates.
     p: DVec3,
-    /// Logarithms of its coordinates.
+    /// Logarithms of the point's absolute coordinates.
     ln: DVec3,
 }
 
@@ -101,17 +101,17 @@ impl End {
     }
 }
 
-/// Logarithms at a point.
+/// Logarithms of a superellipsoid's terms at a point.
 struct Corner {
-    /// Logarithms of the coordinates.
+    /// Logarithms of the point's coordinates.
     of: DVec3,
     /// Logarithm of (|x|^(2/e) + |y|^(2/e))^(e/2).
     across: f64,
-    /// Logarithm of the gauge: the factor by which the shape must grow to reach the point.
+    /// Logarithm of the gauge: the factor by which the superellipsoid must grow to reach the point.
     gauge: f64,
 }
 
-/// xⁿ of a number with this logarithm; 1 where powers have no limit.
+/// Computes xⁿ of a number with this logarithm; 1 where powers have no limit.
 fn exp_of(ln: f64, n: f64) -> f64 {
     let product = ln * n;
     if product.is_nan() { 1.0 } else { fp::exp(product) }
@@ -124,8 +124,8 @@ fn ln_norm(x: f64, y: f64, a: f64) -> f64 {
 }
 
 impl Superellipsoid {
-    /// Returns the factor by which the shape must grow to reach the point, and its gradient. For exponents up to 2 the
-    /// factor is a norm.
+    /// Returns the factor by which the superellipsoid must grow to reach the point, and its gradient. For exponents up
+    /// to 2 the factor is a norm.
     fn gauge(&self, p: DVec3) -> (f64, DVec3) {
         let q = p.abs();
         let (across, by_x, by_y) = norm(q.x, q.y, 2.0 / self.e);
@@ -139,9 +139,9 @@ impl Superellipsoid {
         !(self.e >= 0.0 && self.n >= 0.0)
     }
 
-    /// For a convex shape: Newton's method from one end of a line's piece in the cube to the surface. A tangent of a
-    /// convex function is below the function, so steps approach the root and never pass it; `None` where the function
-    /// no longer falls.
+    /// Finds the surface of a convex superellipsoid by Newton's method from one end of a line's piece in the cube to
+    /// the surface. A tangent of a convex function is below the function, so steps approach the root and never pass it;
+    /// `None` where the function no longer falls.
     fn seen_from(&self, line: &Line, from: f64, to: f64) -> Option<f64> {
         let toward = (to - from).signum();
         let mut s = from;
@@ -168,8 +168,9 @@ impl Superellipsoid {
         Some(s)
     }
 
-    /// Calls `found` with the roots between two points within one octant, ascending, if they are in the range. Returns
-    /// true if `found` did. Pieces do not depend on the range, so neither do the last digits of roots.
+    /// Calls `found` with the roots on a superellipsoid between two points within one octant, ascending, if they are in
+    /// the range. Returns true if `found` did. Pieces do not depend on the range, so neither do the last digits of
+    /// roots.
     fn in_octant(&self, line: &Line, lo: End, hi: End, within: Range, found: &mut dyn FnMut(f64) -> bool) -> bool {
         if hi.s < within.min || lo.s > within.max {
             return false;
@@ -194,13 +195,15 @@ impl Superellipsoid {
         self.in_octant(line, lo, middle, within, found) || self.in_octant(line, middle, hi, within, found)
     }
 
-    /// Returns the logarithms at a point from those of its coordinates; each power costs one exponential.
+    /// Returns the logarithms of the superellipsoid's terms at a point from those of its coordinates; each power costs
+    /// one exponential.
     fn corner(&self, of: DVec3) -> Corner {
         let across = ln_norm(of.x, of.y, 2.0 / self.e);
         Corner { of, across, gauge: ln_norm(across, of.z, 2.0 / self.n) }
     }
 
-    /// Bounds of the derivative of (xᵃ + yᵃ)^(b/a) + zᵇ between two corners, along v, divided by b.
+    /// Bounds of the derivative of the superellipsoid's (xᵃ + yᵃ)^(b/a) + zᵇ between two corners, along v, divided by
+    /// b.
     fn slopes(&self, near: &Corner, far: &Corner, v: DVec3) -> (f64, f64) {
         let (a, b) = (2.0 / self.e, 2.0 / self.n);
         let power = |lo: f64, hi: f64, n: f64| {
@@ -224,7 +227,8 @@ impl Superellipsoid {
         plus((scaled(in_plane.0, true), scaled(in_plane.1, false)), along(2, b - 1.0))
     }
 
-    /// Returns the root between a point inside and one outside: Newton's method, or bisection where that is slow.
+    /// Returns the root of a superellipsoid between a point inside and one outside: Newton's method, or bisection where
+    /// that is slow.
     fn between(&self, line: &Line, (mut inner, mut outer): (f64, f64)) -> f64 {
         let (mut s, mut last) = (0.5 * (inner + outer), (outer - inner).abs());
         for _ in 0..100 {
@@ -246,7 +250,7 @@ impl Superellipsoid {
         s
     }
 
-    /// Calls `visit` with the entry and exit of a convex shape, unless they are before `start`.
+    /// Calls `visit` with the entry and exit of a convex superellipsoid, unless they are before `start`.
     fn search_convex(&self, line: &Line, (lo, hi): (f64, f64), start: f64, visit: &mut dyn FnMut(f64) -> bool) {
         let mut last = start;
         // Within the cube one evaluation decides whether a ray starts inside or moves away: most are shadow rays that
@@ -266,7 +270,7 @@ impl Superellipsoid {
         visit(self.seen_from(line, hi, lo).map_or(last, |s| s.max(last)));
     }
 
-    /// Calls `found` with each hit in the range, ascending, until it returns true.
+    /// Calls `found` with each hit on the superellipsoid in the range, ascending, until it returns true.
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
         let Some((near, far)) = CUBE.slabs(ray, Range::ALL).filter(|_| !self.is_empty()) else { return };
         if near >= range.max || far <= range.min {
@@ -295,7 +299,7 @@ impl Superellipsoid {
     }
 }
 
-/// A line o + s·v.
+/// A line o + s·v in a superellipsoid's space.
 struct Line {
     o: DVec3,
     v: DVec3,
@@ -340,7 +344,7 @@ impl Kernel for Superellipsoid {
         if self.is_empty() { Aabb::EMPTY } else { CUBE }
     }
 
-    /// Slightly larger than the shape (quirk: `extent_boxes`).
+    /// Box that POV-Ray reports for a superellipsoid, slightly larger than the shape (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         moved_box(m, &CUBE.grown(1e-4))
     }
@@ -375,7 +379,7 @@ impl Kernel for Superellipsoid {
         if edge == DVec3::ZERO { DVec3::Z } else { edge }
     }
 
-    /// POV-Ray has no mapping for this shape.
+    /// Returns false: POV-Ray defines no uv mapping for a superellipsoid.
     fn has_uv_mapping(&self) -> bool {
         false
     }

@@ -11,7 +11,7 @@ use crate::value::{FloatOrColor, Language, Next, Reader, Solid, Thing, Unsupport
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// Returns all hits on the whole line, ascending.
+/// Returns all hits of a ray's whole line on a shape, ascending.
 pub fn all(shape: &impl Kernel, ray: &Ray) -> Vec<Hit> {
     let mut hits = Hits::new();
     shape.hits(ray, Range::ALL, &mut hits);
@@ -45,7 +45,7 @@ fn read_all<S: Readable>(r: &mut Words) -> Result<S> {
     Ok(shape)
 }
 
-/// Reader of embedded textures that accepts none.
+/// Reader of embedded textures for tests, which accepts none.
 struct NoPaints;
 
 impl Paints for NoPaints {

@@ -18,48 +18,48 @@ use serde::Serialize;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Fonts that come with POV-Ray, by number; any other number is the first.
+/// Fonts that come with POV-Ray, by the number in `text`; any other number is the first.
 const INTERNAL: [&str; 4] = ["povlogo.ttf", "timrom.ttf", "cyrvetic.ttf", "crystal.ttf"];
 
-/// Rotation of letters about each axis, in degrees (quirk: `text_tilt`).
+/// Rotation of a text's letters about each axis, in degrees (quirk: `text_tilt`).
 const TILT: f64 = 0.001;
 
-/// Part numbers of a letter: both ends, then its curves.
+/// Part numbers of a text's letter: both ends, then its curves.
 const FRONT: u32 = 0;
 const BACK: u32 = 1;
 const WALLS: u32 = 2;
 
-/// Letters in a row.
+/// Shape `text`: solid letters in a row.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Text {
-    /// Name of the font, as written.
+    /// Name of the text's font, as written.
     pub font: String,
-    /// Path of the font's file.
+    /// Path of the text's font file.
     pub file: PathBuf,
-    /// Text whose letters the shape shows.
+    /// Text whose letters the shape `text` consists of.
     pub string: String,
-    /// Extent of letters along z.
+    /// Extent of the text's letters along z.
     pub depth: f64,
-    /// Letters with an outline.
+    /// Letters of the text that have an outline.
     #[serde(skip)]
     letters: Vec<Letter>,
-    /// The text's space from the letters' space.
+    /// Transform from the letters' space to the text's space.
     #[serde(skip)]
     tilt: Box<Transform>,
     #[serde(skip)]
     bounds: Aabb,
 }
 
-/// A letter at its position.
+/// Letter of a text at its position.
 #[derive(Clone, Debug, PartialEq)]
 struct Letter {
     shape: Arc<Glyph>,
     at: DVec3,
-    /// Number of its first part among the parts of all letters.
+    /// Number of the letter's first part among the parts of all letters.
     first: u32,
 }
 
-/// Outline of a letter.
+/// Outline of a text's letter.
 #[derive(Debug, PartialEq)]
 struct Glyph {
     curves: Outline,
@@ -76,8 +76,8 @@ impl Glyph {
         Self { curves, min, max }
     }
 
-    /// True if the half-line along +x crosses the outlines an odd number of times. Each monotonic piece of a curve
-    /// includes its lower end but not its upper end.
+    /// True if the half-line from the point along +x crosses the letter's outlines an odd number of times. Each
+    /// monotonic piece of a curve includes its lower end but not its upper end.
     fn covers(&self, p: DVec2) -> bool {
         if p.y < self.min.y || p.y > self.max.y || p.x < self.min.x || p.x > self.max.x {
             return false;
@@ -104,7 +104,7 @@ impl Glyph {
     }
 }
 
-/// Returns the extremum of a curve along each axis, if it is between the ends.
+/// Returns the extremum of a letter's curve along each axis, if it is between the ends.
 fn extreme(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
     let turn = (curve[0] - curve[1]) / (curve[0] - 2.0 * curve[1] + curve[2]);
     let inner = |s: f64| if s > 0.0 && s < 1.0 { at(*curve, s) } else { curve[0] };
@@ -198,7 +198,7 @@ impl Text {
         Aabb::from_corners(at + shape.min.extend(0.0), at + shape.max.extend(self.depth))
     }
 
-    /// Appends the hits on one letter, with the ray in the letter's space.
+    /// Appends the hits on one letter of the text, with the ray in the letter's space.
     fn meet(&self, letter: &Letter, ray: &Ray, range: Range, out: &mut Hits) {
         let (o, d) = (ray.origin - letter.at, ray.dir);
         let mut push = |t: f64, part: u32, s: f64| {
@@ -238,7 +238,7 @@ impl Text {
         }
     }
 
-    /// Returns the letter of a part, and the part's number within the letter.
+    /// Returns the text's letter that has this part, and the part's number within the letter.
     fn part(&self, number: u32) -> (&Letter, u32) {
         let letter = &self.letters[self.letters.partition_point(|letter| letter.first <= number) - 1];
         (letter, number - letter.first)
@@ -267,7 +267,7 @@ impl Kernel for Text {
         })
     }
 
-    /// Walls point inwards (quirk: `text_walls`).
+    /// Normal of a text; walls point inwards (quirk: `text_walls`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         let (letter, part) = self.part(hit.part);
         let n = match part {

@@ -18,29 +18,29 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-/// A ring with a round tube, about the y axis.
+/// Torus: a ring with a round tube, about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Torus {
-    /// Distance from the axis to the centre of the tube.
+    /// Distance from the torus's axis to the centre of its tube.
     pub major: f64,
-    /// Radius of the tube.
+    /// Radius of the torus's tube.
     pub minor: f64,
 }
 
 impl Torus {
-    /// True if no ray hits any part.
+    /// True if no ray hits any part of the torus.
     fn is_empty(&self) -> bool {
         self.minor == 0.0 || self.minor < 0.0 && self.major >= 0.0 || self.major + self.minor == 0.0
     }
 
-    /// Bounding box of the ring, whatever the signs of its radii.
+    /// Bounding box of the torus, whatever the signs of its radii.
     fn pipe(&self) -> Aabb {
         let across = self.major.abs() + self.minor.abs();
         let corner = DVec3::new(across, self.minor.abs(), across);
         Aabb { min: -corner, max: corner }
     }
 
-    /// True if a ray shows a ring with a negative radius: the ray must hit the outer wall of the bounding pipe if
+    /// True if a ray shows a torus with a negative radius: the ray must hit the outer wall of the bounding pipe if
     /// `minor` is positive, else its upper or lower disc (quirk: `negative_torus`).
     fn shows(&self, ray: &Ray) -> bool {
         if self.major >= 0.0 {
@@ -62,13 +62,13 @@ impl Torus {
         ends.is_some_and(|(near, far)| meets(near) || meets(far))
     }
 
-    /// (ρ - R)² + y² - r²: negative inside.
+    /// Implicit function of the torus, (ρ - R)² + y² - r²: negative inside.
     fn implicit(&self, p: DVec3) -> f64 {
         let across = fp::hypot(p.x, p.z) - self.major;
         across * across + p.y * p.y - self.minor * self.minor
     }
 
-    /// Calls `visit` with each hit in `range`, in ascending `t`, until it returns `Break`.
+    /// Calls `visit` with each hit on the torus in `range`, in ascending `t`, until it returns `Break`.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
         // Search roots in the bounding pipe only. The range is not used, since it must not change the last digit of a
         // hit.
@@ -90,8 +90,8 @@ impl Torus {
         });
     }
 
-    /// Calls `found` with the roots in units of |dir|, ascending, until it returns true. `o` is the point of the ray
-    /// nearest to the origin, so that o·v = 0.
+    /// Calls `found` with the roots of a ray on the torus, in units of |dir|, ascending, until it returns true. `o` is
+    /// the point of the ray nearest to the origin, so that o·v = 0.
     fn roots(&self, o: DVec3, v: DVec3, lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
         let (major2, minor2) = (self.major * self.major, self.minor * self.minor);
         // (s² + K)² = 4R²·((oₓ + s·vₓ)² + (o_z + s·v_z)²) with K = o² + R² - r²

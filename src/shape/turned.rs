@@ -5,27 +5,28 @@ use super::{Hit, Hits};
 use crate::math::{DVec2, DVec3, Range, Ray, bernstein_roots, fp, stable_pair};
 use smallvec::SmallVec;
 
-/// Slope below which a ray counts as level: its hits are all found at one height.
+/// Slope below which a ray counts as level for a surface of revolution: its hits are all found at one height.
 const LEVEL: f64 = 1e-7;
-/// Slope above which a ray counts as steep: the height of a hit determines its position on the ray.
+/// Slope above which a ray counts as steep for a surface of revolution: the height of a hit determines its position on
+/// the ray.
 const STEEP: f64 = 0.1;
 
-/// The walls of a surface of revolution.
+/// Walls of a surface of revolution, such as a lathe.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Walls {
     pieces: Vec<Piece>,
-    /// Height that is subtracted from all heights in `pieces`.
+    /// Height that is subtracted from all heights in the walls' `pieces`.
     level: f64,
 }
 
-/// One segment, in Bernstein coefficients of one degree, at most 6: height, squared height, and squared radius.
-/// Neighbours have identical numbers at their common end.
+/// One segment of the walls of a surface of revolution, in Bernstein coefficients of one degree, at most 6: height,
+/// squared height, and squared radius. Neighbours have identical numbers at their common end.
 #[derive(Clone, Debug, PartialEq)]
 struct Piece {
     height: Vec<f64>,
     height2: Vec<f64>,
     radius2: Vec<f64>,
-    /// Upper bound of the squared radius.
+    /// Upper bound of the segment's squared radius.
     most: f64,
 }
 
@@ -38,17 +39,17 @@ impl Piece {
     }
 }
 
-/// The ray relative to its point nearest to the centre of the walls, in units of length.
+/// A ray relative to its point nearest to the centre of a surface of revolution, in units of length.
 struct Line {
     o: DVec3,
     v: DVec3,
-    /// Parameter of that point on the ray, and length of the direction.
+    /// Parameter of the point nearest to the centre on the ray, and length of the ray's direction.
     middle: f64,
     length: f64,
 }
 
 impl Walls {
-    /// Builds the walls from Bernstein coefficients of heights and of squared radii.
+    /// Builds the walls of a surface of revolution from Bernstein coefficients of heights and of squared radii.
     pub fn new(segments: impl IntoIterator<Item = (SmallVec<[f64; 4]>, Vec<f64>)>, level: f64) -> Self {
         let raise = |(height, radius2): (SmallVec<[f64; 4]>, Vec<f64>)| {
             let height: Vec<f64> = height.iter().map(|y| y - level).collect();
@@ -57,7 +58,7 @@ impl Walls {
         Self { pieces: segments.into_iter().map(raise).collect(), level }
     }
 
-    /// Appends the hits in the range; `part` and `uv.x` are the segment and the position in it.
+    /// Appends the hits on the walls in the range; `part` and `uv.x` are the segment and the position in it.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         let from = ray.origin - DVec3::Y * self.level;
         let length = ray.dir.length();
@@ -79,7 +80,7 @@ impl Walls {
         }
     }
 
-    /// Outward normal at a hit, for a curve that goes up.
+    /// Outward normal of the walls at a hit, for a curve that goes up.
     pub fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         let piece = &self.pieces[hit.part as usize];
         let up = blend_slope(&piece.height, hit.uv.x);
@@ -89,8 +90,8 @@ impl Walls {
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
 
-    /// Angle about the axis, and position along the curve, where all segments count as equally long (quirk:
-    /// `lathe_uv`).
+    /// Surface coordinates of the walls: angle about the axis, and position along the curve, where all segments count
+    /// as equally long (quirk: `lathe_uv`).
     pub fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
         DVec2::new(fp::turn(p.z, p.x), (f64::from(hit.part) + hit.uv.x) / self.pieces.len() as f64)
     }
@@ -104,8 +105,8 @@ fn closest_to_axis(o: DVec3, v: DVec3) -> f64 {
 }
 
 impl Piece {
-    /// Calls `visit` with the hits on one segment. The ray is at height y where s = (y - o_y)/v_y, and there |(o +
-    /// s·v)ₓ𝓏|² = r². Times v_y², that is a polynomial along the segment.
+    /// Calls `visit` with the hits on one segment of the walls. The ray is at height y where s = (y - o_y)/v_y, and
+    /// there |(o + s·v)ₓ𝓏|² = r². Times v_y², that is a polynomial along the segment.
     fn hits(&self, line: &Line, visit: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let (k, m, q) = (v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z, o.x * o.x + o.z * o.z);
@@ -129,7 +130,8 @@ impl Piece {
         });
     }
 
-    /// Hits of a level ray: where the segment has the ray's height, two points of the ray have its radius.
+    /// Calls `visit` with the hits of a level ray: where the segment has the ray's height, two points of the ray have
+    /// its radius.
     fn level_hits(&self, line: &Line, visit: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let b: SmallVec<[f64; 8]> = self.height.iter().map(|y| y - o.y).collect();

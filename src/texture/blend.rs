@@ -10,19 +10,19 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// Values at numbers, in the order in which they were written; between two numbers their values are blended.
+/// Map from numbers to values, such as colours, in the order written; between two numbers their values are blended.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Map<T> {
-    /// Entries with the numbers at which they are placed; never empty.
+    /// Entries of the map with the numbers at which they are placed; never empty.
     pub entries: Vec<(f64, T)>,
 }
 
-/// One or two values with their weights.
+/// Values of a map with their weights, usually one or two.
 pub type Shares<'a, T> = SmallVec<[(&'a T, f64); 2]>;
 
 impl<T> Map<T> {
-    /// The entries below and above a number, and the number's position between them, from 0 to 1. The last entry from
-    /// its own number on, the first up to its own number.
+    /// Returns the map's entries below and above a number, and the number's position between them, from 0 to 1. The
+    /// last entry from its own number on, the first up to its own number.
     pub fn around(&self, v: f64) -> (&T, Option<(&T, f64)>) {
         let (first, last) = (&self.entries[0], &self.entries[self.entries.len() - 1]);
         // The last entry takes precedence over the first, also where both have one number; NaN gives the first (quirk:
@@ -39,7 +39,7 @@ impl<T> Map<T> {
         (below, Some((above, (v - a) / (b - a))))
     }
 
-    /// The values at a number, with their weights.
+    /// Returns the map's values at a number, with their weights.
     pub fn shares(&self, v: f64) -> Shares<'_, T> {
         match self.around(v) {
             (only, None) => SmallVec::from_slice(&[(only, 1.0)]),
@@ -47,24 +47,25 @@ impl<T> Map<T> {
         }
     }
 
-    /// All values, weighted by their numbers.
+    /// Returns all values of the map, weighted by their numbers.
     pub fn average(&self) -> Shares<'_, T> {
         let sum: f64 = self.entries.iter().map(|(weight, _)| weight).sum();
         self.entries.iter().map(|(weight, entry)| (entry, weight / sum)).collect()
     }
 }
 
-/// Values of a map or list: pigments, normals, textures, slopes, densities.
+/// Value of a map or list: a pigment, normal, texture, slope or density.
 pub trait Entry: Clone {
     /// The block of a map of these values, such as `pigment_map`.
     const MAP: &'static str;
     /// The block of one value, such as `pigment`; empty if it has none.
     const BLOCK: &'static str;
 
-    /// Reads an entry after its number, or the contents of its block, on top of the default texture.
+    /// Reads the value of a map's entry after its number, or the contents of the value's block, on top of the default
+    /// texture.
     fn read_entry(r: &mut dyn Reader, defaults: &Texture) -> Result<Self>;
 
-    /// Reads a declared value if one comes next.
+    /// Reads a declared value of a map if one comes next.
     fn declared(r: &mut dyn Reader) -> Result<Option<Self>>;
 }
 
@@ -72,11 +73,11 @@ impl<T: Entry> Map<T>
 where
     Map<T>: Thing,
 {
-    /// Reads `{ [0.0 …] [1.0 …] }` after the brace, or a declared map. With `average` the numbers are weights; a
-    /// missing weight is 1, but a weight must precede a colour (quirk: `average_weights`).
+    /// Reads the entries of a map, `{ [0.0 …] [1.0 …] }`, after the brace, or a declared map. With `average` the
+    /// numbers are weights; a missing weight is 1, but a weight must precede a colour (quirk: `average_weights`).
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read_entries(r: &mut dyn Reader, defaults: &Texture, average: bool) -> Result<Self> {
         if let Some(map) = r.thing::<Self>()? {
             return Ok((*map).clone());
@@ -110,7 +111,7 @@ where
     }
 }
 
-/// The text of a help line: an example of an entry.
+/// Returns an example of a map's entry, for the help line of a message.
 fn example<T: Entry>() -> String {
     format!("entries look like `[0.5 {} … ]`", T::BLOCK)
 }
@@ -150,18 +151,18 @@ pub fn read_list<T: Entry>(
     Ok(Some(Blend::List(list.into())))
 }
 
-/// The values that a pattern chooses from.
+/// Values from which a pattern selects.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Blend<T> {
-    /// By the pattern's number; all values with `average`.
+    /// Values selected by the pattern's number; all values are mixed with `average`.
     Map(Arc<Map<T>>),
-    /// One for each cell.
+    /// Values in a list, one for each kind of the pattern's cells.
     List(Arc<[T]>),
 }
 
 impl<T> Blend<T> {
-    /// The values at a number, with their weights; all with `average`.
+    /// Returns the values at a pattern's number, with their weights; all with `average`.
     pub fn shares(&self, number: f64, average: bool) -> Shares<'_, T> {
         match self {
             Blend::Map(map) if average => map.average(),
@@ -170,7 +171,7 @@ impl<T> Blend<T> {
         }
     }
 
-    /// Applies `f` to all values.
+    /// Applies `f` to all values from which the pattern selects.
     pub fn map<U>(&self, mut f: impl FnMut(&T) -> U) -> Blend<U> {
         match self {
             Blend::Map(map) => {
@@ -181,7 +182,7 @@ impl<T> Blend<T> {
         }
     }
 
-    /// True if both share one allocation.
+    /// True if both maps or lists share one allocation.
     pub(super) fn shares_with(&self, other: &Self) -> bool {
         match (self, other) {
             (Blend::Map(a), Blend::Map(b)) => Arc::ptr_eq(a, b),
@@ -190,7 +191,7 @@ impl<T> Blend<T> {
         }
     }
 
-    /// Applies `f` to all values, once for each run of equal neighbours.
+    /// Applies `f` to all values from which the pattern selects, once for each run of equal neighbours.
     pub fn map_runs<U: Clone>(&self, same: impl Fn(&T, &T) -> bool, mut f: impl FnMut(&T) -> U) -> Blend<U> {
         let mut before: Option<(&T, U)> = None;
         let mut all = self.iter().map(|entry| match &before {
@@ -206,7 +207,7 @@ impl<T> Blend<T> {
         }
     }
 
-    /// Iterates over all values in order.
+    /// Iterates over all values from which the pattern selects, in order.
     pub fn iter(&self) -> Box<dyn Iterator<Item = &T> + '_> {
         match self {
             Blend::Map(map) => Box::new(map.entries.iter().map(|(_, entry)| entry)),
@@ -215,8 +216,8 @@ impl<T> Blend<T> {
     }
 }
 
-/// The values of a list at a number, as of a map with its entries at whole numbers: a `frequency` gives numbers between
-/// them.
+/// Returns the values of a list at a pattern's number, as of a map with its entries at whole numbers: a `frequency`
+/// gives numbers between them.
 fn between<T>(list: &[T], number: f64) -> Shares<'_, T> {
     let (i, t) = (number as usize, number.fract());
     let (Some(below), Some(above)) = (list.get(i).or(list.last()), list.get(i.saturating_add(1)).or(list.last()))

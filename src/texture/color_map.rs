@@ -8,11 +8,11 @@ use crate::function::Interval;
 use crate::function::LocalBounds;
 use crate::value::{FloatOrColor, Next, Reader, ReaderExt};
 
-/// A map from numbers to colours.
+/// Colour map: a map from numbers to colours.
 pub type ColorMap = Map<Color>;
 
 impl ColorMap {
-    /// The colour at a number.
+    /// Returns the map's colour at a number.
     pub fn at(&self, v: f64) -> Color {
         match self.around(v) {
             (only, None) => *only,
@@ -20,7 +20,8 @@ impl ColorMap {
         }
     }
 
-    /// Bounds on the components (red, green, blue, filter, transmit) for numbers with the bounds `near`.
+    /// Bounds on the components of the map's colour (red, green, blue, filter, transmit) for numbers with the bounds
+    /// `near`.
     pub fn bounds_near(&self, near: LocalBounds) -> [LocalBounds; 5] {
         let Interval { lo, hi } = near.range;
         let (first, last) = (self.at(lo).to_array(), self.at(hi).to_array());
@@ -50,11 +51,11 @@ impl ColorMap {
         })
     }
 
-    /// Reads `{ [0.0 color …] [1.0 color …] }` after the brace; also the old entries of two numbers and two colours,
-    /// and a declared map.
+    /// Reads a colour map, `{ [0.0 color …] [1.0 color …] }`, after the brace; also the old entries of two numbers and
+    /// two colours, and a declared map.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         if let Some(map) = r.thing::<ColorMap>()? {
             return Ok((*map).clone());

@@ -11,17 +11,17 @@ use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// One layer of a texture; a transparent one shows the layer below.
+/// Layer of a texture; a transparent one shows the layer below.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Layer {
-    /// Colour of the layer.
+    /// Colour of the texture's layer.
     pub pigment: Pigment,
-    /// Bumps of the layer; `None` without bumps.
+    /// Bumps of the texture's layer; `None` without bumps.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Arc<Normal>>,
-    /// Reflection and emission of light by the layer.
+    /// Reflection and emission of light by the texture's layer.
     pub finish: Arc<Finish>,
-    /// Patterned textures, which replace the fields above.
+    /// Patterned textures of the layer, which replace its pigment, normal and finish.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub choice: Option<Box<Choice>>,
 }
@@ -36,14 +36,14 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// True if a `material_map` chooses the texture.
+    /// True if a `material_map` selects the texture.
     pub fn is_material_map(&self) -> bool {
         matches!(self.pattern.kind, PatternKind::Cells(CellPattern::MaterialMap(_)))
     }
 }
 
 impl Layer {
-    /// Appends a transform to those of the layer.
+    /// Appends a transform to those of the texture's layer.
     fn transform(&mut self, by: &Transform) {
         self.pigment.pattern.transform(by);
         if let Some(normal) = &mut self.normal {
@@ -55,10 +55,10 @@ impl Layer {
     }
 }
 
-/// Layers from the lowest to the topmost.
+/// Texture of a surface: layers from the lowest to the topmost.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Texture {
-    /// Layers from the lowest to the topmost; never empty.
+    /// Layers of the texture from the lowest to the topmost; never empty.
     pub layers: Vec<Layer>,
 }
 
@@ -71,18 +71,18 @@ impl Default for Texture {
 /// State of the reader of a texture.
 #[derive(Default)]
 struct Draft {
-    /// Pattern of the textures to choose from.
+    /// Pattern that selects from several textures.
     pattern: Pattern,
     parts: Option<Blend<Texture>>,
-    /// True if `uv_mapping` precedes the part that it is for.
+    /// True if `uv_mapping` precedes the texture's part that it is for.
     uv: bool,
 }
 
 impl Texture {
-    /// Reads the contents of the braces, on top of `base` (the default texture).
+    /// Reads the items of a `texture` block, on top of `base` (the default texture).
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut draft = Draft { uv: read_uv_mapping(r)?.unwrap_or(false), ..Draft::default() };
         let declared = if r.next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
@@ -166,10 +166,11 @@ impl Texture {
         &mut self.layers[top]
     }
 
-    /// Reads a `pigment`, `normal` or `finish`, in braces or declared; false if something else comes next.
+    /// Reads a `pigment`, `normal` or `finish` of a texture, in braces or declared; returns false if something else
+    /// comes next.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read_part(&mut self, r: &mut dyn Reader, next: Next, base: &Texture) -> Result<bool> {
         let layer = self.top();
         match next {
@@ -205,7 +206,7 @@ impl Texture {
         Ok(true)
     }
 
-    /// True if both are certainly equal. Parts that take long to compare, such as pictures, must be the same
+    /// True if both textures are certainly equal. Parts that take long to compare, such as pictures, must be the same
     /// allocation.
     pub fn is_plainly(&self, other: &Self) -> bool {
         let same = |a: &Layer, b: &Layer| {
@@ -222,13 +223,13 @@ impl Texture {
         self.layers.len() == other.layers.len() && self.layers.iter().zip(&other.layers).all(|(a, b)| same(a, b))
     }
 
-    /// True if `is` holds for any layer, including those of patterned textures.
+    /// True if `is` holds for any layer of the texture, including those of patterned textures.
     pub fn any_layer(&self, is: &dyn Fn(&Layer) -> bool) -> bool {
         let inner = |choice: &Choice| choice.parts.iter().any(|part| part.any_layer(is));
         self.layers.iter().any(|layer| is(layer) || layer.choice.as_deref().is_some_and(inner))
     }
 
-    /// True if `is` holds for any pattern.
+    /// True if `is` holds for any pattern of the texture.
     pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
         self.any_layer(&|layer| {
             layer.pigment.any_pattern(is)
@@ -244,7 +245,7 @@ impl Texture {
         }
     }
 
-    /// Makes every layer receive (u, v, 0) instead of points.
+    /// Makes every layer of the texture receive (u, v, 0) instead of points.
     pub fn set_uv(&mut self) {
         for layer in &mut self.layers {
             layer.pigment.pattern.framed = !layer.pigment.pattern.uv;
@@ -266,7 +267,7 @@ fn map_by_uv(pattern: &mut Pattern) {
     pattern.end();
 }
 
-/// `tiles { texture A tile2 texture B }`: a checker of textures in old scenes.
+/// Reads `tiles { texture A tile2 texture B }`, a checker of textures in old scenes.
 fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Blend<Texture>> {
     let mut list = vec![];
     loop {
@@ -291,7 +292,7 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Resu
     Ok(Blend::List(list.into()))
 }
 
-/// `material_map { "file" … texture … texture … }`
+/// Reads the block `material_map { "file" … texture … texture … }`.
 fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Blend<Texture>> {
     let mut map = MaterialMap::read(r)?;
     let mut list = vec![];
@@ -316,7 +317,7 @@ impl Entry for Texture {
     const MAP: &'static str = "texture_map";
     const BLOCK: &'static str = "texture";
 
-    /// Reads one layer without braces, or several with them.
+    /// Reads one layer of a texture without braces, or several with them.
     fn read_entry(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut out: Option<Texture> = None;
         while r.next()? == Next::Block("texture") {

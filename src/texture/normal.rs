@@ -14,38 +14,38 @@ use std::sync::Arc;
 /// A height and a slope of a `slope_map`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Slope {
-    /// Apparent height of the surface.
+    /// Apparent height of the surface in a `slope_map`.
     pub height: f64,
-    /// Derivative of the height.
+    /// Derivative of the height in a `slope_map`.
     pub slope: f64,
 }
 
-/// A map of heights and slopes.
+/// Slope map: a map from numbers to heights and slopes.
 pub type SlopeMap = Map<Slope>;
 
-/// Source of the bumps.
+/// Source of a normal's bumps.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Relief {
-    /// The pattern's number is the height.
+    /// Bumps whose height is the pattern's number.
     #[default]
     Own,
-    /// A map from the pattern's numbers to heights and slopes.
+    /// Bumps from a map from the pattern's numbers to heights and slopes.
     Slopes(Arc<SlopeMap>),
-    /// Other normals, with their transforms.
+    /// Bumps from other normals, with their transforms.
     Normals(Blend<Normal>),
 }
 
-/// Bumps in their own space.
+/// Bumps of a texture, from its `normal` block.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Normal {
-    /// Pattern that gives the bumps.
+    /// Pattern that gives the normal's bumps.
     pub pattern: Pattern,
-    /// Source of the bumps.
+    /// Source of the normal's bumps.
     pub relief: Relief,
-    /// `bump_size`, or the number after the pattern's name: apparent depth of the bumps.
+    /// Apparent depth of the normal's bumps, from `bump_size` or the number after the pattern's name.
     pub amount: f64,
-    /// Half the distance between the sampled points.
+    /// Half the distance between the points at which the pattern of a normal is sampled.
     pub accuracy: f64,
     /// True if `uv_mapping` is in the normal itself: bumps then ignore the object's rotation (quirk:
     /// `uv_normal_stays`).
@@ -72,10 +72,10 @@ impl Default for Normal {
 }
 
 impl Normal {
-    /// Reads the contents of the braces, on top of `base`; nested normals begin with the default one.
+    /// Reads the items of a `normal` block, on top of `base`; nested normals begin with the default one.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: Option<&Normal>, defaults: &Texture) -> Result<Self> {
         let uv = read_uv_mapping(r)?;
         let begun = match r.thing::<Normal>()? {
@@ -97,7 +97,7 @@ impl Normal {
         Ok(out)
     }
 
-    /// A normal that was mapped by uv, as the only entry of a map with the pattern `Surface`.
+    /// Wraps a normal that was mapped by uv, as the only entry of a map with the pattern `Surface`.
     fn opened(mut self) -> Self {
         match self.pattern.take_around() {
             Some(pattern) => Self {
@@ -109,7 +109,8 @@ impl Normal {
         }
     }
 
-    /// Undoes [`Self::opened`] if no other pattern or map was named. (Other parameters of the surface have no effect.)
+    /// Undoes [`Self::opened`] for a normal if no other pattern or map was named. (Other parameters of the surface have
+    /// no effect.)
     fn closed(self) -> Self {
         match &self.relief {
             Relief::Normals(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
@@ -173,8 +174,8 @@ impl Normal {
         Ok(())
     }
 
-    /// Reads the number after the pattern's name. (A map of the default or declared normal stays; quirk:
-    /// `declared_slope_map_stays`.)
+    /// Reads the amount of a normal's bumps after the pattern's name. (A map of the default or declared normal stays;
+    /// quirk: `declared_slope_map_stays`.)
     fn read_amount(&mut self, r: &mut dyn Reader) -> Result<()> {
         if let Some(amount) = r.optional_float()? {
             self.amount = amount;
@@ -182,13 +183,13 @@ impl Normal {
         Ok(())
     }
 
-    /// True if `is` holds for any pattern.
+    /// True if `is` holds for any pattern of the normal.
     pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
         let inner = matches!(&self.relief, Relief::Normals(parts) if parts.iter().any(|part| part.any_pattern(is)));
         is(&self.pattern) || inner
     }
 
-    /// True if both are certainly equal, see [`Texture::is_plainly`].
+    /// True if both normals are certainly equal, see [`Texture::is_plainly`].
     pub fn is_plainly(&self, other: &Self) -> bool {
         let large = matches!(&self.relief, Relief::Normals(_))
             || matches!(
@@ -198,7 +199,7 @@ impl Normal {
         !large && self == other
     }
 
-    /// True if the normal changes nothing.
+    /// True if the normal has no bumps.
     pub fn is_flat(&self) -> bool {
         match &self.relief {
             Relief::Normals(parts) => parts.iter().all(Normal::is_flat),

@@ -9,7 +9,8 @@ use crate::value::Reader;
 use std::sync::Arc;
 
 impl Texture {
-    /// The texture of a file's material: the default texture with the material's colour or picture, and its highlight.
+    /// Creates the texture of a mesh file's material: the default texture with the material's colour or picture, and
+    /// its highlight.
     pub fn of_file(
         material: &MeshMaterial,
         picture: Option<&Arc<Picture>>,

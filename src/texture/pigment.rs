@@ -12,28 +12,28 @@ use crate::value::{Next, Reader, ReaderExt, SharedDefault};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Source of the colour.
+/// Source of a pigment's colour.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Paint {
-    /// Constant where there is no pattern; else the pattern's default colours.
+    /// Pigment of one colour; where a pattern follows, its default colours.
     Solid(Color),
-    /// The colour of a map at the pattern's number.
+    /// Pigment whose colour is that of a map at the pattern's number.
     Colors(Arc<ColorMap>),
-    /// Other pigments, with their transforms.
+    /// Pigment that selects from other pigments, with their transforms.
     Pigments(Blend<Pigment>),
-    /// A picture, projected onto the points.
+    /// Pigment that is a picture, projected onto the points.
     Image(Arc<ImageMap>),
 }
 
-/// Colours in their own space.
+/// Pigment: colours in a space of their own.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pigment {
-    /// Pattern whose number or cell selects the colour.
+    /// Pattern whose number or cell selects the pigment's colour.
     pub pattern: SharedDefault<Pattern>,
-    /// Source of the colour.
+    /// Source of the pigment's colour.
     pub paint: Paint,
-    /// `quick_color`: the colour at quality 5 and below.
+    /// Colour of the pigment at quality 5 and below, from `quick_color`.
     pub quick_color: Option<Box<Color>>,
 }
 
@@ -49,7 +49,7 @@ impl Pigment {
         Self { pattern: SharedDefault::DEFAULT, paint: Paint::Solid(color), quick_color: None }
     }
 
-    /// Paint that is mapped by surface coordinates.
+    /// Creates a pigment that is mapped by surface coordinates.
     pub fn by_uv(paint: Paint) -> Self {
         let mut pigment = Self { paint, ..Self::default() };
         pigment.pattern.uv = true;
@@ -57,10 +57,10 @@ impl Pigment {
         pigment
     }
 
-    /// Reads the contents of the braces, on top of `base`; nested pigments begin with the default one.
+    /// Reads the items of a `pigment` block, on top of `base`; nested pigments begin with the default one.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: &Pigment, defaults: &Texture) -> Result<Self> {
         let uv = read_uv_mapping(r)?;
         let declared = r.thing::<Pigment>()?;
@@ -91,8 +91,8 @@ impl Pigment {
         Ok(pigment)
     }
 
-    /// A pigment that was mapped by uv, as the only entry of a map with the pattern `Surface`. Its quick colour belongs
-    /// to the entry, and is lost with it (quirk: `uv_mapping_pigments`).
+    /// Wraps a pigment that was mapped by uv, as the only entry of a map with the pattern `Surface`. Its quick colour
+    /// belongs to the entry, and is lost with it (quirk: `uv_mapping_pigments`).
     fn opened(mut self) -> Self {
         if self.pattern.around.is_none() {
             return self;
@@ -106,7 +106,7 @@ impl Pigment {
         }
     }
 
-    /// Undoes [`Self::opened`] if no other pattern or map was named.
+    /// Undoes [`Self::opened`] for a pigment if no other pattern or map was named.
     fn closed(self) -> Self {
         match &self.paint {
             Paint::Pigments(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
@@ -119,7 +119,8 @@ impl Pigment {
         }
     }
 
-    /// After the name of a declared pigment, `uv_mapping` begins a new, black pigment (quirk: `uv_mapping_pigments`).
+    /// Begins a new, black pigment for `uv_mapping` after the name of a declared pigment (quirk:
+    /// `uv_mapping_pigments`).
     fn lose_to_uv_mapping(&mut self, r: &mut dyn Reader) -> Result<()> {
         let at = r.take()?;
         r.flag()?;
@@ -207,14 +208,14 @@ impl Pigment {
         }
     }
 
-    /// Gives a pattern of numbers without a map its default colours.
+    /// Sets the default colours of a pigment whose pattern of numbers has no map.
     pub(super) fn finish(&mut self) {
         if let (PatternKind::Field(field), Paint::Solid(_)) = (&self.pattern.kind, &self.paint) {
             self.paint = Paint::Colors(Arc::new(Map { entries: field.default_colors() }));
         }
     }
 
-    /// The pigment at low quality, if it differs: `quick_color` replaces the pigment or those nested in it.
+    /// Returns the pigment at low quality, if it differs: `quick_color` replaces the pigment or those nested in it.
     pub fn quick(&self) -> Option<Pigment> {
         if let Some(color) = &self.quick_color {
             return Some(Self::solid(**color));
@@ -227,7 +228,7 @@ impl Pigment {
         Some(Self { paint: Paint::Pigments(parts), ..self.clone() })
     }
 
-    /// The colour, if it is constant.
+    /// Returns the pigment's colour, if it is constant.
     pub fn as_solid(&self) -> Option<Color> {
         match &self.paint {
             Paint::Solid(color) => Some(*color),
@@ -235,7 +236,7 @@ impl Pigment {
         }
     }
 
-    /// True if both are certainly equal, see [`Texture::is_plainly`].
+    /// True if both pigments are certainly equal, see [`Texture::is_plainly`].
     pub(super) fn is_plainly(&self, other: &Self) -> bool {
         let paint = match (&self.paint, &other.paint) {
             (Paint::Solid(a), Paint::Solid(b)) => a == b,
@@ -247,18 +248,18 @@ impl Pigment {
         paint && self.pattern.shares_with(&other.pattern) && self.quick_color == other.quick_color
     }
 
-    /// True if `is` holds for any pattern.
+    /// True if `is` holds for any pattern of the pigment.
     pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
         let inner = matches!(&self.paint, Paint::Pigments(parts) if parts.iter().any(|part| part.any_pattern(is)));
         is(&self.pattern) || inner
     }
 
-    /// True if no point transmits light.
+    /// True if no point of the pigment transmits light.
     pub fn is_opaque(&self) -> bool {
         self.is_opaque_if(&ImageMap::is_opaque)
     }
 
-    /// True if the surface counts as opaque for shadows (see [`ImageMap::counts_as_opaque`]).
+    /// True if a surface with this pigment counts as opaque for shadows (see [`ImageMap::counts_as_opaque`]).
     pub fn counts_as_opaque(&self) -> bool {
         match &self.paint {
             Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::counts_as_opaque)),
@@ -277,13 +278,13 @@ impl Pigment {
     }
 }
 
-/// The largest of red, green and blue.
+/// Returns the largest of a colour's red, green and blue.
 fn brightness(color: &Color) -> f64 {
     color.rgb.max_element()
 }
 
-/// Reads `uv_mapping`, once or more, which may precede a declared pigment, normal or texture: `None` if absent, else
-/// its value.
+/// Reads `uv_mapping`, once or more, which may precede a declared pigment, normal or texture; returns `None` if it is
+/// absent, else its value.
 pub(super) fn read_uv_mapping(r: &mut dyn Reader) -> Result<Option<bool>> {
     let mut uv = None;
     while r.accept("uv_mapping")? {
@@ -300,7 +301,7 @@ impl Entry for Pigment {
         Self::read(r, &defaults.layers[0].pigment, defaults)
     }
 
-    /// Reads a pigment; a colour is one too.
+    /// Reads a declared pigment, or a colour, which is a pigment too.
     fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(match r.thing::<Pigment>()? {
             Some(pigment) => Some((*pigment).clone()),

@@ -7,29 +7,30 @@ use crate::pattern::{Pattern, PatternKind, PatternProgram, PigmentBrightness, Te
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A [`Pigment`] lowered to the form that is evaluated.
+/// Lowered pigment, in the form that is evaluated.
 #[derive(Clone, Debug, Serialize)]
 pub struct PigmentProgram {
-    /// Each node follows the nodes that it refers to; the last one is the whole pigment.
+    /// Nodes of the lowered pigment and of those nested in it. Each node follows the nodes that it refers to; the last
+    /// one is the whole pigment.
     nodes: Box<[PigmentNode]>,
-    /// True if the whole texture has `uv_mapping`.
+    /// True if the whole texture of the lowered pigment has `uv_mapping`.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     framed: bool,
 }
 
-/// A pigment nested in a pigment.
+/// Node of a lowered pigment: the pigment itself, or one nested in it.
 #[derive(Clone, Debug, Serialize)]
 struct PigmentNode {
     pattern: PatternProgram,
     shows: Shows,
 }
 
-/// Source of the colour.
+/// Source of the colour of a lowered pigment's node.
 #[derive(Clone, Debug, Serialize)]
 enum Shows {
     Solid(Color),
     Colors(Arc<ColorMap>),
-    /// Other pigments, by the indices of their nodes.
+    /// Selection from other pigments, by the indices of their nodes.
     Pigments(Blend<u32>),
     Image(Arc<ImageMap>),
 }
@@ -42,17 +43,18 @@ impl PigmentProgram {
         Self { nodes: nodes.into(), framed: pigment.pattern.framed }
     }
 
-    /// The colour at a point of the outer space.
+    /// Returns the pigment's colour at a point of the outer space.
     pub fn at(&self, ctx: &TextureContext) -> Color {
         self.node(self.nodes.len() - 1, ctx)
     }
 
-    /// True if the point has no colour because it is outside of pictures with `once`.
+    /// True if the pigment has no colour at the point because it is outside of pictures with `once`.
     pub fn is_nothing(&self, ctx: &TextureContext) -> bool {
         self.has_nothing(self.nodes.len() - 1, ctx, self.framed)
     }
 
-    /// (False for an average and for a pigment with a `uv_mapping` of its own; quirk: `pictures_once`.)
+    /// True if a node of the lowered pigment has no colour at the point. (False for an average and for a pigment with a
+    /// `uv_mapping` of its own; quirk: `pictures_once`.)
     fn has_nothing(&self, i: usize, ctx: &TextureContext, framed: bool) -> bool {
         let PigmentNode { pattern, shows } = &self.nodes[i];
         match shows {
@@ -66,7 +68,8 @@ impl PigmentProgram {
         }
     }
 
-    /// The pattern's number at a point, without the map: the index of the cell, or the number after the wave.
+    /// Returns the number of the pigment's pattern at a point, without the map: the index of the cell, or the number
+    /// after the wave.
     pub fn number_at(&self, ctx: &TextureContext) -> f64 {
         self.nodes.last().map_or(0.0, |node| node.pattern.number_at(ctx))
     }
@@ -116,7 +119,7 @@ pub struct Brightness {
 }
 
 impl Brightness {
-    /// Lowers a pigment to the form that is evaluated.
+    /// Lowers a pigment whose brightness a pattern uses.
     pub fn new(pigment: &Pigment) -> Self {
         Self { pigment: PigmentProgram::new(pigment), depends_on_uv: pigment.any_pattern(&Pattern::depends_on_uv) }
     }
@@ -133,7 +136,7 @@ impl PigmentBrightness for Brightness {
     }
 }
 
-/// Appends the nodes of a pigment; returns the index of its own node.
+/// Appends the nodes of a lowered pigment; returns the index of its own node.
 fn push(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
     let shows = match &pigment.paint {
         // A map without a pattern is black (quirk: map_without_pattern).

@@ -9,7 +9,7 @@ use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{ReaderExt, Spec, Vocabulary, WordSpec};
 
-/// The contents of a `pigment` with braces of its own.
+/// Parts of a `pigment` block that have braces of their own.
 const PIGMENT_PARTS: &[WordSpec] = &[
     word(
         "color_map",
@@ -22,7 +22,7 @@ const PIGMENT_PARTS: &[WordSpec] = &[
     word("image_map", Block, "", "a picture"),
 ];
 
-/// The readers of [`PIGMENT`]'s other words.
+/// Words of a `pigment` block without braces, and how each is read.
 pub(super) const PIGMENT_ROWS: &[Row<Pigment>] = &[
     word("quick_color", Color, "", "drawn in its place with `--quality 5` and less")
         .sets(|s, r| set(&mut s.quick_color, r.color().map(|c| Some(Box::new(c))))),
@@ -30,7 +30,7 @@ pub(super) const PIGMENT_ROWS: &[Row<Pigment>] = &[
         .sets(|s, r| set(&mut s.quick_color, r.color().map(|c| Some(Box::new(c))))),
 ];
 
-/// `pigment { … }`, except colours, patterns and [`Modifiers::WORDS`].
+/// Vocabulary of `pigment { … }`, except colours, patterns and [`Modifiers::WORDS`].
 pub const PIGMENT: Vocabulary = Vocabulary {
     block: "pigment",
     summary: "the colour of every point: one colour, or a pattern with its colours",
@@ -40,7 +40,7 @@ pub const PIGMENT: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// The readers of [`IMAGE_MAP`]'s words.
+/// Words of an `image_map` block, and how each is read.
 pub(super) const IMAGE_MAP_ROWS: &[Row<Clearness>] = &[
     word("filter", Float, "0", "`filter all A` or, for one colour of a palette, `filter N, A`")
         .sets(Clearness::read_filter),
@@ -48,7 +48,8 @@ pub(super) const IMAGE_MAP_ROWS: &[Row<Clearness>] = &[
         .sets(Clearness::read_transmit),
 ];
 
-/// `image_map { … }`, except the words of all pictures ([`bitmap::WORDS`](crate::pattern::bitmap::WORDS)).
+/// Vocabulary of `image_map { … }`, except the words of all pictures
+/// ([`bitmap::WORDS`](crate::pattern::bitmap::WORDS)).
 pub const IMAGE_MAP: Vocabulary = Vocabulary {
     block: "image_map",
     summary: "a picture as the colours of a surface",
@@ -67,7 +68,7 @@ pub fn pigment_names() -> Vec<&'static str> {
     colors.into_iter().chain(patterns).chain(PIGMENT.names()).chain(own).collect()
 }
 
-/// `texture { … }`
+/// Vocabulary of `texture { … }`.
 pub const TEXTURE: Vocabulary = Vocabulary {
     block: "texture",
     summary: "what a surface looks like; several in a row are layers, the last on top",
@@ -86,14 +87,14 @@ pub const TEXTURE: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// The contents of a `normal` with braces of its own.
+/// Parts of a `normal` block that have braces of their own.
 const NORMAL_PARTS: &[WordSpec] = &[
     word("slope_map", Block, "", "`[number <height, slope>]` entries: the form of the bumps"),
     word("bump_map", Block, "", "a picture whose brightness is the height"),
     word("normal_map", Block, "", "`[number normal]` entries: which bumps each number of the pattern gets"),
 ];
 
-/// The readers of [`NORMAL`]'s other words.
+/// Words of a `normal` block without braces, and how each is read.
 pub(super) const NORMAL_ROWS: &[Row<Normal>] = &[
     word("bump_size", Float, "0.5", "how deep the bumps seem; also as a number after the pattern's name")
         .sets(|s, r| set(&mut s.amount, r.float())),
@@ -108,7 +109,7 @@ pub(super) const NORMAL_ROWS: &[Row<Normal>] = &[
         .sets(|s, r| set(&mut s.bump_scale, r.flag().map(|on| !on))),
 ];
 
-/// `normal { … }`, except patterns and their words.
+/// Vocabulary of `normal { … }`, except patterns and their words.
 pub const NORMAL: Vocabulary = Vocabulary {
     block: "normal",
     summary: "bumps that only light sees: a pattern and how deep it seems, `normal { bumps 0.5 }`",
@@ -118,7 +119,7 @@ pub const NORMAL: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// The readers of [`FINISH`]'s words.
+/// Words of a `finish` block, and how each is read.
 pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
     word("ambient", Color, "0.1", "light that comes from everywhere, times `ambient_light` of `global_settings`")
         .sets(|s, r| set(&mut s.ambient, r.color().map(|c| c.rgb))),
@@ -175,7 +176,7 @@ pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
     .sets(|s, r| set(&mut s.uncommon.refraction, r.float())),
 ];
 
-/// `finish { … }`
+/// Vocabulary of `finish { … }`.
 pub const FINISH: Vocabulary = Vocabulary {
     block: "finish",
     summary: "how a surface answers to light",
@@ -185,14 +186,14 @@ pub const FINISH: Vocabulary = Vocabulary {
     unsupported: &["subsurface"],
 };
 
-/// The readers of [`IRID`]'s words.
+/// Words of a finish's `irid` block, and how each is read.
 pub(super) const IRID_ROWS: &[Row<Irid>] = &[
     word("thickness", Float, "0", "of the film, in the units of `irid_wavelength`")
         .sets(|s, r| set(&mut s.thickness, r.float())),
     word("turbulence", Float, "0", "how much the thickness varies").sets(|s, r| set(&mut s.turbulence, r.float())),
 ];
 
-/// `finish { irid { … } }`
+/// Vocabulary of `finish { irid { … } }`.
 pub const IRID: Vocabulary = Vocabulary {
     block: "irid",
     summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
@@ -202,7 +203,7 @@ pub const IRID: Vocabulary = Vocabulary {
     unsupported: &[],
 };
 
-/// The readers of [`REFLECTION`]'s words.
+/// Words of a finish's `reflection` block, and how each is read.
 pub(super) const REFLECTION_ROWS: &[Row<Reflection>] = &[
     word("fresnel", Flag, "off", "the angle counts as for glass and water, by the `ior` of the interior")
         .sets(|s, r| set(&mut s.fresnel, r.flag())),
@@ -212,7 +213,7 @@ pub(super) const REFLECTION_ROWS: &[Row<Reflection>] = &[
         .sets(|s, r| set(&mut s.metallic, r.optional_float().map(|x| x.unwrap_or(1.0)))),
 ];
 
-/// `finish { reflection { … } }`
+/// Vocabulary of `finish { reflection { … } }`.
 pub const REFLECTION: Vocabulary = Vocabulary {
     block: "reflection",
     summary: "a mirror: `{ colour }`, or `{ colour seen straight on, colour seen at a slant }`",

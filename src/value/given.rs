@@ -16,7 +16,7 @@ const COLORS: &[(&str, &[usize])] = &[
     ("srgbft", &[0, 1, 2, 3, 4]),
 ];
 
-/// Parses a number, string, vector or colour.
+/// Parses the value of a scene's variable that is given on the command line: a number, string, vector or colour.
 ///
 /// # Errors
 /// A description of what is wrong with the text.
@@ -48,7 +48,7 @@ fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|x: &f64| x.is_finite())
 }
 
-/// Parses two to five components between `<` and `>`.
+/// Parses a vector of two to five components between `<` and `>`.
 fn vector(text: &str) -> Result<VecN, String> {
     let inner = text.strip_prefix('<').and_then(|text| text.strip_suffix('>'));
     let inner = inner.ok_or_else(|| format!("`{text}` is no vector: `>` is missing at its end"))?;

@@ -12,14 +12,14 @@ use crate::source::{Files, Span};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Kind of the next token; directives and macro calls before it have run.
+/// Kind of the next token of the scene; directives and macro calls before it have run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Next {
     /// Next token is a keyword without a `{`.
     Word(&'static str),
     /// Next tokens are a keyword and its `{`.
     Block(&'static str),
-    /// A declared thing, with the word of its block: `texture`, `object` …
+    /// Next token is the name of a declared thing, with the word of its block: `texture`, `object` …
     Thing(&'static str),
     /// Next token begins an expression: number, vector, colour or string.
     Value,
@@ -69,13 +69,13 @@ pub enum FloatOrColor {
     Color(Color),
 }
 
-/// An object with an inside, such as a sphere.
+/// Interface of an object with an inside, such as a sphere.
 pub trait Solid: std::fmt::Debug + Send + Sync {
     /// True if the point is inside of the object.
     fn contains(&self, p: DVec3) -> bool;
 }
 
-/// A function of a picture, with the picture's width and height in pixels.
+/// Function that fills a picture, with the picture's width and height in pixels.
 pub type SizedFunction = ([usize; 2], Arc<dyn Thing>);
 
 /// Function that builds a shape from a mesh file and the pictures of its materials; `None` for a material without a
@@ -88,10 +88,10 @@ pub type BuildMesh = fn(MeshFile, Vec<Option<Arc<Picture>>>) -> Arc<dyn Thing>;
 /// Methods that read fail with the span of the unexpected token and the expectation, or with a fault in a directive or
 /// macro before the token.
 pub trait Reader {
-    /// The next token, which is not consumed. Commas and semicolons are skipped.
+    /// Returns the kind of the scene's next token, which is not consumed. Commas and semicolons are skipped.
     fn next(&mut self) -> Result<Next>;
-    /// The next token, or `Next::End` if a directive or a `;` precedes it. Directives do not run: they may use the name
-    /// that is being declared.
+    /// Returns the kind of the next token, or `Next::End` if a directive or a `;` precedes it. Directives do not run:
+    /// they may use the name that is being declared.
     fn continued(&mut self) -> Result<Next>;
     /// Returns the span of the next token in the scene.
     fn span(&mut self) -> Span;
@@ -117,9 +117,9 @@ pub trait Reader {
     fn vector2(&mut self) -> Result<DVec2>;
     /// Reads exactly `n` numbers in `< >`; more than five only as a literal, as in `matrix`.
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>>;
-    /// Consumes up to `most` items of a literal list, while each is a vector of `width` components that `take` accepts;
-    /// returns the number consumed. The result can be 0 although vectors come next: the other methods read the first
-    /// and last item of a list, and anything that is not a literal.
+    /// Consumes up to `most` items of the scene's literal list, while each is a vector of `width` components that
+    /// `take` accepts; returns the number consumed. The result can be 0 although vectors come next: the other methods
+    /// read the first and last item of a list, and anything that is not a literal.
     fn literals(&mut self, _width: usize, _most: usize, _take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
         0
     }
@@ -139,7 +139,7 @@ pub trait Reader {
     fn transform(&mut self) -> Result<Option<Box<Transform>>>;
     /// Reads a string expression of the scene.
     fn text(&mut self) -> Result<String>;
-    /// Reads `on`, `off` or a number; true if none comes next.
+    /// Reads a switch of the scene: `on`, `off` or a number; true if none comes next.
     fn flag(&mut self) -> Result<bool>;
     /// Returns the language version and gamma in force.
     fn language(&self) -> Language;
@@ -162,16 +162,16 @@ pub trait Reader {
     fn sized_function(&mut self) -> Result<Option<SizedFunction>>;
     /// Reports a diagnostic about the scene, and continues reading.
     fn report(&mut self, diagnostic: Diagnostic);
-    /// The error "expected …, found …" about the next token.
+    /// Returns the error "expected …, found …" about the scene's next token.
     fn unexpected(&mut self, expected: &str) -> Diagnostic;
-    /// The error for the next word, which `block` does not take: suggests the nearest of the words in `takes`, or lists
-    /// them.
+    /// Returns the error for the next word, which `block` does not take: suggests the nearest of the words in `takes`,
+    /// or lists them.
     fn unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic;
 }
 
 /// Methods of every reader, built from those of [`Reader`].
 pub trait ReaderExt: Reader {
-    /// Consumes the word if it comes next.
+    /// Consumes the scene's next word if it equals `word`; returns true if so.
     fn accept(&mut self, word: &str) -> Result<bool>;
     /// Consumes a declared thing of type `T`, if a thing comes next.
     fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>>;

@@ -4,15 +4,15 @@ use super::{Thing, Value, VecN};
 use crate::color::Color;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// A word, a value or a block. `area_light x*4, z*4, 5, 5` serializes as `{"area_light": [[4, 0, 0], [0, 0, 4], 5,
-/// 5]}`.
+/// Item of a scene that durer does not render yet: a word, a value or a block. `area_light x*4, z*4, 5, 5` serializes
+/// as `{"area_light": [[4, 0, 0], [0, 0, 4], 5, 5]}`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unsupported {
     /// Unsupported item: a keyword without a value.
     Word(&'static str),
-    /// Consecutive numbers, or consecutive vectors of one length: a mesh has millions.
+    /// Unsupported item: consecutive numbers, or consecutive vectors of one length: a mesh has millions.
     Numbers {
-        /// Components per item: 1 for numbers.
+        /// Number of components of each unsupported vector; 1 for numbers.
         width: usize,
         /// Components of all items in an unsupported list.
         all: Vec<f64>,
@@ -21,14 +21,15 @@ pub enum Unsupported {
     Color(Color),
     /// Unsupported item: a string.
     Text(Box<str>),
-    /// A declared thing, with the word of its block.
+    /// Unsupported item: a declared thing, with the word of its block.
     Declared(&'static str),
-    /// A word with its block or the values after it. `[ … ]` has the word `entry`, `{ … }` the word `group`.
+    /// Unsupported item: a word with its block or the values after it. `[ … ]` has the word `entry`, `{ … }` the word
+    /// `group`.
     Block(&'static str, Box<[Unsupported]>),
 }
 
 impl Unsupported {
-    /// Appends a number, or a vector of any length.
+    /// Appends a number, or a vector of any length, to a row of unsupported items.
     pub fn push_numbers(row: &mut Vec<Unsupported>, c: &[f64]) {
         match row.last_mut() {
             Some(Unsupported::Numbers { width, all }) if *width == c.len() => all.extend(c),
@@ -50,7 +51,7 @@ impl Unsupported {
         }
     }
 
-    /// Serializes the contents of a block: numbers and vectors become single items.
+    /// Serializes the unsupported contents of a block: numbers and vectors become single items.
     ///
     /// # Errors
     /// The serializer's error.
@@ -58,7 +59,7 @@ impl Unsupported {
         s.collect_seq(items(row))
     }
 
-    /// Calls `visit` with each vector of two to five components, in order.
+    /// Calls `visit` with each vector of two to five components of the unsupported item, in order.
     pub fn visit_vectors(&self, visit: &mut dyn FnMut(VecN)) {
         match self {
             Unsupported::Numbers { width: n @ 2..=5, all } => all.chunks(*n).for_each(|c| visit(VecN::from_slice(c))),
@@ -68,7 +69,7 @@ impl Unsupported {
     }
 }
 
-/// A declared media, radiosity or the like.
+/// Unsupported items can be declared: media, radiosity or the like.
 impl Thing for Unsupported {
     fn kind(&self) -> &'static str {
         match self {
@@ -106,10 +107,10 @@ impl<'s> Item<'s> {
     }
 }
 
-/// Contents of a block, for serialization.
+/// Unsupported contents of a block, for serialization.
 struct Row<'s>(&'s [Unsupported]);
 
-/// One item of a block's contents.
+/// One item of a block's unsupported contents, for serialization.
 enum Item<'s> {
     Number(f64),
     Vector(&'s [f64]),

@@ -4,8 +4,8 @@
 use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
-/// Returns the ray; `angle` is the angle of view about the axis. Bumps are evaluated at the angle and the length along
-/// the axis.
+/// Returns the ray of a cylindrical camera; `kind` is its type, from 1 to 4, and `angle` the angle of view about the
+/// axis. Bumps are evaluated at the angle and the length along the axis.
 pub(super) fn ray(kind: u8, at: DVec2, lengths: DVec3, angle: f64) -> LocalRay {
     let upright = matches!(kind, 1 | 3);
     let turn = if upright { at.x } else { at.y };

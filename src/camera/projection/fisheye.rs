@@ -6,7 +6,8 @@ use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 use std::f64::consts::PI;
 
-/// Returns the ray; `angle` is the angle of the whole disc.
+/// Returns the ray of a fisheye camera; `None` outside its disc. `angle` is the angle of view of the whole disc, in
+/// radians.
 pub(super) fn ray(at: DVec2, lengths: DVec3, angle: f64) -> Option<LocalRay> {
     let p = at * lengths.truncate() * 2.0;
     let r = p.length();
@@ -16,8 +17,8 @@ pub(super) fn ray(at: DVec2, lengths: DVec3, angle: f64) -> Option<LocalRay> {
     Some(on_disc(p, r * angle / 2.0))
 }
 
-/// Returns the ray at an angle to the axis, towards a point of the disc. Bumps are evaluated at the point's angle and
-/// at `angle`.
+/// Returns the camera ray at an angle to the axis of view, towards a point of the disc. Bumps are evaluated at the
+/// point's angle and at `angle`.
 pub(super) fn on_disc(p: DVec2, angle: f64) -> LocalRay {
     let (sin, cos) = fp::sin_cos(angle);
     // From -½π to 1½π

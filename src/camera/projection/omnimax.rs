@@ -5,13 +5,13 @@ use super::LocalRay;
 use super::fisheye::on_disc;
 use crate::math::{DVec2, DVec3};
 
-/// Coefficients of the angle to the axis by the distance from the centre of the disc, which is 1 at its edge; accurate
-/// to 1e-9.
+/// Coefficients of an omnimax camera's polynomial for the angle to the axis by the distance from the centre of the
+/// disc, which is 1 at its edge; accurate to 1e-9.
 const ANGLE: [f64; 3] = [1.411_269, -0.094_390, 0.256_740];
-/// Width of the visible part of the disc, in units of its height; wider pictures show no more.
+/// Width of the visible part of the omnimax disc, in units of its height; wider pictures show no more.
 const WIDEST: f64 = 1.283_458;
 
-/// Returns the ray.
+/// Returns the ray of an omnimax camera; `None` outside its disc.
 pub(super) fn ray(at: DVec2, lengths: DVec3) -> Option<LocalRay> {
     let p = in_disc(at, lengths.x / lengths.y);
     let r = p.length();
@@ -23,7 +23,8 @@ pub(super) fn ray(at: DVec2, lengths: DVec3) -> Option<LocalRay> {
     (sight.dir.y + sight.dir.z >= 0.0).then_some(sight)
 }
 
-/// Position in the disc; the upper edges of disc and picture coincide if the picture is wider than high.
+/// Maps a position of the picture to the omnimax camera's disc of radius 1; the upper edges of disc and picture
+/// coincide if the picture is wider than high.
 fn in_disc(at: DVec2, aspect: f64) -> DVec2 {
     if aspect <= 1.0 {
         return DVec2::new(2.0 * at.x, 2.0 * at.y / aspect);

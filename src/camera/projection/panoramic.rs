@@ -5,7 +5,7 @@ use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Returns the ray. Bumps are evaluated at the horizontal angle and the angle to the horizon.
+/// Returns the ray of a panoramic camera. Bumps are evaluated at the horizontal angle and the angle to the horizon.
 pub(super) fn ray(at: DVec2, lengths: DVec3) -> LocalRay {
     let (sin, cos) = fp::sin_cos(PI * at.x);
     let place = DVec2::new(FRAC_PI_2 - PI * at.x, PI * at.y);

@@ -2,9 +2,10 @@
 
 use crate::math::{DVec2, DVec3, fp};
 
-/// Returns the direction, of length 1, and the position for bumps: longitude and latitude. `angles` are the horizontal
-/// and vertical angles of view; `axes` are the unit vectors right, up and ahead. The direction ahead is rotated about
-/// right and then about up, even if these are not orthogonal (quirk: `spherical_skew`).
+/// Returns the direction of a spherical camera's ray, of length 1, and the position for bumps: longitude and latitude.
+/// `angles` are the horizontal and vertical angles of view; `axes` are the unit vectors right, up and ahead. The
+/// direction ahead is rotated about right and then about up, even if these are not orthogonal (quirk:
+/// `spherical_skew`).
 pub(super) fn ray(at: DVec2, angles: DVec2, [right, up, ahead]: [DVec3; 3]) -> (DVec3, DVec2) {
     let place = at * angles;
     (turned(turned(ahead, right, -place.y), up, place.x), place)

@@ -4,7 +4,8 @@
 use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
-/// Returns the ray; `angle` is the horizontal angle of view. Bumps are evaluated at the angles.
+/// Returns the ray of an ultra wide angle camera; `angle` is the horizontal angle of view. Bumps are evaluated at the
+/// horizontal and vertical angles of the ray.
 pub(super) fn ray(at: DVec2, lengths: DVec3, angle: f64) -> LocalRay {
     let place = at * angle * DVec2::new(1.0, lengths.y / lengths.x);
     let ((sin_x, cos_x), (sin_y, cos_y)) = (fp::sin_cos(place.x), fp::sin_cos(place.y));

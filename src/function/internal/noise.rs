@@ -7,26 +7,26 @@ use super::super::Interval;
 use crate::math::noise::{NoiseGenerator, noise};
 use crate::math::{DVec3, fp};
 
-/// Maximum number of octaves: more would only add rounding errors, and take too long.
+/// Maximum number of octaves of noise: more would only add rounding errors, and take too long.
 const MOST_OCTAVES: f64 = 64.0;
 
-/// Noise from 0 to 1 by the default generator.
+/// Internal function `f_noise3d`: Noise from 0 to 1 by the default generator.
 pub fn noise3d([x, y, z]: [f64; 3]) -> f64 {
     noise(DVec3::new(x, y, z), NoiseGenerator::default())
 }
 
-/// Noise from 0 to 1.
+/// Noise from 0 to 1, by the generator with this number.
 pub fn noise_generator([x, y, z, generator]: [f64; 4]) -> f64 {
     noise(DVec3::new(x, y, z), NoiseGenerator::from_number(generator))
 }
 
-/// Noise from -1 to 1.
+/// Noise from -1 to 1 at a point.
 fn signed(p: DVec3, generator: NoiseGenerator) -> f64 {
     2.0 * noise(p, generator) - 1.0
 }
 
-/// Musgrave's `Hetero_Terrain`. The heterogeneity t, truncated, is the power of the altitude that scales the next
-/// octave.
+/// Internal function `f_hetero_mf`: Musgrave's `Hetero_Terrain`. The heterogeneity t, truncated, is the power of the
+/// altitude that scales the next octave.
 pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 9]) -> f64 {
     let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
@@ -48,7 +48,7 @@ pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 
     if rest > 0.0 { value + rest * increment() * value } else { value }
 }
 
-/// Ridged multifractal noise, after Musgrave's `RidgedMultifractal`.
+/// Internal function `f_ridged_mf`: Ridged multifractal noise, after Musgrave's `RidgedMultifractal`.
 pub fn ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f64; 9]) -> f64 {
     let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
     let ridge = |p: DVec3| {
@@ -68,8 +68,8 @@ pub fn ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f6
     sum
 }
 
-/// The mean of octaves of |noise - ridge|, minus the offset; both differences are divided by the larger of the two
-/// parts into which the ridge divides the range from 0 to 1.
+/// Internal function `f_ridge`: The mean of octaves of |noise - ridge|, minus the offset; both differences are divided
+/// by the larger of the two parts into which the ridge divides the range from 0 to 1.
 pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 9]) -> f64 {
     let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
@@ -95,22 +95,22 @@ pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 
     (sum / weights - offset) / offset.max(1.0 - offset)
 }
 
-/// Upper bound of the gradient of [`noise_generator`].
+/// Upper bound of the length of the gradient of noise, by the number of its generator.
 pub fn steepest(generator: &[f64]) -> f64 {
     generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).steepest())
 }
 
-/// Upper bound of the gradient's change.
+/// Upper bound of the change of the gradient of noise per unit of length, by the number of its generator.
 pub fn bend(generator: &[f64]) -> f64 {
     generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).bend())
 }
 
-/// Bounds of noise, which is between 0 and 1.
+/// Bounds of the internal functions of noise: 0 to 1.
 pub fn noise_bounds(_: &[Interval]) -> Interval {
     Interval::TRUTH
 }
 
-/// The parameters after x, y and z, if each is a constant.
+/// The parameters after x, y and z of an internal function, if each interval is a single number.
 fn known<const N: usize>(a: &[Interval]) -> Option<[f64; N]> {
     let mut all = [0.0; N];
     for (to, i) in all.iter_mut().zip(a.get(3..3 + N)?) {
@@ -119,10 +119,11 @@ fn known<const N: usize>(a: &[Interval]) -> Option<[f64; N]> {
     a[3..].iter().all(|i| i.lo == i.hi).then_some(all)
 }
 
-/// Octaves of noise over a box: each octave is within its steepness times the radius of its value at the centre.
+/// Bounds of octaves of noise over a box: each octave differs from its value at the centre by at most its steepness
+/// times the radius.
 struct Octaves {
     p: DVec3,
-    /// Distance from the centre to the corners.
+    /// Distance from the centre of the box to its corners.
     radius: f64,
     generator: NoiseGenerator,
 }
@@ -139,25 +140,25 @@ impl Octaves {
         })
     }
 
-    /// Noise from 0 to 1 at this multiple of the frequency.
+    /// Bounds of noise from 0 to 1 over the box, at this multiple of the frequency.
     fn noise(&self, frequency: f64) -> Interval {
         let value = noise(self.p * frequency, self.generator);
         let far = self.generator.steepest() * self.radius * frequency.abs();
         Interval { lo: value - far, hi: value + far }.widened().shared(Interval::TRUTH)
     }
 
-    /// Noise from -1 to 1 at this multiple of the frequency.
+    /// Bounds of noise from -1 to 1 over the box, at this multiple of the frequency.
     fn signed(&self, frequency: f64) -> Interval {
         Interval::point(2.0) * self.noise(frequency) + Interval::point(-1.0)
     }
 }
 
-/// Replaces bounds that are not numbers by no bounds.
+/// Replaces bounds that are NaN by the interval of all numbers; widens all others by a rounding error.
 fn sound(bounds: Interval) -> Interval {
     if bounds.lo.is_nan() || bounds.hi.is_nan() { Interval::ALL } else { bounds.widened() }
 }
 
-/// Bounds of [`hetero_mf`].
+/// Bounds of the internal function [`hetero_mf`] over a box of arguments.
 pub fn hetero_bounds(a: &[Interval]) -> Interval {
     let Some([h, lacunarity, octaves, offset, t, generator]) = known(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
@@ -177,7 +178,7 @@ pub fn hetero_bounds(a: &[Interval]) -> Interval {
     sound(if rest > 0.0 { value + Interval::point(rest) * increment() * value } else { value })
 }
 
-/// Bounds of [`ridged_mf`].
+/// Bounds of the internal function [`ridged_mf`] over a box of arguments.
 pub fn ridged_bounds(a: &[Interval]) -> Interval {
     let Some([h, lacunarity, octaves, offset, gain, generator]) = known(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
@@ -195,7 +196,7 @@ pub fn ridged_bounds(a: &[Interval]) -> Interval {
     sound(sum)
 }
 
-/// Bounds of [`ridge`].
+/// Bounds of the internal function [`ridge`] over a box of arguments.
 pub fn ridge_bounds(a: &[Interval]) -> Interval {
     let Some([lambda, octaves, omega, offset, ridge, generator]) = known(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };

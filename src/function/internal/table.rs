@@ -19,7 +19,7 @@ const ELLIPSOIDS: &[&str] = &["eccentricity: 1 for spheres", "inverse size", "st
 
 const FIELD_BOUNDS: Bounds = Some(field_bounds);
 
-/// All functions: number, name, summary, formula, bounds, and the parameters' meanings.
+/// All internal functions: number, name, summary, formula, bounds, and the parameters' meanings.
 #[rustfmt::skip]
 pub static TABLE: &[Internal] = &[
     row(0, "f_algbr_cyl1", "A figure of eight along z or swept around y",

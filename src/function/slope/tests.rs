@@ -3,7 +3,7 @@ use crate::function::{Id, numeric};
 use crate::math::noise::NoiseGenerator;
 use proptest::prelude::*;
 
-/// Description of one operation: its type, and its operands.
+/// Recipe of a random function's operation: its type, its two operands and a constant.
 type Recipe = Vec<(u8, u32, u32, f64)>;
 
 fn graph(recipe: &Recipe) -> Graph {
@@ -39,7 +39,7 @@ fn graph(recipe: &Recipe) -> Graph {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1000, max_global_rejects: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The difference between two points of a box is at most the slope times their distance.
+    /// Test: the difference of a function between two points of a box is at most the slope times their distance.
     #[test]
     fn slopes_bound_differences(
         recipe in prop::collection::vec((any::<u8>(), any::<u32>(), any::<u32>(), -2.0..2.0), 1..12),
@@ -92,8 +92,8 @@ fn noise_gradients_are_within_their_bound() {
     }
 }
 
-/// Over balls of many sizes, noise is within the stated range, and differences between points are within the bounds of
-/// its gradients.
+/// Test: over balls of many sizes, noise is within the stated range, and differences between points are within the
+/// bounds of its gradients.
 #[test]
 fn local_bounds_of_noise_hold() {
     for number in [1.0, 2.0, 3.0] {

@@ -11,28 +11,28 @@ use smallvec::SmallVec;
 use std::array::from_fn;
 use std::ops::Range;
 
-/// Below this depth the binary tree is split in halves, which bounds its depth by this and the logarithm of the number
-/// of boxes.
+/// Number of levels from the root of the binary tree that are split at the cheapest plane; deeper levels are split in
+/// halves, which bounds the tree's depth.
 const LEVELS: usize = 64;
-/// Cost of testing a single item, relative to visiting a node.
+/// Cost of intersecting a single item of the BVH, relative to visiting a node.
 const ITEM: f32 = 1.5;
-/// Cost of testing a pack of items.
+/// Cost of intersecting a pack of items of the BVH, relative to visiting a node.
 const PACK: f32 = 1.0;
-/// Maximum number of boxes in a pack.
+/// Maximum number of boxes in a pack of a BVH.
 const LARGEST: usize = 8;
-/// Maximum number of items of a child.
+/// Maximum number of items in a leaf of the BVH.
 const LEAF: u32 = 4;
 
 impl Bvh {
-    /// Builds over boxes that [`super::fits`] accepts; also returns the number of the box at each position of the
-    /// order.
+    /// Builds a BVH over boxes that [`super::fits`] accepts; also returns the index of the box at each position of the
+    /// hierarchy's order.
     pub fn build(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
         let (bvh, order, _) = Build::run(boxes, |items| items.len() == 1, ITEM);
         (bvh, order)
     }
 
-    /// Builds over packs of boxes, which are the items of the hierarchy: a group of boxes that `packs` accepts becomes
-    /// one item, and `packs` accepts each single box. Also returns the range of each pack's boxes in the order.
+    /// Builds a BVH whose items are packs of boxes: a group of boxes that `packs` accepts becomes one item, and `packs`
+    /// accepts each single box. Also returns the range of each pack's boxes in the order.
     pub fn build_packs(
         boxes: impl ExactSizeIterator<Item = Aabb>,
         packs: impl Fn(&[u32]) -> bool,
@@ -45,39 +45,39 @@ impl Bvh {
     }
 }
 
-/// State of a construction.
+/// State of the construction of a BVH.
 struct Build<F> {
     prims: Vec<Prim>,
-    /// The binary tree, children before their parents.
+    /// Nodes of the binary tree from which the BVH is made, children before their parents.
     pairs: Vec<Pair>,
-    /// True if these boxes become one item.
+    /// True if these boxes become one item of the BVH.
     is_item: F,
     item_cost: f32,
     bvh: Bvh,
-    /// The boxes of each item.
+    /// Range of the boxes of each item of the BVH.
     items: Vec<Range<u32>>,
 }
 
-/// A node of the binary tree: an item, or two halves.
+/// A node of the BVH's binary tree: an item, or two halves.
 struct Pair {
-    /// Indices of the halves; for an item, the range of its boxes.
+    /// Indices of the node's two halves; for an item, the range of its boxes.
     parts: [u32; 2],
-    /// Number of items in the node and below it.
+    /// Number of items in the subtree of the node.
     items: u32,
-    /// For 2, 3, … 8 children of a wide node: how many of them the first half receives at the least cost; 0 if fewer
-    /// children cost less.
+    /// For 2, 3, … 8 children of a wide BVH node: how many of them the first half receives at the least cost; 0 if
+    /// fewer children cost less.
     first: [u8; WIDTH - 1],
-    /// True if testing all items at once costs least.
+    /// True if testing all items of the subtree at once costs least.
     is_leaf: bool,
 }
 
-/// A finished subtree, until its parent is made.
+/// A finished subtree of the BVH, until its parent is made.
 struct Half {
     number: u32,
     lo: Vec3A,
     hi: Vec3A,
     items: u32,
-    /// Least cost with at most 1, 2, … 7 children of a wide node.
+    /// Least cost of the subtree with at most 1, 2, … 7 children of a wide node.
     cost: [f32; WIDTH - 1],
 }
 
@@ -105,7 +105,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         (build.bvh, order, build.items)
     }
 
-    /// Builds the binary tree over some boxes.
+    /// Builds the BVH's binary tree over a range of boxes.
     fn grow(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> Half {
         let prims = &mut self.prims[boxes.clone()];
         if (self.is_item)(prims) {
@@ -123,7 +123,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         self.join(&a, &b)
     }
 
-    /// Makes the parent of two halves, at the least cost.
+    /// Makes the parent of two halves of the BVH, at the least cost.
     fn join(&mut self, a: &Half, b: &Half) -> Half {
         let (lo, hi) = (a.lo.min(b.lo), a.hi.max(b.hi));
         let (area, items) = (area(lo, hi), a.items + b.items);
@@ -152,7 +152,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         Half { number: self.pairs.len() as u32 - 1, lo, hi, items, cost }
     }
 
-    /// Fills a wide node with children, recursively; returns their bounds.
+    /// Fills a wide node of the BVH with children, recursively; returns their bounds.
     fn fill(&mut self, node: usize, pair: u32) -> Around {
         let mut children = SmallVec::new();
         match self.pairs[pair as usize].is_leaf {
@@ -183,7 +183,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         all
     }
 
-    /// The best nodes of a subtree to be children of a wide node, at most `count`.
+    /// Collects the best nodes of a subtree to be children of a wide BVH node, at most `count`.
     fn choose(&self, number: u32, mut count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
         let pair = &self.pairs[number as usize];
         while count > 1 && pair.first[count - 2] == 0 {
@@ -197,7 +197,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         self.choose(pair.parts[1], count - first, out);
     }
 
-    /// Appends the items of a subtree to the hierarchy, and their boxes to `around`.
+    /// Appends the items of a subtree to the BVH, and extends `around` by their boxes.
     fn add_items(&mut self, number: u32, around: &mut Around) {
         match self.pairs[number as usize] {
             Pair { items: 1, parts: [start, end], .. } => {
@@ -212,8 +212,8 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     }
 }
 
-/// Partitions the boxes into two non-empty groups at the cheapest plane; returns the start of the second group and the
-/// bounds of both.
+/// Partitions the boxes of a BVH's subtree into two non-empty groups at the cheapest plane; returns the start of the
+/// second group and the bounds of both.
 fn divide(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
     let cut = match prims.len() {
         _ if halve => None,
@@ -232,7 +232,7 @@ fn divide(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 
     (count, halves)
 }
 
-/// A box to be sorted.
+/// A box that the construction of a BVH sorts.
 #[derive(Clone, Copy)]
 #[repr(C, align(16))]
 struct Prim {
@@ -260,7 +260,7 @@ impl Prim {
     }
 }
 
-/// Bounds of some items, and of their centres.
+/// Bounds of some boxes, and of their centres, during the construction of a BVH.
 #[derive(Clone, Copy)]
 struct Around {
     lo: Vec3A,
@@ -320,7 +320,7 @@ impl Bin {
     }
 }
 
-/// A split plane between bins along an axis.
+/// A split plane of the surface-area heuristic, between bins along an axis.
 struct Cut {
     axis: usize,
     from: f32,
@@ -329,7 +329,7 @@ struct Cut {
 }
 
 impl Cut {
-    /// The cheapest plane between this number of bins along each axis; `None` if all are equally good.
+    /// Returns the cheapest split plane between bins along each axis; `None` if all are equally good.
     fn find<const BINS: usize>(prims: &[Prim], around: &Around) -> Option<Cut> {
         let extent = around.last - around.first;
         if extent.max_element() <= 0.0 || !extent.is_finite() {
@@ -357,7 +357,8 @@ impl Cut {
     }
 }
 
-/// Number of bins on the left of the cheapest cut, and its cost; infinite if all items are in one bin.
+/// Returns the number of bins on the left of the cheapest split plane, and its cost; infinite if all items are in one
+/// bin.
 fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
     // Cost of bins i and above.
     let mut right = [0.0; BINS];
@@ -378,7 +379,7 @@ fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
     best
 }
 
-/// Moves the items of the left group before the others; returns their number and the bounds of both groups.
+/// Moves the boxes of the left group before the others; returns their number and the bounds of both groups.
 fn partition(prims: &mut [Prim], left: impl Fn(&Prim) -> bool) -> (usize, [Around; 2]) {
     let (mut i, mut j) = (0, prims.len());
     let [mut before, mut behind] = [Around::EMPTY; 2];

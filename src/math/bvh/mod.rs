@@ -16,26 +16,27 @@ use node::{Child, Kind, WIDTH, Wide};
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// Maximum coordinate of boxes in a hierarchy in single precision.
+/// Maximum coordinate of the boxes in a BVH, whose precision is single.
 const REACH: f64 = 1e30;
-/// Number of stack entries without allocation: each level leaves at most seven entries, and usually one.
+/// Number of entries of the traversal's stack that need no allocation: each level of the BVH leaves at most seven
+/// entries, and usually one.
 const STACK: usize = 32;
 /// Relative rounding error of the slab test in single precision: three operations at each end, each with an error of
 /// 2⁻²⁴, and a reserve.
 const SLACK: f64 = 5e-7;
 
-/// The hierarchy over boxes 0 … n-1 in the order that [`Bvh::build`] returned.
+/// Bounding volume hierarchy with eight children a node, over boxes 0 … n-1 in the order that [`Bvh::build`] returned.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bvh {
     nodes: Vec<Wide>,
 }
 
-/// True if the box is within the range of single precision.
+/// True if the box is within the single-precision range of a BVH.
 pub fn fits(b: &Aabb) -> bool {
     b.min.abs().max(b.max.abs()).max_element() < REACH
 }
 
-/// A traversal with one of the two implementations of `slabs`.
+/// Traverses a BVH with one of the two implementations of `slabs`, portable or AVX2.
 macro_rules! walk {
     ($slabs:path, $bvh:ident, $ray:ident, $range:ident, $fetch:expr, $visit:ident) => {{
         let flat = FlatRay::new($ray, $range, &$bvh.nodes[0]);
@@ -96,9 +97,9 @@ macro_rules! walk {
 use walk;
 
 impl Bvh {
-    /// Calls `visit` with the items whose boxes the ray hits in the range, and a few of their neighbours, near boxes
-    /// first. `visit` receives the item's position and the current end of the range, and returns the new end, or
-    /// breaks. A ray with a coordinate that is not finite hits nothing.
+    /// Calls `visit` with the items of the BVH whose boxes the ray hits in the range, and a few of their neighbours,
+    /// near boxes first. `visit` receives the item's position and the current end of the range, and returns the new
+    /// end, or breaks. A ray with a coordinate that is not finite hits nothing.
     pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
         if !self.can_be_met(ray) {
             return;
@@ -127,7 +128,8 @@ impl Bvh {
         walk!(node::avx2::slabs, self, ray, range, |_| (), visit);
     }
 
-    /// Calls `visit` with the items whose boxes contain the point, and a few of their neighbours, until it breaks.
+    /// Calls `visit` with the items of the BVH whose boxes contain the point, and a few of their neighbours, until it
+    /// breaks.
     pub fn around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
         let below = p.to_array().map(|x| Vec4::splat(round_down(x)));
         let above = p.to_array().map(|x| Vec4::splat(round_up(x)));
@@ -156,15 +158,15 @@ impl Bvh {
     }
 }
 
-/// A node or item to be visited, and the earliest `t` at which the ray enters its box.
+/// A node or item that the traversal of a BVH is to visit, and the earliest `t` at which the ray enters its box.
 #[derive(Clone, Copy)]
 struct Entry {
     near: f32,
     child: Child,
 }
 
-/// The nearest child of a non-empty mask; the others are pushed onto the stack, near ones last. Also returns the new
-/// length of the stack.
+/// Returns the nearest child of a BVH node among those in a non-empty mask, and pushes the others onto the stack, near
+/// ones last. Also returns the new length of the stack.
 #[inline(always)]
 fn nearest_child(
     node: &Wide,
@@ -202,14 +204,15 @@ fn nearest_child(
     }
 }
 
-/// The ray in single precision, once for the planes of entry and once for those of exit, so that it enters earlier and
-/// leaves later: origins are shifted away, and distances of planes in front are scaled.
+/// The ray of a BVH traversal in single precision, once for the planes of entry and once for those of exit, so that it
+/// enters earlier and leaves later: origins are shifted away, and distances of planes in front are scaled.
 struct FlatRay {
     enter: [f32; 3],
     leave: [f32; 3],
     enter_inverse: [f32; 3],
     leave_inverse: [f32; 3],
-    /// 1 where the direction is negative: the ray enters through the upper plane.
+    /// For each axis, 1 where the ray's direction is negative, so that the ray enters through the upper plane; 0
+    /// otherwise.
     side: [usize; 3],
     min: f32,
 }

@@ -3,30 +3,30 @@
 use super::FlatRay;
 use glam::{Vec3A, Vec4};
 
-/// Children of a node.
+/// Number of children of a BVH node.
 pub(super) const WIDTH: usize = 8;
 
-/// Eight children side by side; unused ones have a box that no ray hits.
+/// BVH node with eight children side by side; unused children have a box that no ray hits.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub(super) struct Wide {
-    /// `planes[0]` contains the lower ends along x, y, z, `planes[1]` the upper ones.
+    /// Planes of the children's boxes: `planes[0]` contains the lower ends along x, y, z, `planes[1]` the upper ones.
     pub planes: [[[Vec4; 2]; 3]; 2],
     pub child: [Child; WIDTH],
 }
 
-/// Index of a node, or the number of items and the first one's index.
+/// Child of a BVH node: index of a node, or the first item's index and the number of items.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Child(u32);
 
-/// Type of a child.
+/// Decoded child of a BVH node.
 pub(super) enum Kind {
     Node(usize),
     Items(std::ops::Range<usize>),
 }
 
 impl Child {
-    /// A child without items.
+    /// Child of a BVH node without items.
     pub const NONE: Child = Child(Self::LEAF);
     const LEAF: u32 = 1 << 31;
     const COUNT: u32 = 28;
@@ -35,7 +35,7 @@ impl Child {
         Child(number as u32)
     }
 
-    /// At most seven items; their indices are below 2²⁸.
+    /// Creates a child of a BVH node with at most seven items, whose indices are below 2²⁸.
     pub fn items(first: usize, count: usize) -> Self {
         Child(Self::LEAF | (count as u32) << Self::COUNT | first as u32)
     }
@@ -54,7 +54,7 @@ impl Wide {
     pub const EMPTY: Wide =
         Wide { planes: [[[Vec4::INFINITY; 2]; 3], [[Vec4::NEG_INFINITY; 2]; 3]], child: [Child::NONE; WIDTH] };
 
-    /// Maximum absolute coordinate of all planes.
+    /// Maximum absolute coordinate of all planes of the BVH node.
     pub fn reach(&self) -> f32 {
         let used = |plane: Vec4| Vec4::select(plane.is_finite_mask(), plane.abs(), Vec4::ZERO).max_element();
         self.planes.as_flattened().as_flattened().iter().map(|plane| used(*plane)).fold(0.0, f32::max)
@@ -69,7 +69,8 @@ impl Wide {
     }
 }
 
-/// The boxes that a ray hits before `max`, as bits, and its entries into them: the portable implementation.
+/// Returns the children of a BVH node whose boxes a ray hits before `max`, as bits, and the values of `t` where it
+/// enters them: the portable implementation.
 #[inline]
 pub(super) fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH]) {
     let (a, near_a) = half(node, ray, max, 0);
@@ -92,7 +93,8 @@ fn half(node: &Wide, ray: &FlatRay, max: f32, which: usize) -> (u32, [f32; 4]) {
     (near.cmple(far).bitmask(), near.to_array())
 }
 
-/// The implementation for AVX2, with eight numbers at once: the same operations in the same order, and none are fused.
+/// Slab test of a BVH node for AVX2, with eight numbers at once: the same operations in the same order, and none are
+/// fused.
 #[cfg(target_arch = "x86_64")]
 pub(super) mod avx2 {
     use super::{FlatRay, WIDTH, Wide};
@@ -136,7 +138,7 @@ pub(super) mod avx2 {
     }
 }
 
-/// Prefetches an element that will be used soon.
+/// Prefetches an element of a list into the processor's cache.
 #[inline(always)]
 pub(super) fn fetch<T>(list: &[T], at: usize) {
     #[cfg(target_arch = "x86_64")]

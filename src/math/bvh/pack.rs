@@ -4,30 +4,30 @@ use crate::math::{DVec2, Sheared};
 use std::array::from_fn;
 use std::ops::Range;
 
-/// Maximum number of corners, and of triangles, in a pack.
+/// Maximum number of corners, and of triangles, in a pack of a BVH.
 const MANY: usize = 8;
-/// Number of triangles that are tested at once.
+/// Number of triangles of a pack that are tested at once.
 const HALF: usize = 4;
 
-/// A pack of triangles: two cache lines.
+/// Pack of up to eight triangles of a BVH: two cache lines.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(align(64))]
 pub(super) struct Pack {
-    /// x, y and z of all corners.
+    /// Coordinates x, y and z of all corners of the pack.
     corners: [[f32; MANY]; 3],
-    /// Indices of the first, second and third corners of the triangles.
+    /// Indices of the first, second and third corners of the pack's triangles.
     numbers: [[[u8; HALF]; 2]; 3],
     first: u32,
     count: u32,
 }
 
-/// Results for half a pack: a number for each triangle.
+/// Results of the ray test for half a pack of triangles: a number for each triangle.
 pub(super) struct Areas {
-    /// Bits of the triangles that the line hits.
+    /// Mask of the pack's triangles that the ray hits, a bit for each.
     mask: u32,
-    /// Twice the signed areas between the ray and each side.
+    /// Twice the signed areas between the ray and each side of the pack's triangles.
     areas: [[f64; HALF]; 3],
-    /// Depths of the corners along the longest axis of the direction.
+    /// Depths of the triangles' corners along the longest axis of the ray's direction.
     depths: [[f64; HALF]; 3],
 }
 
@@ -39,7 +39,7 @@ impl Pack {
         triangles.flatten().all(|p| place(&mut corners, &mut len, p).is_some())
     }
 
-    /// Packs the triangles of these indices, of which there are at most [`Pack::MANY`].
+    /// Packs the triangles with these indices, at most [`Pack::MANY`].
     pub fn new(row: Range<u32>, triangle: impl Fn(u32) -> [[f32; 3]; 3]) -> Self {
         let mut corners = [[0.0; 3]; MANY];
         let mut numbers = [[[0; HALF]; 2]; 3];
@@ -53,14 +53,14 @@ impl Pack {
         Self { corners, numbers, first: row.start, count: row.end - row.start }
     }
 
-    /// The halves that are not empty.
+    /// Returns the indices of the pack's halves that are not empty.
     #[inline(always)]
     pub fn halves(&self) -> Range<usize> {
         0..(self.count as usize).div_ceil(HALF)
     }
 
-    /// Number, t and weights of the second and third corner of a triangle that the line hits; removes the triangle from
-    /// `found`.
+    /// Returns index, t, and the barycentric weights of the second and third corner of a triangle that the ray hits,
+    /// and removes the triangle from `found`.
     #[inline(always)]
     pub fn next(&self, line: &Sheared, half: usize, found: &mut Areas) -> Option<(u32, f64, DVec2)> {
         while found.mask != 0 {
@@ -77,14 +77,14 @@ impl Pack {
         None
     }
 
-    /// Bits of the triangles in half a pack.
+    /// Mask of the triangles in half a pack, a bit for each.
     #[inline(always)]
     fn used(&self, half: usize) -> u32 {
         ((1 << self.count) - 1) >> (HALF * half) & ((1 << HALF) - 1)
     }
 }
 
-/// Tests half a pack as [`Sheared::meet`] tests one triangle: the portable implementation.
+/// Tests half a pack of triangles as [`Sheared::meet`] tests one triangle: the portable implementation.
 #[inline(always)]
 pub(super) fn areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
     let (mut areas, mut depths, mut mask) = ([[0.0; HALF]; 3], [[0.0; HALF]; 3], 0);
@@ -100,14 +100,15 @@ pub(super) fn areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
     Areas { mask: mask & pack.used(half), areas, depths }
 }
 
-/// The implementation for AVX2, with four numbers at once: the same operations in the same order, and none are fused.
+/// Test of half a pack of triangles for AVX2, with four numbers at once: the same operations in the same order, and
+/// none are fused.
 #[cfg(target_arch = "x86_64")]
 pub(super) mod avx2 {
     use super::{Areas, HALF, MANY, Pack, Sheared, from_fn};
     use glam::Vec4;
     use std::arch::x86_64::*;
 
-    /// Sheared x, y and z of a corner of each triangle.
+    /// Sheared x, y and z of a corner of each of four triangles.
     type Corner = [__m256d; 3];
 
     #[target_feature(enable = "avx2")]
@@ -129,7 +130,7 @@ pub(super) mod avx2 {
         ]
     }
 
-    /// The component of a × b along the ray.
+    /// Computes the component of a × b along the ray for four triangles.
     #[target_feature(enable = "avx2")]
     #[inline]
     fn side(a: &Corner, b: &Corner) -> __m256d {
@@ -164,7 +165,7 @@ pub(super) mod avx2 {
     }
 }
 
-/// Index of a corner among those of the pack, appending it if it is new; `None` if the pack is full.
+/// Finds the index of a corner in the pack, appending it if it is new; `None` if the pack is full.
 fn place(corners: &mut [[f32; 3]; MANY], len: &mut usize, p: [f32; 3]) -> Option<u8> {
     let known = corners[..*len].iter().position(|q| *q == p);
     if known.is_none() {

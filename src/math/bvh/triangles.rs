@@ -7,15 +7,15 @@ use crate::math::{Aabb, DVec2, Range, Ray, Sheared};
 use glam::Vec3;
 use std::ops::ControlFlow;
 
-/// The hierarchy over triangles 0 … n-1 in the order that [`Triangles::build`] returned.
+/// Bounding volume hierarchy over triangles 0 … n-1 in the order that [`Triangles::build`] returned.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Triangles {
-    /// The hierarchy of packs.
+    /// The hierarchy over the packs of triangles.
     bvh: Bvh,
     packs: Vec<Pack>,
 }
 
-/// A traversal with one of the two implementations of `slabs` and `areas`.
+/// Traverses a BVH of triangles with one of the two implementations of `slabs` and `areas`, portable or AVX2.
 macro_rules! meet {
     ($slabs:path, $areas:path, $all:ident, $ray:ident, $range:ident, $visit:ident) => {{
         let line = Sheared::new($ray);
@@ -40,8 +40,8 @@ macro_rules! meet {
 }
 
 impl Triangles {
-    /// Builds over the triangles of these corners, whose boxes [`super::fits`] accepts; also returns the index of the
-    /// triangle at each position of the order.
+    /// Builds a BVH over the triangles with these corners, whose boxes [`super::fits`] accepts; also returns the index
+    /// of the triangle at each position of the order.
     pub fn build(count: usize, corners: impl Fn(u32) -> [[f32; 3]; 3]) -> (Self, Vec<u32>) {
         let bounds = |i: usize| Aabb::from_points(corners(i as u32).map(|p| Vec3::from(p).as_dvec3()));
         let (bvh, order, rows) =
@@ -50,9 +50,9 @@ impl Triangles {
         (Self { bvh, packs }, order)
     }
 
-    /// Calls `visit` with index, t and weights of the second and third corner of each triangle that the ray hits in the
-    /// range, near ones mostly first. `visit` returns the new end of the range, or breaks. A ray with a coordinate that
-    /// is not finite hits nothing.
+    /// Calls `visit` with index, t and barycentric weights of the second and third corner of each triangle that the ray
+    /// hits in the range, near ones mostly first. `visit` returns the new end of the range, or breaks. A ray with a
+    /// coordinate that is not finite hits nothing.
     pub fn meet(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
         if !self.bvh.can_be_met(ray) {
             return;

@@ -26,8 +26,8 @@ fn lerp(a: __m256d, b: __m256d, s: __m256d) -> __m256d {
     add(a, s, _mm256_sub_pd(b, a))
 }
 
-/// The hash of each corner of a point's cell, and the point's position in the cell: [`super::lattice::cell`] of all
-/// coordinates at once.
+/// Returns the hash of each corner of the lattice cell that contains a point, and the point's position in the cell:
+/// [`super::lattice::cell`] of all coordinates at once.
 #[target_feature(enable = "avx2")]
 #[inline]
 fn corners(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
@@ -44,7 +44,7 @@ fn corners(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
     (hashes([x as usize, y as usize, z as usize]), _mm256_sub_pd(p, floor))
 }
 
-/// [`super::lattice::ease`] of each lane.
+/// Computes the s-curve of [`super::lattice::ease`] in each lane.
 #[target_feature(enable = "avx2")]
 #[inline]
 fn ease(t: __m256d) -> __m256d {
@@ -52,15 +52,15 @@ fn ease(t: __m256d) -> __m256d {
     _mm256_mul_pd(_mm256_mul_pd(t, t), falling)
 }
 
-/// The x, y and z of a vector, each in all lanes.
+/// Copies x, y and z of a vector, each to all lanes.
 #[target_feature(enable = "avx2")]
 #[inline]
 fn spread(v: __m256d) -> [__m256d; 3] {
     [_mm256_permute4x64_pd::<0x00>(v), _mm256_permute4x64_pd::<0x55>(v), _mm256_permute4x64_pd::<0xaa>(v)]
 }
 
-/// Contributions of four corners with one z; a lane for each corner. `x`, `y` and `z` are from each corner to the
-/// point.
+/// Returns the contributions to the noise of four lattice corners with one z, a lane for each corner. `x`, `y` and `z`
+/// are from each corner to the point.
 #[target_feature(enable = "avx2")]
 #[inline]
 fn side(hashes: &[usize; 4], x: __m256d, y: __m256d, z: __m256d) -> __m256d {

@@ -8,41 +8,41 @@ use super::tables::HASH;
 use crate::math::DVec3;
 use std::cell::RefCell;
 
-/// A unit cube, by integer coordinates whose low bits are exact.
+/// A unit cube of a cellular pattern, by integer coordinates whose low bits are exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell(pub [usize; 3]);
 
 impl Cell {
-    /// The cube that contains the point, and the position in it, 0 to 1 along each axis.
+    /// Returns the unit cube that contains a point, and the point's position in the cube, 0 to 1 along each axis.
     pub fn of(p: DVec3) -> (Self, DVec3) {
         let ((i, x), (j, y), (k, z)) = (lattice::cell(p.x), lattice::cell(p.y), lattice::cell(p.z));
         (Self([i, j, k]), DVec3::new(x, y, z))
     }
 
-    /// The cube at this offset.
+    /// Returns the unit cube at this offset from the cube.
     pub fn step(self, by: [isize; 3]) -> Self {
         Self([0, 1, 2].map(|axis| self.0[axis].wrapping_add_signed(by[axis])))
     }
 
-    /// The cube's random number, 0 to 1.
+    /// Returns the unit cube's random number, 0 to 1.
     pub fn random(self) -> f64 {
         RANDOM[self.hash()]
     }
 
-    /// A random point in the cube, 0 to 1 along each axis; x is [`Self::random`].
+    /// Returns a random point in the unit cube, 0 to 1 along each axis; x is [`Self::random`].
     pub fn random_point(self) -> DVec3 {
         let hash = self.hash();
         DVec3::new(RANDOM[hash], RANDOM[hash + 1], RANDOM[hash + 2])
     }
 
-    /// The permutation is applied to x, y and z in turn (Perlin 1985).
+    /// Hash of the unit cube: the permutation is applied to x, y and z in turn (Perlin 1985).
     fn hash(self) -> usize {
         let [x, y, z] = self.0;
         hashed(hashed(hashed(x) ^ y) ^ z)
     }
 
-    /// Calls `look` with the random points of the cube and of those around it. Each thread caches some of them, since
-    /// neighbouring points need the same ones.
+    /// Calls `look` with the random points of the unit cube and of those around it. Each thread caches some of them,
+    /// since neighbouring points need the same ones.
     pub fn with_around<T>(self, look: impl FnOnce(&Around) -> T) -> T {
         let [x, y, z] = self.0;
         REMEMBERED.with_borrow_mut(|remembered| {
@@ -59,16 +59,16 @@ fn hashed(i: usize) -> usize {
     HASH[i & 0xfff] as usize
 }
 
-/// The random points of a cube and of the 26 around it.
+/// The random points of a unit cube and of the 26 around it.
 pub struct Around {
     cell: Cell,
     known: bool,
-    /// x, y and z relative to the corner of the central cube, in the order of `NEXT`; unused entries are infinitely
-    /// far.
+    /// Coordinates x, y and z of the random points relative to the corner of the central cube, in the order of `NEXT`;
+    /// unused entries are infinite.
     pub points: [[f64; 28]; 3],
 }
 
-/// Offsets of a cube and of those that touch it, the nearer ones first.
+/// Offsets of a unit cube and of those that touch it, the nearer ones first.
 const NEXT: [[isize; 3]; 27] = next();
 
 const fn next() -> [[isize; 3]; 27] {
@@ -91,7 +91,7 @@ const fn next() -> [[isize; 3]; 27] {
 impl Around {
     const NOTHING: Self = Self { cell: Cell([0; 3]), known: false, points: [[0.0; 28]; 3] };
 
-    /// Replaces the points by those of another cube.
+    /// Replaces the cached random points by those around another unit cube.
     fn find(&mut self, cell: Cell) {
         (self.cell, self.known) = (cell, true);
         self.points = [[f64::INFINITY; 28]; 3];
@@ -109,8 +109,8 @@ impl Around {
 }
 
 impl Around {
-    /// The three least squared distances from a position to the points, and the index of the nearest point. NaN is
-    /// ignored.
+    /// Returns the three least squared distances from a position to the random points, ascending, and the index of the
+    /// nearest point. NaN is ignored.
     pub fn least_squares(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
@@ -121,14 +121,14 @@ impl Around {
         self.least_squares_plainly(from)
     }
 
-    /// [`Self::least_squares`] for AVX2, with four numbers at once.
+    /// Computes [`Self::least_squares`] with AVX2, four numbers at once.
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
     fn least_squares_avx2(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
         self.least_squares_plainly(from)
     }
 
-    /// Written for automatic vectorisation.
+    /// Computes [`Self::least_squares`] with loops for automatic vectorisation.
     #[inline(always)]
     fn least_squares_plainly(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
         let [xs, ys, zs] = &self.points;
@@ -151,7 +151,7 @@ impl Around {
     }
 }
 
-/// The three smallest of four numbers, ascending, without branches; the first three are ascending.
+/// Returns the three smallest of four numbers, ascending, without branches; the first three are ascending already.
 #[inline(always)]
 fn three([first, second, third]: [f64; 3], sum: f64) -> [f64; 3] {
     let order = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
@@ -161,14 +161,14 @@ fn three([first, second, third]: [f64; 3], sum: f64) -> [f64; 3] {
 }
 
 thread_local! {
-    /// A cache entry for each of 4x4x4 adjacent cubes.
+    /// Cache of random points with an entry for each of 4x4x4 adjacent unit cubes.
     static REMEMBERED: RefCell<[Around; 64]> = const { RefCell::new([Around::NOTHING; 64]) };
 }
 
-/// By hash; the last two entries are the second and third coordinate for the last hash.
+/// Random numbers of unit cubes, by hash; the last two entries are the second and third coordinate for the last hash.
 static RANDOM: [f64; 4098] = mersenne_twister();
 
-/// MT19937 from seed 5489.
+/// Random numbers of the generator MT19937 from seed 5489.
 const fn mersenne_twister() -> [f64; 4098] {
     const N: usize = 624;
     let (mut state, mut i) = ([5489u32; N], 1);

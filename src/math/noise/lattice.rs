@@ -1,11 +1,11 @@
 //! Cells and interpolation of both lattice noises.
 
-/// 1.5·2⁵²: adding it rounds to the nearest integer and leaves its two's complement in the low bits, without call or
-/// branch.
+/// The number 1.5·2⁵²: adding it to an `f64` rounds to the nearest integer and leaves its two's complement in the low
+/// bits, without call or branch.
 pub const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// The lattice cell of one coordinate: its index (whose low bits are exact for any coordinate below 2⁵¹), and the
-/// position in it, 0 to 1.
+/// Returns the index of the lattice cell that contains a coordinate (exact in its low bits for any coordinate below
+/// 2⁵¹), and the position in the cell, 0 to 1.
 #[inline(always)]
 pub fn cell(x: f64) -> (usize, f64) {
     let rounded = x + ROUND;
@@ -27,8 +27,8 @@ fn lerp(a: f64, b: f64, s: f64) -> f64 {
     a + s * (b - a)
 }
 
-/// Interpolates the contributions of the corners at the point `t` of a cell. Corner i is at x = bit 0, y = bit 1, z =
-/// bit 2 of i.
+/// Interpolates the contributions of a lattice cell's corners at the point `t` of the cell. Corner i is at x = bit 0, y
+/// = bit 1, z = bit 2 of i.
 #[inline(always)]
 pub fn blend(corners: [f64; 8], t: [f64; 3]) -> f64 {
     let [sx, sy, sz] = t.map(ease);
@@ -36,7 +36,7 @@ pub fn blend(corners: [f64; 8], t: [f64; 3]) -> f64 {
     lerp(lerp(x(0), x(2), sy), lerp(x(4), x(6), sy), sz)
 }
 
-/// Vector from corner i to the point `t`.
+/// Returns the vector from corner i of a lattice cell to the point `t` of the cell.
 #[inline(always)]
 pub fn from_corner(i: usize, t: [f64; 3]) -> [f64; 3] {
     let along = |axis: usize| if i >> axis & 1 == 1 { t[axis] - 1.0 } else { t[axis] };

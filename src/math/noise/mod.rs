@@ -20,16 +20,16 @@ pub use cells::{Around, Cell};
 use super::DVec3;
 use serde::Serialize;
 
-/// The argument of `noise_generator` (manual, "Noise Generators").
+/// Noise generator of a scene, the argument of `noise_generator` (manual, "Noise Generators").
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum NoiseGenerator {
-    /// 1, original: the range is clamped to [0, 1], which leaves flat spots.
+    /// Noise generator 1, original: the range is clamped to [0, 1], which leaves flat spots.
     Original,
-    /// 2, range corrected: the default.
+    /// Noise generator 2, range corrected: the default.
     #[default]
     RangeCorrected,
-    /// 3, Perlin: gradients alone, no values at the lattice points.
+    /// Noise generator 3, Perlin: gradients alone, no values at the lattice points.
     Perlin,
 }
 
@@ -56,7 +56,7 @@ impl NoiseGenerator {
         }
     }
 
-    /// The number in scenes.
+    /// Number of the noise generator in scenes, 1 to 3.
     pub fn number(self) -> u8 {
         match self {
             Self::Original => 1,
@@ -65,7 +65,8 @@ impl NoiseGenerator {
         }
     }
 
-    /// From the last argument of `f_noise_generator`, which POV-Ray truncates to an integer of two bits; 0 counts as 1.
+    /// Returns the noise generator for the last argument of `f_noise_generator`, which POV-Ray truncates to an integer
+    /// of two bits; 0 counts as 1.
     pub fn from_number(n: f64) -> Self {
         match (n as i64) & 3 {
             2 => Self::RangeCorrected,
@@ -75,10 +76,10 @@ impl NoiseGenerator {
     }
 }
 
-/// Maximum number of octaves in POV-Ray.
+/// Maximum number of octaves of noise in POV-Ray.
 const MAX_OCTAVES: usize = 10;
 
-/// Parameters of a sum of octaves (manual, "Turbulence").
+/// Parameters of turbulence, a sum of octaves of noise (manual, "Turbulence").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turbulence {
     lambda: f64,
@@ -93,15 +94,15 @@ impl Default for Turbulence {
 }
 
 impl Turbulence {
-    /// Each octave is `lambda` times finer and `omega` times weaker than the one before. Like POV-Ray, this keeps
-    /// `lambda` and `omega` in single precision (visible from the 8th digit on), and the integer part of `octaves`,
-    /// from 1 to 10.
+    /// Creates the parameters of turbulence: each octave is `lambda` times finer and `omega` times weaker than the one
+    /// before. Like POV-Ray, this keeps `lambda` and `omega` in single precision (visible from the 8th digit on), and
+    /// the integer part of `octaves`, from 1 to 10.
     pub fn new(lambda: f64, omega: f64, octaves: f64) -> Self {
         let single = |x: f64| f64::from(x as f32);
         Self { lambda: single(lambda), omega: single(omega), octaves: (octaves as u32).clamp(1, MAX_OCTAVES as u32) }
     }
 
-    /// The (frequency, weight) of each octave.
+    /// Returns the frequency and weight of each octave of the turbulence.
     fn octaves(self) -> impl Iterator<Item = (f64, f64)> {
         let mut next = (1.0, 1.0);
         (0..self.octaves).map(move |_| {
@@ -112,14 +113,14 @@ impl Turbulence {
     }
 }
 
-/// `f_noise_generator(x, y, z, generator)`: between 0 and 1, about 0.5 on average. `f_noise3d` is this function with
-/// the scene's generator, `f_snoise3d` is twice that minus 1.
+/// Noise of `f_noise_generator(x, y, z, generator)`: between 0 and 1, about 0.5 on average. `f_noise3d` is this
+/// function with the scene's generator, `f_snoise3d` is twice that minus 1.
 pub fn noise(p: DVec3, generator: NoiseGenerator) -> f64 {
     let raw = if generator == NoiseGenerator::Perlin { perlin::scalar(p) } else { wide::scalar_at(p) };
     ranged(raw, generator)
 }
 
-/// [`noise`] at several points.
+/// Computes [`noise`] at several points.
 fn noises(points: &[DVec3], generator: NoiseGenerator, out: &mut [f64]) {
     if generator == NoiseGenerator::Perlin {
         points.iter().zip(&mut *out).for_each(|(p, out)| *out = perlin::scalar(*p));
@@ -139,14 +140,14 @@ fn ranged(raw: f64, generator: NoiseGenerator) -> f64 {
     unbounded.clamp(0.0, 1.0)
 }
 
-/// The vector noise that displaces points (`vturbulence` with one octave): components about -1 to 1, 0 on average. It
-/// is independent of the generator.
+/// Returns the vector noise that displaces points (`vturbulence` with one octave): components about -1 to 1, 0 on
+/// average. It is independent of the generator.
 pub fn noise_vector(p: DVec3) -> DVec3 {
     wide::vector_at(p)
 }
 
-/// Scalar turbulence, as in `agate`: octaves of noise. For generators 2 and 3 each octave is stretched to 2 noise -
-/// 0.5, of which POV-Ray clamps the first one only.
+/// Scalar turbulence at a point, as in `agate`: octaves of noise. For generators 2 and 3 each octave is stretched to 2
+/// noise - 0.5, of which POV-Ray clamps the first one only.
 pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -> f64 {
     let count = turbulence.octaves as usize;
     let mut weights = [0.0; MAX_OCTAVES];
@@ -159,7 +160,8 @@ pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -
     (0..count).map(|i| weights[i] * spread(each[i], generator, i == 0)).sum()
 }
 
-/// N octaves, each clamped to [0, 1] and twice as fine as the one before, for `granite` and `wrinkles`.
+/// Returns N octaves of noise, each clamped to [0, 1] and twice as fine as the one before, for `granite` and
+/// `wrinkles`.
 pub fn octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [f64; N] {
     let mut points = [p; N];
     for i in 1..N {
@@ -170,7 +172,7 @@ pub fn octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [f64; N] 
     out.map(|noise| spread(noise, generator, true))
 }
 
-/// The range of noise in turbulence, from [`noise`].
+/// Maps [`noise`] to its range in turbulence; `cut` clamps it to [0, 1].
 fn spread(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
     match (generator, cut) {
         (NoiseGenerator::Original, _) => noise,
@@ -179,8 +181,8 @@ fn spread(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
     }
 }
 
-/// `vturbulence(lambda, omega, octaves, p)`: octaves of the vector noise; `turbulence T` displaces p by T times this
-/// vector.
+/// Returns the vector turbulence of `vturbulence(lambda, omega, octaves, p)`: octaves of the vector noise; `turbulence
+/// T` displaces p by T times this vector.
 pub fn vturbulence(p: DVec3, turbulence: Turbulence) -> DVec3 {
     wide::turbulence(p, turbulence)
 }

@@ -5,10 +5,11 @@ use super::super::DVec3;
 use super::lattice::{blend, cell, from_corner};
 use super::tables::{GRADIENTS, PERMUTATION};
 
-/// Added to each coordinate: the lattice points are thus just below the integers, and coordinates are rounded to 2⁻²⁹.
+/// Number that noise generator 3 adds to each coordinate: the lattice points are thus just below the integers, and
+/// coordinates are rounded to 2⁻²⁹.
 pub(super) const OFFSET: f64 = 10_000_000.023157213;
 
-/// About -0.76 to 0.76; 0 at each lattice point.
+/// Returns the noise of generator 3 before its range is mapped: about -0.76 to 0.76, and 0 at each lattice point.
 #[inline(always)]
 pub fn scalar(p: DVec3) -> f64 {
     let ((ix, tx), (iy, ty), (iz, tz)) = (cell(p.x + OFFSET), cell(p.y + OFFSET), cell(p.z + OFFSET));

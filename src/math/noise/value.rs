@@ -4,16 +4,16 @@ use super::super::DVec3;
 use super::lattice::{blend, cell, ease, from_corner};
 use super::tables::{CORNERS, HASH, Row, entry};
 
-/// POV-Ray adds 10000 to the index of a cell before the lookup.
+/// Number that POV-Ray adds to the index of a lattice cell before the lookup of its hash.
 const OFFSET: usize = 10_000;
 
-/// A permutation of 4096 numbers.
+/// Hash of a lattice index: a permutation of 4096 numbers.
 #[inline(always)]
 fn hash(i: usize) -> usize {
     HASH[i & 0xfff] as usize
 }
 
-/// The hash of each corner of a cell.
+/// Returns the hash of each corner of a lattice cell with these indices.
 #[inline(always)]
 pub(super) fn hashes([ix, iy, iz]: [usize; 3]) -> [[usize; 4]; 2] {
     let sides = |i: usize| [i.wrapping_add(OFFSET), i.wrapping_add(OFFSET + 1)];
@@ -25,14 +25,15 @@ pub(super) fn hashes([ix, iy, iz]: [usize; 3]) -> [[usize; 4]; 2] {
     [above(z0), above(z1)]
 }
 
-/// The hash of each corner of a point's cell, and the point's position in the cell.
+/// Returns the hash of each corner of the lattice cell that contains a point, and the point's position in the cell.
 #[inline(always)]
 fn corners(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
     let ((ix, tx), (iy, ty), (iz, tz)) = (cell(p.x), cell(p.y), cell(p.z));
     (hashes([ix, iy, iz]), [tx, ty, tz])
 }
 
-/// The first component of [`vector`]; about -1.2 to 1.2.
+/// Returns the noise of generators 1 and 2 before its range is mapped: the first component of [`vector`], about -1.2 to
+/// 1.2.
 #[inline(always)]
 pub fn scalar(p: DVec3) -> f64 {
     let (hashes, t) = corners(p);
@@ -44,7 +45,7 @@ pub fn scalar(p: DVec3) -> f64 {
     blend([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
 }
 
-/// Four numbers that are computed side by side.
+/// Four numbers that the processor computes side by side.
 type Lanes = [f64; 4];
 
 #[inline(always)]
@@ -52,12 +53,13 @@ fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
 }
 
-/// The entries of the three components of [`vector`] side by side; the last lane is unused. A lattice point's values
-/// are at its hash and are halved, its gradients' coordinates are at the next three entries. (A row for each lattice
-/// point would need four times the memory, and not fit into the first-level cache beside the other tables.)
+/// Table of noise with the entries of the three components of [`vector`] side by side; the last lane is unused. A
+/// lattice point's values are at its hash and are halved, its gradients' coordinates are at the next three entries. (A
+/// row for each lattice point would need four times the memory, and not fit into the first-level cache beside the other
+/// tables.)
 pub(super) static LANES: [Row; 259] = lanes();
 
-/// Each component takes its values and gradients four entries later in the table.
+/// Computes the table of vector noise: each component takes its values and gradients four entries later in the table.
 const fn lanes() -> [Row; 259] {
     let mut out = [Row([0.0; 4]); 259];
     let mut i = 0;
@@ -68,7 +70,7 @@ const fn lanes() -> [Row; 259] {
     out
 }
 
-/// Three noises on the same lattice, computed at once.
+/// Returns the vector noise at a point: three noises on the same lattice, computed at once.
 #[inline(always)]
 pub fn vector(p: DVec3) -> DVec3 {
     let (hashes, t) = corners(p);

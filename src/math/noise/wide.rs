@@ -3,7 +3,7 @@
 use super::super::DVec3;
 use super::{Turbulence, value};
 
-/// Calls the function of this name in `avx2` if the processor has the feature, else the one in `value`.
+/// Defines a function that calls its namesake in `avx2` if the processor has the feature, else the one in `value`.
 macro_rules! twins {
     ($(#[$doc:meta])* $name:ident($f:ident; $($argument:ident: $type:ty),*) $(-> $out:ty)? $body:block) => {
         $(#[$doc])*
@@ -28,14 +28,14 @@ macro_rules! twins {
 }
 
 twins! {
-    /// Computes [`value::scalar`], with AVX2 if the processor has it.
+    /// Computes the noise [`value::scalar`] at a point, with AVX2 if the processor has it.
     scalar_at(scalar; p: DVec3) -> f64 {
         scalar(p)
     }
 }
 
 twins! {
-    /// [`value::scalar`] at several points.
+    /// Computes the noise [`value::scalar`] at several points, with AVX2 if the processor has it.
     scalars(scalar; points: &[DVec3], out: &mut [f64]) {
         for (p, out) in points.iter().zip(out) {
             *out = scalar(*p);
@@ -44,14 +44,14 @@ twins! {
 }
 
 twins! {
-    /// Computes [`value::vector`], with AVX2 if the processor has it.
+    /// Computes the vector noise [`value::vector`], with AVX2 if the processor has it.
     vector_at(vector; p: DVec3) -> DVec3 {
         vector(p)
     }
 }
 
 twins! {
-    /// Returns the weighted sum of octaves of [`value::vector`].
+    /// Returns the turbulence at a point: the weighted sum of octaves of [`value::vector`].
     turbulence(vector; p: DVec3, series: Turbulence) -> DVec3 {
         let mut sum = DVec3::ZERO;
         for (frequency, weight) in series.octaves() {

@@ -9,10 +9,10 @@
 use super::solve_quadratic;
 use crate::math::tolerance;
 
-/// Maximum degree of a polynomial.
+/// Maximum degree of a polynomial whose roots are searched.
 pub const MAX_DEGREE: usize = 35;
 
-/// Inverses of binomial coefficients: 1/C(n, i) at row n and column i.
+/// Inverses of the binomial coefficients: 1/C(n, i) at row n and column i.
 static INVERSE_BINOMIALS: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = inverse_binomials();
 
 const fn inverse_binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
@@ -30,31 +30,32 @@ const fn inverse_binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
     table
 }
 
-/// Receives each root; returns true to end the search.
+/// Function that receives each root of a polynomial and returns true to end the search.
 type Found<'a> = &'a mut dyn FnMut(f64) -> bool;
 
-/// Arrays up to this length have exactly the degree's size, which is known at compile time.
+/// Arrays of coefficients up to this length have exactly the size for the polynomial's degree, which is known at
+/// compile time.
 const EXACT: usize = 8;
 
-/// Margin of the clipped window around the interval of wanted roots: far more than rounding.
+/// Margin of the clipped window around the interval of wanted roots: far more than the rounding error of a root.
 const WINDOW_SLACK: f64 = 1e-9;
-/// A window larger than this part of an interval is not clipped.
+/// Share of the interval above which the window of wanted roots is not clipped.
 const MOST_OF_IT: f64 = 0.8;
 
-/// The search on [0, 1]. Arrays have at least one coefficient more than the degree.
+/// Search for a polynomial's roots on [0, 1]. Arrays have at least one coefficient more than the degree.
 struct Search<'a> {
-    /// Degree, for arrays that are larger than needed.
+    /// Degree of the polynomial, for arrays of coefficients that are larger than needed.
     degree: usize,
-    /// Coefficients below this are rounding errors.
+    /// Absolute value below which a coefficient of the polynomial is a rounding error.
     noise: f64,
-    /// Interval of wanted roots.
+    /// Interval of the polynomial's wanted roots.
     window: (f64, f64),
-    /// True to search from 1 to 0.
+    /// True to search the roots from 1 to 0.
     backwards: bool,
     found: Found<'a>,
 }
 
-/// True if negative; zero counts as positive.
+/// True if a coefficient is negative; zero counts as positive.
 fn negative(x: f64) -> bool {
     x < 0.0
 }
@@ -63,7 +64,7 @@ fn sign_changes(b: &[f64]) -> usize {
     b.windows(2).filter(|w| negative(w[0]) != negative(w[1])).count()
 }
 
-/// Value and slope at t, by de Casteljau's algorithm.
+/// Returns the value and slope of a Bernstein polynomial at t, by de Casteljau's algorithm.
 #[inline(always)]
 fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64, f64) {
     let mut b = *b;
@@ -76,8 +77,8 @@ fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64,
     (b[0] + rise * t, rise * degree as f64)
 }
 
-/// The only root in [0, 1], at whose ends the signs differ: Newton's step where it stays in the bracket and converges
-/// fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
+/// Returns the only root in [0, 1] of a polynomial whose signs differ at both ends: Newton's step where it stays in the
+/// bracket and converges fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
 #[inline(always)]
 fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
     let rising = negative(b[0]);
@@ -108,7 +109,7 @@ fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
     t
 }
 
-/// The coefficients on both halves of an interval.
+/// Returns the Bernstein coefficients on both halves of an interval.
 #[inline(always)]
 fn halves<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
     let (mut left, mut right) = (*b, *b);
@@ -122,7 +123,7 @@ fn halves<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
     (left, right)
 }
 
-/// The coefficients on the interval from t0 to t1.
+/// Returns the Bernstein coefficients on the interval from t0 to t1.
 #[inline(always)]
 fn stretch<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64)) -> [f64; N] {
     if t0 > 0.0 {
@@ -145,8 +146,9 @@ fn stretch<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64))
 }
 
 impl Search<'_> {
-    /// Searches [0, 1]. If the window is only a part of it, the clipped coefficients decide first whether there is any
-    /// root. (Roots are then found from the whole interval: a root is the same to the last bit for any window.)
+    /// Searches for roots in [0, 1]. If the window is only a part of it, the clipped coefficients decide first whether
+    /// there is any root. (Roots are then found from the whole interval: a root is the same to the last bit for any
+    /// window.)
     fn start<const N: usize>(&mut self, b: &[f64; N]) -> bool {
         let (t0, t1) = ((self.window.0 - WINDOW_SLACK).max(0.0), (self.window.1 + WINDOW_SLACK).min(1.0));
         let degree = if N <= EXACT { N - 1 } else { self.degree };
@@ -160,7 +162,8 @@ impl Search<'_> {
         self.walk(b, 0.0, 1.0)
     }
 
-    /// Searches between `lo` and `hi`, where the coefficients are `b`. Returns true if the search is over.
+    /// Searches for roots between `lo` and `hi`, where the Bernstein coefficients are `b`. Returns true if the search
+    /// is over.
     fn walk<const N: usize>(&mut self, b: &[f64; N], lo: f64, hi: f64) -> bool {
         if hi < self.window.0 || lo > self.window.1 {
             return false;
@@ -185,8 +188,8 @@ impl Search<'_> {
     }
 }
 
-/// The roots in [0, 1] of the polynomial with these Bernstein coefficients, ascending; a double root counts twice. The
-/// degree, at most 11, is one less than their number. `found` receives each root; true ends the search.
+/// Finds the roots in [0, 1] of the polynomial with these Bernstein coefficients, ascending; a double root counts
+/// twice. The degree, at most 11, is one less than their number. `found` receives each root; true ends the search.
 pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
     debug_assert!((2..=12).contains(&b.len()));
     // (Most pieces of a curve have no hit.)
@@ -209,7 +212,7 @@ pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
     }
 }
 
-/// The roots of b₀(1 - t)² + 2b₁t(1 - t) + b₂t², whose coefficients change their signs.
+/// Returns the roots in [0, 1] of b₀(1 - t)² + 2b₁t(1 - t) + b₂t², whose coefficients change their signs.
 fn quadratic_roots(b0: f64, b1: f64, b2: f64) -> [Option<f64>; 2] {
     // t/(1 - t) is a root of b₂u² + 2b₁u + b₀.
     let discriminant = b1 * b1 - b0 * b2;
@@ -237,7 +240,7 @@ fn padded_roots<const N: usize>(b: &[f64], found: Found) {
     search.walk(&padded, 0.0, 1.0);
 }
 
-/// The roots between `lo` and `hi`, which may be infinite, of c₀ + c₁·x + … of a degree up to [`MAX_DEGREE`],
+/// Finds the roots between `lo` and `hi`, which may be infinite, of c₀ + c₁·x + … of a degree up to [`MAX_DEGREE`],
 /// ascending; a double root, unless rounding hides it, counts twice. `found` receives each root; true ends the search.
 pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
     let Some(degree) = c.iter().rposition(|c| *c != 0.0).filter(|n| (1..=MAX_DEGREE).contains(n)) else { return };
@@ -259,8 +262,8 @@ pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> 
     }
 }
 
-/// Splits the line into (-∞, -1], [-1, 0], [0, 1] and [1, ∞), in a unit that makes the first and the last coefficient
-/// similar. Where |x| is above 1, xⁿ·p(1/x) has the coefficients in reverse order.
+/// Finds roots on the whole line: splits it into (-∞, -1], [-1, 0], [0, 1] and [1, ∞), in a unit that makes the first
+/// and the last coefficient similar. Where |x| is above 1, xⁿ·p(1/x) has the coefficients in reverse order.
 fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
     let degree = if N <= EXACT { N - 1 } else { c.len() - 1 };
     let lowest = c.iter().position(|c| *c != 0.0).unwrap_or(0);
@@ -314,13 +317,13 @@ fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
     }
 }
 
-/// 2ᵏ, within the range of numbers.
+/// Returns 2ᵏ, limited to the range of `f64`.
 fn exp2(k: i32) -> f64 {
     f64::from_bits(((k.clamp(-1000, 1000) + 1023) as u64) << 52)
 }
 
-/// Bernstein coefficients bⱼ = Σᵢ C(j,i)/C(n,i)·aᵢ of a₀ + a₁·t + … on [0, 1]. The last one is the value at 1, which
-/// the intervals on both sides must share to the last bit.
+/// Returns the Bernstein coefficients bⱼ = Σᵢ C(j,i)/C(n,i)·aᵢ of a₀ + a₁·t + … on [0, 1]. The last one is the value at
+/// 1, which the intervals on both sides must share to the last bit.
 #[inline(always)]
 fn bernstein<const N: usize>(mut a: [f64; N], degree: usize, at_one: f64) -> [f64; N] {
     for (a, inverse) in a.iter_mut().zip(&INVERSE_BINOMIALS[degree][..=degree]) {

@@ -5,7 +5,7 @@ mod bernstein;
 pub use bernstein::{MAX_DEGREE, bernstein_roots, roots_on_line};
 use smallvec::SmallVec;
 
-/// Real roots, ascending; a double root counts twice.
+/// Real roots of a polynomial, ascending; a double root counts twice.
 pub type Roots = SmallVec<[f64; 4]>;
 
 /// Real roots of a·x² + b·x + c, ascending, by the stable pair (lecture, "Solving ax²+bx+c=0"). With a = 0 the line's
@@ -72,7 +72,7 @@ pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     }
 }
 
-/// Searches the whole line, up to the bound on the roots' size.
+/// Finds all real roots of a polynomial, within the bound on their size.
 fn solve_everywhere(c: &[f64], out: &mut Roots) {
     match c {
         [] | [_] => {}
@@ -84,7 +84,7 @@ fn solve_everywhere(c: &[f64], out: &mut Roots) {
     }
 }
 
-/// Fujiwara's bound (1916): no root is larger than 2·max |cₖ/c₀|^(1/k).
+/// Fujiwara's bound (1916) on the size of a polynomial's roots: no root is larger than 2·max |cₖ/c₀|^(1/k).
 fn root_bound(lead: f64, rest: &[f64]) -> f64 {
     let size = |(k, c): (usize, &f64)| crate::math::fp::pow((c / lead).abs(), 1.0 / (k + 1) as f64);
     2.02 * rest.iter().enumerate().map(size).fold(1e-60, f64::max)
@@ -123,19 +123,19 @@ fn solve_by_derivative(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     }
 }
 
-/// p(x) by Horner's rule.
+/// Evaluates the polynomial p(x) by Horner's rule.
 fn value(c: &[f64], x: f64) -> f64 {
     c.iter().fold(0.0, |sum, c| sum * x + c)
 }
 
-/// True if p(x) is zero to rounding: small against the sum of the absolute values of its terms.
+/// True if the polynomial p(x) is zero to rounding: small against the sum of the absolute values of its terms.
 fn touches(c: &[f64], x: f64) -> bool {
     let (sum, sizes) = c.iter().fold((0.0, 0.0), |(sum, sizes), c| (sum * x + c, sizes * x.abs() + c.abs()));
     f64::abs(sum) <= crate::math::tolerance::POLYNOMIAL * sizes
 }
 
-/// The root between two positions where p has different signs: Newton's step where it stays in the bracket and halves
-/// it fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
+/// Returns the root between two positions where the polynomial p has different signs: Newton's step where it stays in
+/// the bracket and halves it fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
 fn bracketed_root(c: &[f64], a: f64, b: f64) -> f64 {
     // `neg` and `pos`: the ends where p is negative and where it is not.
     let (mut neg, mut pos) = if value(c, a) < 0.0 { (a, b) } else { (b, a) };

@@ -9,7 +9,7 @@ mod node;
 use super::{MeshFile, MeshMaterial, Open, ReadResult};
 use document::Document;
 
-/// Reads a file, and the buffers that it names.
+/// Reads a glTF file, and the buffers that it names.
 pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     let Parts { json, bytes: chunk, base } =
         if bytes.starts_with(b"glTF") { chunks(bytes)? } else { Parts { json: bytes, bytes: None, base: 0 } };
@@ -39,11 +39,11 @@ pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     Ok(out)
 }
 
-/// Extensions that do not affect geometry.
+/// Extensions of glTF that do not affect geometry.
 const KNOWN: &[&str] =
     &["KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_transform", "KHR_materials_pbrSpecularGlossiness"];
 
-/// JSON and binary chunk of a `glb`, and the offset of the JSON.
+/// JSON and binary chunk of a glTF file, and the offset of the JSON.
 struct Parts<'a> {
     json: &'a [u8],
     bytes: Option<&'a [u8]>,
@@ -70,7 +70,7 @@ fn chunks(bytes: &[u8]) -> ReadResult<Parts<'_>> {
     Ok(Parts { json: json.ok_or("byte 12: there is no JSON in it")?, bytes: rest, base: 20 })
 }
 
-/// The bytes of a URI: embedded data, or a file.
+/// Returns the bytes of a URI in a glTF file: embedded data, or a file.
 fn bytes_of(uri: &str, open: Open) -> ReadResult<Vec<u8>> {
     match uri.strip_prefix("data:") {
         Some(data) => match data.split_once(";base64,") {
@@ -81,7 +81,7 @@ fn bytes_of(uri: &str, open: Open) -> ReadResult<Vec<u8>> {
     }
 }
 
-/// RFC 4648, with or without padding.
+/// Decodes base64 text (RFC 4648), with or without padding.
 fn from_base64(text: &str) -> ReadResult<Vec<u8>> {
     use base64::engine::{DecodePaddingMode, Engine, general_purpose::*};
     let lenient = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
@@ -89,7 +89,7 @@ fn from_base64(text: &str) -> ReadResult<Vec<u8>> {
     engine.decode(text).map_err(|_| "its bytes are not in base64".into())
 }
 
-/// Decodes percent-encoding: `%20` is a blank.
+/// Decodes the percent-encoding of a URI: `%20` is a blank.
 fn unescaped(uri: &str) -> String {
     let mut out = vec![];
     let mut rest = uri.as_bytes();

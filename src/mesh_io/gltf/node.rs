@@ -6,8 +6,8 @@ use super::document::{Document, Node, Primitive};
 use crate::math::{DVec2, DVec3, Transform};
 use glam::{DAffine3, DMat4, DQuat};
 
-/// Appends the triangles of the default scene, or of all nodes if there is no scene. `size` is the total size of all
-/// files, in bytes.
+/// Appends the triangles of a glTF file's default scene, or of all nodes if there is no scene. `size` is the total size
+/// of all files, in bytes.
 pub fn read(document: &Document, buffers: &[Vec<u8>], size: usize, out: &mut MeshFile) -> ReadResult<()> {
     let mut is_child = vec![false; document.nodes.len()];
     for child in document.nodes.iter().flat_map(|node| &node.children) {

@@ -7,52 +7,52 @@ use serde::Serialize;
 use smallvec::{SmallVec, smallvec};
 use std::f64::consts::{PI, TAU};
 
-/// Projection of a picture and interpolation between its pixels.
+/// Projection of a bitmap's picture and interpolation between its pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Mapping {
-    /// Projection from points to the picture.
+    /// Projection from points of space to the bitmap's picture.
     pub wrap: Wrap,
-    /// True if the picture is not repeated.
+    /// True if the bitmap's picture is not repeated.
     pub once: bool,
-    /// Interpolation between the pixels nearest to a point.
+    /// Interpolation between the bitmap's pixels nearest to a point.
     pub between: Between,
 }
 
-/// Projection from points to the picture, by the number after `map_type`.
+/// Projection from points to a bitmap's picture, by the number after `map_type`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Wrap {
-    /// 0: on the xy plane, from (0, 0) to (1, 1).
+    /// Bitmap projection 0: on the xy plane, from (0, 0) to (1, 1).
     #[default]
     Planar,
-    /// 1: around a sphere.
+    /// Bitmap projection 1: around a sphere.
     Spherical,
-    /// 2: around a cylinder about the y axis, from y = 0 to 1.
+    /// Bitmap projection 2: around a cylinder about the y axis, from y = 0 to 1.
     Cylindrical,
-    /// 5: around a torus of major radius 1.
+    /// Bitmap projection 5: around a torus of major radius 1.
     Toroidal,
 }
 
-/// Interpolation between pixels, by the number after `interpolate`.
+/// Interpolation between a bitmap's pixels, by the number after `interpolate`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Between {
-    /// The pixel that contains the point.
+    /// No interpolation: the bitmap's pixel that contains the point.
     #[default]
     Nearest,
-    /// 2: linear in both directions.
+    /// Bitmap interpolation 2: linear in both directions.
     Bilinear,
-    /// 3: cubic curves through 16 pixels.
+    /// Bitmap interpolation 3: cubic curves through 16 pixels.
     Bicubic,
-    /// 4: weighted by the distance to four pixels.
+    /// Bitmap interpolation 4: four pixels, weighted by their distance.
     Distance,
 }
 
-/// Pixel numbers, row by row from the top, each with its weight.
+/// Indices of a bitmap's pixels, row by row from the top, each with its weight.
 pub type Weighted = SmallVec<[(usize, f64); 4]>;
 
 impl Wrap {
-    /// From the number after `map_type`; unknown numbers give the planar projection.
+    /// Returns the projection for the number after `map_type`; unknown numbers give the planar projection.
     pub fn from_number(n: f64) -> Self {
         match n as i64 {
             1 => Self::Spherical,
@@ -64,7 +64,7 @@ impl Wrap {
 }
 
 impl Between {
-    /// From the number after `interpolate`.
+    /// Returns the interpolation for the number after `interpolate`; `None` for an unknown number.
     pub fn from_number(n: f64) -> Option<Self> {
         Some(match n as i64 {
             0 => Self::Nearest,
@@ -77,8 +77,8 @@ impl Between {
 }
 
 impl Mapping {
-    /// Position of a point on the picture: (0, 0) is the lower left corner, (1, 1) the upper right one. `None` outside
-    /// the picture.
+    /// Projects a point to a position on the bitmap's picture: (0, 0) is the lower left corner, (1, 1) the upper right
+    /// one. `None` outside the picture.
     pub fn place(&self, p: DVec3) -> Option<(f64, f64)> {
         let around = || fp::turn(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;
@@ -103,7 +103,7 @@ impl Mapping {
         }
     }
 
-    /// The weighted pixels at a position, for a picture of this size.
+    /// Returns the bitmap's pixels, with weights, that are interpolated at a position, for a picture of this size.
     pub fn pixels(&self, (u, v): (f64, f64), width: usize, height: usize) -> Weighted {
         let (w, h) = (width as f64, height as f64);
         let size = Size { width, height, once: self.once };
@@ -132,7 +132,7 @@ impl Mapping {
     }
 }
 
-/// Size of a picture, and whether pixels beyond an edge repeat the edge or continue at the opposite side.
+/// Size of a bitmap's picture, and whether pixels beyond an edge repeat the edge or continue at the opposite side.
 #[derive(Clone, Copy)]
 struct Size {
     width: usize,
@@ -150,7 +150,8 @@ impl Size {
     }
 }
 
-/// The pixels of a grid that begins at (i, j), each with the product of its column's and row's weight.
+/// Returns the pixels of a grid that begins at (i, j), each with the product of its column's and row's weight, for
+/// interpolation in a bitmap.
 fn grid(i: i64, j: i64, columns: &[f64], rows: &[f64], size: Size) -> Weighted {
     let mut out = Weighted::new();
     for (y, t) in (j..).zip(rows) {
@@ -161,12 +162,12 @@ fn grid(i: i64, j: i64, columns: &[f64], rows: &[f64], size: Size) -> Weighted {
     out
 }
 
-/// Weight of a pixel at a distance below 2 (Catmull and Rom, A class of local interpolating splines, 1974).
+/// Weight of a bitmap's pixel at a distance below 2 (Catmull and Rom, A class of local interpolating splines, 1974).
 fn catmull_rom(d: f64) -> f64 {
     if d < 1.0 { 1.0 - 2.5 * d * d + 1.5 * d * d * d } else { 2.0 - 4.0 * d + 2.5 * d * d - 0.5 * d * d * d }
 }
 
-/// Four pixels, weighted by the inverse squares of their distances.
+/// Returns four pixels of a bitmap, weighted by the inverse squares of their distances.
 fn by_distance(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
     let mut out = Weighted::new();
     for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {

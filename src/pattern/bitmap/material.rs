@@ -8,14 +8,14 @@ use crate::pattern::{Cells, Readable};
 use crate::value::{Next, Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A picture whose palette indices choose textures.
+/// Picture of a `material_map`, whose palette indices choose textures.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MaterialMap {
-    /// Pixels whose palette indices or red channels select the textures.
+    /// Pixels of a `material_map`, whose palette indices or red channels select the textures.
     pub texels: Texels,
-    /// Projection of the picture.
+    /// Projection of the `material_map`'s picture.
     pub mapping: Mapping,
-    /// Number of textures; larger indices wrap around.
+    /// Number of textures of the `material_map`; larger indices wrap around.
     pub count: usize,
 }
 
@@ -27,7 +27,7 @@ impl Readable for MaterialMap {
         words: &[],
     };
 
-    /// Reads up to the first texture; the block stays open.
+    /// Reads a `material_map` up to its first texture; the block stays open.
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut bitmap = Bitmap::read(r)?;
         loop {

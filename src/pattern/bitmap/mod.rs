@@ -38,7 +38,7 @@ const ROWS: &[Row<Bitmap>] = &[
         .sets(|s, r| set(&mut s.mapping.between, read_between(r))),
 ];
 
-/// The keywords of all of them, after the file's name.
+/// Words that every bitmap pattern takes after the file's name.
 pub const WORDS: &[WordSpec] = specs!(ROWS);
 
 /// Names of the keywords in [`WORDS`].
@@ -46,35 +46,35 @@ pub fn word_names() -> impl Iterator<Item = &'static str> {
     WORDS.iter().map(|w| w.name)
 }
 
-/// Names of file formats. They are accepted and ignored: the bytes of the file decide.
+/// Names of picture formats before a bitmap's file name. They are accepted and ignored: the bytes of the file decide.
 pub const FORMATS: &[&str] =
     &["exr", "gif", "hdr", "iff", "jpeg", "pgm", "png", "ppm", "sys", "tga", "tiff", "pot", "bmp"];
 
-/// Formats that POV-Ray 3.7 rejects for pictures too, with the reason.
+/// Picture formats that POV-Ray 3.7 rejects too, with the reason.
 const NO_PICTURES: &[(&str, &str)] = &[
     ("pot", "only a `height_field` takes a pot file; the picture in it can be read by `gif`"),
     ("sys", "`sys` is a format of the system where POV-Ray runs, and there is none; save the picture as a png"),
     ("iff", "iff pictures are not read, as they are not by POV-Ray 3.7; save the picture as a png"),
 ];
 
-/// A picture with the settings that all kinds of bitmaps share.
+/// Picture of an `image_map` or other bitmap, with the settings that all kinds of bitmaps share.
 #[derive(Clone, Debug)]
 pub struct Bitmap {
-    /// The picture of the file or of the function.
+    /// Picture of the bitmap, from a file or a function.
     pub picture: Arc<Picture>,
-    /// Gamma of the picture's values, from `gamma`; `None` without that keyword.
+    /// Gamma of the bitmap's picture, from `gamma`; `None` without that keyword.
     pub gamma: Option<Gamma>,
-    /// True if the picture's colours are multiplied by its alpha (`premultiplied`).
+    /// True if the bitmap's colours are multiplied by its alpha (`premultiplied`).
     pub premultiplied: bool,
-    /// Projection of the picture.
+    /// Projection of the bitmap's picture.
     pub mapping: Mapping,
 }
 
 impl Bitmap {
-    /// Reads the file's name, or a function with a size, after the brace.
+    /// Reads the picture of a bitmap: the file's name, or a function with a size.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         while let Next::Word(word) = r.next()?
             && FORMATS.contains(&word)
@@ -93,15 +93,15 @@ impl Bitmap {
         Ok(Self { picture, gamma: None, premultiplied: false, mapping: Mapping::default() })
     }
 
-    /// Reads the next word if it is one of [`WORDS`]; false if not.
+    /// Reads the next word of a bitmap if it is one of [`WORDS`]; returns false if not.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read_word(&mut self, r: &mut dyn Reader, next: Next) -> Result<bool> {
         read_row(ROWS, self, next, r)
     }
 
-    /// The pixels as colours of the scene.
+    /// Returns the bitmap's pixels as colours of the scene.
     pub fn colors(&self, r: &dyn Reader) -> Texels {
         let language = r.language();
         let scene = language.assumed_gamma.unwrap_or(language.other_gamma);
@@ -109,19 +109,19 @@ impl Bitmap {
         Texels::new(self.picture.clone(), curve, self.premultiplied)
     }
 
-    /// The pixels as numbers, exactly as the file stores them unless `gamma` is given.
+    /// Returns the bitmap's pixels as numbers, exactly as the file stores them unless `gamma` is given.
     pub fn numbers(&self) -> Texels {
         let curve = color_curve(Stored::Plain, self.gamma, Gamma::Power(1.0), false);
         Texels::new(self.picture.clone(), curve, self.premultiplied)
     }
 }
 
-/// `gamma srgb`, or a number.
+/// Reads the gamma of a bitmap: `srgb`, or a number.
 fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
     if r.accept("srgb")? { Ok(Gamma::Srgb) } else { r.float().map(Gamma::Power) }
 }
 
-/// Reads the number after `interpolate`.
+/// Reads the number after `interpolate` in a bitmap.
 fn read_between(r: &mut dyn Reader) -> Result<Between> {
     let (at, n) = (r.span(), r.float()?);
     Between::from_number(n).ok_or_else(|| {
@@ -130,7 +130,8 @@ fn read_between(r: &mut dyn Reader) -> Result<Between> {
     })
 }
 
-/// `function W, H { … }`: a picture of W by H samples from (0, 0), at the top, to (1, 1), with 16 bits per channel.
+/// Reads a bitmap from a function, `function W, H { … }`: a picture of W by H samples from (0, 0), at the top, to (1,
+/// 1), with 16 bits per channel.
 fn function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let at = r.span();
     let Some(([width, height], thing)) = r.sized_function()? else {

@@ -9,28 +9,28 @@ use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Param, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// A picture's brightness, or its alpha.
+/// Pattern `image_pattern` or `bump_map`: a picture's brightness, alpha or palette index.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ImagePattern {
-    /// Pixels of the picture.
+    /// Pixels of the bitmap pattern's picture.
     pub texels: Texels,
-    /// Projection of the picture.
+    /// Projection of the bitmap pattern's picture.
     pub mapping: Mapping,
-    /// The channel that gives the number.
+    /// Channel of the picture that gives the bitmap pattern's number.
     pub channel: Channel,
-    /// True for `bump_map`: bumps come from neighbouring pixels.
+    /// True for `bump_map`: bumps come from the differences of neighbouring pixels.
     pub bumps: bool,
 }
 
-/// The channel of a pixel that gives the number.
+/// Channel of a pixel that gives a bitmap pattern's number.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Channel {
-    /// Brightness of the pixel.
+    /// Brightness of a pixel as a bitmap pattern's number.
     Gray,
-    /// `use_alpha`: 1 - alpha.
+    /// Alpha of a pixel as a bitmap pattern's number, with `use_alpha`: 1 - alpha.
     Alpha,
-    /// `use_index`: the index in the palette.
+    /// Palette index of a pixel as a bitmap pattern's number, with `use_index`.
     Index,
 }
 
@@ -49,7 +49,7 @@ const CHANNEL_ROWS: &[Row<Channel>] = &[
     .sets(|s, _| set(s, Ok(Channel::Index))),
 ];
 
-/// The words that choose the channel, in `image_pattern` and `bump_map`.
+/// Words that choose the channel of an `image_pattern` or `bump_map`.
 pub const CHANNELS: &[WordSpec] = specs!(CHANNEL_ROWS);
 
 impl Readable for ImagePattern {
@@ -70,10 +70,10 @@ impl Readable for ImagePattern {
 }
 
 impl ImagePattern {
-    /// Reads the contents of the braces of `block`, which takes other words too.
+    /// Reads the items of an `image_pattern` or `bump_map`; `block` takes other words too.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read_words(
         r: &mut dyn Reader,
         block: &str,
@@ -103,7 +103,7 @@ impl ImagePattern {
         Ok(Self { texels, mapping: bitmap.mapping, channel, bumps: false })
     }
 
-    /// The number of a pixel in a channel.
+    /// Returns the number of the bitmap's pixel `i` in a channel.
     fn number(&self, i: usize, channel: Channel) -> f64 {
         let [r, g, b, a] = self.texels.rgba(i);
         match channel {
@@ -115,7 +115,7 @@ impl ImagePattern {
 }
 
 impl ImagePattern {
-    /// The interpolated number at a position on the picture.
+    /// Returns the interpolated number at a position on the bitmap.
     fn number_at(&self, place: (f64, f64)) -> f64 {
         let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
         let sum = |channel| pixels.iter().map(|(i, weight)| weight * self.number(*i, channel)).sum::<f64>();

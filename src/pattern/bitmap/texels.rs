@@ -5,13 +5,13 @@ use crate::image_io::{Picture, Samples, Stored, kept_gray, spread};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A picture's pixels, decoded when they are read.
+/// Pixels of a bitmap's picture, decoded when they are read.
 #[derive(Clone, Debug)]
 pub struct Texels {
     picture: Arc<Picture>,
-    /// Decoded value of each stored integer of a colour channel; empty for floating-point pictures.
+    /// Decoded value of each stored integer in the bitmap's colour channels; empty for floating-point pictures.
     curve: Arc<[f32]>,
-    /// True if colours have to be divided by alpha.
+    /// True if the bitmap's colours have to be divided by alpha.
     premultiplied: bool,
 }
 
@@ -28,7 +28,7 @@ impl Serialize for Texels {
 }
 
 impl Texels {
-    /// A picture whose numbers are decoded by `curve`, which takes numbers in [0, 1].
+    /// Creates the pixels of a bitmap whose numbers in [0, 1] are decoded by `curve`.
     pub fn new(picture: Arc<Picture>, curve: impl Fn(f64) -> f64, premultiplied: bool) -> Self {
         let number = |part: f64| curve(part) as f32;
         let kept = |part: f64| if picture.gray_bytes { kept_gray(number(part)) } else { number(part) };
@@ -41,27 +41,27 @@ impl Texels {
         Self { picture, curve, premultiplied }
     }
 
-    /// Width of the picture in pixels.
+    /// Width of the bitmap in pixels.
     pub fn width(&self) -> usize {
         self.picture.pixels.width
     }
 
-    /// Height of the picture in pixels.
+    /// Height of the bitmap in pixels.
     pub fn height(&self) -> usize {
         self.picture.pixels.height
     }
 
-    /// True if the file stores alpha, or a palette, which may have alpha.
+    /// True if the bitmap's file stores alpha, or a palette, which may have alpha.
     pub fn has_alpha(&self) -> bool {
         matches!(self.picture.pixels.channels, 2 | 4)
     }
 
-    /// Palette index of a pixel.
+    /// Palette index of the bitmap's pixel `i`; `None` without a palette.
     pub fn index(&self, i: usize) -> Option<u8> {
         self.picture.indices.as_ref().and_then(|indices| indices.get(i).copied())
     }
 
-    /// Red, green, blue and alpha of a pixel.
+    /// Red, green, blue and alpha of the bitmap's pixel `i`.
     pub fn rgba(&self, i: usize) -> [f64; 4] {
         let n = self.picture.pixels.channels;
         let range = i * n..(i + 1) * n;
@@ -75,9 +75,9 @@ impl Texels {
     }
 }
 
-/// Curve from a file's numbers to those of a scene, whose colours relate to light by `scene`. `decodes` is true if
-/// files without gamma information follow the sRGB curve. In scenes before version 3.7 without `assumed_gamma`, numbers
-/// stay unchanged (quirk: `gamma_by_version`).
+/// Returns the curve from a picture file's numbers to those of a scene, whose colours relate to light by `scene`.
+/// `decodes` is true if files without gamma information follow the sRGB curve. In scenes before version 3.7 without
+/// `assumed_gamma`, numbers stay unchanged (quirk: `gamma_by_version`).
 pub fn color_curve(stored: Stored, said: Option<Gamma>, scene: Gamma, decodes: bool) -> impl Fn(f64) -> f64 {
     let file = match (said, stored) {
         (Some(gamma), _) => Some(gamma),

@@ -4,44 +4,45 @@ use super::plans;
 use crate::math::{DVec2, fp};
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// √3 / 2, the height of a triangle.
+/// √3 / 2, the height of a triangle whose sides are 1.
 pub const H: f64 = 0.866_025_403_784_438_6;
 
-/// Shape of the cells of the grid.
+/// Shape of the cells of the grid under the pattern `pavement`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cells {
-    /// Two in each position of the grid: the first points up, the second down.
+    /// Grid of triangles, two in each position: the first points up, the second down.
     Triangles,
-    /// The first from (0, 0) to (1, 1).
+    /// Grid of squares, the first from (0, 0) to (1, 1).
     Squares,
-    /// The first has corners at (0, 0) and (2, 0).
+    /// Grid of hexagons; the first has corners at (0, 0) and (2, 0).
     Hexagons,
 }
 
-/// A cell: steps along the grid's axes, and the number of the cell at that position.
+/// Cell of a pavement's grid: steps along the grid's axes, and the number of the cell at that position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// Steps along the first axis.
+    /// Steps of the cell along the first axis of the pavement's grid.
     pub i: i64,
-    /// Steps along the second axis.
+    /// Steps of the cell along the second axis of the pavement's grid.
     pub j: i64,
-    /// 1 for triangles that point down, else 0.
+    /// Orientation of the cell: 1 for triangles that point down, else 0.
     pub kind: usize,
 }
 
-/// The steps to the neighbour across each edge, for a triangle that points up, a square, a hexagon.
+/// Steps to the neighbour across each edge, for a triangle that points up; then for one that points down, a square and
+/// a hexagon.
 const NEIGHBOURS_UP: &[(i64, i64)] = &[(0, -1), (0, 0), (-1, 0)];
 const NEIGHBOURS_DOWN: &[(i64, i64)] = &[(0, 0), (1, 0), (0, 1)];
 const NEIGHBOURS_SQUARE: &[(i64, i64)] = &[(0, -1), (1, 0), (0, 1), (-1, 0)];
 const NEIGHBOURS_HEXAGON: &[(i64, i64)] = &[(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
 
 impl Cells {
-    /// The grid of cells with this number of sides.
+    /// Returns the pavement's grid of cells with this number of sides; `None` unless that is 3, 4 or 6.
     pub fn with_sides(sides: f64) -> Option<Self> {
         [Self::Triangles, Self::Squares, Self::Hexagons].into_iter().find(|cells| cells.sides() as f64 == sides)
     }
 
-    /// Number of sides of a cell.
+    /// Number of sides of a cell of the pavement's grid.
     pub fn sides(self) -> usize {
         match self {
             Self::Triangles => 3,
@@ -50,7 +51,7 @@ impl Cells {
         }
     }
 
-    /// The tables of plans by number of cells in a tile, then by variant.
+    /// Plans of a pavement by number of cells in a tile, then by variant.
     pub fn plans(self) -> &'static [&'static [&'static str]] {
         match self {
             Self::Triangles => plans::TRIANGLES,
@@ -59,7 +60,7 @@ impl Cells {
         }
     }
 
-    /// Distance from the centre to a corner.
+    /// Distance from the centre of a pavement's cell to its corners.
     pub fn radius(self) -> f64 {
         match self {
             Self::Triangles => 0.5 / H,
@@ -68,17 +69,17 @@ impl Cells {
         }
     }
 
-    /// Width of the bevel.
+    /// Width of the bevel at a pavement's joints.
     pub fn depth(self) -> f64 {
         if self == Self::Squares { 0.5 } else { H / 3.0 }
     }
 
-    /// Number of cells at each position of the grid.
+    /// Number of cells at each position of the pavement's grid.
     fn kinds(self) -> usize {
         if self == Self::Triangles { 2 } else { 1 }
     }
 
-    /// Directions of the corners from the centre.
+    /// Directions of the corners from the centre of a pavement's cell, for each kind of cell.
     pub fn corners(self) -> Vec<Vec<DVec2>> {
         let first: &[f64] = match self {
             Self::Triangles => &[210.0, 150.0],
@@ -93,7 +94,7 @@ impl Cells {
         first.iter().map(|&first| (0..n).map(|k| corner(first, k)).collect()).collect()
     }
 
-    /// The cell of a point, and the point relative to the cell's centre.
+    /// Returns the pavement's cell that contains a point, and the point relative to the cell's centre.
     pub fn locate(self, p: DVec2) -> (Cell, DVec2) {
         let cell = |i: f64, j: f64, kind| Cell { i: i as i64, j: j as i64, kind };
         match self {
@@ -127,7 +128,7 @@ impl Cells {
         }
     }
 
-    /// The neighbour across an edge.
+    /// Returns the neighbour of a pavement's cell across an edge.
     fn neighbour(self, cell: Cell, edge: usize) -> Cell {
         let steps = match (self, cell.kind) {
             (Self::Triangles, 0) => NEIGHBOURS_UP,
@@ -140,7 +141,7 @@ impl Cells {
         Cell { i: cell.i + i, j: cell.j + j, kind }
     }
 
-    /// The number of an edge in the cell on its other side.
+    /// Returns the index that an edge of a pavement's cell has in the cell on its other side.
     fn same_edge(self, cell: Cell, edge: usize) -> usize {
         match (self, cell.kind) {
             (Self::Triangles, 0) => (edge + 2) % 3,
@@ -150,7 +151,7 @@ impl Cells {
     }
 }
 
-/// The edges that meet at a corner of a cell.
+/// Joints among the edges that meet at a corner of a pavement's cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Corner {
     /// True if the edge before the corner (against the clock) is a joint.
@@ -165,20 +166,20 @@ pub struct Corner {
     pub any: bool,
 }
 
-/// The edges of the grid that are joints.
+/// Plan of a pavement: the edges of the grid that are joints between tiles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     cells: Cells,
-    /// The period of the plan: a along the first axis; b along the first and c along the second.
+    /// The period of the pavement's plan: a along the first axis; b along the first and c along the second.
     steps: [i64; 3],
-    /// For each cell of a period, a bit for each edge that is a joint.
+    /// For each cell of a period of the pavement, a bit for each edge that is a joint.
     joints: Vec<u8>,
-    /// The corners of the same cells.
+    /// Corners of each cell of a period of the pavement.
     corners: Vec<Vec<Corner>>,
 }
 
 impl Plan {
-    /// Parses a row of `plans.rs`.
+    /// Parses a pavement's plan, a row of `plans.rs`.
     pub fn new(cells: Cells, row: &str) -> Self {
         let mut words = row.split(' ');
         let mut number = || words.next().and_then(|word| word.parse().ok()).unwrap_or(1);
@@ -221,7 +222,7 @@ impl Plan {
         Corner { before, after, first, last, any: others.contains(&true) }
     }
 
-    /// The corners of a cell.
+    /// Returns the corners of a pavement's cell.
     pub fn corners(&self, cell: Cell) -> &[Corner] {
         &self.corners[self.index(cell)]
     }

@@ -20,60 +20,60 @@ use serde::Serialize;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use std::sync::Arc;
 
-/// Numbers from 0 in the middle of tiles to 1 at the joints.
+/// Pattern `pavement`: numbers from 0 in the middle of tiles to 1 at the joints.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pavement {
-    /// The parameters as written.
+    /// Parameters of the pattern `pavement` as written.
     #[serde(flatten)]
     pub params: PavementWords,
-    /// The plan of these parameters.
+    /// Joints and shapes that follow from the parameters of `pavement`.
     #[serde(skip)]
     layout: Arc<PavementLayout>,
 }
 
-/// Values of the words of `pavement`.
+/// Values of the words of the pattern `pavement`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PavementWords {
-    /// Number of sides of each cell: 3, 4 or 6.
+    /// Number of sides of each cell of `pavement`: 3, 4 or 6.
     pub number_of_sides: f64,
-    /// Number of cells in a tile.
+    /// Number of cells in a tile of `pavement`.
     pub number_of_tiles: f64,
-    /// Variant among the tiles of this number of cells.
+    /// Variant of `pavement` among the tiles of this number of cells.
     pub pattern: f64,
-    /// Shape of joints at tips.
+    /// Shape of a pavement's joints at the tips of tiles.
     pub exterior: f64,
-    /// Shape of joints at notches.
+    /// Shape of a pavement's joints at the notches of tiles.
     pub interior: f64,
-    /// Shape of joints at all other corners.
+    /// Shape of a pavement's joints at all other corners.
     pub form: f64,
 }
 
-/// Shape of a joint at a corner.
+/// Shape of a pavement's joint at a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum JointShape {
-    /// The corner of the joint is pointed.
+    /// Joint with a pointed corner.
     Pointed,
-    /// The corner of the joint is cut off.
+    /// Joint with a corner that is cut off.
     Cut,
-    /// The corner of the joint is an arc.
+    /// Joint with a corner that is an arc.
     Round,
-    /// `form` of squares: as `exterior` and `interior`.
+    /// Joint of squares whose shape is that of `exterior` and `interior`, not of `form`.
     AsOthers,
 }
 
 impl JointShape {
-    /// From the number in the scene. POV-Ray keeps eight bits of it, and wraps around.
+    /// Returns the joint's shape for a number in the scene. POV-Ray keeps eight bits of the number, and wraps around.
     fn numbered(n: f64, shapes: u8) -> Self {
         [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % shapes)]
     }
 }
 
-/// A plan with the directions of its corners.
+/// Plan of a pavement with the directions of the cells' corners and the shapes of joints.
 #[derive(Clone, Debug, PartialEq)]
 struct PavementLayout {
     cells: Cells,
     plan: Plan,
-    /// Directions of the corners from the centre, for each kind of cell.
+    /// Directions of the corners from the centre of a pavement's cell, for each kind of cell.
     corners: Vec<Vec<DVec2>>,
     exterior: JointShape,
     interior: JointShape,
@@ -130,7 +130,7 @@ impl PavementWords {
         .sets(|s, r| set(&mut s.form, r.float())),
     ];
 
-    /// Reads the remaining words of the pattern: they depend on each other in any order, so they are checked after the
+    /// Reads the remaining words of `pavement`: they depend on each other in any order, so they are checked after the
     /// last.
     fn continued(mut self, r: &mut dyn Reader) -> Result<Pavement> {
         let at = r.span();
@@ -172,24 +172,25 @@ impl Pavement {
     }
 }
 
-/// The n-th entry, counted from 1.
+/// Returns the n-th entry of a list, counted from 1; `None` without such an entry.
 fn pick<T: Copy>(all: &[T], n: f64) -> Option<T> {
     (n >= 1.0).then(|| all.get(n as usize - 1).copied()).flatten()
 }
 
-/// A point relative to the nearest corner of its cell.
+/// Position of a point relative to the nearest corner of its pavement cell.
 #[derive(Clone, Copy, Debug)]
 struct NearCorner {
-    /// Distance from the corner towards the centre.
+    /// Distance from the cell's corner towards its centre.
     along: f64,
-    /// Distance from the line between corner and centre, towards the edge after the corner (against the clock).
+    /// Distance from the line between the cell's corner and centre, towards the edge after the corner (against the
+    /// clock).
     across: f64,
-    /// Distance to the centre.
+    /// Distance from the point to the centre of its pavement cell.
     to_middle: f64,
 }
 
 impl NearCorner {
-    /// Distance to the corner.
+    /// Distance from the point to the nearest corner of its pavement cell.
     fn to_corner(self) -> f64 {
         fp::hypot(self.along, self.across)
     }
@@ -218,7 +219,7 @@ impl PavementLayout {
         value.clamp(0.0, 1.0)
     }
 
-    /// Heights of the bevels of the joints before and after the corner; 0 without a joint.
+    /// Returns the heights of a pavement's bevels before and after the corner; 0 without a joint.
     fn bevels(&self, corner: Corner, near: NearCorner) -> [f64; 2] {
         let (sin, cos) = match self.cells {
             Cells::Triangles => (0.5, H),
@@ -232,7 +233,7 @@ impl PavementLayout {
         [height(corner.before, -near.across), height(corner.after, near.across)]
     }
 
-    /// Height at the tip of a triangle or square, between two joints.
+    /// Height of a pavement at the tip of a triangle or square, between two joints.
     fn tip(&self, [before, after]: [f64; 2], near: NearCorner, joint: JointShape) -> f64 {
         match joint {
             JointShape::Cut => before + after,
@@ -272,7 +273,8 @@ impl PavementLayout {
         }
     }
 
-    /// Height at a 120° corner, which shapes like a hexagon's; the point is `along` from the corner on its bisector.
+    /// Height of a pavement at a 120° corner, which shapes like a hexagon's; the point is `along` from the corner on
+    /// its bisector.
     fn blunt(&self, [before, after]: [f64; 2], along: f64, near: NearCorner) -> f64 {
         match self.form {
             JointShape::Cut => 2.0 - 4.0 * along,
@@ -300,8 +302,8 @@ impl PavementLayout {
         }
     }
 
-    /// Height in a square at which a tile turns, from a notch to the opposite corner. `along`: from the centre towards
-    /// that corner.
+    /// Height of a pavement in a square at which a tile turns, from a notch to the opposite corner. `along` is the
+    /// distance from the centre towards that corner.
     fn square_that_turns(&self, corner: Corner, near: NearCorner, along: f64) -> f64 {
         match self.form {
             JointShape::Pointed => self.square(corner, near, JointShape::Pointed, JointShape::Pointed),
@@ -317,7 +319,7 @@ impl PavementLayout {
     }
 }
 
-/// The corner nearest to the direction of a point.
+/// Returns the index of the corner nearest to the direction of a point.
 fn nearest(directions: &[DVec2], place: DVec2) -> usize {
     let mut best = (0, f64::NEG_INFINITY);
     for (k, direction) in directions.iter().enumerate() {
@@ -329,7 +331,7 @@ fn nearest(directions: &[DVec2], place: DVec2) -> usize {
     best.0
 }
 
-/// The corner between two joints that is opposite a notch.
+/// Returns the index of the corner between two joints that is opposite a notch.
 fn turn(corners: &[Corner]) -> Option<usize> {
     (0..4).find(|&k| {
         let across = corners[(k + 2) % 4];

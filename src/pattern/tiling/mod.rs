@@ -21,24 +21,25 @@ use std::sync::Arc;
 /// √3 / 2, the height of a triangle whose sides are 1.
 const H: f64 = 0.866_025_403_784_438_6;
 
-/// Offset that decides the tile of a point exactly on a joint, as on a face of a box from -1 to 1 (quirk:
-/// tiling_joints).
+/// Offset of points in the pattern `tiling`, which decides the tile of a point exactly on a joint, as on a face of a
+/// box from -1 to 1 (quirk: tiling_joints).
 const LEAN: DVec2 = DVec2::new(0.3e-9, 1e-9);
 
-/// Number of tilings.
+/// Number of tilings of the pattern `tiling`.
 const TILINGS: f64 = 27.0;
 
-/// Tiles of several kinds: kind i of n has numbers from i/n, in its middle, to (i + 1)/n at its edges.
+/// Pattern `tiling`, tiles of several kinds: kind i of n has numbers from i/n, in its middle, to (i + 1)/n at its
+/// edges.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Tiling {
-    /// Number of the tiling, 1 to 27.
+    /// Number of the tiling in the scene, 1 to 27.
     pub number: usize,
-    /// Tiles of this tiling.
+    /// Tiles of the pattern `tiling`.
     #[serde(skip)]
     tiles: Tiles,
 }
 
-/// Periodic tilings, and the last three, which have no period.
+/// Tiles of the pattern `tiling`: periodic for most numbers; the last three tilings have no period.
 #[derive(Clone, Debug, PartialEq)]
 enum Tiles {
     Plan(Arc<Plan>),
@@ -51,22 +52,22 @@ struct Plan {
     /// The two periods: translations that map the tiling to itself.
     steps: [DVec2; 2],
     kinds: usize,
-    /// Width of the bevel.
+    /// Width of the bevel at the edges of a periodic tiling's tiles.
     depth: f64,
-    /// The tiles of one period; after [`Self::spread`], all that reach into the parallelogram of the periods.
+    /// Tiles of one period of the tiling; after [`Self::spread`], all that reach into the parallelogram of the periods.
     tiles: Vec<Tile>,
 }
 
-/// A tile: a convex polygon.
+/// Tile of a tiling: a convex polygon.
 #[derive(Clone, Debug, PartialEq)]
 struct Tile {
     kind: usize,
     edges: Vec<Edge>,
-    /// Bounding box of the corners.
+    /// Bounding box of the tile's corners.
     bounds: [DVec2; 2],
 }
 
-/// The line a·p = b; the tile is where a·p is smaller. The length of `a` makes the bevel's width 1.
+/// Edge of a tile, the line a·p = b; the tile is where a·p is smaller. The length of `a` makes the bevel's width 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Edge {
     a: DVec2,
@@ -78,7 +79,7 @@ impl Plan {
         Self { steps: steps.map(|(x, z)| DVec2::new(x, z)), kinds, depth, tiles: vec![] }
     }
 
-    /// Adds a polygon with its corners in order against the clock.
+    /// Adds a polygon to the tiling, with its corners in order against the clock.
     fn polygon(mut self, kind: usize, corners: &[DVec2]) -> Self {
         let next = corners.iter().cycle().skip(1);
         let edges = corners.iter().zip(next).map(|(&p, &q)| {
@@ -90,7 +91,7 @@ impl Plan {
         self
     }
 
-    /// Copies the tiles to all positions that reach into the parallelogram of the periods.
+    /// Copies the tiles of a tiling to all positions that reach into the parallelogram of the periods.
     fn spread(mut self) -> Self {
         let [a, b] = self.steps;
         let [low, high] = bounds(&[DVec2::ZERO, a, b, a + b]);
@@ -109,28 +110,28 @@ impl Plan {
         self
     }
 
-    /// Adds a regular polygon with sides of length 1 around a centre; one of its corners is in the direction of
-    /// `angle`.
+    /// Adds a regular polygon with sides of length 1 to the tiling, around a centre; one of its corners is in the
+    /// direction of `angle`.
     fn regular(self, kind: usize, corners: u32, center: DVec2, angle: f64) -> Self {
         let radius = 0.5 / fp::sin(std::f64::consts::PI / f64::from(corners));
         let corner = |i| center + radius * towards(angle + 360.0 * f64::from(i) / f64::from(corners));
         self.polygon(kind, &(0..corners).map(corner).collect::<Vec<_>>())
     }
 
-    /// Adds several rectangles: x, z, width, height.
+    /// Adds several rectangles to the tiling: x, z, width, height.
     fn rectangles(self, kind: usize, all: &[[f64; 4]]) -> Self {
         all.iter().fold(self, |plan, &[x, z, w, h]| {
             plan.polygon(kind, &points(&[(x, z), (x + w, z), (x + w, z + h), (x, z + h)]))
         })
     }
 
-    /// Adds triangles that point up or down.
+    /// Adds triangles to the tiling that point up or down.
     fn triangles(self, kind: usize, up: bool, centers: &[(f64, f64)]) -> Self {
         let angle = if up { 90.0 } else { -90.0 };
         centers.iter().fold(self, |plan, &(x, z)| plan.regular(kind, 3, DVec2::new(x, z), angle))
     }
 
-    /// The plan of a number.
+    /// Returns the periodic tiling of a number.
     fn numbered(number: usize) -> Self {
         let center = |x, z| DVec2::new(x, z);
         match number {
@@ -194,7 +195,7 @@ impl Plan {
         }
     }
 
-    /// Hexagons cut into three rhombs that look like cubes.
+    /// Returns a tiling of hexagons cut into three rhombs that look like cubes.
     fn rhombs() -> Self {
         let middle = DVec2::new(0.5, H);
         let corner = |i: u32| middle + towards(60.0 * f64::from(i));
@@ -204,7 +205,7 @@ impl Plan {
         })
     }
 
-    /// Squares in mitred frames of four boards.
+    /// Returns a tiling of squares in mitred frames of four boards.
     fn frames(kinds: usize, kind: [usize; 5]) -> Self {
         let s = FRAC_1_SQRT_2;
         let board = |corners: [(f64, f64); 4]| points(&corners.map(|(x, z)| (x * s, z * s)));
@@ -216,7 +217,7 @@ impl Plan {
             .polygon(kind[4], &board([(0.0, 0.0), (1.0, -1.0), (3.0, -1.0), (4.0, 0.0)]))
     }
 
-    /// Hexagons with squares at their sides and triangles at their corners.
+    /// Returns a tiling of hexagons with squares at their sides and triangles at their corners.
     fn hexagons_in_squares(kinds: usize, kind: [usize; 6]) -> Self {
         let apart = 1.0 + 2.0 * H;
         let middle = DVec2::splat(apart / 2.0);
@@ -234,7 +235,7 @@ impl Plan {
         plan
     }
 
-    /// Hexagons with a ring of triangles each, in one of two orientations.
+    /// Returns a tiling of hexagons with a ring of triangles each, in one of two orientations.
     fn snub(hand: f64, middle: DVec2) -> Self {
         // centres of triangles: x, and z in thirds of their height
         let at = |x: f64, thirds: f64| (middle.x + hand * x, middle.y + thirds * H / 3.0);
@@ -244,7 +245,7 @@ impl Plan {
             .triangles(1, false, &[at(-5.0, -10.0), at(-4.0, -4.0), at(-3.5, -1.0), at(-3.0, 2.0)])
     }
 
-    /// Alternating pairs of squares and triangles around each corner.
+    /// Returns a tiling of alternating pairs of squares and triangles around each corner.
     fn snub_squares() -> Self {
         let half = (1.0 + 2.0 * H) / 2.0;
         let third = 1.0 / (2.0 * H);
@@ -257,7 +258,7 @@ impl Plan {
             .regular(3, 3, DVec2::new(0.0, 0.5 + 2.0 * third), 90.0)
     }
 
-    /// Dodecagons side by side, and the triangles between them.
+    /// Returns a tiling of dodecagons side by side, and the triangles between them.
     fn dodecagons_and_triangles() -> Self {
         let apart = 2.0 + 2.0 * H;
         let middle = DVec2::splat(apart / 2.0);
@@ -271,7 +272,7 @@ impl Plan {
         plan.regular(1, 3, middle + gap, -90.0).regular(0, 3, middle + 2.0 * gap, 90.0)
     }
 
-    /// Dodecagons with squares between them, and hexagons in the gaps.
+    /// Returns a tiling of dodecagons with squares between them, and hexagons in the gaps.
     fn dodecagons(kinds: usize, kind: [usize; 6]) -> Self {
         let apart = 3.0 + 2.0 * H;
         let middle = DVec2::new(apart / 2.0, 1.0 + 2.0 * H);
@@ -286,8 +287,8 @@ impl Plan {
         })
     }
 
-    /// The kind of the tile at a point, and the point's position in its bevel: 0 at the edge, 1 at the bevel's end and
-    /// beyond.
+    /// Returns the kind of the tile at a point, and the point's position in its bevel: 0 at the edge, 1 at the bevel's
+    /// end and beyond.
     fn at(&self, p: DVec2) -> (usize, f64) {
         let [a, b] = self.steps;
         // in steps along a and b, without their whole parts
@@ -309,13 +310,14 @@ impl Plan {
 }
 
 impl Tile {
-    /// Position in the bevel; negative outside the tile.
+    /// Returns the point's position in the tile's bevel: 0 at the edge, 1 at the bevel's end; negative outside the
+    /// tile.
     fn within(&self, p: DVec2) -> f64 {
         self.edges.iter().map(|edge| edge.b - edge.a.dot(p)).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// Unit vector at an angle in degrees from x towards z.
+/// Returns the unit vector at an angle in degrees from x towards z.
 fn towards(angle: f64) -> DVec2 {
     let (sin, cos) = fp::sin_cos(angle.to_radians());
     DVec2::new(cos, sin)

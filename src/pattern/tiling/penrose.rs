@@ -18,7 +18,7 @@ const C18: f64 = 0.951_056_516_295_153_5;
 const S36: f64 = 0.587_785_252_292_473_1;
 const C36: f64 = 0.809_016_994_374_947_4;
 
-/// Directions at 0°, 36°, 72°, … from x towards z.
+/// Unit vectors at 0°, 36°, 72°, … from x towards z.
 const TOWARDS: [DVec2; 10] = [
     DVec2::new(1.0, 0.0),
     DVec2::new(C36, S36),
@@ -32,30 +32,31 @@ const TOWARDS: [DVec2; 10] = [
     DVec2::new(C36, -S36),
 ];
 
-/// Width of the bevels of kites and darts; then that of pentagons and rhombs.
+/// Width of the bevels of Penrose's kites and darts; then that of pentagons and rhombs.
 const KITE_DEPTH: f64 = 1.0 / 4.46;
 const DEPTH: f64 = PHI / 5.55;
-/// Difference between the number at a bevel's end and the next kind's first number.
+/// Difference between a Penrose tiling's number at a bevel's end and the next kind's first number.
 const MARGIN: f64 = 1e-6;
 
-/// Distance between the centres of two pentagons with a common side of length 1; also from the centre of a star to its
-/// tips.
+/// Distance between the centres of two pentagons of a Penrose tiling with a common side of length 1; also from the
+/// centre of a star to its tips.
 const APART: f64 = 1.376_381_920_471_173_5;
-/// Legs of the triangles that contain the same piece of the tiling with pentagons: `APART` φ².
+/// Length of the legs of the triangles that contain the same piece of the Penrose tiling with pentagons: `APART` φ².
 const LEG: f64 = 3.603_414_649_294_386_6;
 
-/// An aperiodic tiling by Penrose, with its number in a scene.
+/// Aperiodic tiling by Penrose, with its number in a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Penrose {
-    /// 25: three kinds of pentagons, stars, boats and diamonds, with sides of length 1.
+    /// Penrose tiling 25: three kinds of pentagons, stars, boats and diamonds, with sides of length 1.
     Pentagons,
-    /// 26: kites and darts with sides of length 1 and 1/φ.
+    /// Penrose tiling 26: kites and darts with sides of length 1 and 1/φ.
     Kites,
-    /// 27: thick and thin rhombs with sides of length 1.
+    /// Penrose tiling 27: thick and thin rhombs with sides of length 1.
     Rhombs,
 }
 
-/// A point in a triangle with corners A, where its equal legs meet, B and C, as barycentric weights.
+/// A point in a triangle of a Penrose tiling, as barycentric weights of its corners A, where its equal legs meet, B and
+/// C.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     obtuse: bool,
@@ -65,8 +66,9 @@ struct Place {
 }
 
 impl Place {
-    /// Locates a point, given the legs of the smallest triangles and the least number of cuts, which grows by four
-    /// until the first triangles reach far enough: after four cuts all positions repeat, scaled by φ⁻⁴.
+    /// Locates a point in a Penrose tiling's triangles, given the legs of the smallest triangles and the least number
+    /// of cuts, which grows by four until the first triangles reach far enough: after four cuts all positions repeat,
+    /// scaled by φ⁻⁴.
     fn of(p: DVec2, leg: f64, cuts: i32) -> Self {
         // By fivefold symmetry and a mirror, one of the ten triangles is enough, with B at 36° and C at 0°.
         let p = DVec2::new(p.x, p.y.abs());
@@ -81,7 +83,7 @@ impl Place {
         (0..cuts).fold(Self { obtuse: false, a: 1.0 - b - c, b, c }, |place, _| place.cut())
     }
 
-    /// Cuts the triangle and returns the piece that contains the point.
+    /// Cuts the triangle of a Penrose tiling and returns the piece that contains the point.
     fn cut(self) -> Self {
         let Self { obtuse, a, b, c } = self;
         let inverse = PHI - 1.0;
@@ -108,18 +110,19 @@ impl Place {
 }
 
 impl Penrose {
-    /// The tiling of a number.
+    /// Returns the Penrose tiling of a number from 25 to 27.
     pub fn numbered(number: usize) -> Option<Self> {
         [Self::Pentagons, Self::Kites, Self::Rhombs].get(number.checked_sub(25)?).copied()
     }
 
-    /// Number of kinds of tiles.
+    /// Number of kinds of tiles in the Penrose tiling.
     pub fn kinds(self) -> usize {
         if self == Self::Pentagons { 6 } else { 2 }
     }
 
-    /// The kind of the tile at a point, and the point's position in its bevel: 0 at the edge, just below 1 at the
-    /// bevel's end and beyond (quirk: `penrose_bevels`), so that no number equals that of the next kind's edges.
+    /// Returns the kind of the Penrose tile at a point, and the point's position in its bevel: 0 at the edge, just
+    /// below 1 at the bevel's end and beyond (quirk: `penrose_bevels`), so that no number equals that of the next
+    /// kind's edges.
     pub fn at(self, p: DVec2) -> (usize, f64) {
         let (kind, within) = match self {
             Self::Pentagons => {
@@ -134,14 +137,14 @@ impl Penrose {
     }
 }
 
-/// Rhombs consist of two triangles with the common side BC.
+/// Evaluates the Penrose tiling of rhombs, which consist of two triangles with the common side BC.
 fn rhombs(at: Place) -> (usize, f64) {
     let height = if at.obtuse { C18 } else { S36 };
     (usize::from(!at.obtuse), at.b.min(at.c) * height / DEPTH)
 }
 
-/// Kites and darts consist of two triangles with the common side AB: the acute ones unchanged, and the obtuse ones cut
-/// from A to the point R that divides BC.
+/// Evaluates the Penrose tiling of kites and darts, which consist of two triangles with the common side AB: the acute
+/// ones unchanged, and the obtuse ones cut from A to the point R that divides BC.
 fn kites(at: Place) -> (usize, f64) {
     let Place { obtuse, a, b, c } = at;
     let inverse = PHI - 1.0;
@@ -153,7 +156,7 @@ fn kites(at: Place) -> (usize, f64) {
     (usize::from(dart), distance / KITE_DEPTH)
 }
 
-/// The kind of the tile and the distance from its edge.
+/// Evaluates the Penrose tiling of pentagons: returns the kind of the tile and the distance from its edge.
 fn pentagons(at: Place) -> (usize, f64) {
     // A is at the origin, B at <LEG, 0>.
     let tip = TOWARDS[if at.obtuse { 3 } else { 1 }] * LEG;
@@ -181,40 +184,41 @@ fn pentagons(at: Place) -> (usize, f64) {
     if at.obtuse && p.distance_squared(middle) < p.distance_squared(tip) { boat(p - middle) } else { star(p - tip) }
 }
 
-/// Distance from the edge of a pentagon around the origin, with a corner at 0°; negative outside.
+/// Distance of a point from the edge of a pentagon around the origin, with a corner at 0°; negative outside.
 fn pentagon(p: DVec2) -> f64 {
     APART / 2.0 - [1, 3, 5, 7, 9].map(|k| TOWARDS[k].dot(p)).into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// A rhomb around the origin, with its acute corners at 0° and 180°.
+/// Kind and distance from the edge of a rhomb around the origin, with its acute corners at 0° and 180°.
 fn diamond(p: DVec2) -> (usize, f64) {
     (5, S18 * C18 - p.x.abs() * S18 - p.y.abs() * C18)
 }
 
-/// A star around the origin, with a tip at 0°.
+/// Kind and distance from the edge of a star around the origin, with a tip at 0°.
 fn star(p: DVec2) -> (usize, f64) {
     (3, arm(turn(p, widest(p, &[0, 2, 4, 6, 8]))))
 }
 
-/// Three arms of a star, the middle one at -36°, and a side across the missing two.
+/// Kind and distance from the edge of a boat: three arms of a star, the middle one at -36°, and a side across the
+/// missing two.
 fn boat(p: DVec2) -> (usize, f64) {
     let across = (S18 * S18 / S36) + p.dot(TOWARDS[9]);
     let k = widest(p, &[9, 1, 7, 3, 5]);
     (4, if matches!(k, 3 | 5) { across } else { across.min(arm(turn(p, k))) })
 }
 
-/// Distance from the edges of a star's arm at 0°, 36° wide at its tip; negative outside.
+/// Distance of a point from the edges of a star's arm at 0°, 36° wide at its tip; negative outside.
 fn arm((x, z): (f64, f64)) -> f64 {
     (APART - x) * S18 - z.abs() * C18
 }
 
-/// The direction among `among` that is nearest to the point.
+/// Returns the direction among `among` that is nearest to the point, as an index of [`TOWARDS`].
 fn widest(p: DVec2, among: &[usize]) -> usize {
     let farther = |best: usize, &k: &usize| if TOWARDS[k].dot(p) > TOWARDS[best].dot(p) { k } else { best };
     among.iter().fold(among[0], farther)
 }
 
-/// The point's coordinates along and across a direction.
+/// Returns the point's coordinates along and across the direction with index `k`.
 fn turn(p: DVec2, k: usize) -> (f64, f64) {
     (TOWARDS[k].dot(p), TOWARDS[k].perp_dot(p))
 }

@@ -13,22 +13,22 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Moves points within a sphere along its radii.
+/// Warp `black_hole`: moves points within a sphere along its radii.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BlackHole {
-    /// Centre of the sphere; with `repeat` that of the block at the origin.
+    /// Centre of the black hole's sphere; with `repeat` that of the block at the origin.
     pub center: DVec3,
-    /// Radius of the sphere.
+    /// Radius of the black hole's sphere.
     pub radius: f64,
-    /// Strength of the pull near the centre.
+    /// Strength of the black hole's pull near the centre.
     pub strength: f64,
-    /// Exponent with which the pull grows from the surface to the centre.
+    /// Exponent with which the black hole's pull grows from the surface to the centre.
     pub falloff: f64,
-    /// True if the pattern is pushed away.
+    /// True if the black hole pushes the pattern away.
     pub inverse: bool,
     /// Size of the blocks that have a black hole each; no repetition along an axis where the size is 0 or less.
     pub repeat: DVec3,
-    /// Maximum random displacement of each centre along each axis; none without `repeat`.
+    /// Maximum random displacement of each black hole's centre along each axis; none without `repeat`.
     pub turbulence: DVec3,
 }
 
@@ -69,7 +69,7 @@ impl Readable for BlackHole {
 }
 
 impl BlackHole {
-    /// Centre of the hole that may contain the point.
+    /// Returns the centre of the black hole that may contain the point.
     fn center_near(&self, p: DVec3) -> DVec3 {
         if self.repeat == DVec3::ZERO {
             return self.center;

@@ -14,12 +14,13 @@ use crate::value::{Next, Param, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
-/// Orientation of the pattern's plane: with z it is unchanged, with any other direction it is turned.
+/// Orientation of the pattern's plane in a mapping warp: with z the plane is unchanged, with any other direction it is
+/// turned.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Layout {
-    /// Unit vector, or zero.
+    /// Direction of the pattern that is the depth of a mapping warp: a unit vector, or zero.
     pub orientation: DVec3,
-    /// Exponent of the distance in the growth of the plane.
+    /// Exponent of the distance with which the pattern's plane grows in a mapping warp.
     pub dist_exp: f64,
 }
 
@@ -39,20 +40,20 @@ impl Layout {
         set(&mut self.orientation, r.vector().map(DVec3::normalize_or_zero))
     }
 
-    /// The point of the pattern for (u, v) and a depth.
+    /// Returns the point of the pattern for (u, v) and a depth in a mapping warp.
     fn place(&self, u: f64, v: f64, depth: f64) -> DVec3 {
         // A rotation only for directions along an axis (quirk: warp_orientation).
         let n = self.orientation;
         DVec3::new((n.y + n.z) * u + n.x * depth, (n.x + n.z) * v - n.y * depth, n.y * v - n.x * u + n.z * depth)
     }
 
-    /// Scale of the plane at this distance.
+    /// Scale of the pattern's plane at this distance in a mapping warp.
     fn growth(&self, distance: f64) -> f64 {
         if self.dist_exp == 0.0 { 1.0 } else { fp::pow(distance, self.dist_exp) }
     }
 }
 
-/// Around the y axis: u is a part of a turn, v is y.
+/// Warp `cylindrical`, around the y axis: u is a part of a turn, v is y.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct CylindricalWarp(pub Layout);
 
@@ -82,7 +83,7 @@ impl Bend for CylindricalWarp {
     }
 }
 
-/// Around the origin: u is a part of a turn, v runs from pole to pole.
+/// Warp `spherical`, around the origin: u is a part of a turn, v runs from pole to pole.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct SphericalWarp(pub Layout);
 
@@ -114,12 +115,12 @@ impl Bend for SphericalWarp {
     }
 }
 
-/// Around a ring about the y axis: u is a part of a turn about the axis, v of one about the ring.
+/// Warp `toroidal`, around a ring about the y axis: u is a part of a turn about the axis, v of one about the ring.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ToroidalWarp {
-    /// Orientation and growth.
+    /// Orientation and growth of the pattern's plane in the toroidal warp.
     pub layout: Layout,
-    /// Major radius of the ring.
+    /// Major radius of the ring of the toroidal warp.
     pub major_radius: f64,
 }
 
@@ -156,12 +157,12 @@ impl Bend for ToroidalWarp {
     }
 }
 
-/// Projects every point along the normal to the plane.
+/// Warp `planar`: projects every point along the normal to the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PlanarWarp {
-    /// Normal of the plane.
+    /// Normal of the plane of the planar warp.
     pub layout: Layout,
-    /// Distance of the plane from the origin.
+    /// Distance of the planar warp's plane from the origin.
     pub distance: f64,
 }
 
@@ -196,7 +197,7 @@ impl Bend for PlanarWarp {
     }
 }
 
-/// Around a cube about the origin, unfolded like the uv mapping of a box.
+/// Warp `cubic`, around a cube about the origin, unfolded like the uv mapping of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CubicWarp {}
 

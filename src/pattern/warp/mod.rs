@@ -17,7 +17,7 @@ use crate::math::DVec3;
 use crate::value::{Next, Reader, Spec};
 use serde::Serialize;
 
-/// Function of every warp.
+/// Function that every warp of a pattern computes.
 pub trait Bend {
     /// Maps the evaluated point to the point that the pattern receives.
     fn apply(&self, p: DVec3) -> DVec3;
@@ -63,10 +63,10 @@ warps! {
 }
 
 impl Warp {
-    /// Reads the contents of the braces of `warp { … }`.
+    /// Reads the items of a `warp` block.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         let names: Vec<&'static str> = Self::SPECS.iter().map(|s| s.name).collect();
         let Next::Word(name) = r.next()? else { return Err(r.unknown_word("warp", &names).into()) };

@@ -27,41 +27,43 @@ use rustc_hash::FxHashMap;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// Maximum number of subdivisions in one direction.
+/// Maximum number of subdivisions of a bicubic patch in one direction.
 const MOST_STEPS: u32 = 10;
-/// Maximum number of subdivisions in both directions together.
+/// Maximum number of subdivisions of a bicubic patch in both directions together.
 const MOST_OF_BOTH: u32 = 16;
 
 /// A bicubic Bézier patch.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BicubicPatch {
-    /// Control points, four rows of four.
+    /// Control points of the bicubic patch, four rows of four.
     pub points: [DVec3; 16],
-    /// Subdivisions between the rows.
+    /// Maximum subdivisions of the bicubic patch between the rows of control points.
     pub u_steps: u32,
-    /// Subdivisions along the rows.
+    /// Maximum subdivisions of the bicubic patch along the rows of control points.
     pub v_steps: u32,
-    /// Flatness at which a piece is not subdivided.
+    /// Flatness at which a piece of the bicubic patch is not subdivided.
     pub flatness: f64,
-    /// Surface coordinates of the corners: start and end of the first row, end and start of the last row.
+    /// Surface coordinates of the bicubic patch's corners: start and end of the first row, end and start of the last
+    /// row.
     pub uvs: [DVec2; 4],
     #[serde(skip)]
     corners: Vec<Corner>,
-    /// Indices of the corners of each cell: first and last of the first row, first and last of the last row.
+    /// Indices of the corners of each flat cell of the bicubic patch: first and last of the first row, first and last
+    /// of the last row.
     #[serde(skip)]
     cells: Vec<[u32; 4]>,
-    /// Hierarchy over the cells, which are in its order.
+    /// Hierarchy over the bicubic patch's cells, which are in its order.
     #[serde(skip)]
     bvh: Bvh,
     #[serde(skip)]
     bounds: Aabb,
 }
 
-/// Corners of both triangles of a cell: each starts at the cell's first corner and contains its last.
+/// Corners of both triangles of a bicubic patch's cell: each starts at the cell's first corner and contains its last.
 const TRIANGLES: [[usize; 3]; 2] = [[0, 1, 3], [0, 3, 2]];
 
 impl BicubicPatch {
-    /// A patch with these control points.
+    /// Creates a bicubic patch with these control points.
     pub fn new(points: [DVec3; 16], u_steps: u32, v_steps: u32, flatness: f64) -> Self {
         let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
         Self {
@@ -78,7 +80,8 @@ impl BicubicPatch {
         .divided(&Transform::IDENTITY)
     }
 
-    /// Subdivides the patch; flatness and normals are evaluated under the transform M (quirk: `patch_under_transform`).
+    /// Subdivides the bicubic patch; flatness and normals are evaluated under the transform M (quirk:
+    /// `patch_under_transform`).
     fn divided(mut self, m: &Transform) -> Self {
         let rows = self.u_steps.min(MOST_STEPS);
         let columns = self.v_steps.min(MOST_STEPS);
@@ -113,7 +116,7 @@ impl BicubicPatch {
 }
 
 impl BicubicPatch {
-    /// Interpolates values of a triangle's corners at a hit.
+    /// Interpolates values of the corners of a bicubic patch's triangle at a hit.
     fn between<T>(&self, hit: &Hit, value: impl Fn(&Corner) -> T) -> T
     where
         T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
@@ -123,7 +126,8 @@ impl BicubicPatch {
         a * (1.0 - hit.uv.x - hit.uv.y) + b * hit.uv.x + c * hit.uv.y
     }
 
-    /// Calls `visit` with each hit in the range; `visit` returns the distance up to which hits are still of interest.
+    /// Calls `visit` with each hit of a ray on the bicubic patch in the range; `visit` returns the distance up to which
+    /// hits are still of interest.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
         let sheared = Sheared::new(ray);
         self.bvh.traverse(ray, range, |cell, mut max| {
@@ -202,7 +206,7 @@ impl Readable for BicubicPatch {
     }
 }
 
-/// 0 or 1; other numbers count as 1, as in POV-Ray.
+/// Reads the type of a bicubic patch, 0 or 1; other numbers count as 1, as in POV-Ray.
 fn read_type(span: Span, r: &mut dyn Reader) -> Result<()> {
     let kind = r.float()?;
     if kind >= 0.0 {
@@ -222,7 +226,7 @@ impl Kernel for BicubicPatch {
         Aabb::from_points(self.cells.iter().flatten().map(|&i| m.point(self.corners[i as usize].point)))
     }
 
-    /// Box of the control points (quirk: `extent_boxes`).
+    /// Box of the bicubic patch's control points (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         Aabb::from_points(self.points.iter().map(|p| m.point(*p)))
     }

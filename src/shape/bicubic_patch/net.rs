@@ -2,29 +2,29 @@
 
 use crate::math::{DVec2, DVec3};
 
-/// Four rows of four control points of a Bézier surface.
+/// Control net of a Bézier surface: four rows of four points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Net(pub [DVec3; 16]);
 
-/// A point of a patch.
+/// Point of a bicubic patch where cells meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
-    /// Position of the point.
+    /// Position of the point on the bicubic patch.
     pub point: DVec3,
-    /// Normal of length 1.
+    /// Normal of the bicubic patch at the point, of length 1.
     pub normal: DVec3,
-    /// Parameters along the rows and from row to row, from 0 to 1.
+    /// Parameters of the bicubic patch at the point, along the rows and from row to row, from 0 to 1.
     pub place: DVec2,
 }
 
-/// Limits of the subdivision.
+/// Limits of a bicubic patch's subdivision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steps {
-    /// Maximum subdivisions between the rows.
+    /// Maximum subdivisions of a bicubic patch between the rows.
     pub rows: u32,
-    /// Maximum subdivisions along the rows.
+    /// Maximum subdivisions of a bicubic patch along the rows.
     pub columns: u32,
-    /// Distance of control points from a plane below which a piece is flat; 0 to subdivide always.
+    /// Distance of control points from a plane below which a piece of a bicubic patch is flat; 0 to subdivide always.
     pub flatness: f64,
 }
 
@@ -33,8 +33,9 @@ impl Net {
         self.0[4 * row + column]
     }
 
-    /// Halves four curves, whose points are `step` apart; the curves are `other` apart. (De Casteljau's algorithm; the
-    /// mean of two points does not depend on their order, so neighbours share their borders exactly.)
+    /// Halves four curves of a Bézier surface, whose points are `step` apart; the curves are `other` apart. (De
+    /// Casteljau's algorithm; the mean of two points does not depend on their order, so neighbours share their borders
+    /// exactly.)
     fn halves(&self, step: usize, other: usize) -> [Net; 2] {
         let mean = |p: DVec3, q: DVec3| 0.5 * (p + q);
         let (mut first, mut second) = (*self, *self);
@@ -51,8 +52,9 @@ impl Net {
         [first, second]
     }
 
-    /// True if no control point is farther than `flatness` from the plane through three of the corners. If two of the
-    /// first three coincide, the fourth is used; without any plane the piece is not flat (quirk: `patch_flatness`).
+    /// True if no control point of the Bézier surface is farther than `flatness` from the plane through three of the
+    /// corners. If two of the first three coincide, the fourth is used; without any plane the piece is not flat (quirk:
+    /// `patch_flatness`).
     fn is_flat(&self, flatness: f64) -> bool {
         let [a, b, c, d] = [self.at(0, 0), self.at(0, 3), self.at(3, 0), self.at(3, 3)];
         let plane = [(b, c), (c, d)].map(|(p, q)| (p - a).cross(q - a));
@@ -60,7 +62,8 @@ impl Net {
         self.0.iter().all(|p| (p - a).dot(normal).abs() < flatness)
     }
 
-    /// Normal of a corner by its neighbours on the borders; along x if they coincide (quirk: `patch_flatness`).
+    /// Normal of a Bézier surface at a corner, by its neighbours on the borders; along x if they coincide (quirk:
+    /// `patch_flatness`).
     fn normal(&self, row: usize, column: usize) -> DVec3 {
         let between = |at: usize, near: DVec3, far: DVec3| if at == 0 { near } else { far };
         let downwards = between(row, self.at(1, column) - self.at(0, column), self.at(3, column) - self.at(2, column));
@@ -68,7 +71,8 @@ impl Net {
         downwards.cross(along).try_normalize().unwrap_or(DVec3::X)
     }
 
-    /// Calls `leaf` with each flat piece: the corners first and last of the first row, first and last of the last row.
+    /// Subdivides a Bézier surface; calls `leaf` with each flat piece: the corners first and last of the first row,
+    /// first and last of the last row.
     pub fn divide(&self, steps: Steps, leaf: &mut dyn FnMut([Corner; 4])) {
         self.divide_from(steps, [DVec2::ZERO, DVec2::ONE], leaf);
     }

@@ -8,33 +8,33 @@ use crate::value::{Next, Reader};
 use serde::Serialize;
 use smallvec::SmallVec;
 
-/// A sphere or cylinder.
+/// Component of a blob: a sphere or cylinder.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Component {
-    /// Centre of a sphere, or one end of a cylinder's axis.
+    /// Centre of a blob's sphere, or one end of its cylinder's axis.
     pub base: DVec3,
-    /// Vector to the other end; zero for a sphere.
+    /// Vector to the other end of a blob's cylinder; zero for a sphere.
     pub axis: DVec3,
-    /// Distance at which the field ends.
+    /// Distance at which the field of a blob's component ends.
     pub radius: f64,
-    /// Strength at the centre; can be negative.
+    /// Strength of a blob's component at its centre; can be negative.
     pub strength: f64,
-    /// Blob space from component space, if the component is transformed.
+    /// Transform from component space to blob space, if the component is transformed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<Box<Transform>>,
-    /// Number of its texture (see [`Paints`]).
+    /// Number of the texture of a blob's component (see [`Paints`]).
     pub slot: u32,
-    /// Half width of the component in radii, for [`Component::pov_bounds`].
+    /// Half width of a blob's component in radii, for [`Component::pov_bounds`].
     #[serde(skip)]
     widening: f64,
 }
 
-/// The unit cube around a sphere, for [`Component::pov_bounds`]: a sphere stays a sphere under translations, rotations
-/// and uniform scales; any other transform makes it the image of its cube, which a cylinder is from the start (quirk:
-/// `blob_component_boxes`).
+/// The unit cube around a blob's sphere, for [`Component::pov_bounds`]: a sphere stays a sphere under translations,
+/// rotations and uniform scales; any other transform makes it the image of its cube, which a cylinder is from the start
+/// (quirk: `blob_component_boxes`).
 struct Cube {
     is_ball: bool,
-    /// Images of the axes.
+    /// Images of the three axes under the component's transforms.
     columns: [DVec3; 3],
 }
 
@@ -44,7 +44,7 @@ impl Cube {
         Self { is_ball: axis == DVec3::ZERO, columns: DVec3::AXES.map(|side| turn * side) }
     }
 
-    /// Updates the cube for one transform of the component.
+    /// Updates the cube around a blob's component for one of its transforms.
     fn apply(&mut self, keyword: Next, step: &Transform) {
         let scale = step.vector(DVec3::ONE);
         let even = scale.min_element() == scale.max_element();
@@ -56,13 +56,13 @@ impl Cube {
         self.is_ball &= even && keyword == Next::Word("scale");
     }
 
-    /// Half width along the widest axis.
+    /// Half width of the cube's image along its widest axis.
     fn half_width(&self) -> f64 {
         self.columns.iter().map(|side| side.abs()).sum::<DVec3>().max_element()
     }
 }
 
-/// Field of a component along a stretch of a ray: s·(1 - (a·t² + b·t + c))².
+/// Field of a blob's component along a stretch of a ray: s·(1 - (a·t² + b·t + c))².
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch {
     pub from: f64,
@@ -78,7 +78,7 @@ impl Component {
         self.place.as_ref().map_or(p, |m| m.inverse_point(p))
     }
 
-    /// Vector from the nearest point of the axis or centre, in radii.
+    /// Vector to `p` from the nearest point of the component's axis or centre, in radii.
     fn way_from_middle(&self, p: DVec3) -> DVec3 {
         let from_base = self.local(p) - self.base;
         let along = from_base.dot(self.axis) / self.axis.length_squared().max(f64::MIN_POSITIVE);
@@ -90,7 +90,8 @@ impl Component {
         if u > 0.0 { self.strength * u * u } else { 0.0 }
     }
 
-    /// Gradient of the field: s·2u·(-2d/r²), where d is the vector from the axis; transformed by M⁻ᵀ as a normal.
+    /// Gradient of the field of a blob's component: s·2u·(-2d/r²), where d is the vector from the axis; transformed by
+    /// M⁻ᵀ as a normal.
     pub(super) fn gradient(&self, p: DVec3) -> DVec3 {
         let d = self.way_from_middle(p);
         let u = 1.0 - d.length_squared();
@@ -101,19 +102,19 @@ impl Component {
         self.place.as_ref().map_or(local, |m| m.normal(local))
     }
 
-    /// Bounding box: that of the spheres at both ends.
+    /// Bounding box of a blob's component: that of the spheres at both ends.
     pub(super) fn bounds(&self) -> Aabb {
         self.ball(self.base, self.radius).union(self.ball(self.base + self.axis, self.radius))
     }
 
-    /// Box around a sphere in component space.
+    /// Bounding box in blob space of a sphere in component space.
     fn ball(&self, center: DVec3, radius: f64) -> Aabb {
         let ball = Sphere { center, radius };
         self.place.as_ref().map_or(ball.bounds(), |m| ball.bounds_under(m))
     }
 
-    /// POV-Ray's box: cubes around the spheres, as wide as the longest side of the image of a cube; a cylinder without
-    /// its ends is in a sphere too (quirk: `blob_component_boxes`).
+    /// POV-Ray's box of a blob's component: cubes around the spheres, as wide as the longest side of the image of a
+    /// cube; a cylinder without its ends is in a sphere too (quirk: `blob_component_boxes`).
     pub(super) fn pov_bounds(&self) -> Aabb {
         let cube = |center: DVec3, radius: f64| {
             let center = self.place.as_ref().map_or(center, |m| m.point(center));
@@ -125,7 +126,8 @@ impl Component {
         if self.axis == DVec3::ZERO { ends } else { ends.union(cube(self.base + half, around)) }
     }
 
-    /// Appends the stretches of a ray within reach of the component, with the squared distance from its axis or centre.
+    /// Appends the stretches of a ray within reach of the blob's component, with the squared distance from its axis or
+    /// centre.
     pub(super) fn stretches(&self, ray: &Ray, out: &mut Stretches) {
         let local = self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray));
         let (o, d) = ((local.origin - self.base) / self.radius, local.dir / self.radius);
@@ -195,7 +197,7 @@ impl Component {
 }
 
 impl Stretch {
-    /// Adds the field as a polynomial of t - middle.
+    /// Adds the field of a blob's component to `sum`, as a polynomial of t - middle.
     pub fn add(&self, middle: f64, sum: &mut [f64; 5]) {
         let [a, b, c] = self.squared_distance;
         // u = 1 - (a·t² + b·t + c), then s·u²

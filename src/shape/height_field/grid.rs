@@ -6,69 +6,69 @@ use super::normals::Normals;
 use crate::math::{DVec2, DVec3, Range, Ray};
 use std::sync::OnceLock;
 
-/// Steps of height in a unit.
+/// Number of steps of a height field's height in a unit.
 pub const STEPS: f64 = 65536.0;
-/// Side of the smallest squares in the pyramid, in cells.
+/// Side of the smallest squares in a height field's pyramid, in cells.
 const BLOCK: usize = 4;
-/// Distance in steps above or below heights that exceeds all rounding.
+/// Distance above or below a height field's heights that exceeds all rounding, in steps.
 const SLACK: f64 = 1e-3;
 
-/// Heights at the corners of cells, row by row: x grows along a row, z from row to row.
+/// Heights of a height field at the corners of cells, row by row: x grows along a row, z from row to row.
 #[derive(Debug)]
 pub struct Grid {
-    /// Number of cells along x.
+    /// Number of the height field's cells along x.
     pub across: usize,
-    /// Number of cells along z.
+    /// Number of the height field's cells along z.
     pub deep: usize,
     heights: Box<[u16]>,
     pyramid: Vec<Level>,
-    /// Normals at corners, once any is requested.
+    /// Normals at the height field's corners, once any is requested.
     normals: OnceLock<Normals>,
 }
 
-/// Grids of equal heights are equal, whatever is cached of their normals.
+/// Two grids of a height field are equal if their heights are, whatever is cached of their normals.
 impl PartialEq for Grid {
     fn eq(&self, other: &Self) -> bool {
         (self.across, self.deep, &self.heights) == (other.across, other.deep, &other.heights)
     }
 }
 
-/// Squares of one size.
+/// Level of a height field's pyramid: squares of one size.
 #[derive(Debug, PartialEq)]
 struct Level {
     across: usize,
     deep: usize,
-    /// Side of a square in cells.
+    /// Side of each square of this pyramid level, in cells.
     size: usize,
-    /// Minimum and maximum height in each square.
+    /// Minimum and maximum height in each square of the pyramid level.
     ranges: Box<[[u16; 2]]>,
 }
 
-/// A cell and one of its triangles.
+/// Cell of a height field and one of its triangles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Index of the cell along x.
+    /// Index of the height field's cell along x.
     pub i: usize,
-    /// Index of the cell along z.
+    /// Index of the height field's cell along z.
     pub k: usize,
-    /// True for the triangle of the corners (1, 1), (1, 0) and (0, 1).
+    /// True for the triangle of the corners (1, 1), (1, 0) and (0, 1) of a height field's cell.
     pub upper: bool,
 }
 
-/// A ray in units of cells and steps of height, and the part of it over the grid.
+/// A ray in units of a height field's cells and steps of height, and the part of it over the field.
 struct Line<'v> {
     o: DVec3,
     d: DVec3,
     inverse: DVec2,
-    /// Distance at which the ray enters the grid's box.
+    /// Distance at which the ray enters the height field's box.
     near: f64,
     far: f64,
-    /// Range in which hits count.
+    /// Range of distances along the ray in which hits count.
     range: Range,
     visit: &'v mut dyn FnMut(f64, Place) -> bool,
 }
 
-/// A piece of a line: its ends, and the heights there.
+/// Piece of a ray over a height field: its ends, and the heights there.
 #[derive(Clone, Copy)]
 struct Way {
     t: [f64; 2],
@@ -76,14 +76,14 @@ struct Way {
 }
 
 impl Way {
-    /// True if the piece is entirely above or below these heights.
+    /// True if the piece of the ray is entirely above or below these heights.
     fn misses(&self, [lo, hi]: [u16; 2]) -> bool {
         let [y0, y1] = self.y;
         let (least, most) = if y0 < y1 { (y0, y1) } else { (y1, y0) };
         least > f64::from(hi) + SLACK || most < f64::from(lo) - SLACK
     }
 
-    /// Splits the piece at two distances.
+    /// Splits the piece of the ray at two distances.
     fn cut(&self, first: f64, second: f64, line: &Line) -> [Option<Self>; 3] {
         let Self { t: [near, far], y: [y_near, y_far] } = *self;
         let (a, ya) = if first > far { (far, y_far) } else { (first, line.y_at(first)) };
@@ -102,8 +102,8 @@ impl Way {
     }
 }
 
-/// Returns where a line crosses the middle of a square along one axis: `at`, unless the line does not cross it or
-/// nothing is beyond.
+/// Returns the distance at which a ray crosses the middle of a square along one axis: `at`, unless the line does not
+/// cross it or nothing is beyond.
 fn middle(o: f64, d: f64, middle: usize, end: usize, at: f64) -> f64 {
     let is_whole = middle >= end;
     if d == 0.0 {
@@ -118,7 +118,7 @@ fn middle(o: f64, d: f64, middle: usize, end: usize, at: f64) -> f64 {
 }
 
 impl Grid {
-    /// A grid with `width` heights in each row, at least two in each direction.
+    /// Creates a height field's grid with `width` heights in each row, at least two in each direction.
     pub fn new(width: usize, heights: Vec<u16>) -> Self {
         let (across, deep) = (width.max(2) - 1, (heights.len() / width.max(1)).max(2) - 1);
         let mut grid = Self { across, deep, heights: heights.into(), pyramid: vec![], normals: OnceLock::new() };
@@ -129,22 +129,22 @@ impl Grid {
         grid
     }
 
-    /// Factors from object space to cells and steps of height.
+    /// Factors from the height field's object space to cells and steps of height.
     pub fn scale(&self) -> DVec3 {
         DVec3::new(self.across as f64, STEPS, self.deep as f64)
     }
 
-    /// Height of a corner in steps.
+    /// Height of the field at a corner of cells, in steps.
     pub fn at(&self, i: usize, k: usize) -> f64 {
         f64::from(self.heights[k * (self.across + 1) + i])
     }
 
-    /// Normal at a corner of a smooth field, in object space without its scale in steps and cells.
+    /// Normal at a corner of a smooth height field, in object space without its scale in steps and cells.
     pub fn normal(&self, i: usize, k: usize) -> DVec3 {
         self.normals.get_or_init(|| Normals::new(self.heights.len())).at(self, i, k)
     }
 
-    /// Minimum and maximum height in steps.
+    /// Minimum and maximum height of the field, in steps.
     pub fn range(&self) -> [f64; 2] {
         self.pyramid.last().map_or([0.0; 2], |level| level.ranges[0].map(f64::from))
     }
@@ -160,32 +160,34 @@ impl Grid {
         Level { across, deep, size: BLOCK, ranges: (0..across * deep).map(range).collect() }
     }
 
-    /// Heights at the corners of a cell: (0, 0), (1, 0), (0, 1) and (1, 1).
+    /// Heights of the field at the corners of a cell: (0, 0), (1, 0), (0, 1) and (1, 1).
     pub fn corners(&self, i: usize, k: usize) -> [f64; 4] {
         [self.at(i, k), self.at(i + 1, k), self.at(i, k + 1), self.at(i + 1, k + 1)]
     }
 
-    /// Cell under a point, and position within it, in cells; points outside belong to the nearest cell.
+    /// Returns the height field's cell under a point, and the position within it, in cells; points outside belong to
+    /// the nearest cell.
     pub fn place(&self, x: f64, z: f64) -> (Place, DVec2) {
         let (i, k) = ((x as usize).min(self.across - 1), (z as usize).min(self.deep - 1));
         let rest = DVec2::new(x - i as f64, z - k as f64).clamp(DVec2::ZERO, DVec2::ONE);
         (Place { i, k, upper: rest.x + rest.y > 1.0 }, rest)
     }
 
-    /// Height of a triangle's plane at a position.
+    /// Height of a field's triangle at a position in its cell, in steps.
     pub fn height(&self, place: Place, rest: DVec2) -> f64 {
         let slope = self.slope(place);
         let Place { i, k, upper } = place;
         if upper { self.at(i + 1, k + 1) + slope.dot(rest - 1.0) } else { self.at(i, k) + slope.dot(rest) }
     }
 
-    /// Slope of a triangle along x and z, in steps a cell.
+    /// Slope of a height field's triangle along x and z, in steps a cell.
     pub fn slope(&self, place: Place) -> DVec2 {
         let [h00, h10, h01, h11] = self.corners(place.i, place.k);
         if place.upper { DVec2::new(h11 - h01, h11 - h10) } else { DVec2::new(h10 - h00, h01 - h00) }
     }
 
-    /// Calls `visit` with each hit of a ray, which is in cells and steps, ascending, until it returns true.
+    /// Calls `visit` with each hit of a ray on the height field, ascending, until it returns true. The ray is in units
+    /// of cells and steps.
     pub fn meet(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(f64, Place) -> bool) {
         let (o, d) = (ray.origin, ray.dir);
         let mut line =
@@ -211,7 +213,8 @@ impl Grid {
         }
     }
 
-    /// Searches a square of a level, over which the line is along `way`; returns true if `visit` did.
+    /// Searches a square of a height field's pyramid for hits; the line is over the square along `way`. Returns true if
+    /// `visit` did.
     fn descend(&self, level: usize, [a, b]: [usize; 2], way: Way, line: &mut Line) -> bool {
         let Level { across, ranges, .. } = &self.pyramid[level];
         if way.misses(ranges[b * across + a]) {
@@ -237,15 +240,16 @@ impl Grid {
         })
     }
 
-    /// Returns the first cell of a square, and the one beyond its last.
+    /// Returns the first cell of a pyramid level's square, and the one beyond its last.
     fn square(&self, level: usize, a: usize, b: usize) -> [[usize; 2]; 2] {
         let size = self.pyramid[level].size;
         let from = [a * size, b * size];
         [from, [(from[0] + size).min(self.across), (from[1] + size).min(self.deep)]]
     }
 
-    /// Searches the cells of a block. Whether the line is above or below the surface is evaluated only where it crosses
-    /// edges and diagonals of cells, and both sides of an edge get the same result, so no line passes between them.
+    /// Searches the cells of a block of the height field. Whether the line is above or below the surface is evaluated
+    /// only where it crosses edges and diagonals of cells, and both sides of an edge get the same result, so no line
+    /// passes between them.
     fn pass_cells(&self, from: [usize; 2], to: [usize; 2], line: &mut Line) -> bool {
         let (enter, leave) = self.under(line, from, to);
         let (mut t, end) = (enter.max(line.near), leave.min(line.far));
@@ -281,8 +285,8 @@ impl Grid {
         }
     }
 
-    /// Returns the interval in which a line is over a rectangle of cells. A line along the upper side is not, except at
-    /// the end of the field.
+    /// Returns the interval in which a line is over a rectangle of a height field's cells. A line along the upper side
+    /// is not, except at the end of the field.
     fn under(&self, line: &Line, from: [usize; 2], to: [usize; 2]) -> (f64, f64) {
         let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut narrow = |o: f64, d: f64, a: f64, b: f64, ends: [usize; 2], last: usize| {
@@ -299,7 +303,7 @@ impl Grid {
         (near, far)
     }
 
-    /// True if a piece of a line is neither entirely above a cell nor entirely below.
+    /// True if a piece of a ray is neither entirely above a height field's cell nor entirely below.
     fn is_near(&self, i: usize, k: usize, t: [f64; 2], line: &Line) -> bool {
         let row = k * (self.across + 1) + i;
         let (first, second) = (&self.heights[row..row + 2], &self.heights[row + self.across + 1..][..2]);
@@ -311,7 +315,7 @@ impl Grid {
         y[0].min(y[1]) <= f64::from(hi) + SLACK && y[0].max(y[1]) >= f64::from(lo) - SLACK
     }
 
-    /// Searches a cell between two distances.
+    /// Searches a height field's cell for hits between two distances.
     fn pass_cell(&self, i: usize, k: usize, t: [f64; 2], over: [f64; 2], line: &mut Line) -> bool {
         let diagonal = ((i + k + 1) as f64 - line.o.x - line.o.z) / (line.d.x + line.d.z);
         if !(diagonal > t[0] && diagonal < t[1]) {
@@ -326,7 +330,7 @@ impl Grid {
             || line.cross(Place { i, k, upper: !first }, [diagonal, t[1]], [middle, over[1]])
     }
 
-    /// Height of the line above the surface at the edge of a cell, or within it.
+    /// Height of the ray above the height field at the edge of a cell, or within it.
     fn over(&self, i: usize, k: usize, t: f64, line: &Line) -> f64 {
         let (y, rest) = line.rest(i, k, t);
         let along = |a: f64, b: f64, s: f64| a + (b - a) * s;
@@ -343,7 +347,7 @@ impl Grid {
 }
 
 impl Level {
-    /// Pyramid level with squares twice as large.
+    /// Returns the next level of the height field's pyramid, with squares twice as large.
     fn next(&self) -> Self {
         let (across, deep) = (self.across.div_ceil(2), self.deep.div_ceil(2));
         let range = |place: usize| {
@@ -369,13 +373,13 @@ impl Line<'_> {
         self.o.y + self.d.y * t
     }
 
-    /// Height of the line, and its position within a cell.
+    /// Returns the height of the ray at distance `t`, and its position within a height field's cell.
     fn rest(&self, i: usize, k: usize, t: f64) -> (f64, DVec2) {
         let p = self.o + self.d * t;
         (p.y, DVec2::new(p.x - i as f64, p.z - k as f64).clamp(DVec2::ZERO, DVec2::ONE))
     }
 
-    /// Visits the hit on a plane if the line is above it at one end and below at the other.
+    /// Visits the hit on a height field's triangle if the ray is above it at one end and below at the other.
     fn cross(&mut self, place: Place, t: [f64; 2], over: [f64; 2]) -> bool {
         if (over[0] < 0.0) == (over[1] < 0.0) {
             return false;
@@ -385,7 +389,7 @@ impl Line<'_> {
     }
 }
 
-/// Moves to the next cell; returns false at the end.
+/// Moves to the height field's next cell along an axis; returns false at the end.
 fn step(i: &mut usize, d: f64, from: usize, to: usize) -> bool {
     if d > 0.0 {
         *i += 1;

@@ -3,12 +3,12 @@
 use crate::color::{GRAY_WEIGHTS, Gamma};
 use crate::image_io::{Picture, Samples, kept_gray, spread};
 
-/// Converts a number to 16 bits; numbers below 0 and above 1 wrap.
+/// Converts a number to a height of 16 bits; numbers below 0 and above 1 wrap.
 pub fn wrapped(x: f64) -> u16 {
     (x * 65535.0) as i64 as u16
 }
 
-/// Brightness of a colour whose channels have 16 bits each.
+/// Returns the brightness of a colour whose channels have 16 bits each.
 pub fn gray([r, g, b]: [u16; 3]) -> u16 {
     if r == g && g == b {
         return r;
@@ -17,8 +17,8 @@ pub fn gray([r, g, b]: [u16; 3]) -> u16 {
     (wr * f64::from(r) + wg * f64::from(g) + wb * f64::from(b)) as u16
 }
 
-/// Returns the height of each pixel, row by row from below. Palette indices are heights; colours of 16 bits count by
-/// their brightness; of other colours red is the higher and green the lower byte.
+/// Returns the height of each pixel of a picture, row by row from below. Palette indices are heights; colours of 16
+/// bits count by their brightness; of other colours red is the higher and green the lower byte.
 pub fn of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
     let pixels = &picture.pixels;
     let (width, channels) = (pixels.width, pixels.channels);
@@ -59,8 +59,8 @@ pub fn of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
     }
 }
 
-/// Returns the heights of a pot file from rows of palette indices: the left half holds the higher bytes, the right half
-/// the lower.
+/// Returns the heights of a `pot` picture from rows of palette indices: the left half holds the higher bytes, the right
+/// half the lower.
 pub fn of_halves(all: &[u16], width: usize) -> Vec<u16> {
     let half = width / 2;
     let row = |row: &[u16]| (0..half).map(|x| row[x] | row[x + width - half] >> 8).collect::<Vec<_>>();

@@ -29,39 +29,41 @@ use grid::{Grid, Place, STEPS};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Words of file formats. The format is recognised by the file's bytes; only `pot` changes the meaning of the pixels.
+/// Words of a height field's file formats. The format is recognised by the file's bytes; only `pot` changes the meaning
+/// of the pixels.
 const FORMATS: &[&str] = &["exr", "gif", "hdr", "iff", "jpeg", "pgm", "png", "ppm", "sys", "tga", "tiff", "pot", "bmp"];
 
-/// Depth below `water_level`, in steps, from which on the surface is removed (quirk: `water_level_depth`).
+/// Depth below a height field's `water_level`, in steps, from which on the surface is removed (quirk:
+/// `water_level_depth`).
 const SHALLOW: f64 = 0.001;
 
-/// A height field.
+/// Height field: a terrain from the pixels of a picture or from a function.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HeightField {
-    /// Number of heights along x and z.
+    /// Number of the field's heights along x and z.
     pub size: [usize; 2],
-    /// True to interpolate normals.
+    /// True if the height field's normals are interpolated.
     pub smooth: bool,
-    /// Heights below are removed.
+    /// Height below which a height field's surface is removed.
     pub water_level: f64,
-    /// `gamma`: relation between the file's numbers and heights.
+    /// Relation between the numbers of the height field's file and heights, from `gamma`.
     #[serde(skip)]
     gamma: Option<Gamma>,
-    /// True for a `pot` picture, whose right half holds the lower bytes of its left half.
+    /// True if the height field's picture is a `pot`, whose right half holds the lower bytes of its left half.
     #[serde(skip)]
     is_pot: bool,
     #[serde(skip)]
     picture: Option<Arc<Picture>>,
-    /// The heights; `None` without any cell.
+    /// Grid of the field's heights; `None` for a field without any cell.
     #[serde(skip)]
     grid: Option<Arc<Grid>>,
-    /// World from object, for normals at corners.
+    /// Transform of the height field from object to world space, for normals at corners.
     #[serde(skip)]
     place: Option<Box<Transform>>,
 }
 
 impl HeightField {
-    /// A field with `width` heights in each row, from z = 0 on; 65535 is (nearly) 1.
+    /// Creates a height field with `width` heights in each row, from z = 0 on; 65535 is (nearly) 1.
     pub fn new(width: usize, heights: Vec<u16>, smooth: bool, water_level: f64) -> Self {
         let size = [width, heights.len().checked_div(width).unwrap_or(0)];
         let is_there = size[0] > 1 && size[1] > 1;
@@ -69,7 +71,7 @@ impl HeightField {
         Self { size, smooth, water_level, gamma: None, is_pot: false, picture: None, grid, place: None }
     }
 
-    /// Height below which the surface is removed; a flat field exactly at `water_level` is visible.
+    /// Height below which the height field's surface is removed; a flat field exactly at `water_level` is visible.
     fn waterline(&self) -> f64 {
         self.water_level - SHALLOW / STEPS
     }
@@ -92,7 +94,8 @@ impl HeightField {
         });
     }
 
-    /// Interpolates the normals of four corners, which have length 1 in world space.
+    /// Interpolates the normals of a height field's cell from its four corners, where they have length 1 in world
+    /// space.
     fn smooth_normal(&self, grid: &Grid, place: Place, rest: DVec2) -> DVec3 {
         let (m, scale) = (self.place.as_deref().unwrap_or(&Transform::IDENTITY), grid.scale());
         let corner = |i: usize, k: usize| m.normal(grid.normal(place.i + i, place.k + k) * scale).normalize_or_zero();
@@ -102,7 +105,7 @@ impl HeightField {
     }
 }
 
-/// Reads `function W, H { … }`, row by row from z = 0 on.
+/// Reads a height field from `function W, H { … }`, row by row from z = 0 on.
 fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
     let at = r.span();
     let Some(([width, height], thing)) = r.sized_function()? else {
@@ -193,7 +196,7 @@ impl Readable for HeightField {
     }
 }
 
-/// Reads `gamma srgb` or a number.
+/// Reads the `gamma` of a height field: `srgb` or a number.
 fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
     if r.accept("srgb")? { Ok(Gamma::Srgb) } else { r.float().map(Gamma::Power) }
 }
@@ -224,7 +227,8 @@ impl Kernel for HeightField {
         nearest(&all)
     }
 
-    /// The inside is below the surface or the water, without a bottom (quirk: `height_field_inside`).
+    /// True if a point is below the height field's surface or the water; there is no bottom (quirk:
+    /// `height_field_inside`).
     fn inside(&self, p: DVec3) -> bool {
         let Some(grid) = &self.grid else { return false };
         if !(0.0..=1.0).contains(&p.x) || !(0.0..=1.0).contains(&p.z) {
@@ -243,7 +247,7 @@ impl Kernel for HeightField {
         true
     }
 
-    /// The field with normals that are averaged in world space, as in POV-Ray.
+    /// Returns the height field with normals that are averaged in world space, as in POV-Ray.
     fn changed_under(&self, m: &Transform) -> Option<Self> {
         self.smooth.then(|| Self { place: Some(Box::new(*m)), ..self.clone() })
     }

@@ -4,21 +4,21 @@ use super::grid::Grid;
 use crate::math::DVec3;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Flag of a known normal.
+/// Flag of a height field's normal that is already computed.
 const KNOWN: u64 = 1 << 48;
 
-/// Three coordinates of 16 bits for each corner, row by row (quirk: `height_field_normals`).
+/// Normals of a height field: three coordinates of 16 bits for each corner, row by row (quirk: `height_field_normals`).
 #[derive(Debug)]
 pub struct Normals(Box<[AtomicU64]>);
 
 impl Normals {
-    /// Space for this number of corners.
+    /// Allocates memory for the normals of this number of corners.
     pub fn new(count: usize) -> Self {
         Self((0..count).map(|_| AtomicU64::new(0)).collect())
     }
 
-    /// Returns the normal at a corner in object space, with a length of about 32767 steps. Any thread may compute it
-    /// first; all compute the same.
+    /// Returns the height field's normal at a corner in object space, with a length of about 32767 steps. Any thread
+    /// may compute it first; all compute the same.
     pub fn at(&self, grid: &Grid, i: usize, k: usize) -> DVec3 {
         let kept = &self.0[k * (grid.across + 1) + i];
         let mut packed = kept.load(Ordering::Relaxed);
@@ -30,7 +30,8 @@ impl Normals {
     }
 }
 
-/// Mean of the normals by a corner's neighbours to each side, in cells and steps (quirk: `height_field_normals`).
+/// Mean of the normals that a height field's corner has towards its neighbours on each side, in cells and steps (quirk:
+/// `height_field_normals`).
 fn mean(grid: &Grid, i: usize, k: usize) -> DVec3 {
     let here = grid.at(i, k);
     let left = (i > 0).then(|| here - grid.at(i - 1, k));

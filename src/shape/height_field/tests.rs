@@ -1,7 +1,7 @@
 use super::*;
 use crate::shape::testing::all;
 
-/// Three by three heights, in steps of 1/8.
+/// Creates a test height field with three by three heights, in steps of 1/8.
 fn field(smooth: bool, water_level: f64) -> HeightField {
     let eighths = [1, 2, 3, 4, 8, 2, 0, 3, 1];
     HeightField::new(3, eighths.map(|h| h * 8191).to_vec(), smooth, water_level)

@@ -9,43 +9,43 @@ use crate::math::{Aabb, DVec3, Ray, fp};
 use crate::shape::formula::Formula;
 use std::sync::OnceLock;
 
-/// Approximate number of cells.
+/// Approximate number of cells of an isosurface.
 const COUNT: f64 = 5000.0;
-/// Maximum number of cells along an axis.
+/// Maximum number of cells of an isosurface along an axis.
 const MOST: f64 = 64.0;
-/// Maximum number of subdivisions. (More cost more than they save in small pictures.)
+/// Maximum number of subdivisions of an isosurface's cell. (More cost more than they save in small pictures.)
 const HALVINGS: u32 = 2;
 
-/// The cells of one isosurface.
+/// Cells of an isosurface's container that can hold a piece of its surface.
 #[derive(Debug)]
 pub struct Cells {
-    /// The function, whose value on the surface is the threshold.
+    /// Function of the isosurface, whose value on the surface is the threshold.
     formula: Formula,
     threshold: f64,
     grid: Grid,
 }
 
-/// A box of cells.
+/// Grid of an isosurface's cells.
 #[derive(Debug)]
 struct Grid {
     bounds: Aabb,
     count: [usize; 3],
-    /// Number of cells per unit of length, along each axis.
+    /// Number of the isosurface's cells per unit of length, along each axis.
     scale: DVec3,
-    /// Number of the cell plus one; 0 without surface.
+    /// For each cell of the grid, its index in `cells` plus one; 0 without surface.
     places: Box<[u16]>,
     cells: Vec<Cell>,
 }
 
-/// A cell that can hold a piece of the surface.
+/// Cell that can hold a piece of the isosurface.
 #[derive(Debug)]
 struct Cell {
     gradient: Gradient,
-    /// Smaller cells, built when a ray enters.
+    /// Eight parts of the isosurface's cell, built when a ray enters.
     halves: OnceLock<Option<Box<Grid>>>,
 }
 
-/// Bounds of the function's gradient in a cell; see [`Slope`].
+/// Bounds of the gradient of an isosurface's function in a cell; see [`Slope`].
 #[derive(Clone, Copy, Debug)]
 pub struct Gradient {
     by: [[f32; 2]; 3],
@@ -64,8 +64,8 @@ impl Gradient {
         self.by.iter().flatten().chain([&self.around]).all(|by| by.is_finite())
     }
 
-    /// Bounds of the derivative along `d`, whose length is `length`; `unknown` without bounds, or where rough bounds
-    /// are wider than that.
+    /// Bounds of the function's derivative along `d`, whose length is `length`; `unknown` without bounds, or where
+    /// rough bounds are wider than that.
     pub fn along(&self, d: DVec3, length: f64, unknown: Interval) -> Interval {
         let far = f64::from(self.around) * length;
         let (mut lo, mut hi) = (-far, far);
@@ -82,15 +82,15 @@ impl Gradient {
     }
 }
 
-/// Part of a grid: the first cell and the one beyond the last, along each axis.
+/// Block of an isosurface's cells: the first cell and the one beyond the last, along each axis.
 type Block = [[usize; 2]; 3];
 
-/// Called with the pieces of a line in order: both ends, and the gradient's bounds, `None` without surface. Returns
-/// true to stop.
+/// Function that receives the pieces of a ray through an isosurface's cells in order: both ends, and the bounds of the
+/// gradient, `None` without surface. It returns true to stop.
 pub type Visit<'a> = &'a mut dyn FnMut(f64, f64, Option<&Gradient>) -> bool;
 
 impl Cells {
-    /// Finds the cells in which the function can have the threshold's value.
+    /// Finds the cells in which an isosurface's function can have the threshold's value.
     pub fn new(formula: &Formula, threshold: f64, bounds: Aabb) -> Self {
         let size = bounds.size().max(DVec3::splat(f64::MIN_POSITIVE));
         // Make cells nearly cubes.
@@ -102,7 +102,7 @@ impl Cells {
         Self { formula: formula.clone(), threshold, grid }
     }
 
-    /// Visits the cells along a line.
+    /// Calls `visit` with the pieces of a ray in each cell of the isosurface.
     pub fn pass(&self, ray: &Ray, from: f64, to: f64, visit: Visit) -> bool {
         self.pass_in(&self.grid, HALVINGS, ray, (from, to), visit)
     }
@@ -144,7 +144,7 @@ impl Cells {
         }
     }
 
-    /// Returns the eight parts of a cell; `None` if all of them hold surface and none has bounds.
+    /// Returns the eight parts of an isosurface's cell; `None` if all of them hold surface and none has bounds.
     fn halves<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
         let halves = inner.halves.get_or_init(|| {
             let mut eight = Grid::empty(grid.box_of(cell.map(|i| [i, i + 1])), [2; 3]);
@@ -155,7 +155,7 @@ impl Cells {
         halves.as_deref()
     }
 
-    /// Diagonal of a cell.
+    /// Length of the diagonal of an isosurface's cell.
     pub fn side(&self) -> f64 {
         self.grid.scale.recip().length()
     }
@@ -205,7 +205,7 @@ impl Grid {
         (cell[2] * self.count[1] + cell[1]) * self.count[0] + cell[0]
     }
 
-    /// The cell, unless there is no surface in it.
+    /// Returns the cell at a position of the isosurface's grid; `None` if there is no surface in it.
     fn at(&self, cell: [usize; 3]) -> Option<&Cell> {
         self.cells.get((self.places[self.index(cell)] as usize).wrapping_sub(1))
     }

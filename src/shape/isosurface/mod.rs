@@ -32,33 +32,33 @@ use walk::Walk;
 
 const SURFACE: u32 = 0;
 const FACE: u32 = 1;
-/// Lower limits of `accuracy`, relative to a cell's diagonal: with known and with unknown gradient. They bound the
-/// number of pieces in a cell, however steep the function is.
+/// Lower limits of an isosurface's `accuracy`, relative to a cell's diagonal: with known and with unknown gradient.
+/// They bound the number of pieces in a cell, however steep the function is.
 const FINEST: f64 = 1e-5;
 const COARSEST: f64 = 1e-3;
-/// Distance to the container below which a ray starts inside it (quirk: `isosurface_start`).
+/// Distance to the isosurface's container below which a ray starts inside it (quirk: `isosurface_start`).
 const BEGINS: f64 = 1e-6;
-/// Number of points along each side of the container at which the gradient is sampled.
+/// Number of points along each side of the isosurface's container at which the gradient is sampled.
 const POINTS: usize = 12;
-/// Factor by which a sampled gradient must exceed `max_gradient` to be reported.
+/// Factor by which the isosurface's sampled gradient must exceed `max_gradient` to be reported.
 const STEEPER: f64 = 1.5;
 
-/// The surface of a function.
+/// Isosurface: the points at which a function equals a threshold.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Isosurface {
-    /// The function of x, y and z.
+    /// Function of x, y and z that defines the isosurface.
     pub function: Formula,
-    /// Value on the surface; smaller values are inside.
+    /// Value of the function on the isosurface; smaller values are inside.
     pub threshold: f64,
-    /// The solid that bounds the surface.
+    /// Solid that bounds the isosurface.
     pub container: Container,
-    /// True without faces on the container.
+    /// True if the isosurface has no faces on its container.
     pub open: bool,
-    /// Maximum distance of a hit behind the surface, and the step of differences for normals.
+    /// Maximum distance of a hit behind the isosurface, and the step of differences for normals.
     pub accuracy: f64,
-    /// Maximum gradient, for functions without bounds.
+    /// Maximum gradient of the isosurface's function, where it has no computed bounds.
     pub max_gradient: f64,
-    /// Maximum number of hits of one ray in CSG.
+    /// Maximum number of hits of one ray on an isosurface in CSG.
     pub max_trace: u32,
     /// True for `evaluate`, which adapts `max_gradient` in POV-Ray.
     pub adapts: bool,
@@ -66,7 +66,7 @@ pub struct Isosurface {
     cells: Lazy,
 }
 
-/// Built when the first ray arrives.
+/// Cells of the isosurface, built when the first ray arrives.
 #[derive(Clone, Debug, Default)]
 struct Lazy(Arc<OnceLock<Cells>>);
 
@@ -77,7 +77,7 @@ impl PartialEq for Lazy {
 }
 
 impl Isosurface {
-    /// An isosurface with POV-Ray's defaults.
+    /// Creates an isosurface with POV-Ray's defaults.
     pub fn new(function: Formula) -> Self {
         Self {
             function,
@@ -96,13 +96,13 @@ impl Isosurface {
         self.cells.0.get_or_init(|| Cells::new(&self.function, self.threshold, self.container.bounds()))
     }
 
-    /// Value minus threshold: negative inside. NaN counts as outside.
+    /// Value of the isosurface's function minus the threshold: negative inside. NaN counts as outside.
     fn value(&self, p: DVec3) -> f64 {
         let value = self.function.at(p) - self.threshold;
         if value.is_nan() { self.accuracy * self.max_gradient } else { value }
     }
 
-    /// Calls `found` with each hit in the range, ascending, until it returns true.
+    /// Calls `found` with each hit of a ray on the isosurface in the range, ascending, until it returns true.
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(Hit) -> bool) {
         let Some((enter, leave)) = self.container.stretch(ray) else { return };
         if !(enter < range.max && leave > range.min) {
@@ -143,8 +143,8 @@ impl Isosurface {
         }
     }
 
-    /// Searches the cells up to `to` that overlap a range; the ray's origin is at `origin`, and `known` is a point with
-    /// its value. Pieces start where cells do, so that roots hardly depend on the range.
+    /// Searches the isosurface's cells up to `to` that overlap a range; the ray's origin is at `origin`, and `known` is
+    /// a point with its value. Pieces start where cells do, so that roots hardly depend on the range.
     fn pass(
         &self,
         near: &Ray,
@@ -189,7 +189,7 @@ impl Isosurface {
         ended || run.is_some_and(|run| piece(run, unknown, coarse))
     }
 
-    /// Returns the maximum gradient found near the surface: where the value changes its sign between two points of a
+    /// Returns the maximum gradient found near the isosurface: where the value changes its sign between two points of a
     /// lattice.
     fn steepest(&self) -> f64 {
         let b = self.container.bounds();
@@ -211,7 +211,7 @@ impl Isosurface {
         found
     }
 
-    /// Gradient by differences over a step (quirk: `isosurface_normal`).
+    /// Gradient of the isosurface's function by differences over a step (quirk: `isosurface_normal`).
     fn slant(&self, p: DVec3, step: f64) -> DVec3 {
         let here = self.function.at(p);
         let rise = |axis: DVec3| self.function.at(p + axis * step) - here;
@@ -304,7 +304,7 @@ impl Kernel for Isosurface {
         });
     }
 
-    /// The first `max_trace` hits in front of the ray's origin, and all behind it.
+    /// Appends the first `max_trace` hits on the isosurface in front of the ray's origin, and all behind it.
     fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if self.max_trace == u32::MAX {
             return self.hits(ray, range, out);

@@ -3,22 +3,22 @@
 use crate::function::Interval;
 use crate::math::{Range, crossing};
 
-/// A position on the line, and the function's value there.
+/// A position on a ray, and the isosurface's function there.
 pub type Point = (f64, f64);
 
-/// A search on a line.
+/// Search for the roots of an isosurface's function along a ray.
 pub struct Search<'a> {
-    /// Function of the position on the line, whose roots are searched.
+    /// Function of the position on the ray, whose roots are searched.
     pub value: &'a dyn Fn(f64) -> f64,
-    /// Roots closer together than this can be missed.
+    /// Distance between roots below which both can be missed.
     pub apart: f64,
-    /// Maximum error of a root before `ahead`.
+    /// Maximum error of a root before the position `ahead`.
     pub exact: f64,
-    /// Accuracy of roots from `ahead` on.
+    /// Maximum error of a root from the position `ahead` on.
     pub roughly: f64,
-    /// Position of the ray's origin.
+    /// Position of the ray's origin on the line that is searched.
     pub ahead: f64,
-    /// Range in which roots count.
+    /// Range of positions in which roots count.
     pub range: Range,
 }
 
@@ -51,7 +51,7 @@ impl Search<'_> {
         self.between(a, m, rate, found) || self.between(m, b, rate, found)
     }
 
-    /// Returns the only root between two points, if it counts.
+    /// Returns the only root between two points, if it is in the range.
     fn one(&self, a: Point, b: Point) -> Option<f64> {
         let Range { min, max } = self.range;
         let is_before = |t: f64| ((self.value)(t) < 0.0) != (a.1 < 0.0);

@@ -5,7 +5,7 @@ use crate::shape::testing::all;
 use crate::syntax::ast::Operator::{self, Add, Mul, Sub};
 use std::sync::atomic::AtomicU8;
 
-/// Graph under construction for a formula of a test.
+/// Graph under construction for the function of a test.
 struct Maker(Graph);
 
 impl Maker {
@@ -22,7 +22,7 @@ impl Maker {
         self.two(Mul, factor, a)
     }
 
-    /// x² + y² + z²
+    /// Adds the operations of x² + y² + z² to the graph.
     fn squares(&mut self, p: [Id; 3]) -> Id {
         let [x, y, z] = p.map(|x| self.two(Mul, x, x));
         let sum = self.two(Add, x, y);
@@ -80,7 +80,8 @@ fn only_so_many_hits_as_max_trace_says() {
     assert_eq!([1, 3, u32::MAX].map(count), [1, 3, 5]);
 }
 
-/// Twice as steep as noise usually is: the default `max_gradient` would tear the surface.
+/// Test: a function twice as steep as noise usually is has no holes, although the default `max_gradient` would tear the
+/// surface.
 #[test]
 fn steep_functions_have_no_holes() {
     let noise = Arc::new(AtomicU8::new(NoiseGenerator::default().number()));

@@ -6,33 +6,34 @@
 //! The search goes on five times `accuracy` behind the hit; so does the first search of a ray that starts in the
 //! container, if the value there is less than 4 times `accuracy` times `max_gradient`.
 
-/// Distance that is skipped behind a hit, in units of `accuracy`.
+/// Distance that POV-Ray skips behind a hit on an isosurface, in units of `accuracy`.
 const SKIPPED: f64 = 5.0;
-/// Value at the origin, in units of `accuracy` times `max_gradient`, below which a ray starts on the surface or inside.
+/// Value of the isosurface's function at the origin, in units of `accuracy` times `max_gradient`, below which a ray
+/// starts on the surface or inside.
 const NEAR: f64 = 4.0;
 
-/// Required accuracy of roots, in units of `accuracy`.
+/// Required accuracy of an isosurface's roots, in units of `accuracy`.
 pub const ROOTS: f64 = 0.002;
 /// Distance between a root and the end of a piece, relative to the piece, below which the order of both is uncertain.
 /// (Pieces are longer than half of `accuracy`.)
 const DOUBT: f64 = 0.02;
 
-/// A ray's way through a container, behind the last hit.
+/// POV-Ray's search along a ray through an isosurface's container, behind the last hit.
 pub struct Walk<'a> {
-    /// The function's value along the ray.
+    /// Value of the isosurface's function along the ray.
     value: &'a dyn Fn(f64) -> f64,
     accuracy: f64,
     to: f64,
     from: f64,
-    /// Length of the pieces.
+    /// Length of the pieces into which POV-Ray divides the ray.
     piece: f64,
-    /// True if the ray starts inside the solid; `None` before it is evaluated.
+    /// True if the ray starts inside the isosurface; `None` before that is evaluated.
     inside: Option<bool>,
 }
 
 impl<'a> Walk<'a> {
-    /// The way of a ray that enters the container from outside; `inside` is true if it enters the solid there. A way
-    /// shorter than a piece has no hits.
+    /// Creates the search of a ray that enters the isosurface's container from outside; `inside` is true if it enters
+    /// the solid there. A way shorter than a piece has no hits.
     pub fn entering(value: &'a dyn Fn(f64) -> f64, inside: bool, open: bool, to: f64, accuracy: f64) -> Option<Self> {
         let mut walk = Self { value, accuracy, to, from: 0.0, piece: 0.0, inside: Some(inside) };
         walk.divide();
@@ -43,7 +44,7 @@ impl<'a> Walk<'a> {
         walk.is_long().then_some(walk)
     }
 
-    /// The way of a ray that starts within the container.
+    /// Creates the search of a ray that starts within the isosurface's container.
     pub fn within(value: &'a dyn Fn(f64) -> f64, from: f64, to: f64, accuracy: f64, max_gradient: f64) -> Option<Self> {
         let first = value(from);
         let mut walk = Self { value, accuracy, to, from, piece: 0.0, inside: Some(first < 0.0) };
@@ -54,12 +55,12 @@ impl<'a> Walk<'a> {
         walk.is_long().then_some(walk)
     }
 
-    /// Position before which roots are ignored.
+    /// Position on the ray before which roots are ignored.
     pub fn from(&self) -> f64 {
         self.from
     }
 
-    /// Returns POV-Ray's hit for a root, if any; roots must be passed in ascending order.
+    /// Returns POV-Ray's hit on an isosurface for a root, if any; roots must be passed in ascending order.
     pub fn hit(&mut self, root: f64) -> Option<f64> {
         if root <= self.from || !self.is_long() {
             return None;

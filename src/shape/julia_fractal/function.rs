@@ -5,51 +5,51 @@ use crate::value::words::word;
 use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 
-/// Function applied to the hypercomplex number z in each iteration.
+/// Function that a Julia fractal applies to the hypercomplex number z in each iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Function {
-    /// z²
+    /// Function z² of a Julia fractal.
     Sqr,
-    /// z³
+    /// Function z³ of a Julia fractal.
     Cube,
-    /// eᶻ
+    /// Function eᶻ of a Julia fractal.
     Exp,
-    /// 1/z
+    /// Function 1/z of a Julia fractal.
     Reciprocal,
-    /// sin z
+    /// Function sin z of a Julia fractal.
     Sin,
-    /// Inverse of `Sin`.
+    /// Inverse of sin z, a function of a Julia fractal.
     Asin,
-    /// sinh z
+    /// Function sinh z of a Julia fractal.
     Sinh,
-    /// Inverse of `Sinh`.
+    /// Inverse of sinh z, a function of a Julia fractal.
     Asinh,
-    /// cos z
+    /// Function cos z of a Julia fractal.
     Cos,
-    /// Inverse of `Cos`.
+    /// Inverse of cos z, a function of a Julia fractal.
     Acos,
-    /// cosh z
+    /// Function cosh z of a Julia fractal.
     Cosh,
-    /// Inverse of `Cosh`.
+    /// Inverse of cosh z, a function of a Julia fractal.
     Acosh,
-    /// tan z
+    /// Function tan z of a Julia fractal.
     Tan,
-    /// Inverse of `Tan`.
+    /// Inverse of tan z, a function of a Julia fractal.
     Atan,
-    /// tanh z
+    /// Function tanh z of a Julia fractal.
     Tanh,
-    /// Inverse of `Tanh`.
+    /// Inverse of tanh z, a function of a Julia fractal.
     Atanh,
-    /// Natural logarithm.
+    /// Natural logarithm of z, a function of a Julia fractal.
     Ln,
-    /// z to the power x + iy
+    /// Function z to the power x + iy of a Julia fractal.
     Pwr(f64, f64),
 }
 
 use Function::*;
 
-/// Functions without arguments, by their words.
+/// Functions of a Julia fractal without arguments, by their words.
 pub const WORDS: [(&str, Function); 17] = [
     ("sqr", Sqr),
     ("cube", Cube),
@@ -74,7 +74,7 @@ const fn applied(name: &'static str, summary: &'static str) -> WordSpec {
     word(name, ValueKind::Nothing, "", summary)
 }
 
-/// Words of the functions.
+/// Words of all functions of a Julia fractal.
 pub const FUNCTIONS: [WordSpec; 18] = [
     applied("sqr", "each round is h²; so it is without any function"),
     applied("cube", "each round is h³; of hypercomplex numbers h², as in POV-Ray"),
@@ -98,24 +98,24 @@ pub const FUNCTIONS: [WordSpec; 18] = [
 
 const ONE: Complex = Complex::new(1.0, 0.0);
 
-/// Returns -i·z: `z` turned clockwise by 90°.
+/// Returns -i·z: the complex number turned clockwise by 90°.
 fn turned_back(z: Complex) -> Complex {
     -z.turned()
 }
 
-/// asinh z = ln(z + √(z² + 1)), and its derivative.
+/// Returns asinh z = ln(z + √(z² + 1)), and its derivative.
 fn asinh(z: Complex) -> (Complex, Complex) {
     let root = (z.square() + ONE).sqrt();
     ((z + root).ln(), ONE / root)
 }
 
-/// acosh z = ln(z + √(z + 1)·√(z - 1)), and its derivative.
+/// Returns acosh z = ln(z + √(z + 1)·√(z - 1)), and its derivative.
 fn acosh(z: Complex) -> (Complex, Complex) {
     let root = (z + ONE).sqrt() * (z - ONE).sqrt();
     ((z + root).ln(), ONE / root)
 }
 
-/// atanh z = (ln(1 + z) - ln(1 - z))/2, and its derivative.
+/// Returns atanh z = (ln(1 + z) - ln(1 - z))/2, and its derivative.
 fn atanh(z: Complex) -> (Complex, Complex) {
     (0.5 * ((ONE + z).ln() - (ONE - z).ln()), ONE / (ONE - z.square()))
 }
@@ -133,7 +133,7 @@ fn tanh(z: Complex) -> (Complex, Complex) {
 }
 
 impl Function {
-    /// f(z) and f'(z).
+    /// Returns the Julia fractal's function f(z) and its derivative f'(z).
     pub fn value_and_slope(self, z: Complex) -> (Complex, Complex) {
         match self {
             Sqr => (z.square(), 2.0 * z),

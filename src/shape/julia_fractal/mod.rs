@@ -28,47 +28,49 @@ use function::{FUNCTIONS, WORDS};
 use orbit::{Four, Rule, Trail, mean};
 use serde::Serialize;
 
-/// Maximum number of iterations; points inside take all of them.
+/// Maximum number of iterations of a Julia fractal; points inside take all of them.
 const MOST_ROUNDS: usize = 1000;
-/// Maximum precision: the number of steps in a unit.
+/// Maximum precision of a Julia fractal: the number of steps in a unit.
 const MOST_PRECISE: f64 = 1000.0;
-/// Step beyond the proven distance, as a share of that distance: the next distance is usually similar.
+/// Step of a ray beyond the proven distance to a Julia fractal, as a share of that distance: the next distance is
+/// usually similar.
 const AHEAD: f64 = 0.6;
 
-/// Algebra of four-dimensional numbers.
+/// Algebra of a Julia fractal's four-dimensional numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Algebra {
     /// Hamilton's quaternions, whose product depends on the order of the factors.
     Quaternion,
-    /// Pairs of complex numbers.
+    /// Hypercomplex numbers: pairs of complex numbers.
     Hypercomplex,
 }
 
-/// A three-dimensional slice of a fractal.
+/// Julia fractal: a three-dimensional slice of a four-dimensional set.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct JuliaFractal {
-    /// Constant that is added in each iteration.
+    /// Constant that is added in each iteration of a Julia fractal.
     pub parameter: Four,
-    /// Algebra of the numbers.
+    /// Algebra of the Julia fractal's numbers.
     pub algebra: Algebra,
-    /// Function of each iteration.
+    /// Function that a Julia fractal applies in each iteration.
     pub function: Function,
-    /// Number of points of an orbit that must be near the origin, the first included.
+    /// Number of points of a Julia fractal's orbit that must be near the origin, the first included.
     pub max_iteration: usize,
-    /// Steps a unit where distances are not proven.
+    /// Steps of a ray in a unit of length where distances to the Julia fractal are not proven.
     pub precision: f64,
-    /// Normal of the slice, length 1.
+    /// Normal of the Julia fractal's slice in four dimensions, length 1.
     pub slice: Four,
-    /// Distance of the slice from the origin.
+    /// Distance of the Julia fractal's slice from the origin.
     pub distance: f64,
 }
 
-/// Called with an interval that contains a crossing, and a function that refines it; returns true to stop.
+/// Function that receives an interval in which a ray crosses a Julia fractal, and a function that refines it; returns
+/// true to stop.
 type Found<'a> = &'a mut dyn FnMut([f64; 2], &dyn Fn() -> f64) -> bool;
 
 impl JuliaFractal {
-    /// The fractal of h² + c in quaternions.
+    /// Creates the Julia fractal of h² + c in quaternions.
     pub fn new(parameter: Four) -> Self {
         Self {
             parameter,
@@ -91,7 +93,8 @@ impl JuliaFractal {
         }
     }
 
-    /// Radius beyond which an orbit has escaped: 1 + |c| for quaternions, 4 for others (quirk: `julia_escape_radius`).
+    /// Radius beyond which a Julia fractal's orbit has escaped: 1 + |c| for quaternions, 4 for others (quirk:
+    /// `julia_escape_radius`).
     fn radius(&self) -> f64 {
         match self.algebra {
             Algebra::Quaternion => 1.0 + self.parameter.iter().map(|x| x * x).sum::<f64>().sqrt(),
@@ -99,7 +102,7 @@ impl JuliaFractal {
         }
     }
 
-    /// Radius of a ball that contains the fractal, in four dimensions.
+    /// Radius of a ball that contains the Julia fractal, in four dimensions.
     fn ball(&self) -> f64 {
         let radius = self.radius();
         let ball = self.rule().ball(self.parameter, radius, self.rounds());
@@ -109,30 +112,31 @@ impl JuliaFractal {
         (ball * (1.0 + 1e-6)).min(largest)
     }
 
-    /// Number of iterations that a point inside must stay.
+    /// Number of iterations that the orbit of a point inside a Julia fractal must stay.
     fn rounds(&self) -> usize {
         self.max_iteration.saturating_sub(1).min(MOST_ROUNDS)
     }
 
-    /// Maps a point of three dimensions to the slice.
+    /// Maps a point of three dimensions to the four-dimensional slice of a Julia fractal.
     fn lifted(&self, p: DVec3) -> Four {
         let [x, y, z, w] = self.slice;
         [p.x, p.y, p.z, (self.distance - x * p.x - y * p.y - z * p.z) / w]
     }
 
-    /// Returns the start of an orbit and the constant.
+    /// Returns the start of a point's orbit in a Julia fractal, and the constant.
     fn start(&self, p: DVec3) -> [Four; 2] {
         [self.lifted(p), self.parameter]
     }
 
-    /// Returns true if the point is inside, and a radius around it within which all points share that.
+    /// Returns true if the point is inside the Julia fractal, and a radius around it within which all points share
+    /// that.
     fn look(&self, p: DVec3, radius: f64, trail: &mut Trail) -> (bool, f64) {
         let (inside, clearance) = self.rule().look(self.start(p), radius, self.rounds(), trail);
         // (In a steep slice, points are farther apart than their projections.)
         (inside, clearance * self.slice[3].abs())
     }
 
-    /// Returns a value below 0 inside, and at most 1.
+    /// Returns a value below 0 inside the Julia fractal, and at most 1; `exit` is the squared escape radius.
     fn value(&self, p: DVec3, exit: f64) -> f64 {
         1.0 - exit / self.rule().reach(self.start(p), self.rounds())
     }
@@ -147,7 +151,8 @@ impl JuliaFractal {
         stays
     }
 
-    /// Returns the interval of a line within the ball; positions are distances from the point nearest to the origin.
+    /// Returns the interval of a line within the ball around a Julia fractal; positions are distances from the line's
+    /// point nearest to the origin.
     fn stretch(&self, o: DVec3, from: f64, to: f64) -> Option<(f64, f64)> {
         let ball = self.ball();
         let half = (ball * ball - o.length_squared()).sqrt();
@@ -156,7 +161,8 @@ impl JuliaFractal {
         (half > 0.0 && half.is_finite() && from < to).then_some((from, to))
     }
 
-    /// Calls `found` with each interval in which a ray crosses the surface, ascending, until it returns true.
+    /// Calls `found` with each interval in which a ray crosses a Julia fractal's surface, ascending, until it returns
+    /// true.
     fn search(&self, ray: &Ray, range: Range, found: Found) {
         if self.rounds() == 0 {
             return;
@@ -193,7 +199,7 @@ impl JuliaFractal {
         }
     }
 
-    /// Returns the iteration after which h is largest, among those that count.
+    /// Returns the iteration after which the orbit of a Julia fractal is longest, among those that count.
     fn iteration_of_maximum(&self, p: DVec3) -> usize {
         let (mut k, mut last, mut most) = (0, 0, f64::NEG_INFINITY);
         self.rule().follow(self.start(p), self.rounds(), |squares| {
@@ -207,8 +213,8 @@ impl JuliaFractal {
         last
     }
 
-    /// Returns the gradient of |h|² after some iterations; its fourth component is ignored, even if the slice makes it
-    /// depend on the others (quirk: `julia_normal`).
+    /// Returns the gradient of |h|² after some iterations of a Julia fractal; its fourth component is ignored, even if
+    /// the slice makes it depend on the others (quirk: `julia_normal`).
     fn gradient(&self, p: DVec3, rounds: usize) -> DVec3 {
         let rule = self.rule();
         let mut h = self.lifted(p);
@@ -306,7 +312,8 @@ impl Readable for JuliaFractal {
     }
 }
 
-/// Reads four numbers; a single number is used for all, and missing ones are 0.
+/// Reads a four-dimensional number of a Julia fractal; a single number is used for all components, and missing ones are
+/// 0.
 fn read_four(r: &mut dyn Reader) -> Result<Four> {
     let (value, span) = r.value()?;
     let four = match value {
@@ -381,8 +388,9 @@ impl Kernel for JuliaFractal {
         p.length() <= self.radius() && self.holds(p)
     }
 
-    /// Direction of the steepest growth of h after the last iteration (quirk: `julia_normal`). POV-Ray's normals of
-    /// functions other than `sqr` and `cube` do not belong to the surface; there the iteration that escapes is used.
+    /// Normal of a Julia fractal: the direction of the steepest growth of h after the last iteration (quirk:
+    /// `julia_normal`). POV-Ray's normals of functions other than `sqr` and `cube` do not belong to the surface; there
+    /// the iteration that escapes is used.
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
         let rounds = if self.rule().is_proved() { self.rounds() + 1 } else { self.iteration_of_maximum(p) };
         let n = self.gradient(p, rounds);
@@ -390,7 +398,7 @@ impl Kernel for JuliaFractal {
         if n.is_finite() && n != DVec3::ZERO { n } else { DVec3::Y }
     }
 
-    /// POV-Ray has no mapping for this shape.
+    /// Returns false: POV-Ray defines no uv mapping for a Julia fractal.
     fn has_uv_mapping(&self) -> bool {
         false
     }

@@ -9,24 +9,25 @@ use smallvec::SmallVec;
 use std::array::from_fn;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
-/// Number of iterations back after which the enclosing ball hardly shrinks.
+/// Number of iterations back after which the ball around a Julia fractal hardly shrinks.
 const BALL_ROUNDS: usize = 6;
 
-/// x + iy + jz + kw.
+/// Four-dimensional number of a Julia fractal: x + iy + jz + kw.
 pub type Four = [f64; 4];
 
-/// Function applied to h in each iteration, before the constant is added.
+/// Function of a Julia fractal that is applied to h in each iteration, before the constant is added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rule {
-    /// h² of a quaternion.
+    /// Function h² of a quaternion.
     Square,
-    /// h³ of a quaternion.
+    /// Function h³ of a quaternion.
     Cube,
-    /// A function of each number of a pair.
+    /// Function of each complex number of a hypercomplex pair.
     Pair(Function),
 }
 
-/// Two squared lengths for each iteration: of both numbers of the pair, or twice that of the quaternion.
+/// Two squared lengths for each iteration of an orbit: of both numbers of a hypercomplex pair, or twice that of a
+/// quaternion.
 pub type Trail = SmallVec<[[f64; 2]; 24]>;
 
 /// Hamilton's product of two quaternions.
@@ -39,7 +40,7 @@ pub fn product(a: Four, b: Four) -> Four {
     ]
 }
 
-/// h², whose vector part is twice the product of both parts.
+/// Returns the square h² of a quaternion, whose vector part is twice the product of both parts.
 fn square([x, y, z, w]: Four) -> Four {
     let twice = x + x;
     [(x * x - y * y) - (z * z + w * w), twice * y, twice * z, twice * w]
@@ -53,13 +54,13 @@ fn length_squared([x, y, z, w]: Four) -> f64 {
     (x * x + y * y) + (z * z + w * w)
 }
 
-/// The pair of complex numbers.
+/// Returns the pair of complex numbers that represents a hypercomplex number.
 pub fn pair([x, y, z, w]: Four) -> [Complex; 2] {
     [Complex::new(x + w, y - z), Complex::new(x - w, y + z)]
 }
 
 impl Rule {
-    /// Returns the next point of the orbit, and the images of three directions.
+    /// Returns the next point of a Julia fractal's orbit, and the images of three directions.
     pub fn moved(self, h: Four, c: Four, turns: [Four; 3]) -> (Four, [Four; 3]) {
         let twice = |d: Four| sum(product(h, d), product(d, h));
         match self {
@@ -82,7 +83,8 @@ impl Rule {
         }
     }
 
-    /// Iterates at most `count` times. `visit` receives the squared lengths from h₀ on, and returns false to stop.
+    /// Iterates a Julia fractal's function at most `count` times. `visit` receives the squared lengths from h₀ on, and
+    /// returns false to stop.
     #[inline]
     pub fn follow(self, [h, c]: [Four; 2], count: usize, visit: impl FnMut([f64; 2]) -> bool) {
         match self {
@@ -103,8 +105,8 @@ impl Rule {
         }
     }
 
-    /// Returns true if the orbit stays within `radius`, and a radius around the start within which all points share
-    /// that; the radius is 0 where nothing is proven.
+    /// Returns true if a Julia fractal's orbit stays within `radius`, and a radius around the start within which all
+    /// points share that; the radius is 0 where nothing is proven.
     #[inline]
     pub fn look(self, start: [Four; 2], radius: f64, count: usize, trail: &mut Trail) -> (bool, f64) {
         trail.clear();
@@ -121,7 +123,7 @@ impl Rule {
         (stays, if proved { self.clearance(trail, stays, radius) } else { 0.0 })
     }
 
-    /// Returns the maximum squared length of the orbit; infinite for NaN.
+    /// Returns the maximum squared length of a Julia fractal's orbit; infinite for NaN.
     pub fn reach(self, start: [Four; 2], count: usize) -> f64 {
         let mut most = 0.0;
         self.follow(start, count, |squares| {
@@ -132,7 +134,7 @@ impl Rule {
         if most.is_nan() { f64::INFINITY } else { most }
     }
 
-    /// Returns the radius of a ball that contains every orbit which stays within `radius`.
+    /// Returns the radius of a ball that contains every orbit of a Julia fractal which stays within `radius`.
     ///
     /// |h² + c| ≥ |h|² - |c|: a point that is at most r after an iteration was at most √(r + |c|) before it, and
     /// likewise for cubes.
@@ -153,13 +155,13 @@ impl Rule {
         }
     }
 
-    /// True if the divergence of neighbouring orbits has a proven bound.
+    /// True if the divergence of neighbouring orbits of a Julia fractal has a proven bound.
     pub fn is_proved(self) -> bool {
         matches!(self, Rule::Square | Rule::Cube | Rule::Pair(Function::Sqr))
     }
 
-    /// Returns the maximum deviation of a number before an iteration, such that its deviation after it is at most
-    /// `next`.
+    /// Returns the maximum deviation of a Julia fractal's number before an iteration, such that its deviation after it
+    /// is at most `next`.
     ///
     /// |(h + d)² - h²| ≤ (|h| + |d|)² - |h|², and likewise for cubes; both are solved for |d|, or bounded where that is
     /// cheaper.
@@ -181,8 +183,8 @@ impl Rule {
         }
     }
 
-    /// Returns a radius within which all points share the result of an orbit: escape in one of its last iterations, or
-    /// none.
+    /// Returns a radius within which all points share the result of a Julia fractal's orbit: escape in one of its last
+    /// iterations, or none.
     fn clearance(self, trail: &[[f64; 2]], stays: bool, radius: f64) -> f64 {
         let within = match (self, stays) {
             // Both numbers of a pair deviate by √2 times the point's deviation.
@@ -196,7 +198,8 @@ impl Rule {
         within * (1.0 - 1e-9)
     }
 
-    /// Maximum deviation of N numbers before the first iteration, such that they stay in all of them.
+    /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they stay in all
+    /// iterations.
     fn staying<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
         let mut e = [Stray::exactly(f64::INFINITY); N];
         for squares in trail.iter().rev() {
@@ -206,7 +209,8 @@ impl Rule {
         least(&e)
     }
 
-    /// Maximum deviation of N numbers before the first iteration, such that they escape in one of the last iterations.
+    /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they escape in one of
+    /// the last iterations.
     fn leaving<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
         let mut e = [Stray::exactly(0.0); N];
         for squares in trail.iter().rev() {
@@ -220,7 +224,8 @@ impl Rule {
     }
 }
 
-/// Bounds of a deviation. Each is computed from its own predecessor, so that a processor can compute both in parallel.
+/// Bounds of the deviation of an orbit. Each is computed from its own predecessor, so that a processor can compute both
+/// in parallel.
 #[derive(Clone, Copy)]
 struct Stray {
     least: f64,
@@ -241,7 +246,7 @@ fn least<const N: usize>(e: &[Stray; N]) -> f64 {
     e.iter().fold(f64::INFINITY, |least, stray| least.min(stray.least))
 }
 
-/// Squared length of a point from those of its pair.
+/// Returns the squared length of a hypercomplex number from those of its pair.
 pub fn mean([a, b]: [f64; 2]) -> f64 {
     0.5 * (a + b)
 }

@@ -18,16 +18,16 @@ use serde::Serialize;
 use smallvec::smallvec;
 use std::sync::Arc;
 
-/// Triangles, with a direction that defines their inside.
+/// Triangles of a mesh, with a direction that defines its inside.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct TriangleMesh {
-    /// Triangles; shared by all meshes of one file.
+    /// Triangles of the mesh; shared by all meshes of one file.
     #[serde(flatten)]
     triangles: Arc<Ordered>,
-    /// Direction of a line that crosses the surface an odd number of times from points inside; without it nothing is
+    /// Direction of a line that crosses the mesh an odd number of times from points inside; without it nothing is
     /// inside.
     inside_vector: Option<DVec3>,
-    /// The object's numbers of the embedded textures; empty for a mesh without any.
+    /// The object's numbers of the mesh's embedded textures; empty for a mesh without any.
     #[serde(skip)]
     texture_weights: Vec<u32>,
 }
@@ -51,8 +51,8 @@ impl TriangleMesh {
     }
 }
 
-/// Flag in the first number of a face's textures: the three textures are equal but were given for each corner, so that
-/// each corner's share is compared with `adc_bailout` by itself (quirk: `embedded_shares_below_adc_bailout`).
+/// Flag in the first texture number of a mesh's face: the three textures are equal but were given for each corner, so
+/// that each corner's share is compared with `adc_bailout` by itself (quirk: `embedded_shares_below_adc_bailout`).
 const EACH_CORNER: u32 = 1 << 31;
 
 /// Implements [`super::Kernel`] for a shape that wraps a mesh.

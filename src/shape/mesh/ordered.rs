@@ -8,23 +8,24 @@ use crate::shape::{Hit, Hits, Triangle};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// A complete list of triangles.
+/// All triangles of a mesh, with a hierarchy over them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Ordered {
-    /// Triangles in the hierarchy's order.
+    /// Triangles of the mesh in the hierarchy's order.
     #[serde(flatten)]
     lists: Triangles,
     #[serde(skip)]
     bvh: bvh::Triangles,
     #[serde(skip)]
     bounds: Option<Aabb>,
-    /// Position of each triangle in that order, in the order written.
+    /// Position of each triangle in the hierarchy's order, in the order written.
     #[serde(skip)]
     written: Vec<u32>,
 }
 
 impl Ordered {
-    /// Builds the hierarchy; leaves out triangles without area and those beyond the range of numbers.
+    /// Builds the hierarchy over a mesh's triangles; leaves out those without area and those beyond the range of
+    /// numbers.
     pub fn new(lists: Triangles) -> Self {
         let mut all = Self { lists, ..Self::default() };
         let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| all.is_solid(i as usize)).collect();
@@ -68,7 +69,7 @@ impl Ordered {
         Aabb::from_points(self.face(face))
     }
 
-    /// Returns all triangles in the order written.
+    /// Returns all triangles of the mesh in the order written.
     pub fn faces(&self) -> Vec<Face> {
         let face = |&i: &u32| {
             let (i, lists) = (i as usize, &self.lists);
@@ -84,27 +85,28 @@ impl Ordered {
         self.written.iter().map(face).collect()
     }
 
-    /// The three indices of a triangle in a list.
+    /// Returns the three indices of a triangle in a list; `None` if it has none.
     fn of(list: &[[u32; 3]], face: usize) -> Option<[u32; 3]> {
         list.get(face).copied().filter(|numbers| *numbers != NONE)
     }
 
-    /// Bounding box of all triangles.
+    /// Bounding box of all triangles of the mesh.
     pub fn bounds(&self) -> Aabb {
         self.bounds.unwrap_or(Aabb::EMPTY)
     }
 
-    /// Bounding box under the transform M.
+    /// Bounding box of the mesh under the transform M.
     pub fn bounds_under(&self, m: &Transform) -> Aabb {
         Aabb::from_points(self.points().map(|p| m.point(p)))
     }
 
-    /// Calls `visit` with each hit in the range; `visit` returns the distance up to which hits are still of interest.
+    /// Calls `visit` with each hit of a ray on the mesh in the range; `visit` returns the distance up to which hits are
+    /// still of interest.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
         self.bvh.meet(ray, range, |part, t, uv| visit(Hit { t, part, uv }));
     }
 
-    /// Appends all hits in the range.
+    /// Appends all hits of a ray on the mesh in the range.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.meet(ray, range, |hit| {
             out.push(hit);
@@ -112,7 +114,7 @@ impl Ordered {
         });
     }
 
-    /// Returns the closest hit of the ray within the range.
+    /// Returns the closest hit of the ray on the mesh within the range.
     pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut best = None;
         self.meet(ray, range, |hit| {
@@ -122,7 +124,7 @@ impl Ordered {
         best
     }
 
-    /// True if there is any hit.
+    /// True if the ray has any hit on the mesh in the range.
     pub fn any(&self, ray: &Ray, range: Range) -> bool {
         let mut found = false;
         self.meet(ray, range, |_| {
@@ -132,7 +134,7 @@ impl Ordered {
         found
     }
 
-    /// True if the ray hits an odd number of triangles.
+    /// True if the ray hits an odd number of the mesh's triangles.
     pub fn is_crossed_oddly(&self, ray: &Ray) -> bool {
         let mut odd = false;
         if self.bounds().contains(ray.origin) {
@@ -144,7 +146,7 @@ impl Ordered {
         odd
     }
 
-    /// Normal of any length.
+    /// Normal of the mesh at a hit, of any length.
     pub fn normal(&self, hit: &Hit) -> DVec3 {
         let face = hit.part as usize;
         let [a, b, c] = self.face(face);
@@ -154,7 +156,7 @@ impl Ordered {
         if sum == DVec3::ZERO { flat } else { sum }
     }
 
-    /// Interpolates values of the corners at a hit.
+    /// Interpolates values of the corners of the mesh's triangle at a hit.
     fn between<T>(&self, hit: &Hit, [a, b, c]: [T; 3]) -> T
     where
         T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
@@ -162,13 +164,13 @@ impl Ordered {
         a * (1.0 - hit.uv.x - hit.uv.y) + b * hit.uv.x + c * hit.uv.y
     }
 
-    /// Surface coordinates; (0, 0) for a triangle without any (quirk: `mesh_without_uv`).
+    /// Surface coordinates of the mesh at a hit; (0, 0) for a triangle without any (quirk: `mesh_without_uv`).
     pub fn uv(&self, hit: &Hit) -> DVec2 {
         let mapped = Self::of(&self.lists.mapped, hit.part as usize);
         mapped.map_or(DVec2::ZERO, |numbers| self.between(hit, numbers.map(|i| self.lists.uvs[i as usize])))
     }
 
-    /// Numbers of the textures at the corners.
+    /// Numbers of the textures at the corners of the mesh's triangle that was hit; `None` without any.
     pub fn painted(&self, hit: &Hit) -> Option<[u32; 3]> {
         Self::of(&self.lists.painted, hit.part as usize)
     }

@@ -24,7 +24,7 @@ use rustc_hash::FxHashMap;
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Maximum number of elements for which memory is reserved before they are read.
+/// Maximum number of a list's elements for which memory is reserved before they are read.
 const BELIEVED: usize = 1 << 16;
 
 const INSIDE_VECTOR: WordSpec = word(
@@ -34,37 +34,37 @@ const INSIDE_VECTOR: WordSpec = word(
     "a direction in which no line only touches it; then a closed mesh has an inside",
 );
 
-/// Triangles one by one.
+/// Shape `mesh`, whose triangles are written one by one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Mesh(pub TriangleMesh, #[serde(skip)] Draft);
 
-/// Triangles read so far.
+/// Triangles of a `mesh` that are read so far.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Draft {
     triangles: Triangles,
-    /// `file`, which excludes triangles.
+    /// File of a `mesh` with the word `file`, which excludes triangles.
     file: Option<Arc<FileMesh>>,
     known: Known,
 }
 
-/// Indices of known corners, by their bits.
+/// Indices of a mesh's known vertices and normals, by the bits of their coordinates.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Known {
     vertices: FxHashMap<[u32; 3], u32>,
     normals: FxHashMap<[u32; 3], u32>,
 }
 
-/// Triangles by indices into lists.
+/// Shape `mesh2`, whose triangles are written as indices into lists.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Mesh2(pub TriangleMesh, #[serde(skip)] Lists);
 
-/// Lists read so far.
+/// Lists of a `mesh2` that are read so far.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Lists {
     triangles: Triangles,
-    /// Numbers of the textures in `texture_list`.
+    /// The object's numbers of the textures in the `texture_list` of a `mesh2`.
     textures: Vec<u32>,
-    /// Text of the lists of indices, which are checked at the end.
+    /// Spans of the lists of indices in a `mesh2`, which are checked at the end.
     faces: Option<Span>,
     normals: Option<Span>,
     uvs: Option<Span>,
@@ -146,7 +146,7 @@ fn two_sources(span: Span) -> Fault {
 }
 
 impl Mesh {
-    /// A mesh of existing triangles.
+    /// Creates a mesh of existing triangles.
     pub fn of(triangles: Triangles) -> Self {
         Self(TriangleMesh { triangles: Arc::new(Ordered::new(triangles)), ..TriangleMesh::default() }, Draft::default())
     }
@@ -203,7 +203,7 @@ impl Mesh {
     }
 }
 
-/// Returns the index of a point in a list; appends a new point.
+/// Returns the index of a point in a mesh's list; appends the point if it is new.
 fn number(known: &mut FxHashMap<[u32; 3], u32>, list: &mut Vec<Vec3>, p: DVec3) -> u32 {
     let p = p.as_vec3();
     *known.entry(p.to_array().map(f32::to_bits)).or_insert_with(|| {
@@ -308,7 +308,7 @@ impl Readable for Mesh2 {
     }
 }
 
-/// Reads a count, and that many elements.
+/// Reads a count, and that many elements of a mesh's list.
 fn read_list<T>(r: &mut dyn Reader, mut read: impl FnMut(&mut dyn Reader) -> Result<T>) -> Result<Vec<T>> {
     let count = read_count(r)?;
     let mut list = Vec::with_capacity(count.min(BELIEVED));
@@ -327,7 +327,7 @@ fn read_count(r: &mut dyn Reader) -> Result<usize> {
     Ok(count as usize)
 }
 
-/// Reads a count, and that many vectors.
+/// Reads a count, and that many vectors of a mesh's list.
 fn read_vectors<T>(r: &mut dyn Reader, of: impl Fn(DVec3) -> T) -> Result<Vec<T>> {
     let count = read_count(r)?;
     let mut list = Vec::with_capacity(count.min(BELIEVED));
@@ -345,7 +345,7 @@ fn read_vectors<T>(r: &mut dyn Reader, of: impl Fn(DVec3) -> T) -> Result<Vec<T>
     Ok(list)
 }
 
-/// Reads a count, and that many triples of indices.
+/// Reads a count, and that many triples of indices of a mesh's list.
 fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
     let count = read_count(r)?;
     let mut list = Vec::with_capacity(count.min(BELIEVED));
@@ -358,7 +358,7 @@ fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
     Ok(list)
 }
 
-/// Reads triples from a long list of literals, up to the first invalid one; returns their number.
+/// Reads triples of indices from a long list of literals, up to the first invalid one; returns their number.
 fn literal_triples(r: &mut dyn Reader, most: usize, list: &mut Vec<[u32; 3]>) -> usize {
     r.literals(3, most, &mut |found| {
         let triple = triple(found);
@@ -375,16 +375,16 @@ fn numbers(found: &[f64], span: Span) -> Result<[u32; 3]> {
     }
 }
 
-/// Three indices for each triangle.
+/// Three indices for each triangle of a mesh.
 type Triples = Vec<[u32; 3]>;
 
-/// Converts three numbers to indices.
+/// Converts three numbers to indices; `None` if one is not an index.
 fn triple(found: &[f64]) -> Option<[u32; 3]> {
     let found: [f64; 3] = found.try_into().ok()?;
     found.iter().all(|x| (0.0..f64::from(u32::MAX)).contains(x)).then(|| found.map(|x| x as u32))
 }
 
-/// Reads the corners of each face, and its textures: none, one, or one for each corner.
+/// Reads the corners of each face of a `mesh2`, and its textures: none, one, or one for each corner.
 fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)> {
     let count = read_count(r)?;
     let mut faces = Vec::with_capacity(count.min(BELIEVED));
@@ -436,7 +436,7 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
     Ok((faces, painted))
 }
 
-/// Marks textures that were given for each corner, even if they are equal.
+/// Marks textures of a face that were given for each corner, even if they are equal.
 fn each([a, b, c]: [u32; 3]) -> [u32; 3] {
     if a == b && b == c { [a | super::EACH_CORNER, b, c] } else { [a, b, c] }
 }
@@ -453,7 +453,8 @@ fn beyond(what: &str, number: f64, list: &str, length: usize, span: Span) -> Dia
     Diagnostic::new(codes::BAD_INDEX, span, message).help("they are counted from 0")
 }
 
-/// Returns an error for an index beyond its list, or if the number of triples is not the number of triangles.
+/// Returns an error for an index beyond its list, or if the number of triples is not the number of triangles of the
+/// mesh.
 fn check(numbers: &[[u32; 3]], length: usize, faces: usize, (what, list): (&str, &str), span: Span) -> Result<()> {
     if !numbers.is_empty() && numbers.len() != faces {
         let message = format!("these are for {} triangles, and there are {faces}", numbers.len());

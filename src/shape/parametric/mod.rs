@@ -23,26 +23,26 @@ use patches::Patches;
 use serde::Serialize;
 use std::sync::{Arc, OnceLock};
 
-/// A surface whose x, y and z are functions of u and v.
+/// Parametric surface, whose x, y and z are functions of u and v.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Parametric {
-    /// x, y and z as functions of u and v.
+    /// Functions of u and v that give x, y and z of the parametric surface.
     pub functions: [Formula; 3],
-    /// Minimum u and v.
+    /// Minimum u and v of the parametric surface.
     pub from: DVec2,
-    /// Maximum u and v.
+    /// Maximum u and v of the parametric surface.
     pub to: DVec2,
-    /// The solid that bounds the surface.
+    /// Solid that bounds the parametric surface.
     pub container: Container,
-    /// Size of details that can be missed.
+    /// Size of details of the parametric surface that can be missed.
     pub accuracy: f64,
-    /// Maximum derivative, for functions without bounds.
+    /// Maximum derivative of the parametric surface's functions, where they have no computed bounds.
     pub max_gradient: f64,
     #[serde(skip)]
     patches: Lazy,
 }
 
-/// Built when the first ray arrives.
+/// Patches of the parametric surface, built when the first ray arrives.
 #[derive(Clone, Debug, Default)]
 struct Lazy(Arc<OnceLock<Patches>>);
 
@@ -53,7 +53,7 @@ impl PartialEq for Lazy {
 }
 
 impl Parametric {
-    /// A surface between two corners of the (u, v) plane, with defaults.
+    /// Creates a parametric surface between two corners of the (u, v) plane, with defaults.
     pub fn new(functions: [Formula; 3], a: DVec2, b: DVec2) -> Self {
         Self {
             functions,
@@ -66,7 +66,7 @@ impl Parametric {
         }
     }
 
-    /// The point at (u, v).
+    /// Returns the point of the parametric surface at (u, v).
     fn point(&self, uv: DVec2) -> DVec3 {
         let p = uv.extend(0.0);
         DVec3::from_array([0, 1, 2].map(|i| self.functions[i].at(p)))
@@ -181,7 +181,8 @@ impl Kernel for Parametric {
         });
     }
 
-    /// The first hit in front of the ray's origin, and those behind it (quirk: `parametric_in_csg`).
+    /// Appends the first hit on the parametric surface in front of the ray's origin, and those behind it (quirk:
+    /// `parametric_in_csg`).
     fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.hits(ray, Range { max: range.max.min(tolerance::SURFACE), ..range }, out);
         let first = self.closest(ray, Range { min: tolerance::SURFACE, max: range.max });
@@ -202,7 +203,7 @@ impl Kernel for Parametric {
         true
     }
 
-    /// ∂p/∂u × ∂p/∂v, by differences (quirk: `parametric_normal`).
+    /// Normal of the parametric surface, ∂p/∂u × ∂p/∂v, by differences (quirk: `parametric_normal`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         let step = (self.to - self.from) * 1e-6;
         let along = |step: DVec2| {

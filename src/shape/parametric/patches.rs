@@ -9,28 +9,28 @@ use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
-/// Patches are subdivided until each is this part of the whole,
+/// Part of a parametric surface's container to which each patch is subdivided.
 const PARTS: f64 = 24.0;
-/// or has been subdivided so often.
+/// Maximum number of subdivisions of a parametric surface's patches.
 const DEPTH: u32 = 13;
-/// Additional subdivisions where a ray hits.
+/// Additional subdivisions of a parametric surface's patch where a ray hits.
 const MORE: u32 = 24;
 
-/// Patches with a hierarchy of their boxes.
+/// Patches of a parametric surface, with a hierarchy of their boxes.
 #[derive(Debug)]
 pub struct Patches {
     bvh: Bvh,
     patches: Vec<Patch>,
 }
 
-/// Bounds of the points for u and v between two corners.
+/// Patch of a parametric surface: bounds of the points for u and v between two corners.
 #[derive(Clone, Copy, Debug)]
 struct Patch {
     from: DVec2,
     to: DVec2,
     bounds: Aabb,
-    /// Point and derivatives at the centre, and the maximum deviation of the derivatives from those, in each
-    /// coordinate.
+    /// Point of the patch and derivatives at its centre, and the maximum deviation of the derivatives in the patch from
+    /// those, in each coordinate.
     middle: DVec3,
     by: [DVec3; 2],
     off: [DVec3; 2],
@@ -63,7 +63,7 @@ impl Patch {
         Self { from, to, bounds: bounds.grown(size), middle, by, off }
     }
 
-    /// Halves the patch along the side on which points are farther apart.
+    /// Halves the parametric surface's patch along the side on which points are farther apart.
     fn halves(&self, of: &Parametric, room: &mut Vec<Slope>) -> [Self; 2] {
         let size = self.to - self.from;
         let length = |side: usize| (self.by[side].abs() + self.off[side]).length() * size[side];
@@ -75,22 +75,22 @@ impl Patch {
     }
 }
 
-/// A line, with two directions perpendicular to it.
+/// A ray that is searched for hits on a parametric surface, with two directions perpendicular to it.
 struct Line<'a> {
     of: &'a Parametric,
     ray: &'a Ray,
-    /// Two directions perpendicular to the line.
+    /// Two directions perpendicular to the ray.
     across: [DVec3; 2],
     range: Range,
-    /// Distance up to which hits still count.
+    /// Distance along the ray up to which hits still count.
     far: Cell<f64>,
-    /// True if only the nearest hit counts.
+    /// True if only the nearest hit of the ray counts.
     nearest: bool,
-    /// Size of patches that are not subdivided.
+    /// Size of a parametric surface's patches that are not subdivided.
     smallest: f64,
 }
 
-/// Result of the convergence test for a line and a patch.
+/// Result of the convergence test for a ray and a parametric surface's patch.
 enum Verdict {
     Misses,
     Meets(DVec2),
@@ -98,7 +98,7 @@ enum Verdict {
 }
 
 impl Patches {
-    /// The patches of a surface within its container.
+    /// Subdivides a parametric surface into patches within its container.
     pub fn new(of: &Parametric) -> Self {
         let mut room = vec![];
         let container = of.container.bounds();
@@ -122,7 +122,8 @@ impl Patches {
         Self { bvh, patches }
     }
 
-    /// Calls `found` with the hits of a ray in any order; with `nearest`, each that is nearer than all before.
+    /// Calls `found` with the hits of a ray on the parametric surface in any order; with `nearest`, each that is nearer
+    /// than all before.
     pub fn meet(&self, of: &Parametric, ray: &Ray, range: Range, nearest: bool, found: &mut dyn FnMut(f64, DVec2)) {
         let first = ray.dir.normalize_or_zero().any_orthogonal_vector().normalize_or_zero();
         let across = [first, ray.dir.cross(first).normalize_or_zero()];
@@ -137,7 +138,7 @@ impl Patches {
 }
 
 impl Patch {
-    /// Relative change of the derivatives within the patch.
+    /// Relative change of the surface's derivatives within the patch.
     fn bends(&self) -> f64 {
         let part = |side: usize| self.off[side].length() / self.by[side].length();
         part(0).max(part(1))
@@ -163,7 +164,8 @@ impl Line<'_> {
         }
     }
 
-    /// Calls `found` with the hit at a point of the surface, unless the point is outside the container or the range.
+    /// Calls `found` with the hit at a point of the parametric surface, unless the point is outside the container or
+    /// the range.
     fn report_hit(&self, p: DVec3, uv: DVec2, found: &mut dyn FnMut(f64, DVec2)) {
         let t = (p - self.ray.origin).dot(self.ray.dir) / self.ray.dir.length_squared();
         if p.is_finite() && self.of.container.contains(p) && self.range.contains(t) && t < self.far.get() {
@@ -174,13 +176,13 @@ impl Line<'_> {
         }
     }
 
-    /// Coordinates of a point perpendicular to the line.
+    /// Coordinates of a point along the two directions perpendicular to the ray.
     fn beside(&self, p: DVec3) -> DVec2 {
         DVec2::new(self.across[0].dot(p), self.across[1].dot(p))
     }
 
-    /// Tests convergence: with Y the inverse of the derivatives at the centre, x - Y·F(x) reduces the distance from a
-    /// root by the factor by which Y·F' differs from 1.
+    /// Tests whether a search of the patch for the ray's hit converges: with Y the inverse of the derivatives at the
+    /// centre, x - Y·F(x) reduces the distance from a root by the factor by which Y·F' differs from 1.
     fn judge(&self, patch: &Patch) -> Verdict {
         let (a, b) = (self.beside(patch.by[0]), self.beside(patch.by[1]));
         let det = a.perp_dot(b);

@@ -20,7 +20,7 @@ fn product(graph: &mut Graph, names: [&str; 2], of: [Id; 2]) -> Id {
     graph.add(Operation::Binary(Mul, a, b))
 }
 
-/// A sphere of radius 1.
+/// Returns a parametric surface for tests: a sphere of radius 1.
 fn ball() -> Parametric {
     let x = formula(|g, u, v| product(g, ["sin", "cos"], [u, v]));
     let y = formula(|g, u, v| product(g, ["sin", "sin"], [u, v]));

@@ -27,30 +27,30 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// Interpolation between the spheres that the sweep passes.
+/// Interpolation between the spheres of a sphere sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sweep {
-    /// Straight tubes, each from one sphere to the next.
+    /// Sphere sweep of straight tubes, each from one sphere to the next.
     Linear,
-    /// A uniform cubic B-spline, which does not touch the spheres.
+    /// Sphere sweep along a uniform cubic B-spline, which does not touch the spheres.
     BSpline,
-    /// A spline through two spheres, by their neighbours.
+    /// Sphere sweep along a spline through two spheres at a time, by their neighbours.
     Cubic,
 }
 
-/// The solid that a moving sphere of changing radius sweeps.
+/// Sphere sweep: the solid that a moving sphere of changing radius sweeps.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SphereSweep {
-    /// Interpolation between the spheres that the sweep passes.
+    /// Interpolation between the spheres of the sphere sweep.
     pub kind: Sweep,
-    /// Pieces of the path, in the order of the hierarchy.
+    /// Pieces of the sphere sweep's path, in the order of the hierarchy.
     pub pieces: Vec<Piece>,
     #[serde(skip)]
     bvh: Bvh,
     #[serde(skip)]
     bounds: Aabb,
-    /// Bounding box that POV-Ray computes for the whole sweep.
+    /// Bounding box that POV-Ray computes for the whole sphere sweep.
     #[serde(skip)]
     pov_bounds: Aabb,
 }
@@ -92,7 +92,7 @@ impl Sweep {
 }
 
 impl SphereSweep {
-    /// The sweep of these spheres: centres and radii.
+    /// Creates the sphere sweep of these spheres: centres and radii.
     pub fn new(kind: Sweep, balls: &[(DVec3, f64)]) -> Self {
         let mut pieces = kind.pieces(balls);
         pieces.retain(|piece| bvh::fits(&piece.bounds()));
@@ -107,8 +107,8 @@ impl SphereSweep {
         Self { kind, pieces, bvh, bounds, pov_bounds }
     }
 
-    /// Returns the covered intervals of a ray, ascending and without overlaps. If the range starts outside of
-    /// everything, with `first` only the first interval is correct.
+    /// Returns the intervals of a ray that the sphere sweep covers, ascending and without overlaps. If the range starts
+    /// outside of everything, with `first` only the first interval is correct.
     fn covers(&self, ray: &Ray, range: Range, first: bool) -> Covers {
         let length = ray.dir.length();
         let line = Line { o: ray.origin, v: ray.dir / length };
@@ -140,7 +140,7 @@ impl SphereSweep {
     }
 }
 
-/// Intervals of a ray.
+/// Intervals of a ray that a sphere sweep covers.
 type Covers = SmallVec<[[Hit; 2]; 4]>;
 
 impl Readable for SphereSweep {
@@ -231,14 +231,15 @@ impl Kernel for SphereSweep {
         inside
     }
 
-    /// Away from the centre of the sphere; towards it for a negative radius (quirk: `sphere_sweep_negative_radius`).
+    /// Normal of a sphere sweep, away from the centre of the sphere; towards it for a negative radius (quirk:
+    /// `sphere_sweep_negative_radius`).
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         let (center, radius) = self.pieces[hit.part as usize].ball(hit.uv.x);
         let n = if radius < 0.0 { center - p } else { p - center };
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
 
-    /// POV-Ray has no mapping for this shape.
+    /// Returns false: POV-Ray defines no uv mapping for a sphere sweep.
     fn has_uv_mapping(&self) -> bool {
         false
     }

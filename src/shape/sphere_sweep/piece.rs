@@ -9,7 +9,7 @@ use crate::math::{Aabb, DVec3, bernstein_roots};
 use serde::Serialize;
 use smallvec::SmallVec;
 
-/// C(n, k) for n up to 10.
+/// Binomial coefficients C(n, k) for n up to 10.
 const BINOMIALS: [[f64; 11]; 11] = {
     let mut table = [[0.0; 11]; 11];
     let mut n = 0;
@@ -25,21 +25,22 @@ const BINOMIALS: [[f64; 11]; 11] = {
     table
 };
 
-/// Bernstein coefficients of centre and radius.
+/// Piece of a sphere sweep's path: Bernstein coefficients of centre and radius.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Piece {
-    /// Coefficients of the centre.
+    /// Bernstein coefficients of the sphere's centre along the piece.
     pub centers: [DVec3; 4],
-    /// Coefficients of the radius.
+    /// Bernstein coefficients of the sphere's radius along the piece.
     pub radii: [f64; 4],
-    /// 1 or 3; at 1 the last two coefficients are unused.
+    /// Degree of the piece, 1 or 3; at 1 the last two coefficients are unused.
     pub degree: usize,
 }
 
-/// Interval of a ray that spheres of one piece cover without a gap; each end with its t.
+/// Interval of a ray that spheres of one piece of a sphere sweep cover without a gap; each end with its position on the
+/// piece.
 pub type Cover = [(f64, f64); 2];
 
-/// Called with each covered interval.
+/// Function that receives each interval of a ray that a sphere sweep covers.
 type Visit<'a> = &'a mut dyn FnMut(Cover);
 
 /// A polynomial of degree N - 1: its Bernstein coefficients, each multiplied by C(n, k), so that products are plain
@@ -82,23 +83,23 @@ fn blend<const N: usize>(mut b: [f64; N], t: f64) -> f64 {
     b[0]
 }
 
-/// Bernstein coefficients of the derivative.
+/// Bernstein coefficients of a polynomial's derivative.
 fn slope<const N: usize, const M: usize>(b: &[f64; N]) -> [f64; M] {
     std::array::from_fn(|k| (b[k + 1] - b[k]) * M as f64)
 }
 
 impl Piece {
-    /// Spheres on a straight path.
+    /// Creates a piece of a sphere sweep whose spheres are on a straight path.
     pub fn straight(from: (DVec3, f64), to: (DVec3, f64)) -> Self {
         Self { centers: [from.0, to.0, to.0, to.0], radii: [from.1, to.1, to.1, to.1], degree: 1 }
     }
 
-    /// A piece from Bernstein coefficients.
+    /// Creates a piece of a sphere sweep from Bernstein coefficients.
     pub fn curved(b: [(DVec3, f64); 4]) -> Self {
         Self { centers: b.map(|ball| ball.0), radii: b.map(|ball| ball.1), degree: 3 }
     }
 
-    /// Bounding box of the piece.
+    /// Bounding box of the piece of a sphere sweep.
     pub fn bounds(&self) -> Aabb {
         let ball = |k: usize| {
             let reach = DVec3::splat(self.radii[k].abs());
@@ -107,7 +108,7 @@ impl Piece {
         (0..=self.degree).map(ball).fold(Aabb::EMPTY, Aabb::union)
     }
 
-    /// Centre and radius of a sphere.
+    /// Centre and radius of the sphere at position t of the piece.
     pub fn ball(&self, t: f64) -> (DVec3, f64) {
         let b = &self.centers;
         if self.degree == 1 {
@@ -117,7 +118,7 @@ impl Piece {
         (DVec3::new(along(0), along(1), along(2)), blend(self.radii, t))
     }
 
-    /// True if the point is in one of the spheres.
+    /// True if the point is in one of the spheres of the piece.
     pub fn holds(&self, p: DVec3) -> bool {
         match self.degree {
             1 => self.holds_by::<2, 3>(p),
@@ -135,7 +136,7 @@ impl Piece {
         holds
     }
 
-    /// r² - |way|² along the piece.
+    /// Bernstein coefficients of r² - |way|² along the piece of a sphere sweep.
     fn depth<const N: usize, const D: usize>(&self, way: impl Fn(DVec3) -> DVec3) -> Scaled<D> {
         let square = |value: &dyn Fn(usize) -> f64| {
             let scaled = Scaled::<N>::new(&std::array::from_fn(value));
@@ -146,7 +147,8 @@ impl Piece {
         (0..3).fold(radius2, |sum, axis| sum.minus(square(&|k| ways[k][axis]), 1.0))
     }
 
-    /// Calls `visit` with the intervals that the spheres cover, in any order; intervals can overlap.
+    /// Calls `visit` with the intervals of a line that the spheres of the piece cover, in any order; intervals can
+    /// overlap.
     pub fn cover(&self, line: &Line, visit: Visit) {
         match self.degree {
             1 => self.cover_by::<2, 1, 1, 3, 2, 3>(line, visit),
@@ -154,7 +156,8 @@ impl Piece {
         }
     }
 
-    /// The type parameters count coefficients: of the centre, of b', of b'², of Δ, of Δ', and of Δ'² - 4·b'²·Δ.
+    /// Finds the intervals of a line that the piece covers. The type parameters count coefficients: of the centre, of
+    /// b', of b'², of Δ, of Δ', and of Δ'² - 4·b'²·Δ.
     fn cover_by<const N: usize, const B: usize, const B2: usize, const D: usize, const S: usize, const Q: usize>(
         &self,
         line: &Line,
@@ -213,9 +216,9 @@ impl Piece {
 /// A line o + s·v with |v| = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// Point at s = 0.
+    /// Point o of the line, at s = 0.
     pub o: DVec3,
-    /// Direction of the line.
+    /// Direction v of the line, of length 1.
     pub v: DVec3,
 }
 

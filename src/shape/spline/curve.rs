@@ -3,12 +3,13 @@
 use crate::math::{DVec2, bernstein_roots, solve_quadratic};
 use serde::Serialize;
 
-/// A curve. Each segment starts at exactly the end of the one before, unless it belongs to another outline.
+/// Curve of a lathe's or prism's outline. Each segment starts at exactly the end of the one before, unless it belongs
+/// to another outline.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Curve {
-    /// Degree: number of control points of a segment after the first.
+    /// Degree of the curve: number of control points of a segment after the first.
     pub degree: usize,
-    /// Control points; those beyond the degree are unused.
+    /// Control points of each segment of the curve; those beyond the degree are unused.
     pub segments: Vec<[DVec2; 4]>,
 }
 
@@ -48,7 +49,8 @@ fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
 }
 
-/// Bernstein coefficients of a product. The first and last are exactly the products of the first and last factors.
+/// Bernstein coefficients of a product of two polynomials. The first and last are exactly the products of the first and
+/// last factors.
 pub fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
     let (m, n) = (f.len() - 1, g.len() - 1);
     let term = |i: usize, k: usize| binomial(m, i) * binomial(n, k - i) / binomial(m + n, k) * (f[i] * g[k - i]);
@@ -56,20 +58,20 @@ pub fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
 }
 
 impl Curve {
-    /// Control points of a segment.
+    /// Control points of a segment of the curve.
     #[inline]
     pub fn controls(&self, segment: usize) -> &[DVec2] {
         &self.segments[segment][..=self.degree]
     }
 
-    /// Point of a segment.
+    /// Point of the curve's segment at t.
     #[inline]
     pub fn at(&self, segment: usize, t: f64) -> DVec2 {
         let along = |axis: usize| blend(&self.coordinates(segment, |p| p[axis]), t);
         DVec2::new(along(0), along(1))
     }
 
-    /// Direction of a segment at t; zero only if all control points coincide.
+    /// Direction of the curve's segment at t; zero only if all control points coincide.
     pub fn tangent(&self, segment: usize, t: f64) -> DVec2 {
         let along = |axis: usize| blend_slope(&self.coordinates(segment, |p| p[axis]), t);
         let tangent = DVec2::new(along(0), along(1));
@@ -81,7 +83,7 @@ impl Curve {
         c[self.degree] - c[0]
     }
 
-    /// Bernstein coefficients of an affine function of the control points.
+    /// Bernstein coefficients, along a segment of the curve, of an affine function of the point.
     #[inline]
     pub fn coordinates(&self, segment: usize, f: impl Fn(DVec2) -> f64) -> smallvec::SmallVec<[f64; 4]> {
         let mut all = [0.0; 4];
@@ -89,8 +91,8 @@ impl Curve {
         smallvec::SmallVec::from_buf_and_len(all, self.controls(segment).len())
     }
 
-    /// True if the number of crossings between the outlines and a half-line at height y is odd. `beyond` returns true
-    /// for an x on the half-line; all x between two such x are on it too.
+    /// True if the number of crossings between the curve's outlines and a half-line at height y is odd. `beyond`
+    /// returns true for an x on the half-line; all x between two such x are on it too.
     pub fn surrounds(&self, y: f64, beyond: impl Fn(f64) -> bool) -> bool {
         let mut odd = false;
         for segment in 0..self.segments.len() {
@@ -116,7 +118,7 @@ impl Curve {
         odd
     }
 
-    /// Minimum and maximum of the points of the curve.
+    /// Minimum and maximum coordinates of the points of the curve.
     pub fn ends(&self) -> (DVec2, DVec2) {
         let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         let mut reach = |p: DVec2| (min, max) = (min.min(p), max.max(p));
@@ -132,14 +134,14 @@ impl Curve {
         (min, max)
     }
 
-    /// Minimum and maximum of the control points.
+    /// Minimum and maximum coordinates of the curve's control points.
     pub fn hull(&self) -> (DVec2, DVec2) {
         let all = (0..self.segments.len()).flat_map(|segment| self.controls(segment).iter().copied());
         all.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(min, max), p| (min.min(p), max.max(p)))
     }
 }
 
-/// Roots of the derivative between 0 and 1, for a degree up to 3.
+/// Roots of the derivative of a Bernstein polynomial between 0 and 1, for a degree up to 3.
 pub fn turns(b: &[f64]) -> [Option<f64>; 2] {
     let rise: smallvec::SmallVec<[f64; 4]> = b.windows(2).map(|w| w[1] - w[0]).collect();
     let (x, y) = match rise[..] {

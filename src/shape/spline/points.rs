@@ -8,24 +8,24 @@ use crate::value::words::word;
 use crate::value::{Reader, ReaderExt, Value, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// Interpolation of an outline between its points.
+/// Interpolation of a lathe's or prism's outline between its points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Interpolation {
-    /// Straight lines between the points.
+    /// Outline of straight lines between the points.
     #[default]
     Linear,
-    /// The parabola through two points and the one before them.
+    /// Outline of parabolas, each through two points and the one before them.
     Quadratic,
-    /// A smooth curve by two points and their neighbours (Catmull & Rom, 1974).
+    /// Outline of a smooth curve by two points and their neighbours (Catmull & Rom, 1974).
     Cubic,
-    /// Each four points are a Bézier segment.
+    /// Outline of Bézier segments, each with four points.
     Bezier,
 }
 
 use Interpolation::*;
 
-/// Words of the interpolations.
+/// Words of an outline's interpolations.
 pub const KINDS: [WordSpec; 4] = [
     word("linear_spline", ValueKind::Nothing, "", "straight lines join the points; so it is without any such word"),
     word(
@@ -44,7 +44,7 @@ pub const KINDS: [WordSpec; 4] = [
 ];
 
 impl Interpolation {
-    /// Reads the word of an interpolation, if it is next.
+    /// Reads the word of an outline's interpolation, if it is next.
     ///
     /// # Errors
     /// Errors of the reader.
@@ -65,12 +65,12 @@ impl Interpolation {
         }
     }
 
-    /// Minimum number of points.
+    /// Minimum number of points of an outline.
     fn fewest(self) -> usize {
         self.degree() + 1
     }
 
-    /// Segments of one row of points.
+    /// Returns the segments of an outline through one row of points.
     fn segments(self, points: &[DVec2]) -> Vec<[DVec2; 4]> {
         let none = DVec2::ZERO;
         let inner = |p: &[DVec2]| [p[1], p[1] + (p[2] - p[0]) / 6.0, p[2] - (p[3] - p[1]) / 6.0, p[2]];
@@ -84,7 +84,7 @@ impl Interpolation {
     }
 }
 
-/// Reads the number of points, and the points. `block` is the shape's word.
+/// Reads the number of points of an outline, and the points. `block` is the shape's word.
 ///
 /// # Errors
 /// E0302 for fewer points than the interpolation needs; a diagnostic for anything that is not a point.
@@ -121,13 +121,13 @@ fn read_point(r: &mut dyn Reader) -> Result<DVec2> {
     Diagnostic::err(codes::NOT_FINITE, span, "one of these numbers is infinite or not a number")
 }
 
-/// One curve through all points.
+/// Creates the curve of one outline through all points.
 pub fn single_row(kind: Interpolation, points: &[DVec2]) -> Curve {
     Curve { degree: kind.degree(), segments: kind.segments(points) }
 }
 
-/// Returns closed outlines: an outline ends where its first point is repeated, and the next starts after it. Also
-/// returns true if the last outline is open: a `linear_spline` is then closed, any other is left out.
+/// Creates the curve of closed outlines: an outline ends where its first point is repeated, and the next starts after
+/// it. Also returns true if the last outline is open: a `linear_spline` is then closed, any other is left out.
 pub fn outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
     let same = |p: DVec2, q: DVec2| (p - q).abs().max_element() < tolerance::SAME_POINT;
     let mut curve = Curve { degree: kind.degree(), segments: vec![] };
@@ -159,7 +159,7 @@ pub fn outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
     (curve, unclosed)
 }
 
-/// Reports an outline that is not closed.
+/// Reports an outline of a lathe or prism that is not closed.
 pub fn report_open(block: &str, kind: Interpolation, span: Span, r: &mut dyn Reader) {
     let done = if kind == Linear { "closed now" } else { "left out" };
     let message = format!("the last outline of this `{block}` is not closed; it is {done}");

@@ -94,7 +94,7 @@ fn stl_bytes() -> Vec<u8> {
     out
 }
 
-/// Half as large, and put in its place by two nodes.
+/// Creates a glTF file whose triangles are half as large, and put in their place by two nodes.
 fn gltf_parts() -> (String, Vec<u8>) {
     let mut bytes: Vec<u8> = triangles().flatten().map(|i| i as u8).collect();
     for [x, y, z] in CORNERS {
