@@ -36,7 +36,7 @@ fn rays() -> [Vec<Ray>; 2] {
     let at = |k: usize| k as f64 / 512.0 - 1.0;
     let camera = |k: usize| Ray::new(DVec3::new(0.0, 0.0, -4.0), single(DVec3::new(at(k % 1024), at(k / 1024), 2.9)));
     let random =
-        |i: usize, n: u64| DVec3::from_array([0, 1, 2].map(|axis| rng::unit(&[i as u64, n, axis]) * 2.4 - 1.2));
+        |i: usize, n: u64| DVec3::from_array([0, 1, 2].map(|axis| rng::random_unit(&[i as u64, n, axis]) * 2.4 - 1.2));
     let anywhere = |i: usize| Ray::new(single(random(i, 0)), single(random(i, 1)));
     [(0..RAYS).map(camera).collect(), (0..RAYS).map(anywhere).collect()]
 }

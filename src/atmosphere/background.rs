@@ -33,15 +33,15 @@ impl Background {
 
     /// Returns the background's radiance, and the transmittance for what is behind the picture, for this kind of ray
     /// (quirk: `background_by_view`).
-    pub fn seen_by(&self, beholder: ViewKind) -> Segment {
+    pub fn segment_for_view(&self, view: ViewKind) -> Segment {
         let Color { rgb, filter, transmit } = self.color;
         let whole = Segment { radiance: rgb, transmittance: Rgb::ZERO };
-        match beholder {
+        match view {
             ViewKind::Mirror => whole,
             ViewKind::Opaque if self.by_picture => whole,
             ViewKind::Alpha if self.by_picture => Segment::NONE,
             ViewKind::Alpha => {
-                Segment { radiance: rgb * (1.0 - filter - transmit), transmittance: self.color.passing() }
+                Segment { radiance: rgb * (1.0 - filter - transmit), transmittance: self.color.transmittance() }
             }
             // Filtered light has the background's own colour.
             ViewKind::Opaque => {
@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn light_by_view_and_version() {
         let color = Color { rgb: Rgb::new(1.0, 0.8, 0.6), filter: 0.3, transmit: 0.2 };
-        let radiance = |by_picture, beholder| Background { color, by_picture }.seen_by(beholder).radiance;
+        let radiance = |by_picture, beholder| Background { color, by_picture }.segment_for_view(beholder).radiance;
         for (by_picture, beholder, share) in [
             (false, ViewKind::Alpha, 0.5),
             (false, ViewKind::Mirror, 1.0),

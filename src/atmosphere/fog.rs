@@ -4,7 +4,7 @@
 //! fog { distance 30 rgb <0.8, 0.85, 0.9> }
 //! ```
 
-use super::{Segment, clear_at_least};
+use super::{Segment, with_minimum_transmittance};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::noise::{self, NoiseGenerator};
@@ -115,7 +115,7 @@ impl Fog {
     }
 
     /// True if the fog has an effect: its distance is not 0.
-    pub fn shows(&self) -> bool {
+    pub fn has_effect(&self) -> bool {
         self.distance != 0.0
     }
 
@@ -131,8 +131,8 @@ impl Fog {
             let gap = self.turb_depth * noise::turbulence(stirred, self.turbulence.series(), noise);
             depth *= 1.0 - gap.min(1.0) * fp::exp(-far);
         }
-        let clear = clear_at_least(&self.color, fp::exp(-depth));
-        Segment::of(self.color.rgb, clear, self.color.filter)
+        let clear = with_minimum_transmittance(&self.color, fp::exp(-depth));
+        Segment::from_color(self.color.rgb, clear, self.color.filter)
     }
 
     /// Mean density of ground fog along a ray: 1 up to the offset, 1/(1 + z²) at height z above it, in units of

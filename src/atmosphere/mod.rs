@@ -29,10 +29,13 @@ impl Segment {
     /// Length of a ray's segment that ends at no surface, in world units (quirk: `fog_far`).
     pub const FAR: f64 = 2e10;
 
-    /// Returns a ray's segment in air of one colour: `clear` is the transmittance, and `filter` the share of
+    /// Returns a ray's segment in air of one colour: `transmittance` is the transmittance, and `filter` the share of
     /// transmitted light that takes the colour.
-    fn of(color: Rgb, clear: f64, filter: f64) -> Self {
-        Self { radiance: color * (1.0 - clear), transmittance: clear * (Rgb::splat(1.0 - filter) + filter * color) }
+    fn from_color(color: Rgb, transmittance: f64, filter: f64) -> Self {
+        Self {
+            radiance: color * (1.0 - transmittance),
+            transmittance: transmittance * (Rgb::splat(1.0 - filter) + filter * color),
+        }
     }
 
     /// Combines this segment of a ray with the segment `behind` it, farther from the eye.
@@ -44,7 +47,7 @@ impl Segment {
     }
 }
 
-/// Returns the transmittance `clear`, but at least the colour's `transmit`.
-fn clear_at_least(color: &Color, clear: f64) -> f64 {
-    clear.max(color.transmit)
+/// Returns the transmittance `transmittance`, but at least the colour's `transmit`.
+fn with_minimum_transmittance(color: &Color, transmittance: f64) -> f64 {
+    transmittance.max(color.transmit)
 }

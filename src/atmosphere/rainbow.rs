@@ -5,7 +5,7 @@
 //! rainbow { direction <0, -0.3, 1> angle 42 width 6 color_map { [0 rgbt <1, 0, 0, 0.6>] [1 rgbt <0, 0, 1, 0.6>] } }
 //! ```
 
-use super::{Segment, clear_at_least};
+use super::{Segment, with_minimum_transmittance};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Ray, fp};
 use crate::source::Span;
@@ -164,19 +164,22 @@ impl Rainbow {
         if self.distance == 0.0 || !(0.0..=1.0).contains(&index) {
             return None;
         }
-        let shown = self.shown(ray.dir - direction * cos, direction);
+        let shown = self.arc_strength(ray.dir - direction * cos, direction);
         if shown == 0.0 {
             return None;
         }
         let color = map.at(index);
         let open = 1.0 - shown + shown * color.transmit;
-        let clear = clear_at_least(&crate::color::Color { transmit: open, ..color }, fp::exp(-length / self.distance));
-        Some(Segment::of(color.rgb, clear, color.filter * (1.0 - clear)))
+        let clear = with_minimum_transmittance(
+            &crate::color::Color { transmit: open, ..color },
+            fp::exp(-length / self.distance),
+        );
+        Some(Segment::from_color(color.rgb, clear, color.filter * (1.0 - clear)))
     }
 
     /// Returns the strength of a rainbow's arc: 1 in the middle, 0 past its ends. `aside` is the component of the ray's
     /// direction across the rainbow's axis.
-    fn shown(&self, aside: DVec3, direction: DVec3) -> f64 {
+    fn arc_strength(&self, aside: DVec3, direction: DVec3) -> f64 {
         let up = self.up - direction * self.up.dot(direction);
         let from_up = aside.angle_between(up);
         let (full, ends) = (self.falloff_angle / 2.0, self.arc_angle / 2.0);

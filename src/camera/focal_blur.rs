@@ -84,7 +84,7 @@ impl FocalBlur {
 
     /// Lowers the settings of focal blur; `None` without blur. `origin` and `ahead`, of length 1, are the camera's, in
     /// the same space as the focal point.
-    pub(super) fn lens(&self, origin: DVec3, ahead: DVec3) -> Option<Lens> {
+    pub(super) fn lower_lens(&self, origin: DVec3, ahead: DVec3) -> Option<Lens> {
         let distance = (self.focal_point - origin).dot(ahead);
         if self.aperture == 0.0 || self.samples[1] == 0 || distance == 0.0 || !distance.is_finite() {
             return None;
@@ -96,7 +96,7 @@ impl FocalBlur {
             distance,
             samples: [least.min(most), most],
             variance: self.variance,
-            quantile: quantile(self.confidence),
+            quantile: normal_quantile(self.confidence),
             bokeh: None,
         })
     }
@@ -121,32 +121,34 @@ pub struct Lens {
 }
 
 impl Lens {
-    /// True if `count` rays are enough, one channel of which has this sum of squares about its mean (quirk:
+    /// True if `ray_count` rays are enough, one channel of which has this sum of squares about its mean (quirk:
     /// `focal_blur_convergence`): the variance of the mean must be as small a part of the acceptable variance as the
     /// rays are of the maximum. The confidence is √(χ²/n), with χ² by Wilson and Hilferty (The distribution of
     /// chi-square, 1931).
-    pub fn suffices(&self, count: u32, squares: f64) -> bool {
-        let n = f64::from(count);
+    pub fn has_converged(&self, ray_count: u32, sum_of_squares: f64) -> bool {
+        let n = f64::from(ray_count);
         let k = 2.0 / (9.0 * n);
         let root = (1.0 - k - self.quantile * k.sqrt()).max(0.0);
         let sure = (root * root * root).sqrt();
-        self.variance > 0.0 && squares * f64::from(self.samples[1]) <= self.variance * sure * n * n * (n + 1.0)
+        self.variance > 0.0 && sum_of_squares * f64::from(self.samples[1]) <= self.variance * sure * n * n * (n + 1.0)
     }
 
-    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `place` in [0, 1)² selects
+    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `lens_sample` in [0, 1)² selects
     /// the point, `axes` are the camera's unit vectors right, up and ahead.
-    pub fn through(&self, ray: &Ray, place: DVec2, axes: &[DVec3; 3]) -> Ray {
+    pub fn ray_through_lens(&self, ray: &Ray, lens_sample: DVec2, axes: &[DVec3; 3]) -> Ray {
         let [right, up, ahead] = *axes;
         let focus = ray.at(self.distance / ray.dir.dot(ahead));
-        let at = self.bokeh.as_ref().map_or_else(|| on_disc(place), |bokeh| bokeh.place(place)) * self.radius;
+        let at =
+            self.bokeh.as_ref().map_or_else(|| square_to_disc(lens_sample), |bokeh| bokeh.sample_lens(lens_sample))
+                * self.radius;
         let origin = ray.origin + right * at.x + up * at.y;
         Ray::new(origin, (focus - origin).normalize_or(ray.dir))
     }
 }
 
 /// Maps the unit square to the unit disc; preserves areas and neighbours (Shirley and Chiu 1997).
-fn on_disc(place: DVec2) -> DVec2 {
-    let p = place * 2.0 - 1.0;
+fn square_to_disc(square: DVec2) -> DVec2 {
+    let p = square * 2.0 - 1.0;
     if p == DVec2::ZERO {
         return p;
     }
@@ -158,7 +160,7 @@ fn on_disc(place: DVec2) -> DVec2 {
 
 /// Quantile of the normal distribution: √2 times the inverse of erf, by Winitzki's formula (A handy approximation for
 /// the error function and its inverse, 2008; error 0.2 %).
-fn quantile(probability: f64) -> f64 {
+fn normal_quantile(probability: f64) -> f64 {
     const A: f64 = 0.147;
     let x = 2.0 * probability - 1.0;
     let log = fp::ln(1.0 - x * x);
@@ -178,7 +180,7 @@ mod tests {
         let mut second_moment = 0.0;
         for i in 0..10_000 {
             let place = DVec2::new(f64::from(i % 100) + 0.5, f64::from(i / 100) + 0.5) / 100.0;
-            let bent = lens.through(&ray, place, &axes);
+            let bent = lens.ray_through_lens(&ray, place, &axes);
             let t = (4.0 - bent.origin.z) / bent.dir.z;
             assert!(bent.at(t).distance(DVec3::new(3.0, 0.0, 4.0)) < 1e-12);
             second_moment += bent.origin.length_squared() / 10_000.0;
@@ -198,10 +200,10 @@ mod tests {
             samples: [0, 37],
             ..FocalBlur::default()
         };
-        let lens = blur.lens(DVec3::NEG_Z, DVec3::Z).unwrap();
+        let lens = blur.lower_lens(DVec3::NEG_Z, DVec3::Z).unwrap();
         let squares = |n: f64, white: f64| white * (n - white) / n;
-        assert!(lens.suffices(23, squares(23.0, 1.0)) && !lens.suffices(19, squares(19.0, 1.0)));
-        assert!(!lens.suffices(35, squares(35.0, 17.0)) && lens.suffices(7, 0.0));
+        assert!(lens.has_converged(23, squares(23.0, 1.0)) && !lens.has_converged(19, squares(19.0, 1.0)));
+        assert!(!lens.has_converged(35, squares(35.0, 17.0)) && lens.has_converged(7, 0.0));
         // Half of the rays are of one gray, half of another, for which POV-Ray's pixels have this mean number of rays
         // (tested at intervals, so durer casts a few more).
         for (most, confidence, variance, difference, seen) in [
@@ -213,18 +215,23 @@ mod tests {
             (200, 0.1, 0.01 / 16.0, 0.2, 54.7),
         ] {
             let blur = FocalBlur { confidence, variance, samples: [0, most], ..blur };
-            let lens = blur.lens(DVec3::NEG_Z, DVec3::Z).unwrap();
-            let needed = (1..=most).find(|n| lens.suffices(*n, f64::from(*n) * difference * difference / 4.0)).unwrap();
+            let lens = blur.lower_lens(DVec3::NEG_Z, DVec3::Z).unwrap();
+            let needed =
+                (1..=most).find(|n| lens.has_converged(*n, f64::from(*n) * difference * difference / 4.0)).unwrap();
             assert!((f64::from(needed) - seen).abs() < 0.05 * seen, "{most} {confidence}: {needed}, not {seen}");
         }
         // With 0 even a uniform pixel takes all rays (2000 rays a pixel: 0.78 s, and 0.01 s with 1/100000).
-        assert!(!Lens { variance: 0.0, ..lens }.suffices(7, 0.0));
+        assert!(!Lens { variance: 0.0, ..lens }.has_converged(7, 0.0));
     }
 
     #[test]
     fn quantiles_of_the_normal_distribution() {
         for (confidence, wanted) in [(0.9, 1.2816), (0.975, 1.9600), (0.5, 0.0), (0.1, -1.2816)] {
-            assert!((quantile(confidence) - wanted).abs() < 0.01, "{confidence} {}", quantile(confidence));
+            assert!(
+                (normal_quantile(confidence) - wanted).abs() < 0.01,
+                "{confidence} {}",
+                normal_quantile(confidence)
+            );
         }
     }
 }

@@ -18,7 +18,7 @@ pub struct Frame {
 
 impl Frame {
     /// Returns the camera's unit vectors right, up and ahead, and the lengths of `right`, `up` and `direction`.
-    pub fn axes(&self) -> ([DVec3; 3], DVec3) {
+    pub fn unit_axes_and_lengths(&self) -> ([DVec3; 3], DVec3) {
         let vectors = [self.right, self.up, self.direction];
         (vectors.map(DVec3::normalize_or_zero), DVec3::from_array(vectors.map(DVec3::length)))
     }

@@ -56,7 +56,7 @@ impl LectureCamera {
     }
 
     /// Lowers the lecture's camera: p(i, j) = eye + α·u + β·v − w.
-    pub fn eye(&self) -> LoweredCamera {
+    pub fn lower(&self) -> LoweredCamera {
         let w = (self.eye - self.center).normalize();
         let u = self.up.cross(w).normalize();
         let v = w.cross(u);
@@ -73,7 +73,12 @@ impl LectureCamera {
 
 /// Returns the window of a camera's frame of unit vectors at distance 1; the tangents are of half the angles of view,
 /// and a missing one follows from square pixels.
-pub(super) fn window(frame: &Frame, (tan_x, tan_y): (Option<f64>, Option<f64>), width: usize, height: usize) -> Window {
+pub(super) fn lecture_window(
+    frame: &Frame,
+    (tan_x, tan_y): (Option<f64>, Option<f64>),
+    width: usize,
+    height: usize,
+) -> Window {
     let aspect = width as f64 / height as f64;
     let tan_x = tan_x.or(tan_y.map(|y| y * aspect)).unwrap_or(aspect);
     let tan_y = tan_y.unwrap_or(tan_x / aspect);
@@ -120,8 +125,8 @@ mod tests {
             fov_y: Some(40.0),
             ..LectureCamera::default()
         };
-        let view = camera.eye().view(64, 48);
-        let window = view.window().unwrap();
+        let view = camera.lower().view(64, 48);
+        let window = view.flat_window().unwrap();
         for (i, j) in [(0, 0), (63, 47), (10, 30)] {
             let ray = window.ray(i as f64 + 0.5, j as f64 + 0.5);
             assert!(ray.dir.distance(by_the_lecture(&camera, i, j, 64.0, 48.0)) < 1e-14);
@@ -131,8 +136,8 @@ mod tests {
     #[test]
     fn one_angle_gives_square_pixels() {
         let camera = LectureCamera { fov_y: Some(50.0), ..LectureCamera::default() };
-        let view = camera.eye().view(300, 100);
-        let window = view.window().unwrap();
+        let view = camera.lower().view(300, 100);
+        let window = view.flat_window().unwrap();
         assert!((window.across.length() - window.down.length()).abs() < 1e-15);
     }
 }

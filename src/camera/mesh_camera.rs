@@ -38,13 +38,13 @@ pub struct PlacedMesh {
 
 impl PlacedMesh {
     /// Returns the centre of the mesh's face and its normal, of any length; `None` if the mesh has no such face.
-    fn middle(&self, index: usize) -> Option<(DVec3, DVec3)> {
+    fn face_center_and_normal(&self, index: usize) -> Option<(DVec3, DVec3)> {
         let Face { corners: [a, b, c], normal, .. } = self.faces.get(index)?;
         Some((self.transform.point((*a + *b + *c) / 3.0), self.transform.normal(*normal)))
     }
 
     /// Returns a face of the mesh in world space.
-    fn face(&self, index: usize) -> Face {
+    fn world_face(&self, index: usize) -> Face {
         self.faces[index].clone().moved(&self.transform)
     }
 }
@@ -141,22 +141,23 @@ impl MeshRays {
     /// the sign of the direction (quirk: `mesh_camera_location`).
     pub(super) fn new(camera: &Arc<MeshCamera>, location: DVec3, direction: DVec3) -> Self {
         let boxes = match camera.distribution {
-            Distribution::Uv => camera.meshes[0].faces.iter().map(uv_box).collect(),
+            Distribution::Uv => camera.meshes[0].faces.iter().map(uv_bounds).collect(),
             _ => vec![],
         };
-        let kept: Vec<u32> = (0..boxes.len() as u32).filter(|i| bvh::fits(&boxes[*i as usize])).collect();
+        let kept: Vec<u32> =
+            (0..boxes.len() as u32).filter(|i| bvh::fits_single_precision(&boxes[*i as usize])).collect();
         let (bvh, order) = Bvh::build(kept.iter().map(|i| boxes[*i as usize]));
         let order = order.into_iter().map(|i| kept[i as usize]).collect();
         Self { camera: camera.clone(), offset: location.z, reversed: direction.z < -1e-10, by_uv: (bvh, order) }
     }
 
     /// Maximum number of rays of the mesh camera through a point of the picture.
-    pub fn count(&self) -> usize {
+    pub fn rays_per_point(&self) -> usize {
         if self.camera.distribution == Distribution::Layers { self.camera.rays } else { 1 }
     }
 
     /// Maximum distance of a hit along a ray of the mesh camera.
-    pub fn reach(&self) -> f64 {
+    pub fn max_distance(&self) -> f64 {
         self.camera.reach
     }
 
@@ -167,7 +168,7 @@ impl MeshRays {
         let meshes = &self.camera.meshes;
         let index = x as usize + y as usize * size.x as usize;
         match self.camera.distribution {
-            Distribution::Layers => self.of_face(meshes.get(number)?, index),
+            Distribution::Layers => self.ray_from_face(meshes.get(number)?, index),
             Distribution::Row => {
                 // Number of faces of all meshes up to this one.
                 let mut end = 0;
@@ -175,52 +176,52 @@ impl MeshRays {
                     end += mesh.faces.len();
                     index < end
                 })?;
-                self.of_face(mesh, index + mesh.faces.len() - end)
+                self.ray_from_face(mesh, index + mesh.faces.len() - end)
             }
             Distribution::Stripes => {
                 let stripe = (x / size.x * meshes.len() as f64) as usize;
                 let width = size.x as usize / meshes.len();
-                self.of_face(meshes.get(stripe)?, x as usize + y as usize * width)
+                self.ray_from_face(meshes.get(stripe)?, x as usize + y as usize * width)
             }
-            Distribution::Uv => self.by_uv(DVec2::new((x - 0.5) / size.x, 1.0 - (y + 0.5) / size.y)),
+            Distribution::Uv => self.ray_at_uv(DVec2::new((x - 0.5) / size.x, 1.0 - (y + 0.5) / size.y)),
         }
     }
 
-    fn of_face(&self, mesh: &PlacedMesh, index: usize) -> Option<Ray> {
-        let (middle, normal) = mesh.middle(index)?;
-        self.from(middle, normal)
+    fn ray_from_face(&self, mesh: &PlacedMesh, index: usize) -> Option<Ray> {
+        let (middle, normal) = mesh.face_center_and_normal(index)?;
+        self.ray_from(middle, normal)
     }
 
     /// Returns the ray from the first face of the mesh that contains this uv.
-    fn by_uv(&self, uv: DVec2) -> Option<Ray> {
+    fn ray_at_uv(&self, uv: DVec2) -> Option<Ray> {
         let (bvh, order) = &self.by_uv;
         let mut first: Option<(u32, DVec3)> = None;
         bvh.traverse(&Ray::new(uv.extend(-1.0), DVec3::Z), Range::ALL, |at, max| {
             let number = order[at];
             if first.is_none_or(|(best, _)| number < best) {
-                let inside = within(&self.camera.meshes[0].faces[number as usize], uv);
+                let inside = barycentric_of_uv(&self.camera.meshes[0].faces[number as usize], uv);
                 first = inside.map(|weights| (number, weights)).or(first);
             }
             ControlFlow::Continue(max)
         });
         let (number, weights) = first?;
-        let face = self.camera.meshes[0].face(number as usize);
+        let face = self.camera.meshes[0].world_face(number as usize);
         let between = |[a, b, c]: [DVec3; 3]| a * weights.x + b * weights.y + c * weights.z;
         let normal = match face.normals {
             Some(normals) if self.camera.smooth => between(normals),
             _ => face.normal,
         };
-        self.from(between(face.corners), normal)
+        self.ray_from(between(face.corners), normal)
     }
 
-    fn from(&self, place: DVec3, normal: DVec3) -> Option<Ray> {
+    fn ray_from(&self, position: DVec3, normal: DVec3) -> Option<Ray> {
         let normal = normal.try_normalize()?;
         let dir = if self.reversed { -normal } else { normal };
-        Some(Ray::new(place + dir * self.offset, dir))
+        Some(Ray::new(position + dir * self.offset, dir))
     }
 }
 
-fn uv_box(face: &Face) -> Aabb {
+fn uv_bounds(face: &Face) -> Aabb {
     match face.uv {
         Some(uv) => Aabb::from_points(uv.map(|uv| uv.extend(0.0))),
         None => Aabb::EMPTY,
@@ -228,7 +229,7 @@ fn uv_box(face: &Face) -> Aabb {
 }
 
 /// Barycentric weights of a uv in a face; `None` outside.
-fn within(face: &Face, uv: DVec2) -> Option<DVec3> {
+fn barycentric_of_uv(face: &Face, uv: DVec2) -> Option<DVec3> {
     let [a, b, c] = face.uv?;
     let area = (b - a).perp_dot(c - a);
     let weights = DVec3::new((b - uv).perp_dot(c - uv), (c - uv).perp_dot(a - uv), (a - uv).perp_dot(b - uv)) / area;

@@ -110,7 +110,7 @@ impl Camera {
                 Next::Word(word) | Next::Block(word) if POVRAY.is_unsupported(word) => {
                     unsupported.push(r.read_unsupported(word)?);
                 }
-                _ => return Err(r.unknown_word("camera", &words::names()).into()),
+                _ => return Err(r.unknown_word("camera", &words::camera_words()).into()),
             }
         }
         match lecture {
@@ -136,21 +136,21 @@ impl Camera {
                 Camera::Lecture(camera) => camera.transform = camera.transform.then(&step),
             }
         }
-        if r.next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", &words::names()).into()) }
+        if r.next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", &words::camera_words()).into()) }
     }
 
     /// Lowers the camera; `noise` and `waves` are the scene's settings for patterns, used by the camera's `normal`.
-    pub fn eye(&self, noise: NoiseGenerator, waves: usize) -> LoweredCamera {
+    pub fn lower(&self, noise: NoiseGenerator, waves: usize) -> LoweredCamera {
         match self {
             Camera::Povray(camera) => {
                 let bumps = camera.normal.as_deref().map(|normal| Bumps::new(normal, noise, waves));
-                let mut eye = camera.eye();
+                let mut eye = camera.lower();
                 if let (Some(lens), Some(pigment)) = (&mut eye.lens, camera.bokeh.as_deref()) {
                     lens.bokeh = Some(Arc::new(Bokeh::new(pigment, noise, waves)));
                 }
                 LoweredCamera { bumps, ..eye }
             }
-            Camera::Lecture(camera) => camera.eye(),
+            Camera::Lecture(camera) => camera.lower(),
         }
     }
 }

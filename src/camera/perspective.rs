@@ -20,7 +20,7 @@ pub struct Window {
 
 impl Window {
     /// Returns the window of a camera's frame for a picture of this size in pixels.
-    pub(super) fn of(frame: &Frame, width: usize, height: usize) -> Self {
+    pub(super) fn for_picture(frame: &Frame, width: usize, height: usize) -> Self {
         Self {
             origin: frame.origin,
             corner: frame.direction - frame.right * 0.5 + frame.up * 0.5,

@@ -109,7 +109,7 @@ impl PovrayCamera {
     }
 
     /// Reads the N of `cylinder N`, the type of a cylindrical camera, from 1 to 4.
-    pub(super) fn read_cylinder(&mut self, r: &mut dyn Reader) -> Result<()> {
+    pub(super) fn read_cylinder_type(&mut self, r: &mut dyn Reader) -> Result<()> {
         let (at, number) = (r.span(), r.float()?);
         if !(1.0..5.0).contains(&number) {
             let message = format!("a `cylinder` camera has a type from 1 to 4, found {number}");
@@ -153,7 +153,7 @@ impl PovrayCamera {
     }
 
     /// Lowers POV-Ray's camera.
-    pub fn eye(&self) -> LoweredCamera {
+    pub fn lower(&self) -> LoweredCamera {
         let (mut direction, mut right, mut up) = (self.direction, self.right, self.up);
         let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
         if let Some(angle) = self.angle.filter(|_| flat) {
@@ -166,13 +166,13 @@ impl PovrayCamera {
             (right, up) = (right * scale, up * scale);
         }
         if let Some(target) = self.look_at {
-            (direction, right, up) = self.turned(target, direction, right, up);
+            (direction, right, up) = self.turn_towards(target, direction, right, up);
         }
         let t = &self.transform;
         let (direction, right, up) = (t.vector(direction), t.vector(right), t.vector(up));
         let frame = Frame { origin: t.point(self.location), direction, right, up };
         let blur = FocalBlur { focal_point: t.point(self.blur.focal_point), ..self.blur };
-        let lens = blur.lens(frame.origin, direction.normalize_or_zero());
+        let lens = blur.lower_lens(frame.origin, direction.normalize_or_zero());
         LoweredCamera { frame, projection: self.projection(&frame), lens, bumps: None }
     }
 
@@ -198,7 +198,7 @@ impl PovrayCamera {
     }
 
     /// Turns a camera's direction, right and up towards `target`; keeps lengths and handedness.
-    fn turned(&self, target: DVec3, direction: DVec3, right: DVec3, up: DVec3) -> (DVec3, DVec3, DVec3) {
+    fn turn_towards(&self, target: DVec3, direction: DVec3, right: DVec3, up: DVec3) -> (DVec3, DVec3, DVec3) {
         // quirk: camera_without_handedness
         let left_handed = up.cross(direction).dot(right) <= 0.0;
         let ahead = (target - self.location).normalize();
@@ -217,7 +217,7 @@ mod tests {
     use crate::camera::Window;
 
     fn window(camera: &PovrayCamera, width: usize, height: usize) -> Window {
-        *camera.eye().view(width, height).window().unwrap()
+        *camera.lower().view(width, height).flat_window().unwrap()
     }
 
     #[test]

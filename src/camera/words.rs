@@ -53,7 +53,7 @@ pub(super) const KIND_ROWS: &[Row<PovrayCamera>] = &[
         "",
         "on a cylinder, upright (1, 3) or lying (2, 4); with types 3 and 4 the eye moves along it",
     )
-    .sets(PovrayCamera::read_cylinder),
+    .sets(PovrayCamera::read_cylinder_type),
     word("spherical", Nothing, "", "longitude and latitude; `angle` takes two numbers, 360 and 180 if none is said")
         .sets(|s, _| set(&mut s.kind, Ok(Kind::Spherical))),
 ];
@@ -122,7 +122,7 @@ pub const LECTURE: Vocabulary = Vocabulary {
 };
 
 /// Returns the words of both kinds of camera.
-pub(super) fn names() -> Vec<&'static str> {
+pub(super) fn camera_words() -> Vec<&'static str> {
     let own = LECTURE.words.iter().map(|w| w.name).filter(|name| *name != "up");
     let mut names = POVRAY.names();
     let at = names.len() - POVRAY.unsupported.len();

@@ -164,7 +164,7 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
 }
 
 fn compare(rendered: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
-    if let Some(expected) = expected.map(Pixels::to_frame) {
+    if let Some(expected) = expected.map(Pixels::to_linear_image) {
         let comparison = snapshot::compare(&expected, &rendered, Tolerance::default());
         if comparison.verdict == Verdict::Differs {
             outcome.exit = Exit::Snapshot;

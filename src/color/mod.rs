@@ -31,7 +31,7 @@ impl Color {
     pub const BLINDING: f64 = 1e30;
 
     /// Returns the colour as a surface shows it: infinite components are 0 (quirk: `infinite_colors`).
-    pub fn as_paint(self) -> Self {
+    pub fn without_infinities(self) -> Self {
         let is_infinite = self.to_array().contains(&Self::BLINDING);
         if !is_infinite {
             self
@@ -63,16 +63,16 @@ impl Color {
     }
 
     /// Transmittance for light from behind: filter · rgb + transmit.
-    pub fn passing(&self) -> Rgb {
+    pub fn transmittance(&self) -> Rgb {
         self.rgb * self.filter + self.transmit
     }
 
     /// Returns self + t·other, for all five numbers of a colour.
-    pub fn plus(self, other: Color, t: f64) -> Color {
+    pub fn plus_scaled(self, other: Color, factor: f64) -> Color {
         Color {
-            rgb: self.rgb + other.rgb * t,
-            filter: self.filter + other.filter * t,
-            transmit: self.transmit + other.transmit * t,
+            rgb: self.rgb + other.rgb * factor,
+            filter: self.filter + other.filter * factor,
+            transmit: self.transmit + other.transmit * factor,
         }
     }
 

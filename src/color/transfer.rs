@@ -36,7 +36,7 @@ impl Gamma {
     }
 
     /// True if both transfer curves are equal, so that encoding by one undoes decoding by the other.
-    pub fn agrees(self, other: Gamma) -> bool {
+    pub fn is_equivalent(self, other: Gamma) -> bool {
         match (self, other) {
             (Gamma::Power(a), Gamma::Power(b)) => (a - b).abs() < 1e-3,
             (a, b) => a == b,

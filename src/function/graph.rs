@@ -69,7 +69,7 @@ pub struct Graph {
 
 /// Applies an operator. Inside functions comparisons are exact, and all numbers but 0 are true (quirk:
 /// `exact_comparisons_in_functions`).
-pub(super) fn operate(op: Operator, a: f64, b: f64) -> f64 {
+pub(super) fn apply_operator(op: Operator, a: f64, b: f64) -> f64 {
     use Operator::*;
     match op {
         Add => a + b,
@@ -119,9 +119,9 @@ impl Callee {
         match self {
             Callee::Internal(internal) => (internal.compute)(arguments),
             Callee::SceneNoise(generator) => scene_noise(generator, arguments),
-            Callee::Function(function) => function.part(component, arguments),
-            Callee::Sampler(sampler) => sampler.part(component, arguments),
-            Callee::Series { product, body } => series(*product, body, arguments),
+            Callee::Function(function) => function.call_component(component, arguments),
+            Callee::Sampler(sampler) => sampler.sample_component(component, arguments),
+            Callee::Series { product, body } => evaluate_series(*product, body, arguments),
         }
     }
 
@@ -137,14 +137,14 @@ impl Callee {
     /// True if the called function returns a number; every component is then that number.
     pub(super) fn gives_number(&self) -> bool {
         let gives = match self {
-            Callee::Function(function) => function.gives(),
-            Callee::Sampler(sampler) => sampler.gives(),
+            Callee::Function(function) => function.result_type(),
+            Callee::Sampler(sampler) => sampler.result_type(),
             _ => Gives::Number,
         };
         gives == Gives::Number
     }
 
-    fn is(&self, other: &Callee) -> bool {
+    fn is_same_callee(&self, other: &Callee) -> bool {
         match (self, other) {
             (Callee::Internal(a), Callee::Internal(b)) => std::ptr::eq(*a, *b),
             (Callee::SceneNoise(_), Callee::SceneNoise(_)) => true,
@@ -165,8 +165,8 @@ impl Callee {
                 super::Body::Numeric(_) => return [LocalBounds::UNKNOWN; 5],
             },
             Callee::SceneNoise(generator) => {
-                let generator = generator_of(generator);
-                (generator.steepest(), Some(generator.bend()))
+                let generator = load_generator(generator);
+                (generator.max_gradient(), Some(generator.max_gradient_change()))
             }
             Callee::Internal(internal) => match internal.steepest {
                 Some(steepest) => (steepest(rest), internal.bend.map(|bend| bend(rest))),
@@ -174,14 +174,14 @@ impl Callee {
             },
             Callee::Series { .. } => return [LocalBounds::UNKNOWN; 5],
         };
-        let near = LocalBounds::of(self.call(0, arguments), steepest, radius);
+        let near = LocalBounds::from_steepest(self.call(0, arguments), steepest, radius);
         let Some(bend) = bend else { return [near; 5] };
         let aside = |by: DVec3| {
             let mut there: SmallVec<[f64; 10]> = arguments.into();
             there.iter_mut().zip(by.to_array()).for_each(|(x, by)| *x += by);
             self.call(0, &there)
         };
-        [near.bent(aside, bend, radius, Interval::TRUTH); 5]
+        [near.tightened_by_bend(aside, bend, radius, Interval::TRUTH); 5]
     }
 
     pub(super) fn bounds(&self, component: usize, arguments: &[Interval]) -> Interval {
@@ -198,12 +198,12 @@ impl Callee {
     }
 }
 
-fn generator_of(scene: &AtomicU8) -> NoiseGenerator {
+fn load_generator(scene: &AtomicU8) -> NoiseGenerator {
     NoiseGenerator::from_number(f64::from(scene.load(Ordering::Relaxed)))
 }
 
 fn scene_noise(generator: &AtomicU8, p: &[f64]) -> f64 {
-    noise::noise(DVec3::new(p[0], p[1], p[2]), generator_of(generator))
+    noise::noise(DVec3::new(p[0], p[1], p[2]), load_generator(generator))
 }
 
 /// Maximum number of terms of `sum` and `prod`; a longer series gives NaN.
@@ -211,18 +211,18 @@ const MAX_TERMS: f64 = 1e7;
 
 /// Evaluates a `sum` or `prod`. The arguments are the first and last value of the counter, and then those of the
 /// enclosing function.
-fn series(product: bool, body: &Program, arguments: &[f64]) -> f64 {
+fn evaluate_series(is_product: bool, body: &Program, arguments: &[f64]) -> f64 {
     let [first, last, outer @ ..] = arguments else { return f64::NAN };
     let mut inner = outer.to_vec();
     inner.push(0.0);
     if last - first > MAX_TERMS {
         return f64::NAN;
     }
-    let (mut total, mut counter) = (f64::from(product), *first);
+    let (mut total, mut counter) = (f64::from(is_product), *first);
     while counter <= *last {
         inner[outer.len()] = counter;
         let term = body.run(&inner);
-        total = if product { total * term } else { total + term };
+        total = if is_product { total * term } else { total + term };
         counter += 1.0;
     }
     total
@@ -232,16 +232,16 @@ impl Graph {
     /// True if both graphs compute the same by the same operations.
     pub fn is_alike(&self, other: &Graph) -> bool {
         (self.result, &self.nodes, self.callees.len()) == (other.result, &other.nodes, other.callees.len())
-            && self.callees.iter().zip(&other.callees).all(|(a, b)| a.is(b))
+            && self.callees.iter().zip(&other.callees).all(|(a, b)| a.is_same_callee(b))
     }
 
     /// Adds a constant to the function's graph and returns its index.
-    pub fn constant(&mut self, x: f64) -> Id {
-        self.add(Operation::Constant(x.to_bits()))
+    pub fn add_constant(&mut self, x: f64) -> Id {
+        self.add_operation(Operation::Constant(x.to_bits()))
     }
 
     /// The value of an operation of the graph, if the operation is a constant.
-    pub fn known(&self, id: Id) -> Option<f64> {
+    pub fn constant_value(&self, id: Id) -> Option<f64> {
         match self.nodes[id as usize] {
             Operation::Constant(bits) => Some(f64::from_bits(bits)),
             _ => None,
@@ -249,10 +249,10 @@ impl Graph {
     }
 
     /// Finds an operation in the function's graph or adds it; returns its index.
-    pub fn add(&mut self, node: Operation) -> Id {
-        let node = self.folded(&node).map_or(node, |x| Operation::Constant(x.to_bits()));
+    pub fn add_operation(&mut self, node: Operation) -> Id {
+        let node = self.fold_constants(&node).map_or(node, |x| Operation::Constant(x.to_bits()));
         if let Operation::Choice(condition, yes, no) = node
-            && let Some(x) = self.known(condition)
+            && let Some(x) = self.constant_value(condition)
         {
             return if x != 0.0 { yes } else { no };
         }
@@ -265,40 +265,40 @@ impl Graph {
         id
     }
 
-    fn folded(&self, node: &Operation) -> Option<f64> {
+    fn fold_constants(&self, node: &Operation) -> Option<f64> {
         Some(match node {
-            Operation::One(row, a) => one(*row, self.known(*a)?),
-            Operation::Two(row, a, b) => two(*row, self.known(*a)?, self.known(*b)?),
-            Operation::Binary(op, a, b) => operate(*op, self.known(*a)?, self.known(*b)?),
+            Operation::One(row, a) => call_unary(*row, self.constant_value(*a)?),
+            Operation::Two(row, a, b) => call_binary(*row, self.constant_value(*a)?, self.constant_value(*b)?),
+            Operation::Binary(op, a, b) => apply_operator(*op, self.constant_value(*a)?, self.constant_value(*b)?),
             _ => return None,
         })
     }
 
     /// Adds a component of the result of a call to the function's graph, and returns its index.
-    pub fn call(&mut self, callee: Callee, component: u8, arguments: Box<[Id]>) -> Id {
-        let index = self.callees.iter().position(|c| c.is(&callee)).unwrap_or_else(|| {
+    pub fn add_call(&mut self, callee: Callee, component: u8, arguments: Box<[Id]>) -> Id {
+        let index = self.callees.iter().position(|c| c.is_same_callee(&callee)).unwrap_or_else(|| {
             self.callees.push(callee);
             self.callees.len() - 1
         });
-        self.add(Operation::Call(index as u32, component, arguments))
+        self.add_operation(Operation::Call(index as u32, component, arguments))
     }
 
     /// Copies another function's graph into this one, with these operands for its parameters; returns the index of its
     /// result.
-    pub fn inline(&mut self, other: &Graph, arguments: &[Id]) -> Id {
+    pub fn inline_graph(&mut self, other: &Graph, arguments: &[Id]) -> Id {
         let mut ids: Vec<Id> = Vec::with_capacity(other.nodes.len());
         for node in &other.nodes {
             let at = |id: &Id| ids[*id as usize];
             let id = match node {
                 Operation::Parameter(i) => arguments[*i as usize],
-                Operation::Constant(_) => self.add(node.clone()),
-                Operation::One(row, a) => self.add(Operation::One(*row, at(a))),
-                Operation::Two(row, a, b) => self.add(Operation::Two(*row, at(a), at(b))),
-                Operation::Binary(op, a, b) => self.add(Operation::Binary(*op, at(a), at(b))),
-                Operation::Choice(c, a, b) => self.add(Operation::Choice(at(c), at(a), at(b))),
+                Operation::Constant(_) => self.add_operation(node.clone()),
+                Operation::One(row, a) => self.add_operation(Operation::One(*row, at(a))),
+                Operation::Two(row, a, b) => self.add_operation(Operation::Two(*row, at(a), at(b))),
+                Operation::Binary(op, a, b) => self.add_operation(Operation::Binary(*op, at(a), at(b))),
+                Operation::Choice(c, a, b) => self.add_operation(Operation::Choice(at(c), at(a), at(b))),
                 Operation::Call(callee, component, list) => {
                     let list = list.iter().map(at).collect();
-                    self.call(other.callees[*callee as usize].clone(), *component, list)
+                    self.add_call(other.callees[*callee as usize].clone(), *component, list)
                 }
             };
             ids.push(id);
@@ -335,7 +335,7 @@ impl Graph {
 }
 
 /// Calls the built-in numeric function of a table row with one argument.
-pub(super) fn one(row: u8, a: f64) -> f64 {
+pub(super) fn call_unary(row: u8, a: f64) -> f64 {
     match numeric::TABLE[row as usize].kernel {
         Kernel::One(f) => f(a),
         _ => a,
@@ -343,7 +343,7 @@ pub(super) fn one(row: u8, a: f64) -> f64 {
 }
 
 /// Calls the built-in numeric function of a table row with two arguments.
-pub(super) fn two(row: u8, a: f64, b: f64) -> f64 {
+pub(super) fn call_binary(row: u8, a: f64, b: f64) -> f64 {
     match numeric::TABLE[row as usize].kernel {
         Kernel::Two(f) | Kernel::Many(f) => f(a, b),
         Kernel::One(f) => f(a),

@@ -41,7 +41,7 @@ impl Interval {
     }
 
     /// The intersection of two intervals; `self` if it is empty.
-    pub fn shared(self, other: Self) -> Self {
+    pub fn intersection_or_self(self, other: Self) -> Self {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         if lo <= hi { Self { lo, hi } } else { self }
     }
@@ -54,7 +54,7 @@ impl Interval {
     }
 
     /// Returns the interval of a monotonically increasing function's results over this interval.
-    pub fn growing(self, f: impl Fn(f64) -> f64) -> Self {
+    pub fn map_increasing(self, f: impl Fn(f64) -> f64) -> Self {
         Self::new(f(self.lo), f(self.hi)).widened()
     }
 
@@ -107,15 +107,15 @@ impl Interval {
         }
         if self.lo >= 0.0 {
             return match p {
-                _ if p > 0.0 => self.growing(|x| fp::pow(x, p)),
+                _ if p > 0.0 => self.map_increasing(|x| fp::pow(x, p)),
                 _ if self.lo > 0.0 => Self::new(fp::pow(self.lo, p), fp::pow(self.hi, p)).widened(),
                 _ => Self::ALL,
             };
         }
         match p {
             _ if p.fract() != 0.0 || !(0.0..=64.0).contains(&p) => Self::ALL,
-            _ if p % 2.0 == 0.0 => self.abs().growing(|x| fp::pow(x, p)),
-            _ => self.growing(|x| fp::pow(x, p)),
+            _ if p % 2.0 == 0.0 => self.abs().map_increasing(|x| fp::pow(x, p)),
+            _ => self.map_increasing(|x| fp::pow(x, p)),
         }
     }
 }

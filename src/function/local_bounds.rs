@@ -34,7 +34,7 @@ impl LocalBounds {
 
     /// Returns local bounds of a function within `radius` of a point where it has this value, if no gradient is longer
     /// than `steepest`.
-    pub fn of(value: f64, steepest: f64, radius: f64) -> Self {
+    pub fn from_steepest(value: f64, steepest: f64, radius: f64) -> Self {
         let far = steepest * radius;
         if !(value.is_finite() && far.is_finite()) {
             return Self::UNKNOWN;
@@ -42,19 +42,19 @@ impl LocalBounds {
         Self { range: Interval::new(value - far, value + far).widened(), steepest, ..Self::UNKNOWN }
     }
 
-    /// Returns local bounds of a function that differs by at most `far` from a value; no gradient is longer than
+    /// Returns local bounds of a function that differs by at most `max_deviation` from a value; no gradient is longer than
     /// `steepest`, and nearly all are far shorter.
-    pub fn rough(value: f64, far: f64, steepest: f64) -> Self {
-        Self { steepest, rough: true, ..Self::of(value, far, 1.0) }
+    pub fn from_deviation(value: f64, max_deviation: f64, steepest: f64) -> Self {
+        Self { steepest, rough: true, ..Self::from_steepest(value, max_deviation, 1.0) }
     }
 
     /// Clamps the range of the function's values to [lo, hi].
-    pub fn within(self, lo: f64, hi: f64) -> Self {
+    pub fn clamp_range(self, lo: f64, hi: f64) -> Self {
         Self { range: Interval { lo: self.range.lo.clamp(lo, hi), hi: self.range.hi.clamp(lo, hi) }, ..self }
     }
 
     /// Returns the local bounds of the function's fractional part.
-    pub fn fraction(self) -> Self {
+    pub fn fraction_bounds(self) -> Self {
         let whole = self.range.lo.floor();
         if whole == self.range.hi.floor() {
             let range = Interval { lo: self.range.lo - whole, hi: self.range.hi - whole };
@@ -67,7 +67,7 @@ impl LocalBounds {
     /// Returns tighter local bounds where gradients change by at most `bend` per unit of length while the numbers are
     /// strictly `within`: all gradients are then near the one at the point (Taylor's theorem). `at` gives the number at
     /// an offset from the point.
-    pub fn bent(self, at: impl Fn(DVec3) -> f64, bend: f64, radius: f64, within: Interval) -> Self {
+    pub fn tightened_by_bend(self, at: impl Fn(DVec3) -> f64, bend: f64, radius: f64, within: Interval) -> Self {
         let turn = bend * radius + SLACK;
         if !(turn < self.steepest && self.range.lo > within.lo && self.range.hi < within.hi) {
             return self;
@@ -77,7 +77,7 @@ impl LocalBounds {
         // |f(p) − f(0)| ≤ |g|·r + b·r²/2
         let far = (gradient.length() + SLACK + 0.5 * bend * radius) * radius;
         let value = 0.5 * (self.range.lo + self.range.hi);
-        let range = self.range.shared(Interval::new(value - far, value + far).widened());
+        let range = self.range.intersection_or_self(Interval::new(value - far, value + far).widened());
         Self { range, gradient, steepest: turn, ..self }
     }
 }

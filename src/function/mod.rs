@@ -57,11 +57,11 @@ pub trait Sampler: std::fmt::Debug + Send + Sync {
     /// Number of arguments that the evaluation of the pigment, pattern, transform or spline takes.
     fn arity(&self) -> usize;
     /// Type of the result of the evaluation.
-    fn gives(&self) -> Gives;
+    fn result_type(&self) -> Gives;
     /// Evaluates the object; a number is the first of the five results, a colour is red, green, blue, filter, transmit.
     fn sample(&self, arguments: &[f64]) -> [f64; 5];
     /// Evaluates one component of the result.
-    fn part(&self, component: usize, arguments: &[f64]) -> f64 {
+    fn sample_component(&self, component: usize, arguments: &[f64]) -> f64 {
         self.sample(arguments)[component]
     }
     /// Returns bounds on the components of the result within a radius of these arguments.
@@ -85,10 +85,10 @@ impl Function {
     }
 
     /// Type of the function's result.
-    pub fn gives(&self) -> Gives {
+    pub fn result_type(&self) -> Gives {
         match &self.body {
             Body::Numeric(_) => Gives::Number,
-            Body::Sampled(sampler) => sampler.gives(),
+            Body::Sampled(sampler) => sampler.result_type(),
         }
     }
 
@@ -110,11 +110,11 @@ impl Function {
     }
 
     /// Calls the function; returns one component of the result.
-    pub fn part(&self, component: usize, arguments: &[f64]) -> f64 {
+    pub fn call_component(&self, component: usize, arguments: &[f64]) -> f64 {
         match &self.body {
             Body::Numeric(program) if component == 0 => program.run(arguments),
             Body::Numeric(_) => 0.0,
-            Body::Sampled(sampler) => sampler.part(component, arguments),
+            Body::Sampled(sampler) => sampler.sample_component(component, arguments),
         }
     }
 }

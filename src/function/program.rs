@@ -84,7 +84,7 @@ impl Program {
         }
         let next = parameters + constants.len();
         let mut writer = Writer { graph: &graph, steps: vec![], constants, arguments: vec![], places, next };
-        let result = writer.write(graph.result);
+        let result = writer.emit_operation(graph.result);
         let Writer { steps, constants, arguments, next, .. } = writer;
         let mut start = [0.0; FEW];
         start.iter_mut().skip(parameters).zip(&constants).for_each(|(to, constant)| *to = *constant);
@@ -116,22 +116,22 @@ impl Program {
                 (3, &[x, y, z, ..]) => [r[0], r[1], r[2]] = [x, y, z],
                 (n, all) => r[..n].copy_from_slice(&all[..n]),
             }
-            return self.run_in(&mut r);
+            return self.run_in_registers(&mut r);
         }
         match () {
-            _ if all <= SOME => self.run_in(self.begin(&mut [0.0; SOME], parameters)),
-            _ if all <= MANY => self.run_in(self.begin(&mut [0.0; MANY], parameters)),
-            _ => self.run_in(self.begin(&mut vec![0.0; all], parameters)),
+            _ if all <= SOME => self.run_in_registers(self.fill_registers(&mut [0.0; SOME], parameters)),
+            _ if all <= MANY => self.run_in_registers(self.fill_registers(&mut [0.0; MANY], parameters)),
+            _ => self.run_in_registers(self.fill_registers(&mut vec![0.0; all], parameters)),
         }
     }
 
-    fn begin<'r>(&self, r: &'r mut [f64], parameters: &[f64]) -> &'r mut [f64] {
+    fn fill_registers<'r>(&self, r: &'r mut [f64], parameters: &[f64]) -> &'r mut [f64] {
         r[..self.parameters].copy_from_slice(&parameters[..self.parameters]);
         r[self.parameters..self.parameters + self.constants.len()].copy_from_slice(&self.constants);
         r
     }
 
-    fn run_in(&self, r: &mut [f64]) -> f64 {
+    fn run_in_registers(&self, r: &mut [f64]) -> f64 {
         let mut at = 0;
         while let Some(step) = self.steps.get(at) {
             at += 1;
@@ -140,7 +140,7 @@ impl Program {
                 Step::Sub(to, a, b) => r[to as usize] = r[a as usize] - r[b as usize],
                 Step::Mul(to, a, b) => r[to as usize] = r[a as usize] * r[b as usize],
                 Step::Div(to, a, b) => r[to as usize] = r[a as usize] / r[b as usize],
-                Step::Binary(op, to, a, b) => r[to as usize] = graph::operate(op, r[a as usize], r[b as usize]),
+                Step::Binary(op, to, a, b) => r[to as usize] = graph::apply_operator(op, r[a as usize], r[b as usize]),
                 Step::One(f, to, a) => r[to as usize] = f(r[a as usize]),
                 Step::Two(f, to, a, b) => r[to as usize] = f(r[a as usize], r[b as usize]),
                 Step::Copy(to, a) => r[to as usize] = r[a as usize],
@@ -180,7 +180,7 @@ impl Program {
 
 impl Writer<'_> {
     /// Emits the instructions that evaluate an operation, unless its result is available; returns its register.
-    fn write(&mut self, id: Id) -> Register {
+    fn emit_operation(&mut self, id: Id) -> Register {
         if let Some(place) = self.places[id as usize] {
             return place;
         }
@@ -189,8 +189,8 @@ impl Writer<'_> {
             Operation::Parameter(i) => *i,
             Operation::Constant(_) => 0,
             Operation::One(row, a) => {
-                let a = self.write(*a);
-                let to = self.register();
+                let a = self.emit_operation(*a);
+                let to = self.new_register();
                 let f = match numeric::TABLE[*row as usize].kernel {
                     Kernel::One(f) => f,
                     _ => |x| x,
@@ -199,8 +199,8 @@ impl Writer<'_> {
                 to
             }
             Operation::Two(row, a, b) => {
-                let (a, b) = (self.write(*a), self.write(*b));
-                let to = self.register();
+                let (a, b) = (self.emit_operation(*a), self.emit_operation(*b));
+                let to = self.new_register();
                 let f = match numeric::TABLE[*row as usize].kernel {
                     Kernel::Two(f) | Kernel::Many(f) => f,
                     Kernel::One(_) => |x, _| x,
@@ -209,8 +209,8 @@ impl Writer<'_> {
                 to
             }
             Operation::Binary(op, a, b) => {
-                let (a, b) = (self.write(*a), self.write(*b));
-                let to = self.register();
+                let (a, b) = (self.emit_operation(*a), self.emit_operation(*b));
+                let to = self.new_register();
                 self.steps.push(match op {
                     Operator::Add => Step::Add(to, a, b),
                     Operator::Sub => Step::Sub(to, a, b),
@@ -220,14 +220,14 @@ impl Writer<'_> {
                 });
                 to
             }
-            Operation::Choice(condition, yes, no) => self.choice(*condition, *yes, *no),
+            Operation::Choice(condition, yes, no) => self.emit_choice(*condition, *yes, *no),
             Operation::Call(callee, component, list) => {
-                let registers: Vec<Register> = list.iter().map(|id| self.write(*id)).collect();
+                let registers: Vec<Register> = list.iter().map(|id| self.emit_operation(*id)).collect();
                 let start = self.arguments.len() as u32;
                 let count = registers.len() as u16;
                 self.arguments.extend(registers);
-                let siblings = self.siblings(id, *callee, list);
-                let to = self.register();
+                let siblings = self.components_of_same_call(id, *callee, list);
+                let to = self.new_register();
                 if siblings.len() == 1 {
                     self.steps.push(Step::Call(*callee, *component, start, count, to));
                     to
@@ -247,7 +247,7 @@ impl Writer<'_> {
 
     /// Finds, among this operation and the next few, those that use components of the same call; returns their indices
     /// and components.
-    fn siblings(&self, id: Id, callee: u32, list: &[Id]) -> SmallVec<[(usize, u8); 5]> {
+    fn components_of_same_call(&self, id: Id, callee: u32, list: &[Id]) -> SmallVec<[(usize, u8); 5]> {
         let is_one = |(i, node): (usize, &Operation)| match node {
             Operation::Call(other, component, same) if *other == callee && **same == *list => Some((i, *component)),
             _ => None,
@@ -257,26 +257,26 @@ impl Writer<'_> {
 
     /// Emits a conditional. Operations that only one branch needs are evaluated in that branch, and are unknown after
     /// it.
-    fn choice(&mut self, condition: Id, yes: Id, no: Id) -> Register {
-        let condition = self.write(condition);
-        let to = self.register();
+    fn emit_choice(&mut self, condition: Id, yes: Id, no: Id) -> Register {
+        let condition = self.emit_operation(condition);
+        let to = self.new_register();
         let before = self.places.clone();
         let branch = self.steps.len();
         self.steps.push(Step::SkipIfZero(condition, 0));
-        let value = self.write(yes);
+        let value = self.emit_operation(yes);
         self.steps.push(Step::Copy(to, value));
         let end = self.steps.len();
         self.steps.push(Step::Skip(0));
         self.steps[branch] = Step::SkipIfZero(condition, self.steps.len() as u32);
         self.places.clone_from(&before);
-        let value = self.write(no);
+        let value = self.emit_operation(no);
         self.steps.push(Step::Copy(to, value));
         self.steps[end] = Step::Skip(self.steps.len() as u32);
         self.places = before;
         to
     }
 
-    fn register(&mut self) -> Register {
+    fn new_register(&mut self) -> Register {
         self.next += 1;
         (self.next - 1) as Register
     }
@@ -284,15 +284,15 @@ impl Writer<'_> {
 
 /// Evaluates a function's graph recursively, without bytecode: the reference for tests.
 #[cfg(test)]
-pub(super) fn slow(graph: &Graph, parameters: &[f64]) -> f64 {
-    fn value(graph: &Graph, id: Id, p: &[f64]) -> f64 {
-        let at = |id: &Id| value(graph, *id, p);
+pub(super) fn evaluate_recursively(graph: &Graph, parameters: &[f64]) -> f64 {
+    fn value_of_operation(graph: &Graph, id: Id, p: &[f64]) -> f64 {
+        let at = |id: &Id| value_of_operation(graph, *id, p);
         match &graph.nodes[id as usize] {
             Operation::Constant(bits) => f64::from_bits(*bits),
             Operation::Parameter(i) => p[*i as usize],
-            Operation::One(row, a) => graph::one(*row, at(a)),
-            Operation::Two(row, a, b) => graph::two(*row, at(a), at(b)),
-            Operation::Binary(op, a, b) => graph::operate(*op, at(a), at(b)),
+            Operation::One(row, a) => graph::call_unary(*row, at(a)),
+            Operation::Two(row, a, b) => graph::call_binary(*row, at(a), at(b)),
+            Operation::Binary(op, a, b) => graph::apply_operator(*op, at(a), at(b)),
             Operation::Choice(c, yes, no) => at(if at(c) != 0.0 { yes } else { no }),
             Operation::Call(callee, component, list) => {
                 let list: Vec<f64> = list.iter().map(at).collect();
@@ -300,7 +300,7 @@ pub(super) fn slow(graph: &Graph, parameters: &[f64]) -> f64 {
             }
         }
     }
-    value(graph, graph.result, parameters)
+    value_of_operation(graph, graph.result, parameters)
 }
 
 #[cfg(test)]
@@ -315,24 +315,24 @@ mod tests {
     /// A graph of operations that mostly give finite numbers, in any order.
     fn graph(recipe: &Recipe) -> Graph {
         let mut graph = Graph::default();
-        let mut ids: Vec<Id> = (0..3).map(|i| graph.add(Operation::Parameter(i))).collect();
+        let mut ids: Vec<Id> = (0..3).map(|i| graph.add_operation(Operation::Parameter(i))).collect();
         let rows = ["abs", "sin", "cos", "exp", "sqrt", "floor", "max", "min", "pow", "tanh"];
         for &(kind, a, b, c, x) in recipe {
             let pick = |i: u32| ids[i as usize % ids.len()];
             let (a, b, c) = (pick(a), pick(b), pick(c));
             use Operator::*;
             let id = match kind % 24 {
-                0 => graph.constant(x),
-                1 => graph.add(Operation::Choice(a, b, c)),
+                0 => graph.add_constant(x),
+                1 => graph.add_operation(Operation::Choice(a, b, c)),
                 k @ 2..=13 => {
                     let op = [Add, Sub, Mul, Div, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Or];
-                    graph.add(Operation::Binary(op[k as usize - 2], a, b))
+                    graph.add_operation(Operation::Binary(op[k as usize - 2], a, b))
                 }
                 k => {
-                    let row = numeric::find(rows[k as usize - 14]).unwrap();
+                    let row = numeric::find_numeric(rows[k as usize - 14]).unwrap();
                     match numeric::TABLE[row as usize].kernel {
-                        Kernel::One(_) => graph.add(Operation::One(row, a)),
-                        _ => graph.add(Operation::Two(row, a, b)),
+                        Kernel::One(_) => graph.add_operation(Operation::One(row, a)),
+                        _ => graph.add_operation(Operation::Two(row, a, b)),
                     }
                 }
             };
@@ -350,7 +350,7 @@ mod tests {
         #[test]
         fn bytecode_matches_the_graph(recipe in recipe(), p in prop::array::uniform3(-2.0..2.0)) {
             let graph = graph(&recipe);
-            let wanted = slow(&graph, &p);
+            let wanted = evaluate_recursively(&graph, &p);
             let found = Program::new(graph, 3).unwrap().run(&p);
             prop_assert!(wanted.to_bits() == found.to_bits() || wanted.is_nan() && found.is_nan());
         }
@@ -365,12 +365,12 @@ mod tests {
             let graph = graph(&recipe);
             let boxes = [0, 1, 2].map(|i| Interval::new(corner[i], corner[i] + size[i]));
             let p = [0, 1, 2].map(|i: usize| f64::min(corner[i] + inner[i] * size[i], boxes[i].hi));
-            let value = slow(&graph, &p);
+            let value = evaluate_recursively(&graph, &p);
             let bounds = graph.bounds(&boxes);
             let mut part = graph.clone();
             let mut at = |id| {
                 part.result = id;
-                slow(&part, &p)
+                evaluate_recursively(&part, &p)
             };
             let no_number = (0..graph.nodes.len() as Id).any(|id| at(id).is_nan());
             prop_assert!(no_number || bounds.contains(value), "{value} is not in {bounds:?}");
@@ -381,14 +381,14 @@ mod tests {
     fn unchosen_branches_are_skipped_and_shared_results_reused() {
         // x < 0 ? x·y : (x·y)² − x·y, and then + x·y
         let mut g = Graph::default();
-        let (x, y) = (g.add(Operation::Parameter(0)), g.add(Operation::Parameter(1)));
-        let zero = g.constant(0.0);
-        let below = g.add(Operation::Binary(Operator::Less, x, zero));
-        let product = g.add(Operation::Binary(Operator::Mul, x, y));
-        let square = g.add(Operation::Binary(Operator::Mul, product, product));
-        let rest = g.add(Operation::Binary(Operator::Sub, square, product));
-        let choice = g.add(Operation::Choice(below, product, rest));
-        g.result = g.add(Operation::Binary(Operator::Add, choice, product));
+        let (x, y) = (g.add_operation(Operation::Parameter(0)), g.add_operation(Operation::Parameter(1)));
+        let zero = g.add_constant(0.0);
+        let below = g.add_operation(Operation::Binary(Operator::Less, x, zero));
+        let product = g.add_operation(Operation::Binary(Operator::Mul, x, y));
+        let square = g.add_operation(Operation::Binary(Operator::Mul, product, product));
+        let rest = g.add_operation(Operation::Binary(Operator::Sub, square, product));
+        let choice = g.add_operation(Operation::Choice(below, product, rest));
+        g.result = g.add_operation(Operation::Binary(Operator::Add, choice, product));
         let program = Program::new(g, 2).unwrap();
         assert_eq!(program.run(&[-2.0, 3.0]), -12.0);
         assert_eq!(program.run(&[2.0, 3.0]), 36.0);

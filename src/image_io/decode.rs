@@ -99,26 +99,26 @@ fn decode_any(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
         [b'F', b'O', b'R', b'M', ..] => return Err("iff pictures are not read, as they are not by POV-Ray 3.7".into()),
         _ => {}
     }
-    if let Some(decoded) = tiff_palette::decode(bytes, decode_usual) {
+    if let Some(decoded) = tiff_palette::decode(bytes, decode_with_image_crate) {
         return decoded;
     }
     let format = image::guess_format(bytes).ok();
     if format.is_none() && ending.eq_ignore_ascii_case("tga") {
         return tga::decode(bytes);
     }
-    let pixels = decode_usual(bytes)?;
+    let pixels = decode_with_image_crate(bytes)?;
     if format != Some(ImageFormat::Bmp) {
         return Ok(pixels.into());
     }
-    let pixels = match bmp::alpha(bytes) {
+    let pixels = match bmp::bmp_alpha(bytes) {
         Some(alpha) => pixels.with_alpha(&alpha),
         None => pixels,
     };
-    Ok(Decoded { pixels, indices: bmp::indices(bytes) })
+    Ok(Decoded { pixels, indices: bmp::palette_indices(bytes) })
 }
 
 /// Decodes a picture whose format the crate `image` supports.
-fn decode_usual(bytes: &[u8]) -> Result<Pixels, String> {
+fn decode_with_image_crate(bytes: &[u8]) -> Result<Pixels, String> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
     reader.decode().map(Pixels::from).map_err(|e| e.to_string())
 }
@@ -190,7 +190,7 @@ impl From<DynamicImage> for Pixels {
 impl Pixels {
     /// Removes the alpha channel of the decoded pixels.
     pub(super) fn without_alpha(self) -> Self {
-        fn kept<T: Copy>(samples: &[T], n: usize) -> Vec<T> {
+        fn drop_last_channel<T: Copy>(samples: &[T], n: usize) -> Vec<T> {
             samples.chunks_exact(n).flat_map(|pixel| &pixel[..n - 1]).copied().collect()
         }
         let n = self.channels;
@@ -198,9 +198,9 @@ impl Pixels {
             return self;
         }
         let samples = match &self.samples {
-            Samples::U8(v) => Samples::U8(kept(v, n)),
-            Samples::U16(v) => Samples::U16(kept(v, n)),
-            Samples::F32(v) => Samples::F32(kept(v, n)),
+            Samples::U8(v) => Samples::U8(drop_last_channel(v, n)),
+            Samples::U16(v) => Samples::U16(drop_last_channel(v, n)),
+            Samples::F32(v) => Samples::F32(drop_last_channel(v, n)),
         };
         Self { channels: n - 1, samples, ..self }
     }
@@ -219,29 +219,33 @@ impl Pixels {
 
     /// Converts a decoded picture to linear light: integers are decoded by the sRGB curve, floating-point numbers are
     /// linear already.
-    pub fn to_frame(&self) -> Frame {
+    pub fn to_linear_image(&self) -> Frame {
         let pixels = match &self.samples {
-            Samples::U8(v) => self.gather(v, &curve(255), |x| f32::from(x) / 255.0, usize::from),
-            Samples::U16(v) => self.gather(v, &curve(65_535), |x| f32::from(x) / 65_535.0, usize::from),
-            Samples::F32(v) => v.chunks_exact(self.channels).map(|p| spread(p, |x| x, |x| x)).collect(),
+            Samples::U8(v) => {
+                self.to_linear_pixels(v, &srgb_decoding_table(255), |x| f32::from(x) / 255.0, usize::from)
+            }
+            Samples::U16(v) => {
+                self.to_linear_pixels(v, &srgb_decoding_table(65_535), |x| f32::from(x) / 65_535.0, usize::from)
+            }
+            Samples::F32(v) => v.chunks_exact(self.channels).map(|p| expand_pixel(p, |x| x, |x| x)).collect(),
         };
         Frame { width: self.width, height: self.height, pixels }
     }
 
-    fn gather<T: Copy>(
+    fn to_linear_pixels<T: Copy>(
         &self,
         samples: &[T],
         curve: &[f32],
         alpha: impl Fn(T) -> f32,
         index: impl Fn(T) -> usize,
     ) -> Vec<[f32; 4]> {
-        samples.chunks_exact(self.channels).map(|p| spread(p, |x| curve[index(x)], &alpha)).collect()
+        samples.chunks_exact(self.channels).map(|p| expand_pixel(p, |x| curve[index(x)], &alpha)).collect()
     }
 }
 
 /// Expands a pixel of one to four channels to red, green, blue and alpha, each converted by its function; a missing
 /// alpha is 1.
-pub fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
+pub fn expand_pixel<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
     match *pixel {
         [gray] => [color(gray), color(gray), color(gray), 1.0],
         [gray, a] => [color(gray), color(gray), color(gray), alpha(a)],
@@ -252,6 +256,6 @@ pub fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) 
 }
 
 /// Returns the linear light of each sRGB code from 0 to `max`.
-fn curve(max: u16) -> Vec<f32> {
+fn srgb_decoding_table(max: u16) -> Vec<f32> {
     (0..=max).map(|code| transfer::srgb_decode(f64::from(code) / f64::from(max)) as f32).collect()
 }

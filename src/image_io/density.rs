@@ -48,14 +48,14 @@ impl Voxels {
         let numbers = match body.len() / count {
             0 => return Err(format!("{count} numbers were announced, but it has {} bytes", body.len())),
             1 => Numbers::U8(body[..count].to_vec()),
-            2 | 3 => Numbers::U16(words(&body[..2 * count], u16::from_be_bytes)),
-            _ => Numbers::U32(words(&body[..4 * count], u32::from_be_bytes)),
+            2 | 3 => Numbers::U16(map_words(&body[..2 * count], u16::from_be_bytes)),
+            _ => Numbers::U32(map_words(&body[..4 * count], u32::from_be_bytes)),
         };
         Ok(Self { size, numbers })
     }
 
     /// Returns the density at a grid position, 0 to 1.
-    pub fn at(&self, [x, y, z]: [usize; 3]) -> f64 {
+    pub fn density_at(&self, [x, y, z]: [usize; 3]) -> f64 {
         let i = (z * self.size[1] + y) * self.size[0] + x;
         match &self.numbers {
             Numbers::U8(n) => f64::from(n[i]) / f64::from(u8::MAX),
@@ -65,7 +65,7 @@ impl Voxels {
     }
 }
 
-fn words<const N: usize, T>(bytes: &[u8], word: impl Fn([u8; N]) -> T) -> Vec<T> {
+fn map_words<const N: usize, T>(bytes: &[u8], word: impl Fn([u8; N]) -> T) -> Vec<T> {
     bytes.chunks_exact(N).filter_map(|chunk| chunk.try_into().ok()).map(word).collect()
 }
 
@@ -76,7 +76,7 @@ mod tests {
     #[test]
     fn file_length_decides_the_sample_size() {
         let header = [0, 2, 0, 1, 0, 1];
-        let at = |body: &[u8]| Voxels::decode(&[&header, body].concat()).map(|v| v.at([1, 0, 0]));
+        let at = |body: &[u8]| Voxels::decode(&[&header, body].concat()).map(|v| v.density_at([1, 0, 0]));
         assert_eq!(at(&[0, 51]), Ok(0.2));
         assert_eq!(at(&[0, 0, 51, 51]), Ok(0.2));
         assert_eq!(at(&[0, 0, 0, 0, 51, 51, 51, 51]), Ok(0.2));

@@ -58,16 +58,16 @@ impl Encoding {
 
     /// True if the encoder stores the light of all pixels until the last row: the rows of bmp files start at the
     /// bottom, and error diffusion does too (quirk: `bmp_dithers_upwards`; patterns start at the top).
-    fn keeps_light(&self) -> bool {
+    fn buffers_light(&self) -> bool {
         let hands_on = self.dither.is_some_and(|dither| !matches!(dither, Dither::Bayer(_)));
         self.format == Format::Exr || self.format == Format::Bmp && hands_on
     }
 
     /// Memory that the encoder needs per pixel until the file is finished, in bytes.
-    pub fn kept(&self) -> usize {
+    pub fn buffered_bytes_per_pixel(&self) -> usize {
         match self.format {
             Format::Png | Format::Ppm | Format::Hdr => 0,
-            _ if self.keeps_light() => size_of::<[f32; 4]>(),
+            _ if self.buffers_light() => size_of::<[f32; 4]>(),
             _ => usize::from(self.depth / 8) * if self.keeps_alpha() { 4 } else { 3 },
         }
     }
@@ -80,11 +80,11 @@ pub trait Rows: Send {
     ///
     /// # Errors
     /// The reason why the rows can't be stored.
-    fn take(&mut self, rows: &[[f32; 4]]) -> Result<()>;
+    fn take_rows(&mut self, rows: &[[f32; 4]]) -> Result<()>;
 }
 
 impl Rows for Frame {
-    fn take(&mut self, rows: &[[f32; 4]]) -> Result<()> {
+    fn take_rows(&mut self, rows: &[[f32; 4]]) -> Result<()> {
         self.pixels.extend_from_slice(rows);
         Ok(())
     }
@@ -176,11 +176,11 @@ impl<W: Write + Seek> Encoder<W> {
                 Out::Flat(out)
             }
             Format::Hdr => {
-                out.write_all(hdr_parts(&[Rgb([0.0; 3])], 1, 1)?.0.as_slice())?;
+                out.write_all(encode_hdr_parts(&[Rgb([0.0; 3])], 1, 1)?.0.as_slice())?;
                 writeln!(out, "-Y {height} +X {width}")?;
                 Out::Flat(out)
             }
-            _ if encoding.keeps_light() => Out::Floats(out, vec![]),
+            _ if encoding.buffers_light() => Out::Floats(out, vec![]),
             _ => Out::Integers(out, vec![]),
         };
         let alpha = encoding.keeps_alpha();
@@ -194,28 +194,30 @@ impl<W: Write + Seek> Encoder<W> {
     ///
     /// # Errors
     /// If they can't be written.
-    pub fn rows(&mut self, rows: &[[f32; 4]]) -> Encoded {
+    pub fn write_rows(&mut self, rows: &[[f32; 4]]) -> Encoded {
         let Self { encoding, width, .. } = *self;
         let grays: Vec<_>;
         let rows = if encoding.gray {
-            grays = rows.iter().map(brightness).collect();
+            grays = rows.iter().map(gray_pixel).collect();
             &grays[..]
         } else {
             rows
         };
         let mut stored = |high_first| {
-            let all = self.integers.rows(rows, high_first);
-            if encoding.gray { one_of_three(&all, encoding) } else { all }
+            let all = self.integers.encode_rows(rows, high_first);
+            if encoding.gray { drop_equal_channels(&all, encoding) } else { all }
         };
         match &mut self.out {
-            Out::Png(out) => out.rows(&stored(true))?,
+            Out::Png(out) => out.write_rows(&stored(true))?,
             Out::Flat(out) if encoding.format == Format::Hdr => {
-                let rgb: Vec<_> = rows.iter().map(|&p| Rgb(over_black(p).map(|c| number(c).max(0.0)))).collect();
-                out.write_all(&hdr_parts(&rgb, width, rows.len() / width)?.1)?;
+                let rgb: Vec<_> = rows.iter().map(|&p| Rgb(over_black(p).map(|c| nan_to_zero(c).max(0.0)))).collect();
+                out.write_all(&encode_hdr_parts(&rgb, width, rows.len() / width)?.1)?;
             }
             Out::Flat(out) => out.write_all(&stored(true))?,
             Out::Integers(_, kept) => {
-                kept.reserve_exact((self.height * width * encoding.kept()).saturating_sub(kept.len()));
+                kept.reserve_exact(
+                    (self.height * width * encoding.buffered_bytes_per_pixel()).saturating_sub(kept.len()),
+                );
                 kept.extend(stored(false));
             }
             Out::Floats(_, kept) => {
@@ -237,7 +239,7 @@ impl<W: Write + Seek> Encoder<W> {
             Out::Flat(mut out) => out.flush()?,
             Out::Floats(mut out, pixels) if self.encoding.format == Format::Bmp => {
                 let rows = pixels.chunks(self.width.max(1)).rev();
-                let rows: Vec<_> = rows.map(|row| self.integers.rows(row, false)).collect();
+                let rows: Vec<_> = rows.map(|row| self.integers.encode_rows(row, false)).collect();
                 encode_integers(&mut out, size, &rows.into_iter().rev().flatten().collect::<Vec<_>>(), &self.encoding)?;
             }
             Out::Floats(mut out, pixels) => encode_exr(&mut out, size, &pixels, &self.encoding)?,
@@ -254,7 +256,7 @@ impl<W: Write + Seek> Encoder<W> {
 pub fn encode(frame: &Frame, encoding: &Encoding) -> Result<Vec<u8>> {
     let mut out = Cursor::new(Vec::new());
     let written = Encoder::new(&mut out, frame.width, frame.height, encoding).and_then(|mut encoder| {
-        encoder.rows(&frame.pixels)?;
+        encoder.write_rows(&frame.pixels)?;
         encoder.finish()
     });
     let fault = |e: &io::Error| Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, e.to_string());
@@ -292,7 +294,7 @@ fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32
         Packing::Zip => Compression::ZIP16,
     };
     let packing = ExrEncoding { compression, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
-    let pixel = |at: exr::math::Vec2<usize>| pixels[at.y() * size.0 + at.x()].map(number);
+    let pixel = |at: exr::math::Vec2<usize>| pixels[at.y() * size.0 + at.x()].map(nan_to_zero);
     let rgb = |at| over_black(pixel(at));
     let rgba = |at| {
         let [r, g, b, a] = pixel(at);
@@ -315,7 +317,7 @@ fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32
 }
 
 /// Encodes a Radiance HDR picture of these rows; returns the file's bytes before the size and after it.
-fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>, Vec<u8>)> {
+fn encode_hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>, Vec<u8>)> {
     let mut file = Vec::new();
     HdrEncoder::new(&mut file).encode(rows, width, height)?;
     let size = format!("-Y {height} +X {width}\n");
@@ -326,19 +328,19 @@ fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>
 }
 
 /// Returns a gray pixel of equal brightness.
-fn brightness(&[r, g, b, a]: &[f32; 4]) -> [f32; 4] {
+fn gray_pixel(&[r, g, b, a]: &[f32; 4]) -> [f32; 4] {
     let gray = gray(crate::color::Rgb::new(f64::from(r), f64::from(g), f64::from(b))) as f32;
     [gray, gray, gray, a]
 }
 
 /// Removes two of three equal colour channels from encoded gray pixels, and keeps alpha.
-fn one_of_three(pixels: &[u8], encoding: Encoding) -> Vec<u8> {
+fn drop_equal_channels(pixels: &[u8], encoding: Encoding) -> Vec<u8> {
     let number = usize::from(encoding.depth / 8);
     let pixel = number * if encoding.keeps_alpha() { 4 } else { 3 };
     pixels.chunks(pixel).flat_map(|pixel| pixel[..number].iter().chain(&pixel[3 * number..])).copied().collect()
 }
 
 /// Replaces NaN by 0 in a sample: NaN would spread through every program that reads the file.
-fn number(x: f32) -> f32 {
+fn nan_to_zero(x: f32) -> f32 {
     if x.is_nan() { 0.0 } else { x }
 }

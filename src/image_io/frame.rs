@@ -31,6 +31,6 @@ impl Frame {
 
     /// Encodes the picture as in an 8-bit file: the sRGB curve, red, green, blue and alpha.
     pub fn rgba8(&self) -> Vec<[u8; 4]> {
-        quantize::bytes(&self.pixels, true).as_chunks().0.to_vec()
+        quantize::encode_srgb8(&self.pixels, true).as_chunks().0.to_vec()
     }
 }

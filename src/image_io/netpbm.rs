@@ -13,7 +13,7 @@ pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
         _ => return None,
     };
     let mut rest = &bytes[2..];
-    let [width, height, max] = [number(&mut rest)?, number(&mut rest)?, number(&mut rest)?];
+    let [width, height, max] = [read_number(&mut rest)?, read_number(&mut rest)?, read_number(&mut rest)?];
     if !(1..255).contains(&max) || width == 0 || height == 0 {
         return None;
     }
@@ -21,7 +21,7 @@ pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
         let count = width.checked_mul(height)?.checked_mul(channels).filter(|&count| count <= rest.len())?;
         let wide = |n: usize| (n.min(max) * 65_535 + max / 2).div_euclid(max) as u16;
         if plain {
-            return (0..count).map(|_| number(&mut rest).map(wide)).collect();
+            return (0..count).map(|_| read_number(&mut rest).map(wide)).collect();
         }
         // one whitespace character ends the header
         Some(rest.get(1..=count)?.iter().map(|&byte| wide(usize::from(byte))).collect())
@@ -31,7 +31,7 @@ pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
 }
 
 /// Reads the next number of a PPM or PGM file, after whitespace and comments.
-fn number(rest: &mut &[u8]) -> Option<usize> {
+fn read_number(rest: &mut &[u8]) -> Option<usize> {
     loop {
         match rest.first()? {
             b'#' => *rest = &rest[memchr::memchr(b'\n', rest)?..],

@@ -45,7 +45,7 @@ impl Picture {
         match &bytes[..] {
             [0x89, b'P', b'N', b'G', ..] => {
                 let keyed;
-                (stored, indices, keyed) = png_extras(&bytes);
+                (stored, indices, keyed) = read_png_chunks(&bytes);
                 if keyed {
                     pixels = pixels.without_alpha();
                 }
@@ -63,21 +63,21 @@ impl Picture {
 
 /// Returns POV-Ray's value for a gray sample of a png of grays: rounded down to a byte after the weights have reduced
 /// it (quirk: `gray_png_rounds_down`).
-pub fn kept_gray(gray: f32) -> f32 {
+pub fn povray_gray(gray: f32) -> f32 {
     let [r, g, b] = GRAY_WEIGHTS.map(|weight| weight as f32 * gray);
     (((r + g) + b) * 255.0).floor().clamp(0.0, 255.0) / 255.0
 }
 
 /// Converts a function's number to the 16 bits of a picture that a function fills: truncated, and numbers below 0 or
 /// above 1 wrap (quirk: `function_picture_wraps`): 0.25 is 16383, 1.001 is 64, and -0.3 is 45876.
-pub fn wrapped(x: f32) -> u16 {
+pub fn wrap_to_u16(x: f32) -> u16 {
     // (the product is rounded to 24 bits before)
     (x * 65535.0) as i64 as u16
 }
 
 /// Reads what the chunks of a png say: the relation of samples to light, palette indices, and whether one colour is
 /// declared transparent. That colour has no effect (quirk: `png_transparent_color`).
-fn png_extras(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
+fn read_png_chunks(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
     let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::IDENTITY);
     let Ok(mut reader) = decoder.read_info() else { return (Stored::Unsaid, None, false) };
@@ -95,13 +95,13 @@ fn png_extras(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
     let mut packed = vec![0; size];
     let Ok(frame) = reader.next_frame(&mut packed) else { return (encoding, None, false) };
     let rows = packed.chunks(frame.line_size).take(frame.height as usize);
-    let indices = rows.flat_map(|row| (0..width).map(move |x| unpacked(row, x, depth))).collect();
+    let indices = rows.flat_map(|row| (0..width).map(move |x| packed_sample(row, x, depth))).collect();
     (encoding, Some(indices), false)
 }
 
 /// Returns the sample at column `x` of a picture's row with `depth` bits a sample (1, 2, 4 or 8), the first in the
 /// highest bits.
-fn unpacked(row: &[u8], x: usize, depth: usize) -> u8 {
+fn packed_sample(row: &[u8], x: usize, depth: usize) -> u8 {
     let per_byte = 8 / depth;
     let shift = 8 - depth * (x % per_byte + 1);
     let byte = row.get(x / per_byte).copied().unwrap_or(0);
@@ -124,8 +124,8 @@ mod tests {
     #[test]
     fn small_numbers_share_a_byte() {
         let row = [0b1101_0010, 0b0100_0000];
-        assert_eq!([0, 1, 2, 3, 4].map(|x| unpacked(&row, x, 2)), [3, 1, 0, 2, 1]);
-        assert_eq!([0, 1, 2].map(|x| unpacked(&row, x, 4)), [13, 2, 4]);
-        assert_eq!([0, 1].map(|x| unpacked(&row, x, 8)), [210, 64]);
+        assert_eq!([0, 1, 2, 3, 4].map(|x| packed_sample(&row, x, 2)), [3, 1, 0, 2, 1]);
+        assert_eq!([0, 1, 2].map(|x| packed_sample(&row, x, 4)), [13, 2, 4]);
+        assert_eq!([0, 1].map(|x| packed_sample(&row, x, 8)), [210, 64]);
     }
 }

@@ -24,7 +24,7 @@ pub(super) struct PngWriter<W: Write> {
 struct EncodedBytes(Arc<Mutex<Vec<u8>>>);
 
 impl EncodedBytes {
-    fn take(&self) -> Vec<u8> {
+    fn take_bytes(&self) -> Vec<u8> {
         std::mem::take(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
@@ -73,15 +73,15 @@ impl<W: Write> PngWriter<W> {
     }
 
     /// Writes whole rows of a PNG file; 16-bit samples have the high byte first.
-    pub fn rows(&mut self, rows: &[u8]) -> Encoded {
+    pub fn write_rows(&mut self, rows: &[u8]) -> Encoded {
         self.png.write_all(rows)?;
-        Ok(self.out.write_all(&self.encoded.take())?)
+        Ok(self.out.write_all(&self.encoded.take_bytes())?)
     }
 
     /// Ends the PNG file after its last row.
     pub fn finish(mut self) -> Encoded {
         self.png.finish()?;
-        self.out.write_all(&self.encoded.take())?;
+        self.out.write_all(&self.encoded.take_bytes())?;
         Ok(self.out.flush()?)
     }
 }

@@ -8,8 +8,8 @@ use super::{Pixels, Samples};
 /// The reason why it can't be decoded, in words.
 pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
     let mut rest = bytes;
-    while !line(&mut rest)?.is_empty() {}
-    let size = String::from_utf8_lossy(line(&mut rest)?).into_owned();
+    while !read_line(&mut rest)?.is_empty() {}
+    let size = String::from_utf8_lossy(read_line(&mut rest)?).into_owned();
     let words: Vec<&str> = size.split_whitespace().collect();
     let ["-Y", height, "+X", width] = words[..] else { return Err(format!("its size is `{size}`")) };
     let (Ok(width), Ok(height)) = (width.parse::<usize>(), height.parse::<usize>()) else {
@@ -20,7 +20,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
     }
     let mut samples = vec![];
     for _ in 0..height {
-        for [r, g, b, e] in row(&mut rest, width)? {
+        for [r, g, b, e] in decode_row(&mut rest, width)? {
             // A mantissa is the middle of its step, as in Ward's own programs and in POV-Ray 3.7.
             let step = 2f64.powi(i32::from(e) - 136);
             samples.extend([r, g, b].map(|m| if e == 0 { 0.0 } else { ((f64::from(m) + 0.5) * step) as f32 }));
@@ -37,14 +37,14 @@ const MOST: usize = 1 << 26;
 
 const CUT_OFF: &str = "it is cut off";
 
-fn line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
+fn read_line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
     let end = memchr::memchr(b'\n', rest).ok_or("it ends within its header")?;
     let (line, after) = rest.split_at(end);
     *rest = &after[1..];
     Ok(line)
 }
 
-fn take<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], String> {
+fn take_bytes<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], String> {
     let (head, after) = rest.split_at_checked(count).ok_or(CUT_OFF)?;
     *rest = after;
     Ok(head)
@@ -52,19 +52,19 @@ fn take<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], String> {
 
 /// Decodes a row of a Radiance HDR file: the four channels one after the other, each run-length encoded, or else pixel
 /// by pixel.
-fn row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
+fn decode_row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     match **rest {
         [2, 2, a, b, ..] if usize::from(u16::from_be_bytes([a, b])) == width => *rest = &rest[4..],
-        _ => return plain(rest, width),
+        _ => return decode_plain_row(rest, width),
     }
     let mut channels = [const { vec![] }; 4];
     for channel in &mut channels {
         while channel.len() < width {
-            let run = usize::from(take(rest, 1)?[0]);
+            let run = usize::from(take_bytes(rest, 1)?[0]);
             if run > 128 {
-                channel.resize(channel.len() + run - 128, take(rest, 1)?[0]);
+                channel.resize(channel.len() + run - 128, take_bytes(rest, 1)?[0]);
             } else {
-                channel.extend_from_slice(take(rest, run.max(1))?);
+                channel.extend_from_slice(take_bytes(rest, run.max(1))?);
             }
         }
     }
@@ -74,11 +74,11 @@ fn row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
 
 /// Decodes a row of a Radiance HDR file pixel by pixel; (1, 1, 1, n) repeats the previous pixel n times; consecutive
 /// ones are digits of base 256.
-fn plain(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
+fn decode_plain_row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     let mut out: Vec<[u8; 4]> = vec![];
     let mut shift = 0;
     while out.len() < width {
-        let pixel: [u8; 4] = take(rest, 4)?.try_into().map_err(|_| CUT_OFF)?;
+        let pixel: [u8; 4] = take_bytes(rest, 4)?.try_into().map_err(|_| CUT_OFF)?;
         match (pixel, out.last()) {
             ([1, 1, 1, n], Some(&last)) if shift < 24 => {
                 let count = usize::from(n) << shift;

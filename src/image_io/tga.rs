@@ -51,22 +51,25 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
         bytes.get(palette..).and_then(|rest| rest.split_at_checked(start - palette)).ok_or("it is cut off")?;
     let size = usize::from(header.bits.div_ceil(8));
     let data =
-        if head[2] & 8 == 0 { data.to_vec() } else { unpacked(data, size, header.width * header.height * size)? };
+        if head[2] & 8 == 0 { data.to_vec() } else { decode_runs(data, size, header.width * header.height * size)? };
     let pixels = data.get(..header.width * header.height * size).ok_or("it is cut off")?;
     match header.kind {
-        1 if header.mapped && size == 1 && entry > 0 => mapped(&header, colors, entry, pixels),
+        1 if header.mapped && size == 1 && entry > 0 => decode_palette(&header, colors, entry, pixels),
         2 if matches!(header.bits, 15 | 16 | 24 | 32) => {
-            let samples = header.ordered(size, pixels).flat_map(|p| color(p, header.bits)).collect();
-            Ok(header.finished(4, header.bits == 16 || header.bits == 32, samples, None))
+            let samples =
+                header.pixels_from_top_left(size, pixels).flat_map(|p| decode_color(p, header.bits)).collect();
+            Ok(header.to_decoded(4, header.bits == 16 || header.bits == 32, samples, None))
         }
-        3 if size == 1 => Ok(header.finished(1, true, header.ordered(1, pixels).map(|p| p[0]).collect(), None)),
+        3 if size == 1 => {
+            Ok(header.to_decoded(1, true, header.pixels_from_top_left(1, pixels).map(|p| p[0]).collect(), None))
+        }
         kind => Err(format!("there is no targa picture of kind {kind} with {} bits a pixel", header.bits)),
     }
 }
 
 /// Expands the run-length data of a TGA file: a byte below 128 is the number of literal pixels minus 1; a larger one
 /// repeats the next pixel, as often as it exceeds 127.
-fn unpacked(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, String> {
+fn decode_runs(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, String> {
     let mut out = vec![];
     while out.len() < wanted {
         let (&run, rest) = data.split_first().ok_or("it is cut off")?;
@@ -79,19 +82,19 @@ fn unpacked(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, Stri
     Ok(out)
 }
 
-fn mapped(header: &Header, colors: &[u8], entry: usize, pixels: &[u8]) -> Result<Decoded, String> {
-    let indices: Vec<u8> = header.ordered(1, pixels).map(|p| p[0]).collect();
+fn decode_palette(header: &Header, colors: &[u8], entry: usize, pixels: &[u8]) -> Result<Decoded, String> {
+    let indices: Vec<u8> = header.pixels_from_top_left(1, pixels).map(|p| p[0]).collect();
     let mut samples = vec![];
     for &index in &indices {
         let at = usize::from(index).checked_sub(header.first).ok_or("a pixel is not in the palette")?;
         let bytes = colors.get(at * entry..(at + 1) * entry).ok_or("a pixel is not in the palette")?;
-        samples.extend(color(bytes, header.color_bits));
+        samples.extend(decode_color(bytes, header.color_bits));
     }
-    Ok(header.finished(4, matches!(header.color_bits, 16 | 32), samples, Some(indices)))
+    Ok(header.to_decoded(4, matches!(header.color_bits, 16 | 32), samples, Some(indices)))
 }
 
 /// Decodes a TGA pixel to red, green, blue and alpha.
-fn color(bytes: &[u8], bits: u8) -> [u8; 4] {
+fn decode_color(bytes: &[u8], bits: u8) -> [u8; 4] {
     match *bytes {
         [b, g, r] => [r, g, b, 255],
         [b, g, r, a] => [r, g, b, a],
@@ -107,7 +110,7 @@ fn color(bytes: &[u8], bits: u8) -> [u8; 4] {
 
 impl Header {
     /// Returns the pixels of a TGA file from the top left.
-    fn ordered<'a>(&self, size: usize, pixels: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
+    fn pixels_from_top_left<'a>(&self, size: usize, pixels: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
         let (width, height, down, leftwards) = (self.width, self.height, self.down, self.leftwards);
         (0..width * height).map(move |i| {
             let (x, y) = (i % width, i / width);
@@ -118,7 +121,7 @@ impl Header {
     }
 
     /// Returns the decoded TGA picture; alpha is dropped if the file has none.
-    fn finished(&self, channels: usize, alpha: bool, samples: Vec<u8>, indices: Option<Vec<u8>>) -> Decoded {
+    fn to_decoded(&self, channels: usize, alpha: bool, samples: Vec<u8>, indices: Option<Vec<u8>>) -> Decoded {
         let pixels = Pixels { width: self.width, height: self.height, channels, samples: Samples::U8(samples) };
         Decoded { pixels: if alpha { pixels } else { pixels.without_alpha() }, indices }
     }

@@ -18,7 +18,7 @@ impl Row {
     }
 }
 
-fn rows() -> impl Iterator<Item = Row> {
+fn index_rows() -> impl Iterator<Item = Row> {
     let lines = INDEX.lines().filter(|line| !line.starts_with('#'));
     lines.filter_map(|line| {
         let mut names = line.split_whitespace();
@@ -29,23 +29,23 @@ fn rows() -> impl Iterator<Item = Row> {
 }
 
 /// Returns the standard include file that declares a name.
-pub fn declared_in(name: &str) -> Option<&'static str> {
-    rows().find(|row| row.declares(name)).map(|row| row.whole)
+pub fn standard_file_of(name: &str) -> Option<&'static str> {
+    index_rows().find(|row| row.declares(name)).map(|row| row.whole)
 }
 
 /// True if the standard include file, or a part of it, declares the name.
 pub fn declares(file: &str, name: &str) -> bool {
-    rows().any(|row| (row.file == file || row.whole == file) && row.declares(name))
+    index_rows().any(|row| (row.file == file || row.whole == file) && row.declares(name))
 }
 
 /// True if the name is that of a standard include file.
-pub fn is_standard(file: &str) -> bool {
-    rows().any(|row| row.file == file)
+pub fn is_standard_include(file: &str) -> bool {
+    index_rows().any(|row| row.file == file)
 }
 
 /// Returns all names that the standard include files declare.
-pub fn index_names() -> impl Iterator<Item = &'static str> {
-    rows().flat_map(|row| row.names)
+pub fn standard_names() -> impl Iterator<Item = &'static str> {
+    index_rows().flat_map(|row| row.names)
 }
 
 #[cfg(test)]
@@ -54,12 +54,12 @@ mod tests {
 
     #[test]
     fn names_are_found() {
-        assert_eq!(declared_in("T_Wood10"), Some("woods.inc"));
-        assert_eq!(declared_in("Red"), Some("colors.inc"));
-        assert_eq!(declared_in("F_MetalA"), Some("metals.inc"));
-        assert_eq!(declared_in("T_Stone5"), Some("stones.inc"));
-        assert_eq!(declared_in("T_Glass3"), Some("glass.inc"));
-        assert_eq!(declared_in("No_Such_Name"), None);
-        assert!(declares("shapes.inc", "Round_Box") && is_standard("textures.inc"));
+        assert_eq!(standard_file_of("T_Wood10"), Some("woods.inc"));
+        assert_eq!(standard_file_of("Red"), Some("colors.inc"));
+        assert_eq!(standard_file_of("F_MetalA"), Some("metals.inc"));
+        assert_eq!(standard_file_of("T_Stone5"), Some("stones.inc"));
+        assert_eq!(standard_file_of("T_Glass3"), Some("glass.inc"));
+        assert_eq!(standard_file_of("No_Such_Name"), None);
+        assert!(declares("shapes.inc", "Round_Box") && is_standard_include("textures.inc"));
     }
 }

@@ -64,7 +64,7 @@ pub(super) const BEAM_ROWS: &[Row<Light>] = &[
 impl Light {
     fn read_edge(&mut self, word: &str, r: &mut dyn Reader, field: fn(&mut Edge) -> &mut f64) -> Result<()> {
         let at: Span = r.span();
-        let number = super::finite(r)?;
+        let number = super::read_finite(r)?;
         match self.beam.edge_mut() {
             Some(edge) => *field(edge) = number,
             None => {
@@ -97,7 +97,7 @@ pub(super) enum Profile {
 }
 
 impl Profile {
-    pub fn of(beam: &Beam) -> Self {
+    pub fn from_beam(beam: &Beam) -> Self {
         let cos = |degrees: f64| fp::cos(degrees.to_radians());
         match *beam {
             Beam::Round => Profile::Round,
@@ -110,7 +110,7 @@ impl Profile {
 
     /// Returns the share of a light's strength that reaches a point: `cos` is the cosine of the angle to the axis,
     /// `beside` the distance from the axis, `ahead` the distance along it (quirk: `spotlight_profile`).
-    pub fn share(&self, cos: f64, beside: f64, ahead: f64) -> f64 {
+    pub fn strength_share(&self, cos: f64, beside: f64, ahead: f64) -> f64 {
         match *self {
             Profile::Round => 1.0,
             Profile::Cone { radius, falloff, tightness } => {
@@ -142,7 +142,7 @@ fn smooth_step(x: f64) -> f64 {
 }
 
 /// Returns the axis of a light's beam, of length 1; 0 if both points are equal.
-pub(super) fn axis(from: DVec3, to: DVec3) -> DVec3 {
+pub(super) fn beam_axis(from: DVec3, to: DVec3) -> DVec3 {
     (to - from).normalize_or_zero()
 }
 
@@ -153,12 +153,12 @@ mod tests {
     fn spot(edge: [f64; 3], degrees: f64) -> f64 {
         let [radius, falloff, tightness] = edge;
         let beam = Beam::Spotlight(Edge { radius, falloff, tightness });
-        Profile::of(&beam).share(fp::cos(f64::to_radians(degrees)), 0.0, 1.0)
+        Profile::from_beam(&beam).strength_share(fp::cos(f64::to_radians(degrees)), 0.0, 1.0)
     }
 
     fn tube(edge: [f64; 3], beside: f64) -> f64 {
         let [radius, falloff, tightness] = edge;
-        Profile::of(&Beam::Cylinder(Edge { radius, falloff, tightness })).share(1.0, beside, 1.0)
+        Profile::from_beam(&Beam::Cylinder(Edge { radius, falloff, tightness })).strength_share(1.0, beside, 1.0)
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Lowered lights: direction, distance and strength of the light at a point.
 
-use super::beam::{Profile, axis};
+use super::beam::{Profile, beam_axis};
 use super::{Area, Beam, Light};
 use crate::color::Rgb;
 use crate::math::{DVec3, fp};
@@ -55,10 +55,10 @@ impl LoweredLight {
             fade,
             attenuated: light.media_attenuation,
             area: (light.spreads && light.area.size != [1; 2]).then(|| light.area.clone()),
-            axis: axis(light.location, light.point_at),
+            axis: beam_axis(light.location, light.point_at),
             aim: light.location.distance(light.point_at),
             parallel: light.parallel || matches!(light.beam, Beam::Cylinder(_)),
-            profile: Profile::of(&light.beam),
+            profile: Profile::from_beam(&light.beam),
         }
     }
 
@@ -81,16 +81,18 @@ impl LoweredLight {
             // quirk: beam_without_axis
             _ if self.axis == DVec3::ZERO => 0.0,
             // Behind a parallel light, the cone is reversed.
-            profile if self.parallel => profile.share(-from.dot(self.axis) * distance.signum(), beside(), ahead),
-            profile => profile.share(-from.dot(self.axis), beside(), ahead),
+            profile if self.parallel => {
+                profile.strength_share(-from.dot(self.axis) * distance.signum(), beside(), ahead)
+            }
+            profile => profile.strength_share(-from.dot(self.axis), beside(), ahead),
         };
         let lit = if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share };
-        LightSample { from, distance, light: self.strength(distance) * lit }
+        LightSample { from, distance, light: self.strength_at(distance) * lit }
     }
 
     /// Returns the light's strength at a distance. Behind a parallel light the distance is negative, and an odd
     /// exponent brightens and darkens there (quirk: `parallel_light_behind`).
-    fn strength(&self, distance: f64) -> Rgb {
+    fn strength_at(&self, distance: f64) -> Rgb {
         match self.fade {
             // 2 / (1 + (d/d₀)ᵏ)
             Some((from, power)) => {

@@ -116,7 +116,7 @@ impl Light {
     ///
     /// # Errors
     /// A diagnostic for a grid that cannot be circular.
-    pub fn finish(&self) -> Result<()> {
+    pub fn check(&self) -> Result<()> {
         let area = &self.area;
         if self.spreads && area.circular && area.size.contains(&1) {
             let message = "a `circular` area light has more than one light along each side";
@@ -133,7 +133,7 @@ impl Light {
     }
 }
 
-fn finite(r: &mut dyn Reader) -> Result<f64> {
+fn read_finite(r: &mut dyn Reader) -> Result<f64> {
     let span = r.span();
     let value = r.float()?;
     if value.is_finite() {

@@ -2,7 +2,7 @@
 
 use super::area::AREA_ROWS;
 use super::beam::BEAM_ROWS;
-use super::{Light, finite};
+use super::{Light, read_finite};
 use crate::value::ValueKind::{Block, Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Vocabulary, WordSpec};
@@ -16,9 +16,9 @@ pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
     word("shadowless", Nothing, "", "it casts no shadows and makes no highlights")
         .sets(|s, _| set(&mut s.shadowless, Ok(true))),
     word("fade_distance", Float, "0", "the distance at which it has its full colour; 0: it does not fade")
-        .sets(|s, r| set(&mut s.fade_distance, finite(r))),
+        .sets(|s, r| set(&mut s.fade_distance, read_finite(r))),
     word("fade_power", Float, "0", "how fast it fades: 2 is as in nature; 0: it does not fade")
-        .sets(|s, r| set(&mut s.fade_power, finite(r))),
+        .sets(|s, r| set(&mut s.fade_power, read_finite(r))),
     word("media_interaction", Flag, "on", "it lights up media, which are not drawn yet")
         .sets(|s, r| set(&mut s.media_interaction, r.flag())),
     word("media_attenuation", Flag, "off", "fog takes from it on its way, and media, which are not drawn yet")

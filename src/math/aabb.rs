@@ -25,11 +25,11 @@ impl Aabb {
 
     /// The smallest box around some points.
     pub fn from_points(points: impl IntoIterator<Item = DVec3>) -> Self {
-        points.into_iter().fold(Self::EMPTY, Self::with)
+        points.into_iter().fold(Self::EMPTY, Self::including)
     }
 
     /// Returns the smallest box that contains this one and a point.
-    pub fn with(self, p: DVec3) -> Self {
+    pub fn including(self, p: DVec3) -> Self {
         Self { min: self.min.min(p), max: self.max.max(p) }
     }
 

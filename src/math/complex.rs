@@ -32,7 +32,7 @@ impl Complex {
     }
 
     /// Returns i·z: the number turned counter-clockwise by 90°.
-    pub fn turned(self) -> Self {
+    pub fn times_i(self) -> Self {
         Self::new(-self.y, self.x)
     }
 

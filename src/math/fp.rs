@@ -78,7 +78,7 @@ pub fn fraction(x: f64) -> f64 {
 
 /// Angle of the point (x, y) as a fraction of a turn, in [0, 1].
 #[inline]
-pub fn turn(y: f64, x: f64) -> f64 {
+pub fn angle_in_turns(y: f64, x: f64) -> f64 {
     fraction(atan2(y, x) / TAU)
 }
 
@@ -90,7 +90,7 @@ pub fn pow(x: f64, y: f64) -> f64 {
 
 /// Computes xⁿ by products alone, which are equal on all machines.
 #[inline]
-pub fn power_of(x: f64, n: u32) -> f64 {
+pub fn integer_power(x: f64, n: u32) -> f64 {
     let (mut out, mut square, mut rest) = (1.0, x, n);
     while rest > 0 {
         if rest & 1 == 1 {

@@ -21,9 +21,14 @@ pub struct Quadratic {
 
 impl Quadratic {
     /// Returns the transformed quadratic function: q(M⁻¹·p) at a point p of the outer space.
-    pub fn under(&self, m: &Transform) -> Self {
-        let a = m.inv.matrix3;
-        Self { q: a.transpose() * self.q * a, h: a.transpose() * self.h, c: self.c, center: m.point(self.center) }
+    pub fn transformed(&self, transform: &Transform) -> Self {
+        let a = transform.inv.matrix3;
+        Self {
+            q: a.transpose() * self.q * a,
+            h: a.transpose() * self.h,
+            c: self.c,
+            center: transform.point(self.center),
+        }
     }
 
     /// Returns the quadratic function with the opposite sign, which exchanges inside and outside.
@@ -37,12 +42,12 @@ impl Quadratic {
         if around.is_empty() || !numbers.iter().all(|v| v.is_finite()) || !self.c.is_finite() {
             return around;
         }
-        let squares = self.least_squares();
+        let squares = self.axis_lower_bounds();
         let mut within = Aabb { min: around.min - self.center, max: around.max - self.center };
         // A tighter interval along one axis may tighten another.
         for _ in 0..2 {
             for axis in 0..3 {
-                let Some((lo, hi)) = self.along(axis, squares, &within) else { return Aabb::EMPTY };
+                let Some((lo, hi)) = self.interval_along(axis, squares, &within) else { return Aabb::EMPTY };
                 within.min[axis] = within.min[axis].max(lo);
                 within.max[axis] = within.max[axis].min(hi);
             }
@@ -55,7 +60,7 @@ impl Quadratic {
 
     /// Returns coefficients s of a lower bound without mixed terms: s with s·w² ≤ w·Qw: 2·q·x·y is at least -|q|·(x² +
     /// y²). Zeros stay zeros, all else is rounded downwards.
-    fn least_squares(&self) -> DVec3 {
+    fn axis_lower_bounds(&self) -> DVec3 {
         let columns = [self.q.x_axis, self.q.y_axis, self.q.z_axis];
         let size = columns.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
         let least = |i: usize| match columns[i] {
@@ -67,9 +72,9 @@ impl Quadratic {
 
     /// Returns the interval along an axis where the quadratic function can be 0 or less, given the intervals along the
     /// other axes; `None` if it is empty.
-    fn along(&self, axis: usize, squares: DVec3, within: &Aabb) -> Option<(f64, f64)> {
+    fn interval_along(&self, axis: usize, squares: DVec3, within: &Aabb) -> Option<(f64, f64)> {
         let others = [(axis + 1) % 3, (axis + 2) % 3];
-        let least = others.map(|i| minimum(squares[i], 2.0 * self.h[i], within.min[i], within.max[i]));
+        let least = others.map(|i| quadratic_minimum(squares[i], 2.0 * self.h[i], within.min[i], within.max[i]));
         let sizes = self.c.abs() + least[0].abs() + least[1].abs();
         // a·x² + b·x + rest ≤ 0
         let (a, b, rest) = (squares[axis], 2.0 * self.h[axis], self.c + least[0] + least[1] - ROUNDING * sizes);
@@ -88,7 +93,7 @@ impl Quadratic {
 }
 
 /// The least value of a·x² + b·x between two positions, which may be infinite.
-fn minimum(a: f64, b: f64, lo: f64, hi: f64) -> f64 {
+fn quadratic_minimum(a: f64, b: f64, lo: f64, hi: f64) -> f64 {
     let value = |x: f64| match x.is_finite() {
         true => (a * x + b) * x,
         false if a != 0.0 => a * f64::INFINITY,
@@ -127,7 +132,7 @@ mod tests {
         // Rotated about its axis, scaled, translated.
         let m = Transform::rotate(DVec3::Y * 33.0).then(&Transform::scale(DVec3::splat(2.0)).unwrap());
         let m = m.then(&Transform::translate(DVec3::new(1000.0, 5.0, 0.0)));
-        let found = ROUND_Y.under(&m).bounds_in(slab(3.0, 9.0));
+        let found = ROUND_Y.transformed(&m).bounds_in(slab(3.0, 9.0));
         assert!(near(found, DVec3::new(1000.0 - 2.0 * r, 3.0, -2.0 * r), DVec3::new(1000.0 + 2.0 * r, 9.0, 2.0 * r)));
         // Unbounded along the axis, it is unbounded across; its outside is unbounded.
         assert_eq!(ROUND_Y.bounds_in(Aabb::INFINITE), Aabb::INFINITE);

@@ -42,16 +42,16 @@ impl Range {
     pub const FORWARD: Range = Range { min: 0.0, max: f64::INFINITY };
 
     /// Returns the intersection of two intervals of `t`.
-    pub fn and(self, other: Range) -> Range {
+    pub fn intersection(self, other: Range) -> Range {
         Range { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
-    /// Returns the interval of `t` with a larger minimum hit distance: raises `min` to `least` if it is
-    /// [`tolerance::SURFACE`] or more, and to the same fraction of `least` if it is less. A range that begins at or
+    /// Returns the interval of `t` with a larger minimum hit distance: raises `min` to `min_distance` if it is
+    /// [`tolerance::SURFACE`] or more, and to the same fraction of `min_distance` if it is less. A range that begins at or
     /// before 0 is unchanged.
-    pub fn ahead(self, least: f64) -> Range {
-        let least = least * (self.min / tolerance::SURFACE).min(1.0);
-        if self.min > 0.0 { Range { min: self.min.max(least), ..self } } else { self }
+    pub fn with_min_distance(self, min_distance: f64) -> Range {
+        let min_distance = min_distance * (self.min / tolerance::SURFACE).min(1.0);
+        if self.min > 0.0 { Range { min: self.min.max(min_distance), ..self } } else { self }
     }
 
     /// True if the interval of `t` is empty.

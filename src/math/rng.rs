@@ -2,16 +2,16 @@
 
 /// Returns a random number in [0, 1) that is a function of its key alone: (frame, pixel, sample, dimension) or the
 /// like. SplitMix64's finaliser (Steele, Lea and Flood 2014) folds the words in.
-pub fn unit(key: &[u64]) -> f64 {
-    (mix(folded(key)) >> 11) as f64 / (1u64 << 53) as f64
+pub fn random_unit(key: &[u64]) -> f64 {
+    (mix(fold_key(key)) >> 11) as f64 / (1u64 << 53) as f64
 }
 
 /// Returns a random word of 64 bits that is a function of its key alone.
-pub fn word(key: &[u64]) -> u64 {
-    mix(folded(key))
+pub fn random_word(key: &[u64]) -> u64 {
+    mix(fold_key(key))
 }
 
-/// Sequence of random numbers: [`unit()`] of a key followed by 1, 2, 3 …; for tests. (Rendering code names each
+/// Sequence of random numbers: [`random_unit`] of a key followed by 1, 2, 3 …; for tests. (Rendering code names each
 /// number's purpose.)
 #[derive(Clone, Copy, Debug)]
 pub struct Stream {
@@ -22,7 +22,7 @@ pub struct Stream {
 impl Stream {
     /// Creates the sequence of random numbers of this key.
     pub fn new(key: &[u64]) -> Self {
-        Self { folded: folded(key), dimension: 0 }
+        Self { folded: fold_key(key), dimension: 0 }
     }
 
     /// Returns the next random number in [0, 1).
@@ -33,7 +33,7 @@ impl Stream {
     }
 }
 
-fn folded(key: &[u64]) -> u64 {
+fn fold_key(key: &[u64]) -> u64 {
     key.iter().fold(0x9e37_79b9_7f4a_7c15, |h, &word| fold(h, word))
 }
 
@@ -54,12 +54,12 @@ mod tests {
     #[test]
     fn a_stream_is_a_short_way_to_write_keys() {
         let mut stream = Stream::new(&[3, 1, 4]);
-        assert_eq!([stream.next(), stream.next()], [unit(&[3, 1, 4, 1]), unit(&[3, 1, 4, 2])]);
+        assert_eq!([stream.next(), stream.next()], [random_unit(&[3, 1, 4, 1]), random_unit(&[3, 1, 4, 2])]);
     }
 
     #[test]
     fn numbers_spread_evenly() {
-        let mean = (0..10_000).map(|i| unit(&[7, i])).sum::<f64>() / 10_000.0;
+        let mean = (0..10_000).map(|i| random_unit(&[7, i])).sum::<f64>() / 10_000.0;
         assert!((mean - 0.5).abs() < 0.01, "{mean}");
     }
 }

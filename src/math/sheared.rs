@@ -28,7 +28,7 @@ impl Sheared {
 
     /// Returns the sheared position of a triangle's corner with these coordinates in the order of `axes`.
     #[inline(always)]
-    pub(super) fn place(&self, corner: [f64; 3]) -> DVec3 {
+    pub(super) fn shear_corner(&self, corner: [f64; 3]) -> DVec3 {
         let [x, y, z] = corner;
         let z = z - self.from.z;
         DVec3::new((x - self.from.x) - self.shear.x * z, (y - self.from.y) - self.shear.y * z, z)
@@ -36,7 +36,7 @@ impl Sheared {
 
     /// Returns twice the signed areas between the ray and each side of a triangle.
     #[inline(always)]
-    pub(super) fn areas(a: DVec3, b: DVec3, c: DVec3) -> [f64; 3] {
+    pub(super) fn signed_areas(a: DVec3, b: DVec3, c: DVec3) -> [f64; 3] {
         let side = |p: DVec3, q: DVec3| p.x * q.y - p.y * q.x;
         [side(c, b), side(a, c), side(b, a)]
     }
@@ -48,9 +48,9 @@ impl Sheared {
     }
 
     /// Returns t and the barycentric weights of the second and third corner, where the ray's line hits the triangle.
-    pub fn meet(&self, corners: [DVec3; 3]) -> Option<(f64, DVec2)> {
-        let [a, b, c] = corners.map(|p| self.place(self.axes.map(|axis| p[axis])));
-        let [u, v, w] = Self::areas(a, b, c);
+    pub fn intersect(&self, corners: [DVec3; 3]) -> Option<(f64, DVec2)> {
+        let [a, b, c] = corners.map(|p| self.shear_corner(self.axes.map(|axis| p[axis])));
+        let [u, v, w] = Self::signed_areas(a, b, c);
         let det = u + v + w;
         if !Self::is_within([u, v, w]) || det == 0.0 {
             return None;

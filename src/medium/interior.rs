@@ -129,7 +129,7 @@ impl Interior {
 
     /// Returns the index of refraction for one colour of the spectrum: `hue` is 0 for red and 1 for violet; white light has
     /// the index of hue 0.5 (quirk: `dispersion_ior`).
-    pub fn ior_of(&self, hue: f64) -> f64 {
+    pub fn ior_of_hue(&self, hue: f64) -> f64 {
         if self.dispersion == 1.0 || self.dispersion <= 0.0 {
             return self.ior;
         }
@@ -154,7 +154,7 @@ impl Interior {
 
     /// Returns the factor by which a surface brightens the light that enters through it; `cos` is the cosine of the angle of
     /// incidence (quirk: `caustics_factor`).
-    pub fn caustic(&self, cos: f64) -> f64 {
+    pub fn caustic_factor(&self, cos: f64) -> f64 {
         if self.caustics == 0.0 { 1.0 } else { 1.0 + fp::pow(cos, 45.0 * self.caustics) }
     }
 

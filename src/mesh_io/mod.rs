@@ -55,7 +55,7 @@ pub struct Triangles {
 impl Triangles {
     /// Adds a triangle to a mesh file's triangles; the optional lists begin when the first triangle has a value for
     /// them.
-    pub fn push(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], slots: [u32; 3]) {
+    pub fn push_triangle(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], slots: [u32; 3]) {
         let before = self.corners.len();
         let add = |list: &mut Vec<[u32; 3]>, numbers: [u32; 3], none: [u32; 3]| {
             if numbers != none || !list.is_empty() {
@@ -113,12 +113,12 @@ pub const ENDINGS: &[&str] = &["ply", "obj", "stl", "gltf", "glb"];
 ///
 /// # Errors
 /// The reason why the file is not understood, with the line or byte where it is known.
-pub fn read(bytes: &[u8], ending: &str, open: Open) -> ReadResult<MeshFile> {
+pub fn read_mesh_file(bytes: &[u8], ending: &str, open: Open) -> ReadResult<MeshFile> {
     let mut file = match (bytes, ending.to_ascii_lowercase().as_str()) {
-        ([b'p', b'l', b'y', b'\r' | b'\n', ..], _) | (_, "ply") => ply::read(bytes),
-        ([b'g', b'l', b'T', b'F', ..], _) | (_, "gltf" | "glb") => gltf::read(bytes, open),
-        (_, "stl") => stl::read(bytes),
-        (_, "obj") => obj::read(bytes, open),
+        ([b'p', b'l', b'y', b'\r' | b'\n', ..], _) | (_, "ply") => ply::read_ply(bytes),
+        ([b'g', b'l', b'T', b'F', ..], _) | (_, "gltf" | "glb") => gltf::read_gltf(bytes, open),
+        (_, "stl") => stl::read_stl(bytes),
+        (_, "obj") => obj::read_obj(bytes, open),
         _ => Err("it is none of ply, obj, stl, gltf and glb".into()),
     }?;
     if file.triangles.corners.is_empty() {
@@ -133,12 +133,12 @@ pub fn read(bytes: &[u8], ending: &str, open: Open) -> ReadResult<MeshFile> {
 }
 
 /// Returns the unit vector of a mesh file's normal, or 0 if it has no direction.
-fn direction(numbers: [f64; 3]) -> Vec3 {
+fn unit_direction(numbers: [f64; 3]) -> Vec3 {
     DVec3::from_array(numbers).normalize_or_zero().as_vec3()
 }
 
 /// Returns a point of a mesh file; an error if a coordinate is not finite.
-fn point(numbers: [f64; 3], place: impl FnOnce() -> String) -> ReadResult<Vec3> {
+fn finite_point(numbers: [f64; 3], place: impl FnOnce() -> String) -> ReadResult<Vec3> {
     let p = Vec3::from_array(numbers.map(|x| x as f32));
     if p.is_finite() { Ok(p) } else { Err(format!("{}: a corner's place is not a number, or beyond 1e38", place())) }
 }

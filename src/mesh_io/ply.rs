@@ -1,6 +1,6 @@
 //! PLY, as text or as bytes of either order (Greg Turk, The PLY Polygon File Format, 1994), read by the crate `ply-rs-bw`.
 
-use super::{MeshFile, NONE, ReadResult, Triangles, direction, point, polygon};
+use super::{MeshFile, NONE, ReadResult, Triangles, finite_point, polygon, unit_direction};
 use crate::math::DVec2;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType};
@@ -14,26 +14,26 @@ const BATCH: usize = 1 << 12;
 ///
 /// # Errors
 /// The reason why the file is not understood, with the line where it is text.
-pub fn read(bytes: &[u8]) -> ReadResult<MeshFile> {
+pub fn read_ply(bytes: &[u8]) -> ReadResult<MeshFile> {
     const END: &[u8] = b"end_header";
     // Comments in the header may be in any encoding.
     let length = bytes.windows(END.len()).position(|window| window == END).ok_or("the header has no `end_header`")?;
     let head = String::from_utf8_lossy(&bytes[..length]).into_owned();
     let mut reader = Reader::new(head.as_bytes().chain(&bytes[length..]));
-    let header = Parser::<Skipped>::new().read_header(&mut reader).map_err(message)?;
+    let header = Parser::<Skipped>::new().read_header(&mut reader).map_err(one_line_message)?;
     let mut out = Triangles::default();
     for element in header.elements.values() {
         match element.name.as_str() {
             "vertex" => read_vertices(&mut reader, element, &header, &mut out)?,
             "face" => read_faces(&mut reader, element, &header, &mut out)?,
-            _ => each(&mut reader, element, &header, |_, _: Skipped| Ok(()))?,
+            _ => for_each_element(&mut reader, element, &header, |_, _: Skipped| Ok(()))?,
         }
     }
     Ok(MeshFile { triangles: out, ..MeshFile::default() })
 }
 
 /// Returns the PLY parser's message in one line of bounded length (the parser quotes whole lines of the file).
-fn message(error: ParseError) -> String {
+fn one_line_message(error: ParseError) -> String {
     let text = error.to_string();
     let words: Vec<&str> = text.split_whitespace().collect();
     let mut text: String = words.join(" ").chars().take(200).collect();
@@ -44,7 +44,7 @@ fn message(error: ParseError) -> String {
 }
 
 /// Calls `visit` with the index and the value of each element of one kind in a PLY file.
-fn each<T: BufRead, E: PropertyAccess>(
+fn for_each_element<T: BufRead, E: PropertyAccess>(
     reader: &mut Reader<T>,
     element: &ElementDef,
     header: &Header,
@@ -58,7 +58,7 @@ fn each<T: BufRead, E: PropertyAccess>(
         let read =
             Parser::new().read_payload_for_element(reader, &batch, header).map_err(|error| match error.kind() {
                 ErrorKind::UnexpectedEof => format!("the file ends within its {count} `{}` elements", element.name),
-                _ => format!("in its `{}` elements: {}", element.name, message(error)),
+                _ => format!("in its `{}` elements: {}", element.name, one_line_message(error)),
             })?;
         read.into_iter().enumerate().try_for_each(|(i, value)| visit(first + i, value))?;
     }
@@ -78,7 +78,7 @@ impl PropertyAccess for Skipped {
 struct Vertex([f64; 8]);
 
 /// Returns the index in [`Vertex`] of a vertex property, under the names that programs write.
-fn slot(name: &str) -> Option<usize> {
+fn vertex_slot(name: &str) -> Option<usize> {
     Some(match name {
         "x" => 0,
         "y" => 1,
@@ -109,7 +109,7 @@ impl PropertyAccess for Vertex {
             Property::Double(x) => x,
             _ => return PropertyAccessResult::Ignored,
         };
-        match slot(name) {
+        match vertex_slot(name) {
             Some(slot) => self.0[slot] = number,
             None => return PropertyAccessResult::Ignored,
         }
@@ -161,16 +161,16 @@ fn read_vertices<T: BufRead>(
     out: &mut Triangles,
 ) -> ReadResult<()> {
     let scalars = element.properties.values().filter(|p| matches!(p.data_type, PropertyType::Scalar(_)));
-    let slots: Vec<usize> = scalars.filter_map(|p| slot(&p.name)).collect();
+    let slots: Vec<usize> = scalars.filter_map(|p| vertex_slot(&p.name)).collect();
     let has = |all: &[usize]| all.iter().all(|slot| slots.contains(slot));
     let (has_normals, has_uvs) = (has(&[3, 4, 5]), has(&[6, 7]));
     if !has(&[0, 1, 2]) {
         return Err("its `vertex` elements have no `x`, `y` and `z`".into());
     }
-    each(reader, element, header, |i, Vertex(v)| {
-        out.vertices.push(point([v[0], v[1], v[2]], || format!("`vertex` {i}"))?);
+    for_each_element(reader, element, header, |i, Vertex(v)| {
+        out.vertices.push(finite_point([v[0], v[1], v[2]], || format!("`vertex` {i}"))?);
         if has_normals {
-            out.normals.push(direction([v[3], v[4], v[5]]));
+            out.normals.push(unit_direction([v[3], v[4], v[5]]));
         }
         if has_uvs {
             out.uvs.push(DVec2::new(v[6], v[7]));
@@ -190,7 +190,7 @@ fn read_faces<T: BufRead>(
         return Err("its `face` elements have no list `vertex_indices`".into());
     }
     let (mut list, mut points) = (vec![], vec![]);
-    each(reader, element, header, |i, Face(property)| {
+    for_each_element(reader, element, header, |i, Face(property)| {
         let Some(property) = property else { return Ok(()) };
         numbers_of(&property, &mut list);
         let count = out.vertices.len();
@@ -199,10 +199,10 @@ fn read_faces<T: BufRead>(
         }
         points.clear();
         points.extend(list.iter().map(|n| out.vertices[*n as usize]));
-        polygon::triangles(&points, |places| {
+        polygon::triangulate(&points, |places| {
             let corners = places.map(|k| list[k] as u32);
             let of = |has: bool| if has { corners } else { NONE };
-            out.push(corners, of(!out.normals.is_empty()), of(!out.uvs.is_empty()), [0; 3]);
+            out.push_triangle(corners, of(!out.normals.is_empty()), of(!out.uvs.is_empty()), [0; 3]);
         });
         Ok(())
     })

@@ -32,7 +32,7 @@ impl<'a> Words<'a> {
     }
 
     /// Returns the current line of the mesh file, for a message.
-    pub fn place(&self) -> String {
+    pub fn line_for_message(&self) -> String {
         format!("line {}", self.line)
     }
 }
@@ -55,7 +55,7 @@ pub fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
 }
 
 /// Parses a number in a mesh file; `place` gives its position for the error message.
-pub fn number(word: &[u8], place: impl FnOnce() -> String) -> ReadResult<f64> {
+pub fn parse_number(word: &[u8], place: impl FnOnce() -> String) -> ReadResult<f64> {
     let text = std::str::from_utf8(word).ok();
     text.and_then(|text| text.parse().ok()).ok_or_else(|| {
         let word: String = String::from_utf8_lossy(word).chars().take(20).collect();

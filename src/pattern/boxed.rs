@@ -32,7 +32,7 @@ impl Field for Boxed {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::of(self.value(at), 1.0, radius).within(0.0, 1.0)
+        LocalBounds::from_steepest(self.value(at), 1.0, radius).clamp_range(0.0, 1.0)
     }
 }
 

@@ -25,7 +25,7 @@ impl Readable for RandomCells {
 
 impl Field for RandomCells {
     fn value(&self, at: &TextureContext) -> f64 {
-        Cell::of(at.p + EDGE).0.random()
+        Cell::containing(at.p + EDGE).0.random()
     }
 }
 

@@ -71,12 +71,13 @@ impl Field for Crackle {
         let steepest = match self.metric {
             1.0 => 3f64.sqrt(),
             2.0 => 1.0,
-            _ => return LocalBounds::UNKNOWN.within(0.0, 1.0),
+            _ => return LocalBounds::UNKNOWN.clamp_range(0.0, 1.0),
         };
         if self.solid || self.offset < 0.0 {
-            return LocalBounds::UNKNOWN.within(0.0, 1.0);
+            return LocalBounds::UNKNOWN.clamp_range(0.0, 1.0);
         }
-        LocalBounds::of(self.value(at), steepest * self.form.abs().element_sum(), radius).within(0.0, 1.0)
+        LocalBounds::from_steepest(self.value(at), steepest * self.form.abs().element_sum(), radius)
+            .clamp_range(0.0, 1.0)
     }
 }
 
@@ -91,10 +92,10 @@ pub struct Nearest {
 
 /// Finds the three sites of `crackle` nearest to a point; the sums of powers of their distances are smallest.
 pub fn nearest(p: DVec3, metric: f64) -> Nearest {
-    let (cell, within) = Cell::of(p);
+    let (cell, within) = Cell::containing(p);
     let mut near = Nearest { sums: [f64::INFINITY; 3], site: p };
     let next = if metric == 2.0 {
-        near = cell.with_around(|around| near.squares(around, within));
+        near = cell.with_neighbourhood(|around| near.squares(around, within));
         // No site in a cube two steps away is nearer than that cube's side.
         let side = |x: f64| power(2.0 - x, 2.0).min(power(1.0 + x, 2.0));
         if side(within.x).min(side(within.y)).min(side(within.z)) >= near.sums[2] {
@@ -118,7 +119,7 @@ pub fn nearest(p: DVec3, metric: f64) -> Nearest {
             continue;
         }
         let step = DVec3::new(i as f64, j as f64, k as f64);
-        let site = step + cell.step([i, j, k]).random_point() - within;
+        let site = step + cell.offset_by([i, j, k]).random_point() - within;
         near.insert(sum(site, metric), p + site);
     }
     near
@@ -126,18 +127,18 @@ pub fn nearest(p: DVec3, metric: f64) -> Nearest {
 
 /// Finds the site in the cubes around the point whose coordinates have the least sum.
 pub fn lowest(p: DVec3) -> DVec3 {
-    let (cell, within) = Cell::of(p);
+    let (cell, within) = Cell::containing(p);
     let corner = p - within;
     let sites = AROUND
         .iter()
-        .map(|&[i, j, k]| corner + DVec3::new(i as f64, j as f64, k as f64) + cell.step([i, j, k]).random_point());
+        .map(|&[i, j, k]| corner + DVec3::new(i as f64, j as f64, k as f64) + cell.offset_by([i, j, k]).random_point());
     sites.min_by(|a, b| a.element_sum().total_cmp(&b.element_sum())).unwrap_or(p)
 }
 
 impl Nearest {
     /// Inserts the squared distances from the position `within` a cube to the sites `around` it; `self` is empty.
     fn squares(self, around: &Around, within: DVec3) -> Self {
-        let (sums, nearest) = around.least_squares(within);
+        let (sums, nearest) = around.nearest_squares(within);
         let [xs, ys, zs] = &around.points;
         let of = |i: usize| DVec3::new(xs[i] - within.x, ys[i] - within.y, zs[i] - within.z);
         Self { sums, site: nearest.map_or(self.site, |i| self.site + of(i)) }
@@ -210,8 +211,8 @@ mod tests {
         #[test]
         fn skipping_far_cubes_changes_nothing(p in prop::array::uniform3(-9.0..9.0f64), metric in 0.3..9.0f64) {
             let p = DVec3::from(p);
-            let (cell, within) = Cell::of(p);
-            let site = |s: &[isize; 3]| DVec3::from(s.map(|i| i as f64)) + cell.step(*s).random_point() - within;
+            let (cell, within) = Cell::containing(p);
+            let site = |s: &[isize; 3]| DVec3::from(s.map(|i| i as f64)) + cell.offset_by(*s).random_point() - within;
             let mut sums = AROUND.map(|step| sum(site(&step), metric));
             sums.sort_by(f64::total_cmp);
             prop_assert_eq!(sums[..3].to_vec(), nearest(p, metric).sums.to_vec());
@@ -220,10 +221,10 @@ mod tests {
         #[test]
         fn several_at_once_change_nothing(p in prop::array::uniform3(-9.0..9.0f64)) {
             let p = DVec3::from(p);
-            let (cell, within) = Cell::of(p);
+            let (cell, within) = Cell::containing(p);
             let mut slow = Nearest { sums: [f64::INFINITY; 3], site: p };
             for step in &AROUND {
-                let site = DVec3::from(step.map(|i| i as f64)) + cell.step(*step).random_point() - within;
+                let site = DVec3::from(step.map(|i| i as f64)) + cell.offset_by(*step).random_point() - within;
                 slow.insert(sum(site, 2.0), p + site);
             }
             let fast = nearest(p, 2.0);

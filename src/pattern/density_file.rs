@@ -86,7 +86,7 @@ impl DensityFile {
                 for i in 0..N {
                     let step = [i, j, k];
                     let place = std::array::from_fn(|a| around(cell[a] + step[a] as i64, self.voxels.size[a]));
-                    sum += weights[0][i] * weights[1][j] * weights[2][k] * self.voxels.at(place);
+                    sum += weights[0][i] * weights[1][j] * weights[2][k] * self.voxels.density_at(place);
                 }
             }
         }

@@ -30,9 +30,10 @@ impl Field for Dents {
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // (n³)' = 3 n² n'
-        let noise = LocalBounds::of(noise::noise(at.p, at.noise), at.noise.steepest(), radius).within(0.0, 1.0);
+        let noise = LocalBounds::from_steepest(noise::noise(at.p, at.noise), at.noise.max_gradient(), radius)
+            .clamp_range(0.0, 1.0);
         let steepest = 3.0 * noise.range.hi.powi(2) * noise.steepest;
-        LocalBounds { range: noise.range.growing(|n| n.powi(3)), steepest, ..noise }
+        LocalBounds { range: noise.range.map_increasing(|n| n.powi(3)), steepest, ..noise }
     }
 
     fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {

@@ -55,8 +55,8 @@ impl Wave {
                 chain(Interval::point(0.5) + sine * Interval::point(0.5), PI)
             }
             Wave::Scallop => chain((v.range * Interval::point(PI)).sin().abs(), PI),
-            Wave::Cubic => chain(v.range.growing(|v| v * v * (3.0 - 2.0 * v)), 1.5),
-            Wave::Poly(power) if power >= 1.0 => chain(v.range.growing(|v| fp::pow(v, power)), power),
+            Wave::Cubic => chain(v.range.map_increasing(|v| v * v * (3.0 - 2.0 * v)), 1.5),
+            Wave::Poly(power) if power >= 1.0 => chain(v.range.map_increasing(|v| fp::pow(v, power)), power),
             Wave::Poly(_) => LocalBounds::UNKNOWN,
         }
     }
@@ -140,7 +140,7 @@ mod tests {
                     for _ in 0..30 {
                         let mut vector = || {
                             thrown += 1;
-                            DVec3::from([0, 1, 2].map(|axis| rng::unit(&[7, thrown, axis]))) * 2.0 - 1.0
+                            DVec3::from([0, 1, 2].map(|axis| rng::random_unit(&[7, thrown, axis]))) * 2.0 - 1.0
                         };
                         let (p, radius) = (vector() * 3.0, vector().x.abs() * 0.2);
                         let at = |p| TextureContext::free(p, NoiseGenerator::RangeCorrected);

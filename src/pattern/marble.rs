@@ -38,7 +38,7 @@ impl Field for Marble {
         if params.turbulence.amount != DVec3::ZERO {
             return LocalBounds::UNKNOWN;
         }
-        LocalBounds::of(self.value(at), 1.0, radius)
+        LocalBounds::from_steepest(self.value(at), 1.0, radius)
     }
 
     fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {

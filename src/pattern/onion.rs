@@ -28,6 +28,6 @@ impl Field for Onion {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::of(at.p.length(), 1.0, radius).fraction()
+        LocalBounds::from_steepest(at.p.length(), 1.0, radius).fraction_bounds()
     }
 }

@@ -29,16 +29,16 @@ const HALVES: [f64; 10] = [1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0
 impl Field for Wrinkles {
     fn value(&self, at: &TextureContext) -> f64 {
         // ten octaves, each half as strong and twice as fine
-        let octaves = noise::octaves::<10>(at.p, at.noise);
+        let octaves = noise::clamped_octaves::<10>(at.p, at.noise);
         octaves.iter().zip(HALVES).map(|(noise, weight)| 0.5 * weight * noise).sum()
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // All ten octaves are equally steep, apart from each one's range, and rarely in the same place.
-        let steepest = at.noise.steepest();
+        let steepest = at.noise.max_gradient();
         let octave = |most: f64| (steepest * radius).min(0.5 * most);
         let far = HALVES.into_iter().map(octave).sum();
-        LocalBounds::rough(self.value(at), far, 10.0 * steepest).within(0.0, 1.0)
+        LocalBounds::from_deviation(self.value(at), far, 10.0 * steepest).clamp_range(0.0, 1.0)
     }
 
     fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {

@@ -209,13 +209,13 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     let mut take = |mut pixels: Vec<pixel_rows::Pixel>| {
         pixels.iter_mut().for_each(|pixel| *pixel = light(world, options, pixel));
         if region.width == width {
-            return rows.take(&pixels);
+            return rows.take_rows(&pixels);
         }
         // One row at a time: rows of the picture can be far longer than those of the region.
         let mut whole = vec![[0.0; 4]; width];
         pixels.chunks(region.width).try_for_each(|row| {
             whole[region.x..region.x + region.width].copy_from_slice(row);
-            rows.take(&whole)
+            rows.take_rows(&whole)
         })
     };
     let frame = bands::FrameRender { context: &context, camera: &camera, workers: &workers, method, region };
@@ -226,7 +226,7 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
 
 fn transparent_rows(to: &mut dyn Rows, width: usize, rows: usize) -> diagnostic::Result<()> {
     let row = vec![[0.0; 4]; if rows > 0 { width } else { 0 }];
-    (0..rows).try_for_each(|_| to.take(&row))
+    (0..rows).try_for_each(|_| to.take_rows(&row))
 }
 
 /// Converts a pixel from [`Watch::store_tile`] to linear light and alpha.

@@ -45,7 +45,8 @@ impl Blob {
     /// Builds the hierarchy over the blob's components; leaves out those without strength and those beyond the range of
     /// numbers.
     fn arrange(&mut self) {
-        self.components.retain(|component| component.strength != 0.0 && bvh::fits(&component.bounds()));
+        self.components
+            .retain(|component| component.strength != 0.0 && bvh::fits_single_precision(&component.bounds()));
         let (bvh, order) = Bvh::build(self.components.iter().map(Component::bounds));
         let mut places: Vec<Option<Component>> = std::mem::take(&mut self.components).into_iter().map(Some).collect();
         self.components = order.into_iter().filter_map(|i| places[i as usize].take()).collect();
@@ -55,7 +56,7 @@ impl Blob {
     }
 
     fn near<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a Component)) {
-        self.bvh.around(p, |i| {
+        self.bvh.visit_boxes_around(p, |i| {
             visit(&self.components[i]);
             ControlFlow::Continue(())
         });
@@ -69,7 +70,7 @@ impl Blob {
 
     /// Calls `visit` with each hit on the blob in `range`, in ascending `t`, until it returns `Break`.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
-        let range = range.ahead(Self::QUIRKS.min_distance);
+        let range = range.with_min_distance(Self::QUIRKS.min_distance);
         let Some((enter, _)) = self.bounds.slabs(ray, range) else { return };
         // Start near the blob, so that a distant eye costs no digits.
         let start = if enter.is_finite() { enter } else { -ray.origin.dot(ray.dir) / ray.dir.length_squared() };

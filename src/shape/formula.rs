@@ -37,7 +37,7 @@ impl Formula {
         let Some(function) = downcast::<Function>(&thing) else {
             return Diagnostic::err(codes::WRONG_TYPE, at, format!("expected `function {{ … }}` of {names}"));
         };
-        if function.gives() != Gives::Number {
+        if function.result_type() != Gives::Number {
             return Diagnostic::new(codes::WRONG_TYPE, at, "this function does not give a number")
                 .help("declare it, and take a part of what it gives: `function { F(x, y, z).gray }`")
                 .into();
@@ -61,7 +61,7 @@ impl Formula {
 
     /// Value of the formula's function at a point.
     pub fn at(&self, p: DVec3) -> f64 {
-        self.0.part(0, &[p.x, p.y, p.z])
+        self.0.call_component(0, &[p.x, p.y, p.z])
     }
 
     /// Bounds of the value and gradient of the formula's function in a box; `room` is scratch memory.

@@ -1,7 +1,7 @@
 //! Common part of `cylinder` and `cone`: a wall around an axis with a linear radius, and two end discs.
 
 use super::{Crossing, End, HalfSpaces, Hit, Hits, nearest, pov_bounds};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair, tolerance};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, solve_quadratic_with_discriminant, tolerance};
 use crate::value::words::word;
 use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
@@ -157,7 +157,7 @@ impl Frustum {
                 out.push(Hit::on(s + shift, part));
             }
         };
-        for s in stable_pair(a, half_b, c, disc).into_iter().flat_map(|(s1, s2)| [s1, s2]) {
+        for s in solve_quadratic_with_discriminant(a, half_b, c, disc).into_iter().flat_map(|(s1, s2)| [s1, s2]) {
             if (0.0..=1.0).contains(&(o.w + s * v.w)) {
                 push(s, WALL);
             }
@@ -238,7 +238,9 @@ impl Frustum {
         if a > 0.0 {
             let turn = o.x * v.y - o.y * v.x;
             let half_b = o.x * v.x + o.y * v.y;
-            let Some((s1, s2)) = stable_pair(a, half_b, o.across_squared() - r2, a * r2 - turn * turn) else {
+            let Some((s1, s2)) =
+                solve_quadratic_with_discriminant(a, half_b, o.across_squared() - r2, a * r2 - turn * turn)
+            else {
                 return Crossing::Misses;
             };
             ends = [End::on(s1, WALL), End::on(s2, WALL)];
@@ -280,7 +282,7 @@ impl Frustum {
     /// Angle about the frustum's axis, and height along it. POV-Ray defines no uv mapping for cones and cylinders.
     pub fn uv(&self, p: DVec3, part: u32) -> DVec2 {
         let at = self.split(p - self.base);
-        let u = fp::turn(at.y, at.x);
+        let u = fp::angle_in_turns(at.y, at.x);
         let v = match part {
             WALL => at.w,
             BASE => at.across_squared().sqrt() / self.base_radius.abs(),

@@ -9,7 +9,7 @@
 
 use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, stable_pair};
+use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, solve_quadratic_with_discriminant};
 use crate::source::Span;
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
@@ -88,7 +88,7 @@ impl Quadric {
         let o = from + ray.dir * shift;
         let qv = *q * ray.dir;
         let (a, half_b, c) = (qv.dot(ray.dir), qv.dot(o) + h.dot(ray.dir), self.centered.value(o));
-        let roots = stable_pair(a, half_b, c, half_b * half_b - a * c);
+        let roots = solve_quadratic_with_discriminant(a, half_b, c, half_b * half_b - a * c);
         (a, roots.map(|(t1, t2)| (t1 + shift, t2 + shift)))
     }
 }
@@ -278,7 +278,7 @@ mod tests {
             let (sin, cos) = crate::math::fp::sin_cos(f64::from(k) * 2.4);
             let v = DVec3::new(cos * (1.0 - y * y).sqrt(), y, sin * (1.0 - y * y).sqrt());
             let hit = egg.closest(&Ray::new(DVec3::ZERO, v), Range::FORWARD).unwrap();
-            seen = seen.with(v * hit.t);
+            seen = seen.including(v * hit.t);
         }
         assert!(b.grown(1e-9).contains(seen.min) && b.grown(1e-9).contains(seen.max));
         assert!(seen.grown(1e-3).contains(b.min) && seen.grown(1e-3).contains(b.max));

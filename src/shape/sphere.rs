@@ -6,7 +6,7 @@
 
 use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, solve_quadratic_with_discriminant};
 use crate::source::Span;
 use crate::value::{Param, Reader, Spec, ValueKind};
 use serde::Serialize;
@@ -102,7 +102,7 @@ impl Kernel for Sphere {
 
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let n = (p - self.center) / self.radius;
-        DVec2::new(fp::turn(n.z, n.x), 0.5 + fp::asin(n.y) / PI)
+        DVec2::new(fp::angle_in_turns(n.z, n.x), 0.5 + fp::asin(n.y) / PI)
     }
 }
 
@@ -121,7 +121,7 @@ impl Sphere {
         // D/4 = a·(r² - d²), where d is the distance of the line from the centre: for a distant eye, b²/4 - a·c loses
         // all digits (Haines et al., Precision Improvements for Ray/Sphere Intersection, 2019)
         let nearest = to_origin - ray.dir * (half_b / a);
-        stable_pair(a, half_b, c, a * (r2 - nearest.length_squared()))
+        solve_quadratic_with_discriminant(a, half_b, c, a * (r2 - nearest.length_squared()))
     }
 }
 

@@ -10,7 +10,7 @@
 
 use super::{Hit, Hits, Kernel, Readable, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, bernstein_roots, fp, stable_pair, tolerance};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, bernstein_roots, fp, solve_quadratic_with_discriminant, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
 use crate::value::{Param, Reader, Spec, ValueKind};
@@ -57,7 +57,7 @@ impl Torus {
         }
         let (o, v) = (DVec2::new(ray.origin.x, ray.origin.z), DVec2::new(ray.dir.x, ray.dir.z));
         let (a, half_b, c) = (v.length_squared(), o.dot(v), o.length_squared() - outer);
-        let ends = stable_pair(a, half_b, c, half_b * half_b - a * c);
+        let ends = solve_quadratic_with_discriminant(a, half_b, c, half_b * half_b - a * c);
         let meets = |t: f64| t > 0.0 && ray.at(t).y.abs() < self.minor;
         ends.is_some_and(|(near, far)| meets(near) || meets(far))
     }
@@ -80,7 +80,7 @@ impl Torus {
             return;
         }
         let length = ray.dir.length();
-        let range = range.ahead(tolerance::OWN_SURFACE / length);
+        let range = range.with_min_distance(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let o = ray.origin + middle * v;

@@ -2,7 +2,7 @@
 
 use super::spline::{blend, blend_slope, product, turns};
 use super::{Hit, Hits};
-use crate::math::{DVec2, DVec3, Range, Ray, bernstein_roots, fp, stable_pair};
+use crate::math::{DVec2, DVec3, Range, Ray, bernstein_roots, fp, solve_quadratic_with_discriminant};
 use smallvec::SmallVec;
 
 /// Slope below which a ray counts as level for a surface of revolution: its hits are all found at one height.
@@ -93,7 +93,7 @@ impl Walls {
     /// Surface coordinates of the walls: angle about the axis, and position along the curve, where all segments count
     /// as equally long (quirk: `lathe_uv`).
     pub fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
-        DVec2::new(fp::turn(p.z, p.x), (f64::from(hit.part) + hit.uv.x) / self.pieces.len() as f64)
+        DVec2::new(fp::angle_in_turns(p.z, p.x), (f64::from(hit.part) + hit.uv.x) / self.pieces.len() as f64)
     }
 }
 
@@ -123,7 +123,7 @@ impl Piece {
             }
             // Select the nearer of the two points at this distance from the axis.
             let c = q - blend(&self.radius2, at);
-            if let Some((s1, s2)) = stable_pair(k, m, c, (m * m - k * c).max(0.0)) {
+            if let Some((s1, s2)) = solve_quadratic_with_discriminant(k, m, c, (m * m - k * c).max(0.0)) {
                 visit(if (s - s1).abs() < (s - s2).abs() { s1 } else { s2 }, at);
             }
             false
@@ -138,7 +138,7 @@ impl Piece {
         bernstein_roots(&b, &mut |at| {
             let (k, m) = (v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z);
             let c = o.x * o.x + o.z * o.z - blend(&self.radius2, at);
-            if let Some((s1, s2)) = stable_pair(k, m, c, m * m - k * c) {
+            if let Some((s1, s2)) = solve_quadratic_with_discriminant(k, m, c, m * m - k * c) {
                 visit(s1, at);
                 visit(s2, at);
             }

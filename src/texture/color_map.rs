@@ -66,10 +66,10 @@ impl ColorMap {
             r.take()?;
             let from = r.float()?;
             match r.float_or_color()? {
-                FloatOrColor::Color(color) => entries.push((from, color.as_paint())),
+                FloatOrColor::Color(color) => entries.push((from, color.without_infinities())),
                 FloatOrColor::Float(to) => {
-                    entries.push((from, r.color()?.as_paint()));
-                    entries.push((to, r.color()?.as_paint()));
+                    entries.push((from, r.color()?.without_infinities()));
+                    entries.push((to, r.color()?.without_infinities()));
                 }
             }
             r.leave()?;

@@ -88,7 +88,7 @@ impl ImageMap {
             return Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
         };
         let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
-        pixels.iter().fold(Color::BLACK, |sum, (i, weight)| sum.plus(self.pixel(*i), *weight))
+        pixels.iter().fold(Color::BLACK, |sum, (i, weight)| sum.plus_scaled(self.pixel(*i), *weight))
     }
 
     /// True if the `image_map`'s picture covers the point.

@@ -183,7 +183,7 @@ impl Pigment {
             Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
             Next::Word(_) | Next::Value => {
                 let at = r.span();
-                let color = r.color()?.as_paint();
+                let color = r.color()?.without_infinities();
                 tell_bytes(r, at, &color);
                 self.paint = Paint::Solid(color);
                 self.forget_pattern();

@@ -104,7 +104,7 @@ impl PigmentProgram {
                     [(i, _), (j, _)] if i == j && !pattern.averages() => self.node(*i as usize, &inner),
                     ref shares => shares
                         .iter()
-                        .fold(Color::BLACK, |sum, (i, share)| sum.plus(self.node(**i as usize, &inner), *share)),
+                        .fold(Color::BLACK, |sum, (i, share)| sum.plus_scaled(self.node(**i as usize, &inner), *share)),
                 }
             }
         }

@@ -99,7 +99,7 @@ impl Tracer<'_> {
 /// Returns the offset of a light of the grid from the grid's centre, with jitter; `toward` is the direction from the light to the point.
 pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomSequence) -> DVec3 {
     let number = 2 * (u64::from(cell[1]) << 32 | u64::from(cell[0]));
-    area.offset(cell, toward, area.jitter.then(|| [random.at(number), random.at(number + 1)]))
+    area.light_offset(cell, toward, area.jitter.then(|| [random.at(number), random.at(number + 1)]))
 }
 
 /// True if the light of all corners hardly differs.

@@ -179,5 +179,5 @@ pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
 /// Returns x to a power. Most exponents are whole numbers, for which a few products are enough.
 fn power(x: f64, exponent: f64) -> f64 {
     let whole = exponent as u32;
-    if f64::from(whole) == exponent && whole < 4096 { fp::power_of(x, whole) } else { fp::pow(x, exponent) }
+    if f64::from(whole) == exponent && whole < 4096 { fp::integer_power(x, whole) } else { fp::pow(x, exponent) }
 }

@@ -44,9 +44,9 @@ impl Interface {
         Self { n1, n2, mirror: (own_ior, beyond), leaves: Some(at) }
     }
 
-    /// Returns the boundary for one hue (see [`Interior::ior_of`]); reflection stays that of white light (quirk: `dispersion_ior`).
+    /// Returns the boundary for one hue (see [`Interior::ior_of_hue`]); reflection stays that of white light (quirk: `dispersion_ior`).
     pub fn of_hue(self, hue: f64, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
-        let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of(hue));
+        let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of_hue(hue));
         Self { n1: ior(inside.last().copied()), n2: ior(self.beyond(inside, own)), ..self }
     }
 

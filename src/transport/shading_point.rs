@@ -158,7 +158,7 @@ impl<'w> Painter<'w, '_> {
             }
             let weight = if self.quality.lights { weight } else { Rgb::ONE };
             let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos };
-            transmittance *= color.passing();
+            transmittance *= color.transmittance();
             // quirk: conserve_energy_without_pigment
             if layer.finish.conserve_energy && !layer.is_nothing(&seen, quick) {
                 transmittance *= left_over(&shaded, self.interface);
@@ -312,6 +312,6 @@ fn material_transmittance(material: &Material, ctx: &TextureContext, quick: bool
                 .iter()
                 .fold(Rgb::ZERO, |sum, (part, share)| sum + *share * material_transmittance(part, &inner, quick))
         }
-        None => pass * layer.color(ctx, quick).passing(),
+        None => pass * layer.color(ctx, quick).transmittance(),
     })
 }

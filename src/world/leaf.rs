@@ -110,7 +110,7 @@ impl Leaf {
     pub(super) fn quadratic(&self) -> Option<Quadratic> {
         let own = self.shape.quadratic()?;
         let upright = if self.inverse { own.negated() } else { own };
-        Some(self.place.as_ref().map_or(upright, |m| upright.under(m)))
+        Some(self.place.as_ref().map_or(upright, |m| upright.transformed(m)))
     }
 
     /// Returns a box around all hits and a box around all inside points.

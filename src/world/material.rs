@@ -140,7 +140,7 @@ impl Material {
             solid: layers
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
-            pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.passing()).product(),
+            pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.transmittance()).product(),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&sends_light_on)
                 || !texture.layers.iter().any(is_opaque)

@@ -54,7 +54,7 @@ impl Sky {
 
     /// Returns the light from a direction of length 1, and the transmittance for what is behind the picture.
     pub fn toward(&self, dir: DVec3, beholder: ViewKind, quick: bool, noise: NoiseGenerator, waves: usize) -> Segment {
-        let behind = self.background.seen_by(beholder);
+        let behind = self.background.segment_for_view(beholder);
         if self.layers.is_empty() {
             return behind;
         }
@@ -73,7 +73,7 @@ impl Sky {
     fn layered(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let veil = |color: Color| Segment {
             radiance: self.emission * color.rgb * (1.0 - color.filter - color.transmit),
-            transmittance: color.passing(),
+            transmittance: color.transmittance(),
         };
         colors.fold(Segment::NONE, |above, color| above.in_front_of(veil(color))).in_front_of(behind)
     }

@@ -151,8 +151,9 @@ fn pictures(folder: &Path) -> Vec<PathBuf> {
 /// Compares a scene with POV-Ray's picture of it.
 fn looks_alike(path: &Path) -> Result<(), Failed> {
     let found = durer::on_big_stack(|| draw(path))?;
-    let wanted =
-        decode_file(&durer::source::Disk, &path.with_extension("png")).map_err(|e| e.message.clone())?.to_frame();
+    let wanted = decode_file(&durer::source::Disk, &path.with_extension("png"))
+        .map_err(|e| e.message.clone())?
+        .to_linear_image();
     if (wanted.width, wanted.height) != SIZE {
         return Err(format!("POV-Ray's picture is {} by {}", wanted.width, wanted.height).into());
     }

@@ -5,6 +5,6 @@ use super::LocalRay;
 use crate::math::{DVec2, DVec3};
 
 /// Returns the ray of an orthographic camera.
-pub(super) fn ray(at: DVec2, lengths: DVec3) -> LocalRay {
-    LocalRay { origin: at * lengths.truncate(), dir: DVec3::Z, place: at }
+pub(super) fn orthographic_ray(position: DVec2, lengths: DVec3) -> LocalRay {
+    LocalRay { origin: position * lengths.truncate(), dir: DVec3::Z, place: position }
 }

@@ -18,12 +18,12 @@ fn cross_section(a: f64, b: f64, kind: f64) -> f64 {
 }
 
 /// Rotates the point (a, b) by an angle with this sine and cosine.
-fn turned(a: f64, b: f64, (sin, cos): (f64, f64)) -> (f64, f64) {
+fn rotate_point(a: f64, b: f64, (sin, cos): (f64, f64)) -> (f64, f64) {
     (a * cos - b * sin, a * sin + b * cos)
 }
 
 /// Returns x minus the middle of the period that contains it; both may have any sign.
-fn from_middle(x: f64, period: f64) -> f64 {
+fn offset_from_period_middle(x: f64, period: f64) -> f64 {
     x - period * (x / period).floor() - period / 2.0
 }
 
@@ -32,8 +32,8 @@ fn from_middle(x: f64, period: f64) -> f64 {
 pub fn helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [f64; 10]) -> f64 {
     let q = (x * x + z * z).sqrt();
     let pitch = TAU / (number * period);
-    let along = from_middle(y - fp::atan2(-z, x) / period, pitch);
-    let (a, b) = turned(q - major, along / shape, fp::sin_cos(degrees.to_radians()));
+    let along = offset_from_period_middle(y - fp::atan2(-z, x) / period, pitch);
+    let (a, b) = rotate_point(q - major, along / shape, fp::sin_cos(degrees.to_radians()));
     // `min` also drops NaN where there is no helix.
     cross_section(a, b, kind).min(q + major) - minor
 }
@@ -42,7 +42,7 @@ pub fn helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [f6
 /// centre.
 pub fn helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 {
     let (sin, cos) = fp::sin_cos(period * y);
-    let (a, b) = turned(x - major * cos, z - major * sin, (-sin, cos));
+    let (a, b) = rotate_point(x - major * cos, z - major * sin, (-sin, cos));
     cross_section(a, b, kind) - minor
 }
 

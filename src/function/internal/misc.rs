@@ -27,31 +27,31 @@ pub fn blob2([x, y, z, distance, k, s, t]: [f64; 7]) -> f64 {
 }
 
 /// Returns the quadratic forms of three ellipsoids around the x, y and z axes: 1 along their axis, e across.
-fn ellipsoids(x: f64, y: f64, z: f64, e: f64) -> [f64; 3] {
+fn ellipsoid_forms(x: f64, y: f64, z: f64, e: f64) -> [f64; 3] {
     let (x, y, z) = (x * x, y * y, z * z);
     [x + e * (y + z), y + e * (x + z), z + e * (x + y)]
 }
 
 /// Internal function `f_cross_ellipsoids`: t - s max exp(-k q) over the three ellipsoids q.
 pub fn cross_ellipsoids([x, y, z, e, k, s, t]: [f64; 7]) -> f64 {
-    let [a, b, c] = ellipsoids(x, y, z, e).map(|q| -k * q);
+    let [a, b, c] = ellipsoid_forms(x, y, z, e).map(|q| -k * q);
     t - s * fp::exp(a.max(b).max(c))
 }
 
 /// Internal function `f_isect_ellipsoids`: t - s min exp(-k q) over the three ellipsoids q.
 pub fn isect_ellipsoids([x, y, z, e, k, s, t]: [f64; 7]) -> f64 {
-    let [a, b, c] = ellipsoids(x, y, z, e).map(|q| -k * q);
+    let [a, b, c] = ellipsoid_forms(x, y, z, e).map(|q| -k * q);
     t - s * fp::exp(a.min(b).min(c))
 }
 
 /// Internal function `f_flange_cover`: t - s Σ exp(-k q) over the three ellipsoids q.
 pub fn flange_cover([x, y, z, e, k, s, t]: [f64; 7]) -> f64 {
-    t - s * ellipsoids(x, y, z, e).map(|q| fp::exp(-k * q)).iter().sum::<f64>()
+    t - s * ellipsoid_forms(x, y, z, e).map(|q| fp::exp(-k * q)).iter().sum::<f64>()
 }
 
 /// Internal function `f_spikes`: s (Σ exp(-k q) - w exp(-m r²)) over the three ellipsoids q.
 pub fn spikes([x, y, z, e, k, s, m, w]: [f64; 8]) -> f64 {
-    let sum: f64 = ellipsoids(x, y, z, e).map(|q| fp::exp(-k * q)).iter().sum();
+    let sum: f64 = ellipsoid_forms(x, y, z, e).map(|q| fp::exp(-k * q)).iter().sum();
     s * (sum - w * fp::exp(-m * (x * x + y * y + z * z)))
 }
 
@@ -144,7 +144,7 @@ pub fn quantum([x, y, z, _]: [f64; 4]) -> f64 {
 /// Bounds of the internal function [`poly4`] over a box of arguments.
 pub fn poly4_bounds(i: &[Interval]) -> Interval {
     let &[x, y, z, a, b, c, d, e] = i else { return Interval::ALL };
-    let radius = [d, c, b, a].iter().fold(e, |sum, k| sum * y + *k).growing(|u| u.max(-5.0));
-    let q = (x.square() + z.square()).growing(|u| u.max(0.0).sqrt());
+    let radius = [d, c, b, a].iter().fold(e, |sum, k| sum * y + *k).map_increasing(|u| u.max(-5.0));
+    let q = (x.square() + z.square()).map_increasing(|u| u.max(0.0).sqrt());
     q + -radius
 }

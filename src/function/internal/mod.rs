@@ -47,25 +47,25 @@ impl fmt::Debug for Internal {
 pub const SCENE_NOISE: u32 = 76;
 
 /// Finds the internal function with this number.
-pub fn find(number: u32) -> Option<&'static Internal> {
+pub fn find_internal(number: u32) -> Option<&'static Internal> {
     TABLE.iter().find(|row| row.number == number)
 }
 
 /// Calls a function of an array of N numbers; NaN for another number of arguments.
 #[inline]
-fn call<const N: usize>(arguments: &[f64], function: fn([f64; N]) -> f64) -> f64 {
+fn call_with_array<const N: usize>(arguments: &[f64], function: fn([f64; N]) -> f64) -> f64 {
     arguments.try_into().map_or(f64::NAN, function)
 }
 
 /// Returns a polynomial times its field strength, clamped to the limit of POV-Ray's internal functions, ±10.
 #[inline]
-fn field(strength: f64, value: f64) -> f64 {
+fn clamp_field(strength: f64, value: f64) -> f64 {
     (strength * value).clamp(-10.0, 10.0)
 }
 
 /// Clamps a value to ±limit.
 #[inline]
-fn clamped(value: f64, limit: f64) -> f64 {
+fn clamp_symmetrically(value: f64, limit: f64) -> f64 {
     value.max(-limit).min(limit)
 }
 

@@ -55,29 +55,29 @@ pub fn superellipsoid([x, y, z, e, n]: [f64; 5]) -> f64 {
     1.0 - fp::pow(fp::pow(around, e / n) + fp::pow(z.abs(), 2.0 / n), n / 2.0)
 }
 
-fn root(a: Interval) -> Interval {
-    a.growing(|x| x.max(0.0).sqrt())
+fn sqrt_bounds(a: Interval) -> Interval {
+    a.map_increasing(|x| x.max(0.0).sqrt())
 }
 
-fn norm(a: &[Interval]) -> Interval {
-    root(a.iter().fold(Interval::point(0.0), |sum, x| sum + x.square()))
+fn norm_bounds(a: &[Interval]) -> Interval {
+    sqrt_bounds(a.iter().fold(Interval::point(0.0), |sum, x| sum + x.square()))
 }
 
 /// Bounds of the internal function [`r`] over a box of arguments.
 pub fn r_bounds(a: &[Interval]) -> Interval {
-    norm(a)
+    norm_bounds(a)
 }
 
 /// Bounds of the internal function [`sphere`] over a box of arguments.
 pub fn sphere_bounds(a: &[Interval]) -> Interval {
     let [point @ .., radius] = a else { return Interval::ALL };
-    norm(point) + -*radius
+    norm_bounds(point) + -*radius
 }
 
 /// Bounds of the internal function [`ellipsoid`] over a box of arguments.
 pub fn ellipsoid_bounds(i: &[Interval]) -> Interval {
     let &[x, y, z, a, b, c] = i else { return Interval::ALL };
-    norm(&[a * x, b * y, c * z])
+    norm_bounds(&[a * x, b * y, c * z])
 }
 
 /// Upper bound of the gradient of the internal function [`ellipsoid`].
@@ -88,14 +88,14 @@ pub fn ellipsoid_steepest(inverse: &[f64]) -> f64 {
 /// Bounds of the internal function [`torus`] over a box of arguments.
 pub fn torus_bounds(a: &[Interval]) -> Interval {
     let &[x, y, z, major, minor] = a else { return Interval::ALL };
-    norm(&[norm(&[x, z]) + -major, y]) + -minor
+    norm_bounds(&[norm_bounds(&[x, z]) + -major, y]) + -minor
 }
 
 /// Bounds of the internal function [`rounded_box`] over a box of arguments.
 pub fn rounded_box_bounds(i: &[Interval]) -> Interval {
     let &[x, y, z, radius, a, b, c] = i else { return Interval::ALL };
-    let beyond = |u: Interval, half: Interval| (u.abs() + -half + radius).growing(|u| u.max(0.0));
-    norm(&[beyond(x, a), beyond(y, b), beyond(z, c)]) + -radius + Interval::point(-1e-6)
+    let beyond = |u: Interval, half: Interval| (u.abs() + -half + radius).map_increasing(|u| u.max(0.0));
+    norm_bounds(&[beyond(x, a), beyond(y, b), beyond(z, c)]) + -radius + Interval::point(-1e-6)
 }
 
 /// Bounds of the internal function [`superellipsoid`] over a box of arguments, for exponents that are one positive
@@ -106,7 +106,7 @@ pub fn superellipsoid_bounds(a: &[Interval]) -> Interval {
         return Interval::ALL;
     }
     let (e, n) = (e.lo, n.lo);
-    let power = |i: Interval, p: f64| i.growing(|x| fp::pow(x.max(0.0), p));
+    let power = |i: Interval, p: f64| i.map_increasing(|x| fp::pow(x.max(0.0), p));
     let around = power(x.abs(), 2.0 / e) + power(y.abs(), 2.0 / e);
     let sum = power(around, e / n) + power(z.abs(), 2.0 / n);
     Interval::point(1.0) + -power(sum, n / 2.0)

@@ -52,14 +52,14 @@ impl<'a> Interpreter<'a> {
     fn read_spline_arguments(&mut self, spline: &Spline) -> Result<Value> {
         let t = self.float()?;
         let kind = match self.peek()? {
-            Token::Word(word) if SplineKind::of(word).is_some() => {
+            Token::Word(word) if SplineKind::from_word(word).is_some() => {
                 self.stream.advance();
-                SplineKind::of(word).unwrap_or(spline.kind)
+                SplineKind::from_word(word).unwrap_or(spline.kind)
             }
             _ => spline.kind,
         };
         if self.peek()?.ends() {
-            return Ok(Value::Vector(VecN { c: spline.at(t, kind), len: spline.len }));
+            return Ok(Value::Vector(VecN { c: spline.point_at(t, kind), len: spline.len }));
         }
         Err(self.unexpected_token("one number and, at most, the kind of spline").into())
     }
@@ -86,7 +86,7 @@ impl<'a> Interpreter<'a> {
 
 fn answer(function: &Function, numbers: &[f64]) -> Value {
     let c = function.call(numbers);
-    match function.gives() {
+    match function.result_type() {
         Gives::Number => Value::Float(c[0]),
         Gives::Vector(len) => Value::Vector(VecN { c, len }),
         Gives::Color => Value::Color(crate::color::Color::from_array(c)),

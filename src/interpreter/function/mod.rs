@@ -89,7 +89,7 @@ impl<'a> Interpreter<'a> {
             points = declared.points().collect();
         }
         if let Next::Word(word) = Reader::next(self)?
-            && let Some(named) = SplineKind::of(word)
+            && let Some(named) = SplineKind::from_word(word)
         {
             self.stream.advance();
             kind = named;
@@ -120,7 +120,7 @@ impl<'a> Interpreter<'a> {
     /// Compiles an expression of a user-defined function's body.
     fn compile(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
         match &e.kind {
-            ExprKind::Number(x) => Ok(c.graph.constant(*x)),
+            ExprKind::Number(x) => Ok(c.graph.add_constant(*x)),
             ExprKind::Name(symbol) => self.compile_name(c, *symbol, e),
             ExprKind::Paren(inner) => self.compile(c, inner),
             ExprKind::Prefix(prefix, inner) => {
@@ -131,7 +131,7 @@ impl<'a> Interpreter<'a> {
                 let mut left = self.compile(c, &chain.first)?;
                 for (op, operand) in &chain.rest {
                     let right = self.compile(c, operand)?;
-                    left = c.graph.add(Operation::Binary(*op, left, right));
+                    left = c.graph.add_operation(Operation::Binary(*op, left, right));
                 }
                 Ok(left)
             }
@@ -139,7 +139,7 @@ impl<'a> Interpreter<'a> {
                 let [condition, yes, no] = &**parts;
                 let condition = self.compile(c, condition)?;
                 let (yes, no) = (self.compile(c, yes)?, self.compile(c, no)?);
-                Ok(c.graph.add(Operation::Choice(condition, yes, no)))
+                Ok(c.graph.add_operation(Operation::Choice(condition, yes, no)))
             }
             ExprKind::Builtin(name, arguments) => self.compile_builtin(c, name.name, arguments, e.span),
             ExprKind::Call(name, arguments) => self.compile_call(c, *name, arguments, None, e.span),
@@ -165,12 +165,12 @@ impl<'a> Interpreter<'a> {
     /// Compiles an expression that does not depend on the parameters to its present value.
     fn constant_number(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
         let x = self.evaluate_number(e)?;
-        Ok(c.graph.constant(x))
+        Ok(c.graph.add_constant(x))
     }
 
     fn compile_name(&mut self, c: &mut Compiler, symbol: Symbol, e: &'a Expr) -> Result<Id> {
         if let Some(i) = c.parameters.iter().position(|p| *p == symbol) {
-            return Ok(c.graph.add(Operation::Parameter(i as u16)));
+            return Ok(c.graph.add_operation(Operation::Parameter(i as u16)));
         }
         // `u` and `v` are synonyms of `x` and `y`.
         let other = match self.inputs.names.text(symbol) {
@@ -179,7 +179,7 @@ impl<'a> Interpreter<'a> {
             _ => return self.constant_number(c, e),
         };
         match c.parameters.iter().position(|p| self.inputs.names.text(*p) == other) {
-            Some(i) => Ok(c.graph.add(Operation::Parameter(i as u16))),
+            Some(i) => Ok(c.graph.add_operation(Operation::Parameter(i as u16))),
             None => self.constant_number(c, e),
         }
     }
@@ -197,15 +197,15 @@ impl<'a> Interpreter<'a> {
         if name == "select" && (3..=4).contains(&ids.len()) {
             return Ok(c.select(ids));
         }
-        let Some(row) = numeric::find(name) else {
+        let Some(row) = numeric::find_numeric(name) else {
             let message = format!("`{name}` does not give a number of numbers: a function can't call it");
             return Diagnostic::err(codes::NOT_CALLABLE, span, message);
         };
         let (wanted, node): (&str, Option<Id>) = match (numeric::TABLE[row as usize].kernel, ids) {
-            (numeric::Kernel::One(_), [a]) => ("", Some(c.graph.add(Operation::One(row, *a)))),
-            (numeric::Kernel::Two(_), [a, b]) => ("", Some(c.graph.add(Operation::Two(row, *a, *b)))),
+            (numeric::Kernel::One(_), [a]) => ("", Some(c.graph.add_operation(Operation::One(row, *a)))),
+            (numeric::Kernel::Two(_), [a, b]) => ("", Some(c.graph.add_operation(Operation::Two(row, *a, *b)))),
             (numeric::Kernel::Many(_), [first, rest @ ..]) => {
-                ("", Some(rest.iter().fold(*first, |a, b| c.graph.add(Operation::Two(row, a, *b)))))
+                ("", Some(rest.iter().fold(*first, |a, b| c.graph.add_operation(Operation::Two(row, a, *b)))))
             }
             (numeric::Kernel::One(_), _) => ("one argument", None),
             (numeric::Kernel::Two(_), _) => ("two arguments", None),
@@ -252,7 +252,7 @@ impl<'a> Interpreter<'a> {
         for element in arguments {
             match &element.kind {
                 ElementKind::Expr(e) => ids.push(self.compile(c, e)?),
-                ElementKind::Numbers(list) => ids.extend(list.data.iter().map(|x| c.graph.constant(*x))),
+                ElementKind::Numbers(list) => ids.extend(list.data.iter().map(|x| c.graph.add_constant(*x))),
                 _ => return Diagnostic::err(codes::EXPECTED_VALUE, element.span, "expected a number"),
             }
         }
@@ -288,17 +288,17 @@ impl<'a> Interpreter<'a> {
             && let Body::Numeric(program) = &f.body
             && program.graph().nodes.len() <= MAX_COPIED
         {
-            return Ok(c.graph.inline(program.graph(), &ids));
+            return Ok(c.graph.inline_graph(program.graph(), &ids));
         }
-        let one = |c: &mut Compiler, i: u8| c.graph.call(callee.clone(), i, ids.clone().into());
+        let one = |c: &mut Compiler, i: u8| c.graph.add_call(callee.clone(), i, ids.clone().into());
         Ok(match component {
             Component::Of(i) => one(c, i),
             Component::Weighted(weights) => {
-                let mut sum = c.graph.constant(0.0);
+                let mut sum = c.graph.add_constant(0.0);
                 for (i, weight) in weights.iter().enumerate() {
-                    let (value, weight) = (one(c, i as u8), c.graph.constant(*weight));
-                    let term = c.graph.add(Operation::Binary(Operator::Mul, value, weight));
-                    sum = c.graph.add(Operation::Binary(Operator::Add, sum, term));
+                    let (value, weight) = (one(c, i as u8), c.graph.add_constant(*weight));
+                    let term = c.graph.add_operation(Operation::Binary(Operator::Mul, value, weight));
+                    sum = c.graph.add_operation(Operation::Binary(Operator::Add, sum, term));
                 }
                 sum
             }
@@ -309,7 +309,7 @@ impl<'a> Interpreter<'a> {
     fn callee(&mut self, callee: &Value, span: Span) -> Result<(Callee, Gives, usize)> {
         if let Value::Thing(thing) = callee {
             if let Some(f) = downcast::<Function>(thing) {
-                let (gives, arity) = (f.gives(), f.arity());
+                let (gives, arity) = (f.result_type(), f.arity());
                 let callee = match &f.body {
                     Body::Sampled(sampler) => Callee::Sampler(sampler.clone()),
                     Body::Numeric(_) => Callee::Function(f.clone()),
@@ -398,25 +398,25 @@ impl Compiler {
         match prefix {
             Prefix::Plus => a,
             Prefix::Minus => {
-                let minus = self.graph.constant(-1.0);
-                self.graph.add(Operation::Binary(Operator::Mul, a, minus))
+                let minus = self.graph.add_constant(-1.0);
+                self.graph.add_operation(Operation::Binary(Operator::Mul, a, minus))
             }
             Prefix::Not => {
-                let zero = self.graph.constant(0.0);
-                self.graph.add(Operation::Binary(Operator::Equal, a, zero))
+                let zero = self.graph.add_constant(0.0);
+                self.graph.add_operation(Operation::Binary(Operator::Equal, a, zero))
             }
         }
     }
 
     /// Compiles `select(a, below, zero, above)` or `select(a, below, not_below)`.
     fn select(&mut self, ids: &[Id]) -> Id {
-        let zero = self.graph.constant(0.0);
-        let below = self.graph.add(Operation::Binary(Operator::Less, ids[0], zero));
+        let zero = self.graph.add_constant(0.0);
+        let below = self.graph.add_operation(Operation::Binary(Operator::Less, ids[0], zero));
         let rest = match ids {
-            [a, _, at, above] => self.graph.add(Operation::Choice(*a, *above, *at)),
+            [a, _, at, above] => self.graph.add_operation(Operation::Choice(*a, *above, *at)),
             ids => ids[2],
         };
-        self.graph.add(Operation::Choice(below, ids[1], rest))
+        self.graph.add_operation(Operation::Choice(below, ids[1], rest))
     }
 
     fn finish(self, me: &Interpreter, span: Span) -> Result<Arc<dyn Thing>> {
@@ -431,8 +431,10 @@ impl Compiler {
 /// Compiles `sum` or `prod` over a range of the counter.
 fn series(c: &mut Compiler, product: bool, mut ids: Vec<Id>, inner: Compiler, span: Span) -> Result<Id> {
     let Some(body) = Program::new(inner.graph, inner.parameters.len()) else { return too_large(span) };
-    ids.extend((0..c.parameters.len()).map(|i| c.graph.add(Operation::Parameter(i as u16))).collect::<Vec<_>>());
-    Ok(c.graph.call(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
+    ids.extend(
+        (0..c.parameters.len()).map(|i| c.graph.add_operation(Operation::Parameter(i as u16))).collect::<Vec<_>>(),
+    );
+    Ok(c.graph.add_call(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
 }
 
 fn too_large<T>(span: Span) -> Result<T> {
@@ -445,15 +447,15 @@ fn default_names() -> Box<[Box<str>]> {
 
 /// The function of `functions.inc` with this number, as in `function { internal(61) }`.
 pub(super) fn internal_function(number: f64, noise: &Arc<AtomicU8>) -> Option<Function> {
-    let row = internal::find(number as u32).filter(|_| number >= 0.0)?;
+    let row = internal::find_internal(number as u32).filter(|_| number >= 0.0)?;
     let mut graph = function::Graph::default();
     let count = 3 + row.parameters.len();
-    let ids: Box<[Id]> = (0..count).map(|i| graph.add(Operation::Parameter(i as u16))).collect();
+    let ids: Box<[Id]> = (0..count).map(|i| graph.add_operation(Operation::Parameter(i as u16))).collect();
     let callee = match row.number {
         internal::SCENE_NOISE => Callee::SceneNoise(noise.clone()),
         _ => Callee::Internal(row),
     };
-    graph.result = graph.call(callee, 0, ids);
+    graph.result = graph.add_call(callee, 0, ids);
     let names =
         ["x", "y", "z"].map(Box::from).into_iter().chain((0..row.parameters.len()).map(|i| format!("P{i}").into()));
     let program = Program::new(graph, count)?;

@@ -25,7 +25,7 @@ impl Sampler for PigmentSampler {
         3
     }
 
-    fn gives(&self) -> Gives {
+    fn result_type(&self) -> Gives {
         Gives::Color
     }
 
@@ -47,15 +47,15 @@ impl Sampler for PatternSampler {
         3
     }
 
-    fn gives(&self) -> Gives {
+    fn result_type(&self) -> Gives {
         Gives::Number
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        [self.part(0, p), 0.0, 0.0, 0.0, 0.0]
+        [self.sample_component(0, p), 0.0, 0.0, 0.0, 0.0]
     }
 
-    fn part(&self, component: usize, p: &[f64]) -> f64 {
+    fn sample_component(&self, component: usize, p: &[f64]) -> f64 {
         if component == 0 { self.0.number_at(&ctx(p, &self.1)) } else { 0.0 }
     }
 
@@ -73,7 +73,7 @@ impl Sampler for TransformSampler {
         3
     }
 
-    fn gives(&self) -> Gives {
+    fn result_type(&self) -> Gives {
         Gives::Vector(3)
     }
 

@@ -24,10 +24,10 @@ const LARGEST: usize = 8;
 const LEAF: u32 = 4;
 
 impl Bvh {
-    /// Builds a BVH over boxes that [`super::fits`] accepts; also returns the index of the box at each position of the
+    /// Builds a BVH over boxes that [`super::fits_single_precision`] accepts; also returns the index of the box at each position of the
     /// hierarchy's order.
     pub fn build(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
-        let (bvh, order, _) = Build::run(boxes, |items| items.len() == 1, ITEM);
+        let (bvh, order, _) = Build::build_hierarchy(boxes, |items| items.len() == 1, ITEM);
         (bvh, order)
     }
 
@@ -41,7 +41,7 @@ impl Bvh {
             let numbers: SmallVec<[u32; LARGEST]> = items.iter().take(LARGEST + 1).map(|prim| prim.index).collect();
             items.len() <= LARGEST && packs(&numbers)
         };
-        Build::run(boxes, is_pack, PACK)
+        Build::build_hierarchy(boxes, is_pack, PACK)
     }
 }
 
@@ -82,17 +82,21 @@ struct Half {
 }
 
 impl<F: Fn(&[Prim]) -> bool> Build<F> {
-    fn run(boxes: impl ExactSizeIterator<Item = Aabb>, is_item: F, item_cost: f32) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
+    fn build_hierarchy(
+        boxes: impl ExactSizeIterator<Item = Aabb>,
+        is_item: F,
+        item_cost: f32,
+    ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
         let prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
         let mut build = Build { prims, pairs: vec![], is_item, item_cost, bvh: Bvh::default(), items: vec![] };
         if !build.prims.is_empty() {
             let mut around = Around::EMPTY;
             build.prims.iter().for_each(|prim| around.add(prim));
-            let root = build.grow(0..build.prims.len(), &around, LEVELS);
+            let root = build.build_subtree(0..build.prims.len(), &around, LEVELS);
             build.bvh.nodes.reserve(root.items as usize / 5 + 1);
             build.bvh.nodes.push(Wide::EMPTY);
             build.items.reserve_exact(root.items as usize);
-            build.fill(0, root.number);
+            build.fill_node(0, root.number);
         }
         build.pairs = vec![];
         build.bvh.nodes.shrink_to_fit();
@@ -106,7 +110,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     }
 
     /// Builds the BVH's binary tree over a range of boxes.
-    fn grow(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> Half {
+    fn build_subtree(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> Half {
         let prims = &mut self.prims[boxes.clone()];
         if (self.is_item)(prims) {
             let Around { lo, hi, .. } = *around;
@@ -115,16 +119,16 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             self.pairs.push(Pair { parts, items: 1, first: [0; WIDTH - 1], is_leaf: true });
             return Half { number: self.pairs.len() as u32 - 1, lo, hi, items: 1, cost };
         }
-        let (count, [left, right]) = divide(prims, around, levels == 0);
+        let (count, [left, right]) = split_boxes(prims, around, levels == 0);
         let mid = boxes.start + count;
         let levels = levels.saturating_sub(1);
-        let a = self.grow(boxes.start..mid, &left, levels);
-        let b = self.grow(mid..boxes.end, &right, levels);
-        self.join(&a, &b)
+        let a = self.build_subtree(boxes.start..mid, &left, levels);
+        let b = self.build_subtree(mid..boxes.end, &right, levels);
+        self.join_halves(&a, &b)
     }
 
     /// Makes the parent of two halves of the BVH, at the least cost.
-    fn join(&mut self, a: &Half, b: &Half) -> Half {
+    fn join_halves(&mut self, a: &Half, b: &Half) -> Half {
         let (lo, hi) = (a.lo.min(b.lo), a.hi.max(b.hi));
         let (area, items) = (area(lo, hi), a.items + b.items);
         // Least cost with exactly this number of children.
@@ -153,11 +157,11 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     }
 
     /// Fills a wide node of the BVH with children, recursively; returns their bounds.
-    fn fill(&mut self, node: usize, pair: u32) -> Around {
+    fn fill_node(&mut self, node: usize, pair: u32) -> Around {
         let mut children = SmallVec::new();
         match self.pairs[pair as usize].is_leaf {
             true => children.push(pair),
-            false => self.choose(pair, WIDTH, &mut children),
+            false => self.choose_children(pair, WIDTH, &mut children),
         }
         let mut all = Around::EMPTY;
         let mut inner: SmallVec<[(usize, usize, u32); WIDTH]> = SmallVec::new();
@@ -176,7 +180,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             }
         }
         for (slot, child, number) in inner {
-            let around = self.fill(child, number);
+            let around = self.fill_node(child, number);
             self.bvh.nodes[node].set(slot, (around.lo, around.hi), Child::node(child));
             all.join(&around);
         }
@@ -184,7 +188,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     }
 
     /// Collects the best nodes of a subtree to be children of a wide BVH node, at most `count`.
-    fn choose(&self, number: u32, mut count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
+    fn choose_children(&self, number: u32, mut count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
         let pair = &self.pairs[number as usize];
         while count > 1 && pair.first[count - 2] == 0 {
             count -= 1;
@@ -193,8 +197,8 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             return out.push(number);
         }
         let first = usize::from(pair.first[count - 2]);
-        self.choose(pair.parts[0], first, out);
-        self.choose(pair.parts[1], count - first, out);
+        self.choose_children(pair.parts[0], first, out);
+        self.choose_children(pair.parts[1], count - first, out);
     }
 
     /// Appends the items of a subtree to the BVH, and extends `around` by their boxes.
@@ -214,11 +218,11 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
 
 /// Partitions the boxes of a BVH's subtree into two non-empty groups at the cheapest plane; returns the start of the
 /// second group and the bounds of both.
-fn divide(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
+fn split_boxes(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
     let cut = match prims.len() {
         _ if halve => None,
-        0..=32 => Cut::find::<6>(prims, around),
-        _ => Cut::find::<16>(prims, around),
+        0..=32 => Cut::find_cheapest::<6>(prims, around),
+        _ => Cut::find_cheapest::<16>(prims, around),
     };
     if let Some(cut) = cut {
         let (count, halves) = partition(prims, |prim| cut.is_left(prim));
@@ -246,17 +250,17 @@ impl Prim {
         Self { lo: b.min.to_array().map(round_down), hi: b.max.to_array().map(round_up), index }
     }
 
-    fn lo(&self) -> Vec3A {
+    fn lower_corner(&self) -> Vec3A {
         self.lo.into()
     }
 
-    fn hi(&self) -> Vec3A {
+    fn upper_corner(&self) -> Vec3A {
         self.hi.into()
     }
 
     /// Returns twice the centre of the box.
     fn center(&self) -> Vec3A {
-        self.lo() + self.hi()
+        self.lower_corner() + self.upper_corner()
     }
 }
 
@@ -275,7 +279,7 @@ impl Around {
 
     #[inline]
     fn add(&mut self, prim: &Prim) {
-        let (lo, hi, center) = (prim.lo(), prim.hi(), prim.center());
+        let (lo, hi, center) = (prim.lower_corner(), prim.upper_corner(), prim.center());
         *self = Around {
             lo: self.lo.min(lo),
             hi: self.hi.max(hi),
@@ -330,7 +334,7 @@ struct Cut {
 
 impl Cut {
     /// Returns the cheapest split plane between bins along each axis; `None` if all are equally good.
-    fn find<const BINS: usize>(prims: &[Prim], around: &Around) -> Option<Cut> {
+    fn find_cheapest<const BINS: usize>(prims: &[Prim], around: &Around) -> Option<Cut> {
         let extent = around.last - around.first;
         if extent.max_element() <= 0.0 || !extent.is_finite() {
             return None;
@@ -338,7 +342,7 @@ impl Cut {
         let scale = Vec3A::select(extent.cmpgt(Vec3A::ZERO), Vec3A::splat(BINS as f32 * 0.9999) / extent, Vec3A::ZERO);
         let mut bins = [[Bin::EMPTY; BINS]; 3];
         for prim in prims {
-            let one = Bin { lo: prim.lo(), hi: prim.hi(), count: 1 };
+            let one = Bin { lo: prim.lower_corner(), hi: prim.upper_corner(), count: 1 };
             let places = ((prim.center() - around.first) * scale).to_array();
             for axis in 0..3 {
                 let bin = &mut bins[axis][(places[axis] as i32 as usize).min(BINS - 1)];

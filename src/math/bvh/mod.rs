@@ -32,7 +32,7 @@ pub struct Bvh {
 }
 
 /// True if the box is within the single-precision range of a BVH.
-pub fn fits(b: &Aabb) -> bool {
+pub fn fits_single_precision(b: &Aabb) -> bool {
     b.min.abs().max(b.max.abs()).max_element() < REACH
 }
 
@@ -40,7 +40,7 @@ pub fn fits(b: &Aabb) -> bool {
 macro_rules! walk {
     ($slabs:path, $bvh:ident, $ray:ident, $range:ident, $fetch:expr, $visit:ident) => {{
         let flat = FlatRay::new($ray, $range, &$bvh.nodes[0]);
-        let (mut max, mut flat_max) = ($range.max, padded($range.max));
+        let (mut max, mut flat_max) = ($range.max, pad_up($range.max));
         let mut stack = [Entry { near: 0.0, child: Child::NONE }; STACK];
         let mut open = 0;
         // Overflow of the stack.
@@ -60,7 +60,7 @@ macro_rules! walk {
                         (child, open) = nearest_child(node, mask, &near, &mut stack, open);
                         for entry in &stack[before..open] {
                             match entry.child.kind() {
-                                Kind::Node(number) => node::fetch(&$bvh.nodes, number),
+                                Kind::Node(number) => node::prefetch(&$bvh.nodes, number),
                                 Kind::Items(items) => $fetch(items.start),
                             }
                         }
@@ -74,7 +74,7 @@ macro_rules! walk {
                             ControlFlow::Break(()) => return,
                         }
                     }
-                    flat_max = padded(max);
+                    flat_max = pad_up(max);
                 }
             }
             loop {
@@ -101,7 +101,7 @@ impl Bvh {
     /// near boxes first. `visit` receives the item's position and the current end of the range, and returns the new
     /// end, or breaks. A ray with a coordinate that is not finite hits nothing.
     pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
-        if !self.can_be_met(ray) {
+        if !self.can_be_hit(ray) {
             return;
         }
         #[cfg(target_arch = "x86_64")]
@@ -114,7 +114,7 @@ impl Bvh {
     }
 
     #[inline(always)]
-    fn can_be_met(&self, ray: &Ray) -> bool {
+    fn can_be_hit(&self, ray: &Ray) -> bool {
         !self.nodes.is_empty() && ray.origin.is_finite() && ray.dir.is_finite()
     }
 
@@ -130,7 +130,7 @@ impl Bvh {
 
     /// Calls `visit` with the items of the BVH whose boxes contain the point, and a few of their neighbours, until it
     /// breaks.
-    pub fn around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
+    pub fn visit_boxes_around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
         let below = p.to_array().map(|x| Vec4::splat(round_down(x)));
         let above = p.to_array().map(|x| Vec4::splat(round_up(x)));
         let mut stack: SmallVec<[Child; 64]> = SmallVec::new();
@@ -226,7 +226,7 @@ impl FlatRay {
         let mut slack = SLACK;
         if range.min < 0.0 {
             // For planes behind the origin, distances can't be scaled: shift all planes instead.
-            error += (ray.origin.abs() + f64::from(root.reach())) * SLACK;
+            error += (ray.origin.abs() + f64::from(root.max_coordinate())) * SLACK;
             slack = 0.0;
         }
         let error = error.copysign(ray.dir);
@@ -244,20 +244,20 @@ impl FlatRay {
             enter_inverse: scaled(1.0 - slack, 0.0).to_array(),
             leave_inverse: scaled(1.0 + slack, f32::MIN_POSITIVE).to_array(),
             side: ray.dir.to_array().map(|x| usize::from(x.is_sign_negative())),
-            min: padded_down(range.min),
+            min: pad_down(range.min),
         }
     }
 }
 
 /// Enlarges a distance by the rounding error of the slab test and of the distance itself.
 #[inline(always)]
-fn padded(max: f64) -> f32 {
+fn pad_up(max: f64) -> f32 {
     let max = max as f32;
     max + max.abs() * SLACK as f32 + f32::MIN_POSITIVE
 }
 
-fn padded_down(min: f64) -> f32 {
-    -padded(-min)
+fn pad_down(min: f64) -> f32 {
+    -pad_up(-min)
 }
 
 fn round_down(x: f64) -> f32 {
@@ -429,7 +429,7 @@ mod tests {
         for k in 0..200 {
             let p = DVec3::new((k % 27) as f64, (k % 19) as f64, (k % 25) as f64) * 0.5;
             let mut found = vec![];
-            bvh.around(p, |i| {
+            bvh.visit_boxes_around(p, |i| {
                 found.push(order[i] as usize);
                 ControlFlow::Continue(())
             });

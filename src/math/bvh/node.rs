@@ -55,7 +55,7 @@ impl Wide {
         Wide { planes: [[[Vec4::INFINITY; 2]; 3], [[Vec4::NEG_INFINITY; 2]; 3]], child: [Child::NONE; WIDTH] };
 
     /// Maximum absolute coordinate of all planes of the BVH node.
-    pub fn reach(&self) -> f32 {
+    pub fn max_coordinate(&self) -> f32 {
         let used = |plane: Vec4| Vec4::select(plane.is_finite_mask(), plane.abs(), Vec4::ZERO).max_element();
         self.planes.as_flattened().as_flattened().iter().map(|plane| used(*plane)).fold(0.0, f32::max)
     }
@@ -73,8 +73,8 @@ impl Wide {
 /// enters them: the portable implementation.
 #[inline]
 pub(super) fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH]) {
-    let (a, near_a) = half(node, ray, max, 0);
-    let (b, near_b) = half(node, ray, max, 1);
+    let (a, near_a) = half_slabs(node, ray, max, 0);
+    let (b, near_b) = half_slabs(node, ray, max, 1);
     let mut near = [0.0; WIDTH];
     near[..4].copy_from_slice(&near_a);
     near[4..].copy_from_slice(&near_b);
@@ -82,7 +82,7 @@ pub(super) fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH])
 }
 
 #[inline]
-fn half(node: &Wide, ray: &FlatRay, max: f32, which: usize) -> (u32, [f32; 4]) {
+fn half_slabs(node: &Wide, ray: &FlatRay, max: f32, which: usize) -> (u32, [f32; 4]) {
     let at = |side: usize, axis: usize, origin: f32, inverse: f32| {
         (node.planes[side & 1][axis][which] - Vec4::splat(origin)) * Vec4::splat(inverse)
     };
@@ -109,7 +109,7 @@ pub(super) mod avx2 {
 
     #[target_feature(enable = "avx2")]
     #[inline]
-    fn at(node: &Wide, side: usize, axis: usize, origin: f32, inverse: f32) -> __m256 {
+    fn plane_distances(node: &Wide, side: usize, axis: usize, origin: f32, inverse: f32) -> __m256 {
         let planes = load(&node.planes[side & 1][axis]);
         _mm256_mul_ps(_mm256_sub_ps(planes, _mm256_set1_ps(origin)), _mm256_set1_ps(inverse))
     }
@@ -117,8 +117,9 @@ pub(super) mod avx2 {
     #[target_feature(enable = "avx2")]
     #[inline]
     pub fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH]) {
-        let enter = |axis: usize| at(node, ray.side[axis], axis, ray.enter[axis], ray.enter_inverse[axis]);
-        let leave = |axis: usize| at(node, ray.side[axis] ^ 1, axis, ray.leave[axis], ray.leave_inverse[axis]);
+        let enter = |axis: usize| plane_distances(node, ray.side[axis], axis, ray.enter[axis], ray.enter_inverse[axis]);
+        let leave =
+            |axis: usize| plane_distances(node, ray.side[axis] ^ 1, axis, ray.leave[axis], ray.leave_inverse[axis]);
         let z = _mm256_max_ps(enter(2), _mm256_set1_ps(ray.min));
         let near = _mm256_max_ps(_mm256_max_ps(enter(0), enter(1)), z);
         let z = _mm256_min_ps(leave(2), _mm256_set1_ps(max));
@@ -140,7 +141,7 @@ pub(super) mod avx2 {
 
 /// Prefetches an element of a list into the processor's cache.
 #[inline(always)]
-pub(super) fn fetch<T>(list: &[T], at: usize) {
+pub(super) fn prefetch<T>(list: &[T], at: usize) {
     #[cfg(target_arch = "x86_64")]
     if let Some(thing) = list.get(at) {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};

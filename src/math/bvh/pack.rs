@@ -33,10 +33,10 @@ pub(super) struct Areas {
 
 impl Pack {
     /// True if these triangles fit into a pack.
-    pub fn holds(triangles: impl Iterator<Item = [[f32; 3]; 3]>) -> bool {
+    pub fn fit_in_pack(triangles: impl Iterator<Item = [[f32; 3]; 3]>) -> bool {
         let mut corners = [[0.0; 3]; MANY];
         let mut len = 0;
-        triangles.flatten().all(|p| place(&mut corners, &mut len, p).is_some())
+        triangles.flatten().all(|p| find_or_add_corner(&mut corners, &mut len, p).is_some())
     }
 
     /// Packs the triangles with these indices, at most [`Pack::MANY`].
@@ -46,7 +46,7 @@ impl Pack {
         let mut len = 0;
         for (lane, number) in row.clone().enumerate().take(MANY) {
             for (numbers, p) in numbers.iter_mut().zip(triangle(number)) {
-                numbers[lane / HALF][lane % HALF] = place(&mut corners, &mut len, p).unwrap_or_default();
+                numbers[lane / HALF][lane % HALF] = find_or_add_corner(&mut corners, &mut len, p).unwrap_or_default();
             }
         }
         let corners = from_fn(|axis| corners.map(|p| p[axis]));
@@ -55,14 +55,14 @@ impl Pack {
 
     /// Returns the indices of the pack's halves that are not empty.
     #[inline(always)]
-    pub fn halves(&self) -> Range<usize> {
+    pub fn used_halves(&self) -> Range<usize> {
         0..(self.count as usize).div_ceil(HALF)
     }
 
     /// Returns index, t, and the barycentric weights of the second and third corner of a triangle that the ray hits,
     /// and removes the triangle from `found`.
     #[inline(always)]
-    pub fn next(&self, line: &Sheared, half: usize, found: &mut Areas) -> Option<(u32, f64, DVec2)> {
+    pub fn next_hit(&self, line: &Sheared, half: usize, found: &mut Areas) -> Option<(u32, f64, DVec2)> {
         while found.mask != 0 {
             let i = found.mask.trailing_zeros() as usize % HALF;
             found.mask &= found.mask - 1;
@@ -79,25 +79,25 @@ impl Pack {
 
     /// Mask of the triangles in half a pack, a bit for each.
     #[inline(always)]
-    fn used(&self, half: usize) -> u32 {
+    fn used_mask(&self, half: usize) -> u32 {
         ((1 << self.count) - 1) >> (HALF * half) & ((1 << HALF) - 1)
     }
 }
 
-/// Tests half a pack of triangles as [`Sheared::meet`] tests one triangle: the portable implementation.
+/// Tests half a pack of triangles as [`Sheared::intersect`] tests one triangle: the portable implementation.
 #[inline(always)]
-pub(super) fn areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
+pub(super) fn signed_areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
     let (mut areas, mut depths, mut mask) = ([[0.0; HALF]; 3], [[0.0; HALF]; 3], 0);
     for i in 0..HALF {
         let [a, b, c] = pack.numbers.each_ref().map(|numbers| {
             let number = usize::from(numbers[half % 2][i]) % MANY;
-            line.place(line.axes.map(|axis| pack.corners[axis % 3][number].into()))
+            line.shear_corner(line.axes.map(|axis| pack.corners[axis % 3][number].into()))
         });
-        let found = Sheared::areas(a, b, c);
+        let found = Sheared::signed_areas(a, b, c);
         mask |= u32::from(Sheared::is_within(found)) << i;
         (0..3).for_each(|k| (areas[k][i], depths[k][i]) = (found[k], [a, b, c][k].z));
     }
-    Areas { mask: mask & pack.used(half), areas, depths }
+    Areas { mask: mask & pack.used_mask(half), areas, depths }
 }
 
 /// Test of half a pack of triangles for AVX2, with four numbers at once: the same operations in the same order, and
@@ -133,13 +133,13 @@ pub(super) mod avx2 {
     /// Computes the component of a × b along the ray for four triangles.
     #[target_feature(enable = "avx2")]
     #[inline]
-    fn side(a: &Corner, b: &Corner) -> __m256d {
+    fn cross_along_ray(a: &Corner, b: &Corner) -> __m256d {
         _mm256_sub_pd(_mm256_mul_pd(a[0], b[1]), _mm256_mul_pd(a[1], b[0]))
     }
 
     #[target_feature(enable = "avx2")]
     #[inline]
-    pub fn areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
+    pub fn signed_areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
         let values = line.axes.map(|axis| load(&pack.corners[axis % 3]));
         let from = line.from.to_array().map(|x| _mm256_set1_pd(x));
         let [lean_x, lean_y] = [line.shear.x, line.shear.y].map(|x| _mm256_set1_pd(x));
@@ -152,13 +152,13 @@ pub(super) mod avx2 {
             });
             [_mm256_sub_pd(x, _mm256_mul_pd(lean_x, z)), _mm256_sub_pd(y, _mm256_mul_pd(lean_y, z)), z]
         });
-        let (u, v, w) = (side(&c, &b), side(&a, &c), side(&b, &a));
+        let (u, v, w) = (cross_along_ray(&c, &b), cross_along_ray(&a, &c), cross_along_ray(&b, &a));
         let least = _mm256_min_pd(_mm256_min_pd(u, v), w);
         let most = _mm256_max_pd(_mm256_max_pd(u, v), w);
         let zero = _mm256_setzero_pd();
         let within = _mm256_or_pd(_mm256_cmp_pd::<_CMP_GE_OQ>(least, zero), _mm256_cmp_pd::<_CMP_LE_OQ>(most, zero));
         Areas {
-            mask: _mm256_movemask_pd(within) as u32 & pack.used(half),
+            mask: _mm256_movemask_pd(within) as u32 & pack.used_mask(half),
             areas: [u, v, w].map(|v| store(v)),
             depths: [a[2], b[2], c[2]].map(|v| store(v)),
         }
@@ -166,7 +166,7 @@ pub(super) mod avx2 {
 }
 
 /// Finds the index of a corner in the pack, appending it if it is new; `None` if the pack is full.
-fn place(corners: &mut [[f32; 3]; MANY], len: &mut usize, p: [f32; 3]) -> Option<u8> {
+fn find_or_add_corner(corners: &mut [[f32; 3]; MANY], len: &mut usize, p: [f32; 3]) -> Option<u8> {
     let known = corners[..*len].iter().position(|q| *q == p);
     if known.is_none() {
         *corners.get_mut(*len)? = p;

@@ -36,7 +36,7 @@ pub enum NoiseGenerator {
 impl NoiseGenerator {
     /// Upper bound of the gradient of [`noise`]: the longest gradients, found by hill climbing from the steepest of a
     /// million points, have 2.98, 1.46 and 1.58.
-    pub fn steepest(self) -> f64 {
+    pub fn max_gradient(self) -> f64 {
         match self.number() {
             1 => 3.2,
             2 => 1.6,
@@ -48,7 +48,7 @@ impl NoiseGenerator {
     /// and 1: the largest spectral norms of the second derivatives, found by hill climbing from the largest of three
     /// million points, are 7.25 and 8.08 for the last two. The first is 1/0.48985582 times the second, except where it
     /// is clamped: 14.8.
-    pub fn bend(self) -> f64 {
+    pub fn max_gradient_change(self) -> f64 {
         match self.number() {
             1 => 16.2,
             2 => 7.9,
@@ -117,7 +117,7 @@ impl Turbulence {
 /// function with the scene's generator, `f_snoise3d` is twice that minus 1.
 pub fn noise(p: DVec3, generator: NoiseGenerator) -> f64 {
     let raw = if generator == NoiseGenerator::Perlin { perlin::scalar(p) } else { wide::scalar_at(p) };
-    ranged(raw, generator)
+    to_generator_range(raw, generator)
 }
 
 /// Computes [`noise`] at several points.
@@ -127,11 +127,11 @@ fn noises(points: &[DVec3], generator: NoiseGenerator, out: &mut [f64]) {
     } else {
         wide::scalars(points, out);
     }
-    out.iter_mut().for_each(|raw| *raw = ranged(*raw, generator));
+    out.iter_mut().for_each(|raw| *raw = to_generator_range(*raw, generator));
 }
 
 /// Maps raw noise to the generator's range.
-fn ranged(raw: f64, generator: NoiseGenerator) -> f64 {
+fn to_generator_range(raw: f64, generator: NoiseGenerator) -> f64 {
     let unbounded = match generator {
         NoiseGenerator::Original => raw + 0.5,
         NoiseGenerator::RangeCorrected => (raw + 1.05242) * 0.48985582,
@@ -157,23 +157,23 @@ pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -
     }
     let mut each = [0.0; MAX_OCTAVES];
     noises(&points[..count], generator, &mut each[..count]);
-    (0..count).map(|i| weights[i] * spread(each[i], generator, i == 0)).sum()
+    (0..count).map(|i| weights[i] * turbulence_octave(each[i], generator, i == 0)).sum()
 }
 
 /// Returns N octaves of noise, each clamped to [0, 1] and twice as fine as the one before, for `granite` and
 /// `wrinkles`.
-pub fn octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [f64; N] {
+pub fn clamped_octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [f64; N] {
     let mut points = [p; N];
     for i in 1..N {
         points[i] = points[i - 1] * 2.0;
     }
     let mut out = [0.0; N];
     noises(&points, generator, &mut out);
-    out.map(|noise| spread(noise, generator, true))
+    out.map(|noise| turbulence_octave(noise, generator, true))
 }
 
 /// Maps [`noise`] to its range in turbulence; `cut` clamps it to [0, 1].
-fn spread(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
+fn turbulence_octave(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
     match (generator, cut) {
         (NoiseGenerator::Original, _) => noise,
         (_, true) => (2.0 * noise - 0.5).clamp(0.0, 1.0),

@@ -2,7 +2,7 @@
 //! permutation in Ebert et al., "Texturing and Modeling").
 
 use super::super::DVec3;
-use super::lattice::{blend, cell, from_corner};
+use super::lattice::{blend_corners, from_corner, lattice_cell};
 use super::tables::{GRADIENTS, PERMUTATION};
 
 /// Number that noise generator 3 adds to each coordinate: the lattice points are thus just below the integers, and
@@ -12,7 +12,8 @@ pub(super) const OFFSET: f64 = 10_000_000.023157213;
 /// Returns the noise of generator 3 before its range is mapped: about -0.76 to 0.76, and 0 at each lattice point.
 #[inline(always)]
 pub fn scalar(p: DVec3) -> f64 {
-    let ((ix, tx), (iy, ty), (iz, tz)) = (cell(p.x + OFFSET), cell(p.y + OFFSET), cell(p.z + OFFSET));
+    let ((ix, tx), (iy, ty), (iz, tz)) =
+        (lattice_cell(p.x + OFFSET), lattice_cell(p.y + OFFSET), lattice_cell(p.z + OFFSET));
     let t = [tx, ty, tz];
     let permuted = |i: usize| PERMUTATION[i & 0x7ff] as usize;
     let (px, qx) = (permuted(ix), permuted(ix.wrapping_add(1)));
@@ -23,5 +24,5 @@ pub fn scalar(p: DVec3) -> f64 {
         let ([x, y, z], [gx, gy, gz]) = (from_corner(i, t), GRADIENTS[(xy[i & 3].wrapping_add(iz) & 0x7ff) + (i >> 2)]);
         gx * x + gy * y + gz * z
     };
-    blend([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
+    blend_corners([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
 }

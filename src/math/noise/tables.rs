@@ -15,7 +15,7 @@ impl Random {
 }
 
 /// Hash table of noise generators 1 and 2: a permutation of 0 to 4095.
-pub static HASH: [u16; 4096] = hash();
+pub static HASH: [u16; 4096] = hash_table();
 
 /// Row of a table of noise: four numbers with the alignment for one load; without it, compilers use two.
 #[derive(Clone, Copy)]
@@ -23,7 +23,7 @@ pub static HASH: [u16; 4096] = hash();
 pub struct Row(pub [f64; 4]);
 
 /// Value and gradient of a lattice point in noise generators 1 and 2, by the low 8 bits of its hash.
-pub static CORNERS: [Row; 256] = corners();
+pub static CORNERS: [Row; 256] = corner_table();
 
 /// Hash table of noise generator 3: nearly a permutation of 0 to 2047.
 pub static PERMUTATION: [u16; 2048] = FOR_PERLIN.1;
@@ -32,7 +32,7 @@ pub static PERMUTATION: [u16; 2048] = FOR_PERLIN.1;
 pub static GRADIENTS: [[f64; 3]; 2049] = FOR_PERLIN.0;
 
 /// Shuffles 0 to 4095: from the last entry to the first, each is exchanged with any other.
-const fn hash() -> [u16; 4096] {
+const fn hash_table() -> [u16; 4096] {
     let (mut table, mut i) = ([0; 4096], 0);
     while i < 4096 {
         table[i] = i as u16;
@@ -48,7 +48,7 @@ const fn hash() -> [u16; 4096] {
 
 /// Computes the values and gradients of lattice points: each row begins one entry later in [`ENTRIES`], and values are
 /// halved.
-const fn corners() -> [Row; 256] {
+const fn corner_table() -> [Row; 256] {
     let (mut rows, mut i) = ([Row([0.0; 4]); 256], 0);
     while i < 256 {
         rows[i] = Row([0.5 * ENTRIES[i], ENTRIES[i + 1], ENTRIES[i + 2], ENTRIES[i + 3]]);
@@ -58,7 +58,7 @@ const fn corners() -> [Row; 256] {
 }
 
 /// Returns one of the 267 numbers from which the values and gradients of the noise are made.
-pub const fn entry(i: usize) -> f64 {
+pub const fn table_entry(i: usize) -> f64 {
     ENTRIES[i]
 }
 
@@ -71,7 +71,7 @@ const FOR_PERLIN: ([[f64; 3]; 2049], [u16; 2048]) = {
 const fn gradients(random: &mut Random) -> [[f64; 3]; 2049] {
     let (mut table, mut i) = ([[0.0; 3]; 2049], 0);
     while i < 2048 {
-        let [x, y, z] = [coordinate(random), coordinate(random), coordinate(random)];
+        let [x, y, z] = [random_coordinate(random), random_coordinate(random), random_coordinate(random)];
         let square = x * x + y * y + z * z;
         if square <= 1.0 {
             let length = square_root(square);
@@ -84,7 +84,7 @@ const fn gradients(random: &mut Random) -> [[f64; 3]; 2049] {
 }
 
 /// A random number in [-1, 1).
-const fn coordinate(random: &mut Random) -> f64 {
+const fn random_coordinate(random: &mut Random) -> f64 {
     (random.next() % 4096) as f64 / 2048.0 - 1.0
 }
 

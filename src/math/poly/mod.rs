@@ -12,12 +12,12 @@ pub type Roots = SmallVec<[f64; 4]>;
 /// root is one of them and the other is infinite; `None` if there is no real root.
 pub fn solve_quadratic(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
     let half_b = 0.5 * b;
-    stable_pair(a, half_b, c, half_b * half_b - a * c)
+    solve_quadratic_with_discriminant(a, half_b, c, half_b * half_b - a * c)
 }
 
 /// Real roots of a·x² + 2·half_b·x + c, ascending, for a caller that has an accurate half_b² - a·c: that difference of
 /// nearly equal numbers is the source of inaccurate roots, and geometry often has it as a product or a distance.
-pub fn stable_pair(a: f64, half_b: f64, c: f64, quarter_disc: f64) -> Option<(f64, f64)> {
+pub fn solve_quadratic_with_discriminant(a: f64, half_b: f64, c: f64, quarter_disc: f64) -> Option<(f64, f64)> {
     if quarter_disc < 0.0 || (a == 0.0 && half_b == 0.0) {
         return None;
     }
@@ -56,7 +56,7 @@ pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
             let (x1, x2) = match solve_quadratic(a, b, c) {
                 Some(pair) => pair,
                 // Touches zero to rounding: the apex is a double root.
-                None if touches(&[a, b, c], -b / (2.0 * a)) => (-b / (2.0 * a), -b / (2.0 * a)),
+                None if is_zero_to_rounding(&[a, b, c], -b / (2.0 * a)) => (-b / (2.0 * a), -b / (2.0 * a)),
                 None => return,
             };
             out.extend([x1, x2].into_iter().filter(|x| (lo..=hi).contains(x)));
@@ -98,17 +98,17 @@ fn solve_by_derivative(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     solve_between(&derivative, lo, hi, &mut nodes);
     nodes.push(hi);
     // The last position with a known sign, and the positions since then where p is zero to rounding.
-    let (mut at, mut sign) = (lo, value(c, lo).signum());
+    let (mut at, mut sign) = (lo, evaluate_polynomial(c, lo).signum());
     let mut zeros: Roots = Roots::new();
-    if value(c, lo) == 0.0 {
+    if evaluate_polynomial(c, lo) == 0.0 {
         out.push(lo);
     }
     for x in nodes {
-        if x < hi && touches(c, x) {
+        if x < hi && is_zero_to_rounding(c, x) {
             zeros.push(x);
             continue;
         }
-        let here = value(c, x).signum();
+        let here = evaluate_polynomial(c, x).signum();
         match (zeros.is_empty(), here != sign) {
             (true, true) => out.push(bracketed_root(c, at, x)),
             (true, false) => {}
@@ -124,12 +124,12 @@ fn solve_by_derivative(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
 }
 
 /// Evaluates the polynomial p(x) by Horner's rule.
-fn value(c: &[f64], x: f64) -> f64 {
+fn evaluate_polynomial(c: &[f64], x: f64) -> f64 {
     c.iter().fold(0.0, |sum, c| sum * x + c)
 }
 
 /// True if the polynomial p(x) is zero to rounding: small against the sum of the absolute values of its terms.
-fn touches(c: &[f64], x: f64) -> bool {
+fn is_zero_to_rounding(c: &[f64], x: f64) -> bool {
     let (sum, sizes) = c.iter().fold((0.0, 0.0), |(sum, sizes), c| (sum * x + c, sizes * x.abs() + c.abs()));
     f64::abs(sum) <= crate::math::tolerance::POLYNOMIAL * sizes
 }
@@ -138,7 +138,7 @@ fn touches(c: &[f64], x: f64) -> bool {
 /// the bracket and halves it fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
 fn bracketed_root(c: &[f64], a: f64, b: f64) -> f64 {
     // `neg` and `pos`: the ends where p is negative and where it is not.
-    let (mut neg, mut pos) = if value(c, a) < 0.0 { (a, b) } else { (b, a) };
+    let (mut neg, mut pos) = if evaluate_polynomial(c, a) < 0.0 { (a, b) } else { (b, a) };
     let mut x = 0.5 * (a + b);
     let mut last_step = (b - a).abs();
     for _ in 0..200 {

@@ -20,10 +20,15 @@ impl<'a> Rows<'a> {
     /// The reason why the accessor can't be read.
     pub fn new(document: &Document, buffers: &'a [Vec<u8>], number: usize, width: usize) -> ReadResult<Self> {
         let accessor = document.accessors.get(number).ok_or_else(|| format!("there is no accessor {number}"))?;
-        Self::of(document, buffers, accessor, width).map_err(|why| format!("accessor {number}: {why}"))
+        Self::from_accessor(document, buffers, accessor, width).map_err(|why| format!("accessor {number}: {why}"))
     }
 
-    fn of(document: &Document, buffers: &'a [Vec<u8>], accessor: &Accessor, width: usize) -> ReadResult<Self> {
+    fn from_accessor(
+        document: &Document,
+        buffers: &'a [Vec<u8>],
+        accessor: &Accessor,
+        width: usize,
+    ) -> ReadResult<Self> {
         if accessor.sparse.is_some() {
             return Err("sparse ones are not read".into());
         }
@@ -67,7 +72,7 @@ impl<'a> Rows<'a> {
     }
 
     /// Returns the numbers of row `i` of the glTF accessor.
-    pub fn at<const N: usize>(&self, i: usize) -> [f64; N] {
+    pub fn row_numbers<const N: usize>(&self, i: usize) -> [f64; N] {
         let row = &self.bytes[i * self.stride..];
         macro_rules! take {
             ($type:ty, $whole:expr) => {{

@@ -49,11 +49,11 @@ pub struct Primitive {
     pub indices: Option<usize>,
     pub material: Option<usize>,
     /// Mode of a glTF primitive: 4 for triangles, 5 for a strip, 6 for a fan; other modes have no surface.
-    #[serde(default = "triangles")]
+    #[serde(default = "default_primitive_mode")]
     pub mode: u32,
 }
 
-fn triangles() -> u32 {
+fn default_primitive_mode() -> u32 {
     4
 }
 

@@ -80,7 +80,7 @@ impl Mapping {
     /// Projects a point to a position on the bitmap's picture: (0, 0) is the lower left corner, (1, 1) the upper right
     /// one. `None` outside the picture.
     pub fn place(&self, p: DVec3) -> Option<(f64, f64)> {
-        let around = || fp::turn(p.z, p.x);
+        let around = || fp::angle_in_turns(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;
         match self.wrap {
             Wrap::Planar => {

@@ -14,7 +14,7 @@ pub use texels::{Texels, color_curve};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Gives};
-use crate::image_io::{Picture, Pixels, Samples, Stored, wrapped};
+use crate::image_io::{Picture, Pixels, Samples, Stored, wrap_to_u16};
 use crate::math::DVec3;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, ValueKind, WordSpec, downcast};
@@ -142,7 +142,7 @@ fn function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let Some(function) = downcast::<Function>(&thing).filter(|f| f.arity() == 3) else {
         return Diagnostic::err(codes::WRONG_TYPE, at, "expected a function of x and y");
     };
-    let color = function.gives() == Gives::Color;
+    let color = function.result_type() == Gives::Color;
     let step = |i: usize, n: usize| i as f64 / (n.max(2) - 1) as f64;
     let points = (0..height).flat_map(|j| (0..width).map(move |i| DVec3::new(step(i, width), step(j, height), 0.0)));
     // Reserve all memory at once: a growing list would need twice as much.
@@ -152,7 +152,7 @@ fn function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
         // A number is a gray; alpha is 1 minus `transmit`.
         let [r, g, b] = if color { [c[0], c[1], c[2]] } else { [c[0]; 3] }.map(|x| x as f32);
         let alpha = if color { 1.0 - c[4] as f32 } else { 1.0 };
-        [r, g, b, alpha].map(|x| f32::from(wrapped(x)) / 65535.0)
+        [r, g, b, alpha].map(|x| f32::from(wrap_to_u16(x)) / 65535.0)
     }));
     let pixels = Pixels { width, height, channels: 4, samples: Samples::F32(samples) };
     Ok(Arc::new(Picture { pixels, stored: Stored::Plain, indices: None, gray_bytes: false }))

@@ -1,7 +1,7 @@
 //! The pixels of a picture in the numbers of the scene.
 
 use crate::color::Gamma;
-use crate::image_io::{Picture, Samples, Stored, kept_gray, spread};
+use crate::image_io::{Picture, Samples, Stored, expand_pixel, povray_gray};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ impl Texels {
     /// Creates the pixels of a bitmap whose numbers in [0, 1] are decoded by `curve`.
     pub fn new(picture: Arc<Picture>, curve: impl Fn(f64) -> f64, premultiplied: bool) -> Self {
         let number = |part: f64| curve(part) as f32;
-        let kept = |part: f64| if picture.gray_bytes { kept_gray(number(part)) } else { number(part) };
+        let kept = |part: f64| if picture.gray_bytes { povray_gray(number(part)) } else { number(part) };
         let table = |n: u32| -> Arc<[f32]> { (0..n).map(|i| kept(f64::from(i) / f64::from(n - 1))).collect() };
         let curve = match picture.pixels.samples {
             Samples::U8(_) => table(256),
@@ -66,9 +66,9 @@ impl Texels {
         let n = self.picture.pixels.channels;
         let range = i * n..(i + 1) * n;
         let [r, g, b, a] = match &self.picture.pixels.samples {
-            Samples::U8(all) => spread(&all[range], |x| self.curve[x as usize], |x| f32::from(x) / 255.0),
-            Samples::U16(all) => spread(&all[range], |x| self.curve[x as usize], |x| f32::from(x) / 65535.0),
-            Samples::F32(all) => spread(&all[range], |x| x, |x| x),
+            Samples::U8(all) => expand_pixel(&all[range], |x| self.curve[x as usize], |x| f32::from(x) / 255.0),
+            Samples::U16(all) => expand_pixel(&all[range], |x| self.curve[x as usize], |x| f32::from(x) / 65535.0),
+            Samples::F32(all) => expand_pixel(&all[range], |x| x, |x| x),
         }
         .map(f64::from);
         if self.premultiplied && a != 0.0 { [r / a, g / a, b / a, a] } else { [r, g, b, a] }
@@ -87,7 +87,7 @@ pub fn color_curve(stored: Stored, said: Option<Gamma>, scene: Gamma, decodes: b
         (None, Stored::Srgb) => Some(Gamma::Srgb),
         (None, Stored::Power(g)) => Some(Gamma::Power(g)),
     };
-    let file = file.filter(|gamma| !gamma.agrees(scene));
+    let file = file.filter(|gamma| !gamma.is_equivalent(scene));
     move |v| file.map_or(v, |gamma| scene.encode(gamma.decode(v)))
 }
 

@@ -65,7 +65,7 @@ impl LightSource {
                 _ => return Err(r.unknown_word("light_source", &LIGHT.names()).into()),
             }
         }
-        lit.light.finish()?;
+        lit.light.check()?;
         Ok(lit)
     }
 

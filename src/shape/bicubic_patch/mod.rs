@@ -106,7 +106,7 @@ impl BicubicPatch {
             cells.push(cell);
         });
         let of = |cell: &[u32; 4]| Aabb::from_points(cell.map(|i| corners[i as usize].point));
-        cells.retain(|cell| bvh::fits(&of(cell)));
+        cells.retain(|cell| bvh::fits_single_precision(&of(cell)));
         let (bvh, order) = Bvh::build(cells.iter().map(of));
         self.cells = order.into_iter().map(|i| cells[i as usize]).collect();
         self.bounds = self.cells.iter().map(of).fold(Aabb::EMPTY, Aabb::union);
@@ -133,7 +133,7 @@ impl BicubicPatch {
         self.bvh.traverse(ray, range, |cell, mut max| {
             let corners = self.cells[cell].map(|i| self.corners[i as usize].point);
             for (k, triangle) in TRIANGLES.iter().enumerate() {
-                if let Some((t, uv)) = sheared.meet(triangle.map(|i| corners[i]))
+                if let Some((t, uv)) = sheared.intersect(triangle.map(|i| corners[i]))
                     && t > range.min
                     && t < max
                 {

@@ -20,7 +20,7 @@ use super::{Bounding, Hit, Hits, Kernel, Quirks, Readable, nearest};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Gives};
-use crate::image_io::{Picture, wrapped};
+use crate::image_io::{Picture, wrap_to_u16};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::words::{Row, set, specs, word};
@@ -116,7 +116,7 @@ fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
     let Some(function) = downcast::<Function>(&thing).filter(|f| f.arity() == 3) else {
         return Diagnostic::err(codes::WRONG_TYPE, at, "expected a function of x and y");
     };
-    let colored = function.gives() == Gives::Color;
+    let colored = function.result_type() == Gives::Color;
     let step = |i: usize, n: usize| i as f64 / (n.max(2) - 1) as f64;
     let mut all = Vec::with_capacity(width * height);
     for j in (0..height).rev() {
@@ -124,7 +124,7 @@ fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
             let [r, g, b, ..] = function.call(&[step(i, width), step(j, height), 0.0]);
             // quirk: height_field_function_precision
             let kept = |x: f64| heights::wrapped(f64::from(x as f32));
-            if colored { heights::gray([r, g, b].map(kept)) } else { wrapped(r as f32) }
+            if colored { heights::gray([r, g, b].map(kept)) } else { wrap_to_u16(r as f32) }
         }));
     }
     Ok(HeightField::new(width, all, false, 0.0))

@@ -1,7 +1,7 @@
 //! Roots of a function of one variable, by bounds of its derivative.
 
 use crate::function::Interval;
-use crate::math::{Range, crossing};
+use crate::math::{Range, root_between};
 
 /// A position on a ray, and the isosurface's function there.
 pub type Point = (f64, f64);
@@ -58,6 +58,6 @@ impl Search<'_> {
         if a.0 < min && is_before(min) || b.0 > max && !is_before(max) {
             return None;
         }
-        Some(crossing(self.value, a, b, if a.0 < self.ahead { self.exact } else { self.roughly }))
+        Some(root_between(self.value, a, b, if a.0 < self.ahead { self.exact } else { self.roughly }))
     }
 }

@@ -10,15 +10,15 @@ struct Maker(Graph);
 
 impl Maker {
     fn two(&mut self, op: Operator, a: Id, b: Id) -> Id {
-        self.0.add(Operation::Binary(op, a, b))
+        self.0.add_operation(Operation::Binary(op, a, b))
     }
 
     fn one(&mut self, name: &str, a: Id) -> Id {
-        self.0.add(Operation::One(numeric::find(name).unwrap(), a))
+        self.0.add_operation(Operation::One(numeric::find_numeric(name).unwrap(), a))
     }
 
     fn times(&mut self, factor: f64, a: Id) -> Id {
-        let factor = self.0.constant(factor);
+        let factor = self.0.add_constant(factor);
         self.two(Mul, factor, a)
     }
 
@@ -32,7 +32,7 @@ impl Maker {
 
 fn formula(make: impl Fn(&mut Maker, [Id; 3]) -> Id) -> Formula {
     let mut maker = Maker(Graph::default());
-    let p = [0, 1, 2].map(|i| maker.0.add(Operation::Parameter(i)));
+    let p = [0, 1, 2].map(|i| maker.0.add_operation(Operation::Parameter(i)));
     maker.0.result = make(&mut maker, p);
     let program = Program::new(maker.0, 3).unwrap();
     Formula::new(Function { parameters: ["x", "y", "z"].map(Into::into).into(), body: Body::Numeric(program) })
@@ -87,7 +87,7 @@ fn steep_functions_have_no_holes() {
     let noise = Arc::new(AtomicU8::new(NoiseGenerator::default().number()));
     let rough = formula(|m, [x, y, z]| {
         let list = [x, y, z].map(|x| m.times(9.0, x)).to_vec();
-        let n = m.0.call(Callee::SceneNoise(noise.clone()), 0, list.into());
+        let n = m.0.add_call(Callee::SceneNoise(noise.clone()), 0, list.into());
         let n = m.times(0.4, n);
         m.two(Sub, y, n)
     });

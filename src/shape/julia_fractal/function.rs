@@ -100,7 +100,7 @@ const ONE: Complex = Complex::new(1.0, 0.0);
 
 /// Returns -i·z: the complex number turned clockwise by 90°.
 fn turned_back(z: Complex) -> Complex {
-    -z.turned()
+    -z.times_i()
 }
 
 /// Returns asinh z = ln(z + √(z² + 1)), and its derivative.
@@ -122,7 +122,7 @@ fn atanh(z: Complex) -> (Complex, Complex) {
 
 /// Returns g(z) = -i·f(i·z) and its derivative f'(i·z): sin follows from sinh, and asin from asinh.
 fn around(f: fn(Complex) -> (Complex, Complex), z: Complex) -> (Complex, Complex) {
-    let (value, slope) = f(z.turned());
+    let (value, slope) = f(z.times_i());
     (turned_back(value), slope)
 }
 
@@ -148,8 +148,8 @@ impl Function {
             Sin => around(|z| z.sinh_cosh(), z),
             Cos => {
                 // cos z = cosh(i·z), and its derivative is i·sinh(i·z) = -sin z.
-                let (sinh, cosh) = z.turned().sinh_cosh();
-                (cosh, sinh.turned())
+                let (sinh, cosh) = z.times_i().sinh_cosh();
+                (cosh, sinh.times_i())
             }
             Tan => around(tanh, z),
             Tanh => tanh(z),

@@ -20,7 +20,7 @@ pub use function::Function;
 
 use super::{Bounding, Hit, Hits, Kernel, Paints, Quirks, Readable, finite, moved_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec3, Range, Ray, Transform, crossing};
+use crate::math::{Aabb, DVec3, Range, Ray, Transform, root_between};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs_of, word};
 use crate::value::{Next, Param, Reader, Spec, Value, ValueKind, WordSpec};
@@ -190,7 +190,7 @@ impl JuliaFractal {
             }
             if there.0 != inside {
                 let value = |s: f64| self.value(at(s), radius * radius);
-                let root = || t(crossing(&value, (s, value(s)), (next, value(next)), 1e-11 * (1.0 + s.abs())));
+                let root = || t(root_between(&value, (s, value(s)), (next, value(next)), 1e-11 * (1.0 + s.abs())));
                 if found([t(s), t(next)], &root) {
                     return;
                 }

@@ -58,7 +58,7 @@ impl Ordered {
 
     fn is_solid(&self, face: usize) -> bool {
         let [a, b, c] = self.face(face);
-        !Triangle::new(a, b, c).is_degenerate() && bvh::fits(&self.face_bounds(face))
+        !Triangle::new(a, b, c).is_degenerate() && bvh::fits_single_precision(&self.face_bounds(face))
     }
 
     fn face(&self, face: usize) -> [DVec3; 3] {
@@ -103,7 +103,7 @@ impl Ordered {
     /// Calls `visit` with each hit of a ray on the mesh in the range; `visit` returns the distance up to which hits are
     /// still of interest.
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
-        self.bvh.meet(ray, range, |part, t, uv| visit(Hit { t, part, uv }));
+        self.bvh.visit_hits(ray, range, |part, t, uv| visit(Hit { t, part, uv }));
     }
 
     /// Appends all hits of a ray on the mesh in the range.

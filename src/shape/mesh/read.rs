@@ -198,7 +198,7 @@ impl Mesh {
         if Triangle::new(a, b, c).is_degenerate() {
             r.report(Diagnostic::new(codes::FLAT_TRIANGLE, span, "this `triangle` has no area and is left out"));
         }
-        triangles.push(corners, normals, uvs, texture_weights);
+        triangles.push_triangle(corners, normals, uvs, texture_weights);
         Ok(())
     }
 }

@@ -48,7 +48,7 @@ impl Patch {
             let mut reach = 0.0;
             for side in 0..2 {
                 let unit = [DVec3::X, DVec3::Y][side];
-                let rate = slope.along(unit);
+                let rate = slope.derivative_along(unit);
                 let known = rate.lo.is_finite() && rate.hi.is_finite();
                 let (lo, hi) = if known { (rate.lo, rate.hi) } else { (-of.max_gradient, of.max_gradient) };
                 by[side][axis] = 0.5 * (lo + hi);
@@ -116,7 +116,7 @@ impl Patches {
             }
             open.extend(patch.halves(of, &mut room).map(|half| (half, depth + 1)));
         }
-        patches.retain(|patch| bvh::fits(&patch.bounds));
+        patches.retain(|patch| bvh::fits_single_precision(&patch.bounds));
         let (bvh, order) = Bvh::build(patches.iter().map(|patch| patch.bounds));
         let patches = order.into_iter().map(|i| patches[i as usize]).collect();
         Self { bvh, patches }

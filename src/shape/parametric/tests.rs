@@ -5,19 +5,19 @@ use crate::syntax::ast::Operator::{Add, Mul};
 
 fn formula(make: impl Fn(&mut Graph, Id, Id) -> Id) -> Formula {
     let mut graph = Graph::default();
-    let [u, v, _] = [0, 1, 2].map(|i| graph.add(Operation::Parameter(i)));
+    let [u, v, _] = [0, 1, 2].map(|i| graph.add_operation(Operation::Parameter(i)));
     graph.result = make(&mut graph, u, v);
     let program = Program::new(graph, 3).unwrap();
     Formula::new(Function { parameters: ["x", "y", "z"].map(Into::into).into(), body: Body::Numeric(program) })
 }
 
 fn one(graph: &mut Graph, name: &str, a: Id) -> Id {
-    graph.add(Operation::One(numeric::find(name).unwrap(), a))
+    graph.add_operation(Operation::One(numeric::find_numeric(name).unwrap(), a))
 }
 
 fn product(graph: &mut Graph, names: [&str; 2], of: [Id; 2]) -> Id {
     let (a, b) = (one(graph, names[0], of[0]), one(graph, names[1], of[1]));
-    graph.add(Operation::Binary(Mul, a, b))
+    graph.add_operation(Operation::Binary(Mul, a, b))
 }
 
 /// Returns a parametric surface for tests: a sphere of radius 1.
@@ -65,8 +65,8 @@ fn it_ends_with_its_parameters_and_its_container() {
     let square = |size: f64| {
         let (x, z) = (formula(|_, u, _| u), formula(|_, _, v| v));
         let y = formula(|g, u, v| {
-            let (a, b) = (g.add(Operation::Binary(Mul, u, u)), g.add(Operation::Binary(Mul, v, v)));
-            g.add(Operation::Binary(Add, a, b))
+            let (a, b) = (g.add_operation(Operation::Binary(Mul, u, u)), g.add_operation(Operation::Binary(Mul, v, v)));
+            g.add_operation(Operation::Binary(Add, a, b))
         });
         Parametric::new([x, y, z], DVec2::splat(size), DVec2::splat(-size))
     };

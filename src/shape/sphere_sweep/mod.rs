@@ -95,7 +95,7 @@ impl SphereSweep {
     /// Creates the sphere sweep of these spheres: centres and radii.
     pub fn new(kind: Sweep, balls: &[(DVec3, f64)]) -> Self {
         let mut pieces = kind.pieces(balls);
-        pieces.retain(|piece| bvh::fits(&piece.bounds()));
+        pieces.retain(|piece| bvh::fits_single_precision(&piece.bounds()));
         let (bvh, order) = Bvh::build(pieces.iter().map(Piece::bounds));
         let pieces: Vec<Piece> = order.into_iter().map(|i| pieces[i as usize].clone()).collect();
         let bounds = pieces.iter().map(Piece::bounds).fold(Aabb::EMPTY, Aabb::union);
@@ -224,7 +224,7 @@ impl Kernel for SphereSweep {
 
     fn inside(&self, p: DVec3) -> bool {
         let mut inside = false;
-        self.bvh.around(p, |i| {
+        self.bvh.visit_boxes_around(p, |i| {
             inside = self.pieces[i].holds(p);
             if inside { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });

@@ -75,7 +75,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     let lit_by = lowering.lit_by();
     let noise = scene.settings.noise_generator.unwrap_or_default();
     let Lowering { parts, objects, cuts, materials, interiors, filled, lights, .. } = lowering;
-    let eye = scene.camera.eye(noise, scene.settings.number_of_waves);
+    let eye = scene.camera.lower(noise, scene.settings.number_of_waves);
     let geometry = Geometry::from(builder);
     Ok(World {
         epsilon: RayEpsilon::of(&geometry, eye.frame.origin),
@@ -95,7 +95,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         lights,
         lit_by,
         sky: Sky::new(scene),
-        fogs: scene.fogs.iter().filter(|fog| fog.shows()).cloned().collect(),
+        fogs: scene.fogs.iter().filter(|fog| fog.has_effect()).cloned().collect(),
         rainbows: scene.rainbows.clone(),
         gamma: scene.settings.gamma.unwrap_or(Gamma::Power(1.0)),
         noise,

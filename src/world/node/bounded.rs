@@ -52,7 +52,9 @@ impl SolidNode {
         if !self.is_whole() || leaf.inverse || !leaf.shape.is_convex() {
             return false;
         }
-        let holds = |b: Aabb| b.is_empty() || (bvh::fits(&b) && b.corners().into_iter().all(|p| leaf.inside(p)));
+        let holds = |b: Aabb| {
+            b.is_empty() || (bvh::fits_single_precision(&b) && b.corners().into_iter().all(|p| leaf.inside(p)))
+        };
         let parts = |parts: &[SolidNode]| parts.iter().all(|part| self.surrounds(part));
         holds(other.bounds())
             || matches!(&other.kind, SolidKind::Union(c) | SolidKind::Merge(c) if parts(c))

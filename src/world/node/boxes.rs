@@ -42,7 +42,9 @@ impl SolidNode {
     /// are inverted (quirk: `camera_inside_box`).
     pub(in crate::world) fn camera_bounds(&self) -> Aabb {
         match &self.kind {
-            SolidKind::Leaf(leaf) if leaf.shape.solid_bounds().is_some() || !bvh::fits(&self.bounds()) => {
+            SolidKind::Leaf(leaf)
+                if leaf.shape.solid_bounds().is_some() || !bvh::fits_single_precision(&self.bounds()) =>
+            {
                 Aabb::INFINITE
             }
             SolidKind::Leaf(leaf) => leaf.shape.pov_bounds(&leaf.transform()),

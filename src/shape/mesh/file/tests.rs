@@ -131,7 +131,7 @@ fn gltf() -> Vec<u8> {
 }
 
 fn read(bytes: &[u8], ending: &str) -> Result<MeshFile, String> {
-    mesh_io::read(bytes, ending, &mut |name| match name {
+    mesh_io::read_mesh_file(bytes, ending, &mut |name| match name {
         "my cube.bin" => Ok(gltf_parts().1),
         "red.mtl" => {
             Ok(b"newmtl red\nKd 1 0 0\nd 0.25\nKs 0.5 0.5 0.5\nNs 60\nmap_Kd -s 1 1 1 -bm 2 my red.png\n".into())
