@@ -7,12 +7,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "antialias_blocks",
         "Sampling method 1 works on blocks of 32 x 32 pixels, row by row; a pixel is compared with its left and upper \
          neighbours in their current state.",
-        &["conformance/camera/orthographic.pov"],
+        &["light_cases/antialias_blocks", "conformance/camera/orthographic.pov"],
     ),
     emulated(
         "antialias_depth",
         "Sampling method 2 with `+R1` does not subdivide: the depth counts the pixel itself.",
-        &["tests/suite/lowering.rs"],
+        &["light_cases/antialias_corners_r1", "light_cases/antialias_corners_r2"],
     ),
     emulated(
         "antialias_gamma",
@@ -22,13 +22,9 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
         "antialias_threshold_0",
         "With threshold 0, sampling method 1 samples every pixel.",
-        &["src/render/antialias.rs::differences_count_as_in_pov_ray"],
+        &["light_cases/antialias_threshold_0"],
     ),
-    emulated(
-        "antialias_threshold_1",
-        "With a threshold of 1 or more, sampling method 1 takes no more samples.",
-        &["src/render/antialias.rs::differences_count_as_in_pov_ray"],
-    ),
+    emulated("antialias_threshold_1", "A threshold above 1 counts as 1.", &["light_cases/antialias_threshold_1"]),
     emulated(
         "aperture_is_four_radii",
         "The radius of the lens is a quarter of `aperture`.",
@@ -51,7 +47,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
          a curved projection.",
         &["light_cases/camera_normal", "light_cases/camera_normal_fisheye"],
     ),
-    emulated("camera_right_1_33", "The default `right` is 1.33*x, not 4/3*x.", &["tests/suite/cameras.rs"]),
+    emulated("camera_right_1_33", "The default `right` is 1.33*x, not 4/3*x.", &["light_cases/cam_default_right"]),
     emulated(
         "camera_without_handedness",
         "A camera whose `right`, `up` and `direction` are in one plane counts as left-handed.",

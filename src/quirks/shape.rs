@@ -48,7 +48,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
         "height_field_function_precision",
         "The heights of `function` in a height field are rounded to single precision before they become 16 bits.",
-        &["tests/suite/geometry.rs"],
+        &["light_cases/height_field_single_precision"],
     ),
     emulated(
         "height_field_heights",
@@ -106,7 +106,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
         "lathe_uv",
         "v of a lathe or sor runs along the curve, where all segments count as equally long.",
-        &["tests/suite/geometry.rs"],
+        &["light_cases/lathe_uv"],
     ),
     emulated("mesh_single_precision", "The corners of meshes have single precision.", &["light_cases/mesh_camera"]),
     emulated(
@@ -138,12 +138,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
     emulated(
         "parametric_in_csg",
         "In CSG only the first hit of a ray on a `parametric` counts.",
-        &["tests/random/README.md"],
+        &["light_cases/parametric_in_csg"],
     ),
     emulated(
         "parametric_normal",
         "The normal of a `parametric` is the cross product of its derivatives by u and v.",
-        &["tests/suite/every_shape.rs"],
+        &["light_cases/parametric_normal"],
     ),
     emulated(
         "patch_flatness",

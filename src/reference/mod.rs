@@ -40,6 +40,7 @@ const fn block(words: &'static Vocabulary, name: &'static str, page: &'static st
 pub const BLOCKS: &[Block] = &[
     block(&interpreter::STATEMENTS, "the scene", "scene.md"),
     block(&scene::words::MODIFIERS, "objects", "objects.md"),
+    block(&scene::PHOTONS, "`photons` of objects", "objects.md#photons"),
     block(&camera::words::POVRAY, "`camera`", "cameras.md"),
     block(&camera::words::LECTURE, "durer's own `camera`", "cameras.md"),
     block(&light::words::LIGHT, "`light_source`", "lights.md"),

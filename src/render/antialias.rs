@@ -35,8 +35,7 @@ impl Method {
     pub fn new(world: &World, lens: Option<&Lens>, options: &Options) -> Self {
         let sampling = options.sampling;
         // quirk: antialias_threshold_1
-        let threshold =
-            options.antialias.filter(|threshold| *threshold < 1.0 || sampling.layout == SampleLayout::Corners);
+        let threshold = options.antialias.map(|threshold| threshold.min(1.0));
         let kind = match (lens, threshold) {
             (Some(lens), _) => MethodKind::Blurred(lens.clone()),
             (None, Some(_)) => MethodKind::Adaptive(sampling.layout),

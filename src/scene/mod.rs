@@ -9,7 +9,8 @@ mod weight;
 pub mod words;
 
 pub use object::{
-    Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, Object, ObjectBody, ObjectKind, Uncommon, is_object, read_camera,
+    Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, Object, ObjectBody, ObjectKind, PHOTONS, PhotonSettings, Uncommon,
+    is_object, read_camera,
 };
 pub use recent_parts::RecentParts;
 pub use settings::Settings;

@@ -16,6 +16,7 @@ const PARTS: &[WordSpec] = &[
     word("interior", Block, "", "what fills it"),
     word("material", Block, "", "texture, interior texture and interior in one"),
     word("interior_texture", Block, "", "what it looks like from inside"),
+    word("photons", Block, "", "which photons the object receives; photons are not drawn yet"),
     word("clipped_by", Block, "", "only what lies in these objects is left; what is cut stays open"),
     word("bounded_by", Block, "", "rays that miss one of these objects see nothing of it; durer needs no such hint"),
 ];
@@ -47,7 +48,7 @@ pub const MODIFIERS: Vocabulary = Vocabulary {
     words: &joined::<{ PARTS.len() + FLAGS.len() }>(PARTS, specs!(FLAGS)),
     has_transforms: true,
     ignored: &["sturm", "hierarchy", "split_union", "all_intersections"],
-    unsupported: &["photons"],
+    unsupported: &[],
 };
 
 /// Rows of [`SETTINGS`].

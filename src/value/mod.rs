@@ -16,5 +16,5 @@ pub use kinds::{Thing, Value, VecN, downcast};
 pub use reader::{BuildMesh, FloatOrColor, Language, Next, Reader, ReaderExt, SizedFunction, Solid};
 pub use shared_default::{SharedDefault, StaticDefault};
 pub use spec::{Param, Spec, ValueKind, WordSpec};
-pub use unsupported::Unsupported;
+pub use unsupported::{Unsupported, unsupported_warning};
 pub use words::Vocabulary;

@@ -2,6 +2,8 @@
 
 use super::{Thing, Value, VecN};
 use crate::color::Color;
+use crate::diagnostic::{Diagnostic, codes};
+use crate::source::Span;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Item of a scene that durer does not render yet: a word, a value or a block. `area_light x*4, z*4, 5, 5` serializes
@@ -26,6 +28,11 @@ pub enum Unsupported {
     /// Unsupported item: a word with its block or the values after it. `[ … ]` has the word `entry`, `{ … }` the word
     /// `group`.
     Block(&'static str, Box<[Unsupported]>),
+}
+
+/// Returns the warning that a word or block of the scene has no effect yet.
+pub fn unsupported_warning(word: &str, at: Span) -> Diagnostic {
+    Diagnostic::new(codes::UNSUPPORTED, at, format!("`{word}` is not supported yet and has no effect"))
 }
 
 impl Unsupported {

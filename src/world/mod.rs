@@ -31,6 +31,7 @@ use crate::light::LoweredLight;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::medium::Interior;
+use crate::scene::PhotonSettings;
 use crate::source::Span;
 use serde::Serialize;
 use std::sync::Arc;
@@ -60,6 +61,8 @@ pub struct World {
     pub interiors: Vec<Arc<Interior>>,
     /// Noise generator of patterns that do not name one.
     pub noise: NoiseGenerator,
+    /// Distinct `photons` settings of objects, by [`ObjectInfo::photons`]; the first are the defaults.
+    pub photons: Vec<PhotonSettings>,
     /// Number of wave sources of `ripples` and `waves` (`number_of_waves`).
     pub waves: usize,
     /// By number of the interior: true if the interior is not hollow and keeps fog out.
@@ -166,6 +169,8 @@ pub struct ObjectInfo {
     pub reflection: bool,
     /// True if radiosity rays hit the object (`no_radiosity` is not set).
     pub radiosity: bool,
+    /// Index of the object's photon settings in [`World::photons`].
+    pub photons: u32,
     /// True if no point transmits light.
     pub opaque: bool,
     /// Number of the interior, or [`Self::VIEW`].

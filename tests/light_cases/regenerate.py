@@ -5,7 +5,7 @@
     regenerate.py --check [NAME...]  compares instead, by default all; exit code 1 where POV-Ray gives others
 
 A case NAME.pov is drawn at 16x12 without anti-aliasing, with gamma 1 and 16 bits; NAME_qN.pov with +QN. NAME.json holds the numbers row
-by row, three a pixel, in steps of 1/65535.
+by row, three a pixel, in steps of 1/65535. A case whose first line is `// options: +A0.0 +AM2 +R2` is drawn with these options of anti-aliasing.
 """
 
 import argparse
@@ -22,10 +22,11 @@ SIZE = (16, 12)
 def drawn(name):
     """POV-Ray's steps for a case."""
     quality = re.search(r"_q(\d+)$", name)
+    options = re.match(r"// options: (.*)", (HERE / f"{name}.pov").read_text(errors="replace"))
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out.ppm"
         words = [f"+I{name}.pov", f"+O{out}", f"+W{SIZE[0]}", f"+H{SIZE[1]}", "-A", "-J", "-D", "-GA", "File_Gamma=1.0", "+FP16"]
-        subprocess.run(["povray", *words, *([f"+Q{quality[1]}"] if quality else [])], cwd=HERE, check=True, capture_output=True)
+        subprocess.run(["povray", *words, *([f"+Q{quality[1]}"] if quality else []), *(options[1].split() if options else [])], cwd=HERE, check=True, capture_output=True)
         # The pixels stand behind a head of lines of any number.
         bytes_ = out.read_bytes()[-6 * SIZE[0] * SIZE[1]:]
     return [bytes_[i] << 8 | bytes_[i + 1] for i in range(0, len(bytes_), 2)]

@@ -3,7 +3,7 @@
 
 use durer::color::transfer::srgb_encode;
 use durer::interpreter;
-use durer::render::{Options, Unwatched, render};
+use durer::render::{Options, SampleLayout, Unwatched, render};
 use durer::source::{Sandbox, SearchPath, Sources};
 use serde::Deserialize;
 use std::path::Path;
@@ -93,6 +93,27 @@ fn quality(name: &str) -> u8 {
     name.rsplit_once("_q").and_then(|(_, n)| n.parse().ok()).unwrap_or(9)
 }
 
+/// Adds the anti-aliasing of a case whose first line is `// options: +A0.3 +AM1 +R2`.
+fn with_options_of_case(mut options: Options, text: &str) -> Options {
+    let Some(words) = text.lines().next().and_then(|line| line.strip_prefix("// options: ")) else { return options };
+    options.sampling.jitter = 0.0;
+    for word in words.split(' ') {
+        let number = |prefix| word.strip_prefix(prefix).and_then(|n: &str| n.parse::<f64>().ok());
+        if word == "+AM1" {
+            options.sampling.layout = SampleLayout::Grid;
+        } else if word == "+AM2" {
+            options.sampling.layout = SampleLayout::Corners;
+        } else if let Some(depth) = number("+R") {
+            options.sampling.depth = depth as u32;
+        } else if let Some(threshold) = number("+A").or_else(|| number("Antialias_Threshold=")) {
+            options.antialias = Some(threshold);
+        } else {
+            assert_eq!(word, "Antialias=on");
+        }
+    }
+    options
+}
+
 fn draw(path: &Path, quality: u8) -> Result<durer::image_io::Frame, String> {
     let sources = Sources::default();
     let reading = interpreter::Options {
@@ -106,6 +127,6 @@ fn draw(path: &Path, quality: u8) -> Result<durer::image_io::Frame, String> {
     let messages: Vec<_> = built.diagnostics.iter().map(|d| d.message.clone()).collect();
     let world = built.world.ok_or_else(|| messages.join("; "))?;
     let (width, height) = SIZE;
-    let options = Options { quality, ..Options::new(width, height) };
+    let options = with_options_of_case(Options { quality, ..Options::new(width, height) }, sources.text(file));
     render(&world, &options, &Unwatched).map(|(frame, _)| frame).map_err(|_| "cancelled".into())
 }

@@ -50,7 +50,7 @@ fn the_dump_shows_unsupported_blocks() {
     holds(&dump, r#"{"media":["emission",{"rgb":[1.0,0.0,0.0]},{"density":["#);
     holds(&dump, r#"{"entry":[0.0,{"rgb":[0.25,0.25,0.25]}]},{"entry":[1.0,{"rgbft":[0.0,0.0,1.0,0.0,0.5]}]}"#);
     holds(&dump, r#"{"photons":["target",0.5]}"#);
-    holds(&dump, r#"{"photons":["target",0.75]}"#);
+    holds(&dump, r#""photons":{"target":0.75,"refraction":null"#);
     holds(&dump, r#"{"subsurface":["translucency",0.25]}"#);
     holds(&dump, r#"{"media":[{"media":[{"scattering":[3.0,{"rgb":[0.125,0.125,0.125]}]}]}]}"#);
 }
@@ -81,4 +81,31 @@ fn a_missing_font_is_replaced_by_an_installed_one() {
     holds(&json, &format!(r#""font":"timesbd","file":{file},"string":"Dürer","depth":0.25"#));
     let without = outcome(text, vec![]);
     assert_eq!(reported(&without), "the font `timesbd` was not found: durer's own font, Roboto, is used instead");
+}
+
+#[test]
+fn photon_settings_of_groups_and_parts_reach_the_world() {
+    let scene = outcome(
+        "#version 3.7;
+        union {
+          sphere { 0, 1 }
+          sphere { x, 1 photons { target reflection on } }
+          photons { target 0.5 collect off refraction off }
+        }
+        sphere { y, 1 photons { pass_through target 0.25 } }
+        sphere { z, 1 }",
+        vec![],
+    )
+    .scene
+    .expect("a scene");
+    let world = durer::world::lower(&scene).unwrap();
+    let settings = |object: usize| world.photons[world.objects[object].photons as usize];
+    let group = settings(0);
+    assert_eq!((group.target, group.refraction, group.ignores_photons), (Some(0.5), Some(false), true));
+    let part = settings(1);
+    assert_eq!((part.target, part.refraction, part.reflection), (Some(1.0), Some(false), Some(true)));
+    assert_eq!((settings(2).target, settings(2).pass_through), (Some(0.25), Some(true)));
+    assert_eq!(settings(3), Default::default());
+    // Lights, which are objects of no shape, aside: one entry for each distinct block, and one for the defaults.
+    assert_eq!(world.photons.len(), 4);
 }

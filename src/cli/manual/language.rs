@@ -38,7 +38,10 @@ pub(super) fn objects() -> String {
     let intro = "`union`, `merge`, `intersection` and `difference` take objects, `object` takes one, and a shape what \
                  [its own page](shapes.md) says; then each takes these words.\n\n";
     let transforms = format!("## Transforms\n\nObeyed in the order in which they are written.\n\n{moves}");
-    intro.to_string() + &section(&scene::words::MODIFIERS, "Any object", &[]) + &transforms
+    intro.to_string()
+        + &section(&scene::words::MODIFIERS, "Any object", &[])
+        + &transforms
+        + &section(&scene::PHOTONS, "photons", &[])
 }
 
 pub(super) fn cameras() -> String {

@@ -5,9 +5,9 @@ use super::super::evaluator::Slot;
 use super::super::evaluator::vector_value;
 use super::super::stream::Token;
 use super::color::{begins_color, is_component};
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::Result;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Operator, Sign};
-use crate::value::{Next, Reader, Unsupported};
+use crate::value::{Next, Reader, Unsupported, unsupported_warning};
 
 impl Interpreter<'_> {
     /// Reads a word or block with its contents, and warns that it has no effect.
@@ -18,11 +18,7 @@ impl Interpreter<'_> {
             Token::Word(word) => (word, self.stream.next_span()),
             _ => (what, self.stream.next_span()),
         };
-        self.report(Diagnostic::new(
-            codes::UNSUPPORTED,
-            span,
-            format!("`{word}` is not supported yet and has no effect"),
-        ));
+        self.report(unsupported_warning(word, span));
         match token {
             Token::Block(_) => self.read_enclosed(word),
             Token::Function(_) | Token::Expr(_) => {

@@ -3,6 +3,7 @@
 mod camera;
 mod embedded;
 mod light;
+mod photons;
 mod read;
 
 use super::{Defaults, Painted, Weight};
@@ -11,13 +12,14 @@ use crate::medium::Interior;
 use crate::shape::{Shape, moved_box};
 use crate::source::Span;
 use crate::texture::Texture;
-use crate::value::{SharedDefault, StaticDefault, Thing, Unsupported};
+use crate::value::{SharedDefault, StaticDefault, Thing};
 use serde::Serialize;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 pub use camera::read_camera;
 pub use light::{LIGHT_GROUP, LightSource};
+pub use photons::{PHOTONS, PhotonSettings};
 pub use read::is_object;
 
 /// Geometry of an object.
@@ -136,9 +138,9 @@ pub struct Uncommon {
     pub light_group: Option<bool>,
     /// Switches.
     pub flags: Flags,
-    /// Blocks that durer does not render yet.
+    /// `photons` of the object; `None` without the block.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub unsupported: Option<Arc<Vec<Unsupported>>>,
+    pub photons: Option<PhotonSettings>,
 }
 
 impl StaticDefault for Uncommon {
@@ -151,7 +153,7 @@ impl StaticDefault for Uncommon {
             bounded_by: None,
             light_group: None,
             flags: Flags::NONE,
-            unsupported: None,
+            photons: None,
         };
         &NOTHING
     }

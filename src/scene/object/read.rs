@@ -227,9 +227,7 @@ impl Object {
                     self.set_material(&material);
                 }
             }
-            Next::Word(word) | Next::Block(word) if MODIFIERS.is_unsupported(word) => {
-                Arc::make_mut(self.uncommon.unsupported.get_or_insert_default()).push(r.read_unsupported(word)?);
-            }
+            Next::Block("photons") => self.uncommon.photons.get_or_insert_default().read(r)?,
             _ => return self.read_surface(next, r, defaults),
         }
         Ok(true)

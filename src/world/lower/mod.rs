@@ -17,7 +17,7 @@ use crate::color::Gamma;
 use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::medium::Interior;
-use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, Scene};
+use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, PhotonSettings, Scene};
 use crate::shape::{Bounding, Kernel, Shape, moved_box};
 use crate::source::Span;
 use crate::texture::{Texture, Uncommon};
@@ -74,7 +74,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     }
     let lit_by = lowering.lit_by();
     let noise = scene.settings.noise_generator.unwrap_or_default();
-    let Lowering { parts, objects, cuts, materials, interiors, filled, lights, .. } = lowering;
+    let Lowering { parts, objects, cuts, materials, interiors, filled, lights, photons, .. } = lowering;
     let eye = scene.camera.lower(noise, scene.settings.number_of_waves);
     let geometry = Geometry::from(builder);
     Ok(World {
@@ -99,6 +99,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         rainbows: scene.rainbows.clone(),
         gamma: scene.settings.gamma.unwrap_or(Gamma::Power(1.0)),
         noise,
+        photons,
         waves: scene.settings.number_of_waves,
         max_trace_level: scene.settings.max_trace_level,
         adc_bailout: scene.settings.adc_bailout,
@@ -135,6 +136,8 @@ struct Inherited {
     /// True if the block around is that group itself.
     lights_here: bool,
     flags: Flags,
+    /// Index of the photon settings in [`Lowering::photons`].
+    photons: u32,
 }
 
 /// Returns the interior of an object. In old scenes the finish states a part of it; the topmost layer's finish has
@@ -171,6 +174,8 @@ struct Lowering {
     shared: Shared,
     copies: Copies,
     interiors: Vec<Arc<Interior>>,
+    /// Distinct photon settings; the first are the defaults.
+    photons: Vec<PhotonSettings>,
     /// Interior of all shapes without one.
     air: Arc<Interior>,
     /// By number of the interior: true if not hollow.
@@ -200,7 +205,8 @@ struct Group {
 impl Lowering {
     /// An empty world; `ambient_light` is the scene's factor of `ambient`.
     fn under(ambient_light: Rgb) -> Self {
-        Self { shared: Shared::under(ambient_light), ..Self::default() }
+        let photons = vec![PhotonSettings::default()];
+        Self { shared: Shared::under(ambient_light), photons, ..Self::default() }
     }
 
     /// Drops shared textures that no object uses any more.
@@ -265,7 +271,20 @@ impl Lowering {
             lights: lights.unwrap_or(inherited.lights),
             lights_here: lights.is_some(),
             flags,
+            photons: self.add_photons(object, inherited.photons),
         })
+    }
+
+    /// Adds the photon settings of an object in a group with the settings number `group`; returns their number.
+    fn add_photons(&mut self, object: &Object, group: u32) -> u32 {
+        let Some(own) = object.uncommon.photons else { return group };
+        let settings = own.inherit(self.photons[group as usize]);
+        let known = self.photons.iter().position(|other| *other == settings);
+        let number = known.unwrap_or(self.photons.len());
+        if number == self.photons.len() {
+            self.photons.push(settings);
+        }
+        number as u32
     }
 
     /// Adds an interior, even if it equals the one before: a ray that leaves an object must find what it entered.
@@ -346,7 +365,16 @@ impl Lowering {
     fn add_object(&mut self, own: &Inherited, opaque: bool, interior: u32) -> u32 {
         let Flags { no_shadow, no_image, no_reflection, no_radiosity, .. } = own.flags;
         let (shadow, image, reflection, radiosity) = (!no_shadow, !no_image, !no_reflection, !no_radiosity);
-        self.add_info(ObjectInfo { shadow, image, through: image, reflection, radiosity, opaque, interior })
+        self.add_info(ObjectInfo {
+            shadow,
+            image,
+            through: image,
+            reflection,
+            radiosity,
+            photons: own.photons,
+            opaque,
+            interior,
+        })
     }
 
     fn add_info(&mut self, info: ObjectInfo) -> u32 {

@@ -1,0 +1,79 @@
+//! `photons { … }` of an object (manual, "Shooting Photons at an Object"). The photon pass does not exist yet, so that
+//! the block is read with a warning.
+
+use crate::diagnostic::Result;
+use crate::value::ValueKind::{Flag, Float};
+use crate::value::unsupported_warning;
+use crate::value::words::{Row, read_row, set, specs, word};
+use crate::value::{Next, Reader, Vocabulary};
+use serde::Serialize;
+
+/// Interaction of an object with photons.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct PhotonSettings {
+    /// Factor of the distance between the photons that lights shoot at the object; `None` if lights do not shoot at it.
+    pub target: Option<f64>,
+    /// True if the object refracts photons, false if not; `None` for the light's choice.
+    pub refraction: Option<bool>,
+    /// True if the object reflects photons, false if not; `None` for the light's choice.
+    pub reflection: Option<bool>,
+    /// True if photons pass the object without change on their way to a target; `None` for the value of `no_shadow`.
+    pub pass_through: Option<bool>,
+    /// True if the object neither stores nor shows photons (`collect off`).
+    pub ignores_photons: bool,
+}
+
+/// Words of the block, and how each is read.
+const PHOTON_ROWS: &[Row<PhotonSettings>] = &[
+    word("target", Float, "1", "lights shoot photons at the object; a smaller number makes them denser")
+        .sets(|s, r| set(&mut s.target, r.optional_float().map(|spacing| Some(spacing.unwrap_or(1.0))))),
+    word("refraction", Flag, "of the light", "the object refracts photons")
+        .sets(|s, r| set(&mut s.refraction, r.flag().map(Some))),
+    word("reflection", Flag, "of the light", "the object reflects photons")
+        .sets(|s, r| set(&mut s.reflection, r.flag().map(Some))),
+    word("collect", Flag, "on", "the object stores photons and shows their light")
+        .sets(|s, r| set(&mut s.ignores_photons, r.flag().map(|collects| !collects))),
+    word("pass_through", Flag, "that of `no_shadow`", "photons pass the object unchanged on their way to a target")
+        .sets(|s, r| set(&mut s.pass_through, r.flag().map(Some))),
+];
+
+/// `photons { … }` of an object.
+pub const PHOTONS: Vocabulary = Vocabulary {
+    block: "photons",
+    summary: "interaction of an object with photons; durer does not render photons yet",
+    words: specs!(PHOTON_ROWS),
+    has_transforms: false,
+    ignored: &[],
+    unsupported: &[],
+};
+
+impl PhotonSettings {
+    /// Reads the block from its opening to its end; items override the present values.
+    ///
+    /// # Errors
+    /// A diagnostic at the first item that is not understood.
+    pub fn read(&mut self, r: &mut dyn Reader) -> Result<()> {
+        let at = r.span();
+        r.report(unsupported_warning("photons", at));
+        r.take()?;
+        loop {
+            match r.next()? {
+                Next::End => return r.leave().map(drop),
+                next if read_row(PHOTON_ROWS, self, next, r)? => {}
+                _ => return Err(r.unknown_word("photons", &PHOTONS.names()).into()),
+            }
+        }
+    }
+
+    /// Returns the settings of a part of a group whose settings are `group`; values of the part's own have priority.
+    #[must_use]
+    pub fn inherit(self, group: Self) -> Self {
+        Self {
+            target: self.target.or(group.target),
+            refraction: self.refraction.or(group.refraction),
+            reflection: self.reflection.or(group.reflection),
+            pass_through: self.pass_through.or(group.pass_through),
+            ignores_photons: self.ignores_photons || group.ignores_photons,
+        }
+    }
+}
