@@ -76,7 +76,7 @@ fn measured<T>(rounds: usize, mut run: impl FnMut() -> T) -> (f64, Option<T>) {
 
 fn run(rounds: usize) {
     let ball = ball();
-    let (build, mesh) = measured(rounds, || Mesh::of(ball.clone()));
+    let (build, mesh) = measured(rounds, || Mesh::from_triangles(ball.clone()));
     println!("build: {build:.3} s");
     let Some(mesh) = mesh else { return };
     for (name, rays) in ["coherent", "incoherent"].into_iter().zip(rays()) {
@@ -85,7 +85,7 @@ fn run(rounds: usize) {
         };
         let met = |ray: &&Ray| mesh.closest(ray, Range::FORWARD).is_some();
         print_rate("closest", measured(rounds, || rays.iter().filter(met).count()));
-        print_rate("any", measured(rounds, || rays.iter().filter(|ray| mesh.any(ray, Range::FORWARD)).count()));
+        print_rate("any", measured(rounds, || rays.iter().filter(|ray| mesh.any_hit(ray, Range::FORWARD)).count()));
     }
 }
 

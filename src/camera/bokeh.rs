@@ -78,8 +78,8 @@ fn cumulative_shares(weights: &[f64]) -> Vec<f64> {
     starts
 }
 
-/// Finds the cell whose range of cumulative shares contains `share`; returns its index and the position along all cells,
-/// from 0 to 1.
+/// Finds the cell whose range of cumulative shares contains `share`; returns its index and the position along all
+/// cells, from 0 to 1.
 fn invert_distribution(shares: &[f64], share: f64) -> (usize, f64) {
     let cells = shares.len() - 1;
     let cell = shares.partition_point(|start| *start <= share).clamp(1, cells) - 1;

@@ -133,8 +133,8 @@ impl Lens {
         self.variance > 0.0 && sum_of_squares * f64::from(self.samples[1]) <= self.variance * sure * n * n * (n + 1.0)
     }
 
-    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `lens_sample` in [0, 1)² selects
-    /// the point, `axes` are the camera's unit vectors right, up and ahead.
+    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `lens_sample` in [0, 1)²
+    /// selects the point, `axes` are the camera's unit vectors right, up and ahead.
     pub fn ray_through_lens(&self, ray: &Ray, lens_sample: DVec2, axes: &[DVec3; 3]) -> Ray {
         let [right, up, ahead] = *axes;
         let focus = ray.at(self.distance / ray.dir.dot(ahead));

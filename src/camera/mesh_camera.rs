@@ -45,7 +45,7 @@ impl PlacedMesh {
 
     /// Returns a face of the mesh in world space.
     fn world_face(&self, index: usize) -> Face {
-        self.faces[index].clone().moved(&self.transform)
+        self.faces[index].clone().transformed(&self.transform)
     }
 }
 

@@ -42,8 +42,8 @@ impl LocalBounds {
         Self { range: Interval::new(value - far, value + far).widened(), steepest, ..Self::UNKNOWN }
     }
 
-    /// Returns local bounds of a function that differs by at most `max_deviation` from a value; no gradient is longer than
-    /// `steepest`, and nearly all are far shorter.
+    /// Returns local bounds of a function that differs by at most `max_deviation` from a value; no gradient is longer
+    /// than `steepest`, and nearly all are far shorter.
     pub fn from_deviation(value: f64, max_deviation: f64, steepest: f64) -> Self {
         Self { steepest, rough: true, ..Self::from_steepest(value, max_deviation, 1.0) }
     }

@@ -90,8 +90,8 @@ impl Spline {
         out
     }
 
-    /// Component `component` of a cubic spline between the points i and i + 1, by Hermite's cubic; the slope at a point is the
-    /// mean of those of the lines to its neighbours (quirk: `cubic_spline_slopes`).
+    /// Component of a cubic spline between the points `segment` and `segment` + 1, by Hermite's cubic; the slope at a
+    /// point is the mean of those of the lines to its neighbours (quirk: `cubic_spline_slopes`).
     fn cubic_component(&self, segment: usize, t: f64, component: usize) -> f64 {
         let p = &self.points;
         let slope = |segment: usize| {
@@ -107,8 +107,8 @@ impl Spline {
             + (s3 - s2) * h * m1
     }
 
-    /// Component `component` of a natural spline between the points i and i + 1, from the values and second derivatives at both
-    /// ends (Press et al., "Numerical Recipes", 1992, section 3.3).
+    /// Component of a natural spline between the points `segment` and `segment` + 1, from the values and second
+    /// derivatives at both ends (Press et al., "Numerical Recipes", 1992, section 3.3).
     fn natural_component(&self, segment: usize, t: f64, component: usize) -> f64 {
         let p = &self.points;
         let h = p[segment + 1].0 - p[segment].0;
@@ -123,7 +123,7 @@ fn linear_component(a: (f64, [f64; 5]), b: (f64, [f64; 5]), t: f64, component: u
     a.1[component] + (b.1[component] - a.1[component]) * (t - a.0) / (b.0 - a.0)
 }
 
-/// Component `component` of Lagrange's parabola through three points of a spline.
+/// Component of Lagrange's parabola through three points of a spline.
 fn parabola_component(p: &[(f64, [f64; 5])], t: f64, component: usize) -> f64 {
     let [t0, t1, t2] = [p[0].0, p[1].0, p[2].0];
     p[0].1[component] * (t - t1) * (t - t2) / ((t0 - t1) * (t0 - t2))

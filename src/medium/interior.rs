@@ -64,7 +64,8 @@ pub struct Interior {
     pub dispersion: f64,
     /// Number of colours into which dispersion splits white light, at least 2.
     pub dispersion_samples: u32,
-    /// Distance after which light has lost half of its brightness if `fade_power` is 1, in world units; 0 for no attenuation.
+    /// Distance after which light has lost half of its brightness if `fade_power` is 1, in world units; 0 for no
+    /// attenuation.
     pub fade_distance: f64,
     /// Exponent of attenuation by distance; from 1000 on attenuation is exponential.
     pub fade_power: f64,
@@ -127,8 +128,8 @@ impl Interior {
         }
     }
 
-    /// Returns the index of refraction for one colour of the spectrum: `hue` is 0 for red and 1 for violet; white light has
-    /// the index of hue 0.5 (quirk: `dispersion_ior`).
+    /// Returns the index of refraction for one colour of the spectrum: `hue` is 0 for red and 1 for violet; white light
+    /// has the index of hue 0.5 (quirk: `dispersion_ior`).
     pub fn ior_of_hue(&self, hue: f64) -> f64 {
         if self.dispersion == 1.0 || self.dispersion <= 0.0 {
             return self.ior;
@@ -152,8 +153,8 @@ impl Interior {
         self.fade_color + (Rgb::ONE - self.fade_color) * left
     }
 
-    /// Returns the factor by which a surface brightens the light that enters through it; `cos` is the cosine of the angle of
-    /// incidence (quirk: `caustics_factor`).
+    /// Returns the factor by which a surface brightens the light that enters through it; `cos` is the cosine of the
+    /// angle of incidence (quirk: `caustics_factor`).
     pub fn caustic_factor(&self, cos: f64) -> f64 {
         if self.caustics == 0.0 { 1.0 } else { 1.0 + fp::pow(cos, 45.0 * self.caustics) }
     }

@@ -23,8 +23,8 @@ use crate::world::World;
 use sampler::FrameCamera;
 use workers::Workers;
 
-/// Options of a render. Size, anti-aliasing, quality, region, frame and alpha determine every byte of it; the number of threads
-/// does not.
+/// Options of a render. Size, anti-aliasing, quality, region, frame and alpha determine every byte of it; the number of
+/// threads does not.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Width in pixels.
@@ -110,7 +110,8 @@ pub struct Region {
 /// A unit of work. Its result depends on nothing but the World, the options and the tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tile {
-    /// Number of the pass: [`FIRST_PASS`] takes the samples that anti-aliasing compares, [`FINAL_PASS`] computes the pixels.
+    /// Number of the pass: [`FIRST_PASS`] takes the samples that anti-aliasing compares, [`FINAL_PASS`] computes the
+    /// pixels.
     pub pass: u8,
     /// Its pixels.
     pub area: Region,
@@ -123,7 +124,8 @@ pub const FINAL_PASS: u8 = 1;
 
 /// The caller's side of a render: progress, cancellation, and storage of finished tiles.
 pub trait Watch: Sync {
-    /// Called after each tile with the number of finished pixels; with adaptive anti-aliasing the pixels of both passes count.
+    /// Called after each tile with the number of finished pixels; with adaptive anti-aliasing the pixels of both passes
+    /// count.
     fn progress(&self, done: usize, total: usize);
     /// Returns true to stop the render.
     fn cancelled(&self) -> bool;
@@ -234,7 +236,8 @@ pub fn light(world: &World, options: &Options, pixel: &[f32; 4]) -> [f32; 4] {
     output::light(pixel, world.gamma, options.alpha)
 }
 
-/// Maximum number of bytes that the render of a region needs, besides the World and what the receiver of the rows keeps.
+/// Maximum number of bytes that the render of a region needs, besides the World and what the receiver of the rows
+/// keeps.
 pub fn memory_bytes(region: Region) -> u128 {
     bands::memory_bytes(region)
 }

@@ -13,7 +13,7 @@ mod component;
 pub use component::Component;
 
 use super::pov_bounds::NOTHING;
-use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, Readable, TextureWeights, moved_box};
+use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, Readable, TextureWeights, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, solve_between, tolerance};
@@ -44,7 +44,7 @@ pub struct Blob {
 impl Blob {
     /// Builds the hierarchy over the blob's components; leaves out those without strength and those beyond the range of
     /// numbers.
-    fn arrange(&mut self) {
+    fn build_hierarchy(&mut self) {
         self.components
             .retain(|component| component.strength != 0.0 && bvh::fits_single_precision(&component.bounds()));
         let (bvh, order) = Bvh::build(self.components.iter().map(Component::bounds));
@@ -55,21 +55,21 @@ impl Blob {
         self.bounds = strong.map(Component::bounds).fold(Aabb::EMPTY, Aabb::union);
     }
 
-    fn near<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a Component)) {
+    fn visit_components_near<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a Component)) {
         self.bvh.visit_boxes_around(p, |i| {
             visit(&self.components[i]);
             ControlFlow::Continue(())
         });
     }
 
-    fn field(&self, p: DVec3) -> f64 {
+    fn field_at(&self, p: DVec3) -> f64 {
         let mut sum = 0.0;
-        self.near(p, &mut |component| sum += component.field(p));
+        self.visit_components_near(p, &mut |component| sum += component.field_at(p));
         sum
     }
 
     /// Calls `visit` with each hit on the blob in `range`, in ascending `t`, until it returns `Break`.
-    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
+    fn visit_hits(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
         let range = range.with_min_distance(Self::QUIRKS.min_distance);
         let Some((enter, _)) = self.bounds.slabs(ray, range) else { return };
         // Start near the blob, so that a distant eye costs no digits.
@@ -77,7 +77,7 @@ impl Blob {
         let near = Ray::new(ray.at(start), ray.dir);
         let mut stretches = Stretches::new();
         self.bvh.traverse(&near, Range::ALL, |i, max| {
-            self.components[i].stretches(&near, &mut stretches);
+            self.components[i].add_stretches(&near, &mut stretches);
             ControlFlow::Continue(max)
         });
         stretches.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
@@ -93,10 +93,10 @@ impl Blob {
             let middle = (lo + hi) / 2.0;
             let mut sum = [0.0, 0.0, 0.0, 0.0, -self.threshold];
             for stretch in stretches.iter().take_while(|stretch| stretch.from < hi).filter(|s| s.to > lo) {
-                stretch.add(middle, &mut sum);
+                stretch.add_to_polynomial(middle, &mut sum);
             }
             let half = (hi - lo) / 2.0;
-            if never_zero(&sum, half) {
+            if has_no_root(&sum, half) {
                 continue;
             }
             roots.clear();
@@ -111,11 +111,17 @@ impl Blob {
     }
 }
 
-/// True if all Bernstein coefficients of a polynomial between -h and h have one sign; then it has no root there
-/// (Farouki and Rajan, On the numerical condition of polynomials in Bernstein form, 1987).
-fn never_zero(c: &[f64; 5], h: f64) -> bool {
-    // As a polynomial of x = t/h: p(x) = Σ pᵢ·xⁱ; with x = 2s - 1 the coefficients are linear in those.
-    let [p4, p3, p2, p1, p0] = [c[0] * h * h * h * h, c[1] * h * h * h, c[2] * h * h, c[3] * h, c[4]];
+/// True if all Bernstein coefficients of a polynomial between -half_width and half_width have one sign; then it has no
+/// root there (Farouki and Rajan, On the numerical condition of polynomials in Bernstein form, 1987).
+fn has_no_root(coefficients: &[f64; 5], half_width: f64) -> bool {
+    // As a polynomial of x = t/half_width: p(x) = Σ pᵢ·xⁱ; with x = 2s - 1 the coefficients are linear in those.
+    let [p4, p3, p2, p1, p0] = [
+        coefficients[0] * half_width * half_width * half_width * half_width,
+        coefficients[1] * half_width * half_width * half_width,
+        coefficients[2] * half_width * half_width,
+        coefficients[3] * half_width,
+        coefficients[4],
+    ];
     let b = [
         p0 - p1 + p2 - p3 + p4,
         p0 - p1 / 2.0 + p3 / 2.0 - p4,
@@ -178,7 +184,7 @@ impl Readable for Blob {
     }
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
-        self.arrange();
+        self.build_hierarchy();
         if self.bounds.is_empty() {
             r.report(Diagnostic::new(
                 codes::NO_SURFACE,
@@ -209,30 +215,30 @@ impl Kernel for Blob {
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let strong = self.components.iter().filter(|component| component.strength > 0.0);
         match strong.map(Component::pov_bounds).reduce(Aabb::union) {
-            Some(all) => moved_box(m, &all),
+            Some(all) => transformed_box(m, &all),
             None if m.is_identity() => NOTHING,
             None => HUGE,
         }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.meet(ray, range, |t| {
-            out.push(Hit::at(t));
+        self.visit_hits(ray, range, |t| {
+            out.push(Hit::on_single_piece(t));
             ControlFlow::Continue(())
         });
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut found = None;
-        self.meet(ray, range, |t| {
-            found = Some(Hit::at(t));
+        self.visit_hits(ray, range, |t| {
+            found = Some(Hit::on_single_piece(t));
             ControlFlow::Break(())
         });
         found
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        self.field(p) >= self.threshold
+        self.field_at(p) >= self.threshold
     }
 
     fn is_solid_unbounded(&self) -> bool {
@@ -241,15 +247,15 @@ impl Kernel for Blob {
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
         let mut sum = DVec3::ZERO;
-        self.near(p, &mut |component| sum -= component.gradient(p));
+        self.visit_components_near(p, &mut |component| sum -= component.field_gradient(p));
         if sum == DVec3::ZERO { DVec3::Y } else { sum }
     }
 
     fn texture_weights(&self, p: DVec3, _: &Hit) -> TextureWeights {
         let mut texture_weights = TextureWeights::new();
         let mut sum = 0.0;
-        self.near(p, &mut |component| {
-            let field = component.field(p).abs();
+        self.visit_components_near(p, &mut |component| {
+            let field = component.field_at(p).abs();
             if field > 0.0 {
                 sum += field;
                 texture_weights.push((component.slot, field));
@@ -267,7 +273,7 @@ impl Kernel for Blob {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::all;
+    use crate::shape::testing::all_hits;
 
     fn blob(threshold: f64, components: &[(DVec3, DVec3, f64, f64)]) -> Blob {
         let component = |&(base, axis, radius, strength): &(DVec3, DVec3, f64, f64)| {
@@ -275,7 +281,7 @@ mod tests {
         };
         let components = components.iter().map(component).collect();
         let mut blob = Blob { threshold, components, textured: false, bvh: Bvh::default(), bounds: Aabb::EMPTY };
-        blob.arrange();
+        blob.build_hierarchy();
         blob
     }
 
@@ -283,10 +289,10 @@ mod tests {
     fn a_single_ball_in_closed_form() {
         // (1 - d²)² = 1/4 at d² = 1/2
         let shape = blob(0.25, &[(DVec3::ZERO, DVec3::ZERO, 1.0, 1.0)]);
-        let hits = all(&shape, &Ray::new(DVec3::new(0.0, 0.0, -9.0), DVec3::Z));
+        let hits = all_hits(&shape, &Ray::new(DVec3::new(0.0, 0.0, -9.0), DVec3::Z));
         let r = 0.5_f64.sqrt();
         assert!(hits.len() == 2 && (hits[0].t - 9.0 + r).abs() < 1e-12 && (hits[1].t - 9.0 - r).abs() < 1e-12);
-        let far = all(&shape, &Ray::new(DVec3::new(0.0, 0.0, -1e7), DVec3::Z));
+        let far = all_hits(&shape, &Ray::new(DVec3::new(0.0, 0.0, -1e7), DVec3::Z));
         assert!((far[0].t - 1e7 + r).abs() < 1e-8, "{far:?}");
     }
 
@@ -299,17 +305,17 @@ mod tests {
         for k in 0..2000 {
             let at = |m: usize| (k * m % 997) as f64 / 498.5 - 1.0;
             let ray = Ray::new(DVec3::new(at(13), at(29), at(5)) * 2.0, DVec3::new(at(7), at(11), at(3)));
-            let hits = all(&shape, &ray);
+            let hits = all_hits(&shape, &ray);
             met += hits.len();
             for hit in &hits {
                 let p = ray.at(hit.t);
                 assert!(
-                    (shape.field(p) - 0.4).abs() < 1e-9 && shape.bounds().grown(1e-9).contains(p),
+                    (shape.field_at(p) - 0.4).abs() < 1e-9 && shape.bounds().grown(1e-9).contains(p),
                     "{ray:?} {hit:?}"
                 );
                 // The normal is opposite to the gradient.
                 let n = shape.normal(p, hit).normalize();
-                let slope = (shape.field(p + n * 1e-6) - shape.field(p - n * 1e-6)) / 2e-6;
+                let slope = (shape.field_at(p + n * 1e-6) - shape.field_at(p - n * 1e-6)) / 2e-6;
                 assert!(slope < 0.0 && (slope.abs() - shape.normal(p, hit).length()).abs() < 1e-4 * slope.abs());
             }
             for pair in hits.windows(2).filter(|pair| pair[1].t - pair[0].t > 1e-9) {
@@ -323,10 +329,10 @@ mod tests {
 
     #[test]
     fn reading() {
-        let (shape, reports) = crate::shape::testing::read::<Blob>("threshold 0.6 component 1 2 <1,0,0>");
+        let (shape, reports) = crate::shape::testing::read_shape::<Blob>("threshold 0.6 component 1 2 <1,0,0>");
         let shape = shape.unwrap();
         assert_eq!((shape.threshold, shape.components.len(), reports.len()), (0.6, 1, 0));
-        assert_eq!(crate::shape::testing::read::<Blob>("threshold 0.6").1[0].code, codes::NO_SURFACE);
-        assert!(crate::shape::testing::read::<Blob>("component 1 0 <1,0,0>").0.is_err());
+        assert_eq!(crate::shape::testing::read_shape::<Blob>("threshold 0.6").1[0].code, codes::NO_SURFACE);
+        assert!(crate::shape::testing::read_shape::<Blob>("component 1 0 <1,0,0>").0.is_err());
     }
 }

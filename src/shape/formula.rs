@@ -60,14 +60,14 @@ impl Formula {
     }
 
     /// Value of the formula's function at a point.
-    pub fn at(&self, p: DVec3) -> f64 {
+    pub fn value_at(&self, p: DVec3) -> f64 {
         self.0.call_component(0, &[p.x, p.y, p.z])
     }
 
-    /// Bounds of the value and gradient of the formula's function in a box; `room` is scratch memory.
-    pub fn slope(&self, b: &Aabb, room: &mut Vec<Slope>) -> Slope {
+    /// Bounds of the value and gradient of the formula's function in a box; `scratch` is scratch memory.
+    pub fn slope_in_box(&self, b: &Aabb, scratch: &mut Vec<Slope>) -> Slope {
         let side = |axis: usize| Interval { lo: b.min[axis], hi: b.max[axis] };
-        self.0.slope(&[side(0), side(1), side(2)], room)
+        self.0.slope(&[side(0), side(1), side(2)], scratch)
     }
 }
 
@@ -127,7 +127,7 @@ impl Container {
     }
 
     /// Interval of a line inside the surface's container.
-    pub fn stretch(&self, ray: &Ray) -> Option<(f64, f64)> {
+    pub fn interval_inside(&self, ray: &Ray) -> Option<(f64, f64)> {
         match self {
             Self::Box(b) => b.bounds().slabs(ray, Range::ALL).filter(|(near, far)| near.is_finite() && far.is_finite()),
             Self::Sphere(s) => {
@@ -156,12 +156,12 @@ impl Container {
 }
 
 /// Reads a number above 0; any other number selects the default, as in POV-Ray.
-pub fn positive(r: &mut dyn Reader, word: &str, usual: f64) -> Result<f64> {
+pub fn read_positive(r: &mut dyn Reader, word: &str, default: f64) -> Result<f64> {
     let (at, x) = (r.span(), r.float()?);
     if x > 0.0 {
         return Ok(x);
     }
-    let message = format!("`{word}` must be more than 0, found {x}: it is {usual}, as without it");
+    let message = format!("`{word}` must be more than 0, found {x}: it is {default}, as without it");
     r.report(Diagnostic::new(codes::NOT_POSITIVE, at, message));
-    Ok(usual)
+    Ok(default)
 }

@@ -77,11 +77,11 @@ impl Frustum {
     }
 
     /// Radius of the frustum at the fraction `w` of the axis from base to cap.
-    fn radius(&self, w: f64) -> f64 {
+    fn radius_at(&self, w: f64) -> f64 {
         self.base_radius + w * (self.cap_radius - self.base_radius)
     }
 
-    fn split(&self, v: DVec3) -> Split {
+    fn to_axis_frame(&self, v: DVec3) -> Split {
         let Precomputed { along, across: (x, y), .. } = &self.frame;
         Split { w: v.dot(*along), x: v.dot(*x), y: v.dot(*y) }
     }
@@ -105,9 +105,9 @@ impl Frustum {
 
     /// Returns a ray in the frustum's frame, relative to its point nearest to the centre, so that a distant eye costs
     /// no digits: `t` of that point, the point, and the direction.
-    fn shifted(&self, ray: &Ray) -> (f64, Split, Split) {
+    fn ray_in_axis_frame(&self, ray: &Ray) -> (f64, Split, Split) {
         let shift = (self.frame.middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
-        (shift, self.split(ray.at(shift) - self.base), self.split(ray.dir))
+        (shift, self.to_axis_frame(ray.at(shift) - self.base), self.to_axis_frame(ray.dir))
     }
 
     /// True if the frustum is a cylinder with both end discs.
@@ -118,7 +118,7 @@ impl Frustum {
     /// Returns the closest hit on the frustum in the range.
     pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         if self.is_closed_cylinder() && !self.is_empty() {
-            let Crossing::Through(ends) = self.cross_cylinder(ray) else { return None };
+            let Crossing::Through(ends) = self.cylinder_interval(ray) else { return None };
             return ends.into_iter().find(|end| range.contains(end.t)).map(Hit::from);
         }
         let mut all = Hits::new();
@@ -132,15 +132,15 @@ impl Frustum {
             return;
         }
         if self.is_closed_cylinder() {
-            if let Crossing::Through(ends) = self.cross_cylinder(ray) {
+            if let Crossing::Through(ends) = self.cylinder_interval(ray) {
                 out.extend(ends.into_iter().filter(|end| range.contains(end.t)).map(Hit::from));
             }
             return;
         }
-        let (shift, o, v) = self.shifted(ray);
+        let (shift, o, v) = self.ray_in_axis_frame(ray);
         // Roots of |across(s)|² = r(w(s))²
         let dr = self.cap_radius - self.base_radius;
-        let (r, slope) = (self.radius(o.w), v.w * dr);
+        let (r, slope) = (self.radius_at(o.w), v.w * dr);
         // half_b² - a·c without the squares that cancel: (v×o)² is what remains of (o·v)² - v²·o².
         let (tx, ty) = (v.x * r - o.x * slope, v.y * r - o.y * slope);
         let turn = o.x * v.y - o.y * v.x;
@@ -154,7 +154,7 @@ impl Frustum {
         let c = o.across_squared() - r * r;
         let mut push = |s: f64, part: u32| {
             if range.contains(s + shift) {
-                out.push(Hit::on(s + shift, part));
+                out.push(Hit::on_piece(s + shift, part));
             }
         };
         for s in solve_quadratic_with_discriminant(a, half_b, c, disc).into_iter().flat_map(|(s1, s2)| [s1, s2]) {
@@ -179,7 +179,7 @@ impl Frustum {
     pub fn pov_bounds(&self, m: &Transform) -> Aabb {
         let (r, axis) = (self.base_radius.max(self.cap_radius), self.cap - self.base);
         let b = Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, axis.length()) };
-        pov_bounds::framed(m, axis, self.base, &b)
+        pov_bounds::transformed_frame_bounds(m, axis, self.base, &b)
     }
 
     /// Half-spaces that contain the frustum: of both ends and of tangent planes around the wall.
@@ -198,9 +198,9 @@ impl Frustum {
 
     /// True if the point is between the frustum's ends and nearer to the axis than the wall.
     pub fn inside(&self, p: DVec3) -> bool {
-        let at = self.split(p - self.base);
+        let at = self.to_axis_frame(p - self.base);
         let slack = if self.open { tolerance::INSIDE } else { -tolerance::INSIDE };
-        let r = self.radius(at.w);
+        let r = self.radius_at(at.w);
         at.w > -slack && at.w < 1.0 + slack && at.across_squared() < r * r - tolerance::INSIDE
     }
 
@@ -215,14 +215,14 @@ impl Frustum {
             return Crossing::Unknown;
         }
         if self.base_radius == self.cap_radius {
-            return self.cross_cylinder(ray);
+            return self.cylinder_interval(ray);
         }
         let mut all = Hits::new();
         self.hits(ray, Range::ALL, &mut all);
         match all[..] {
             [] => Crossing::Misses,
-            [a, b] if a.t <= b.t => Crossing::Through([a, b].map(|hit| End::on(hit.t, hit.part))),
-            [a, b] => Crossing::Through([b, a].map(|hit| End::on(hit.t, hit.part))),
+            [a, b] if a.t <= b.t => Crossing::Through([a, b].map(|hit| End::on_piece(hit.t, hit.part))),
+            [a, b] => Crossing::Through([b, a].map(|hit| End::on_piece(hit.t, hit.part))),
             // The rim belongs to the wall and to a disc.
             _ => Crossing::Unknown,
         }
@@ -230,10 +230,10 @@ impl Frustum {
 
     /// Interval of a line inside a closed cylinder: the intersection of the interval between the ends and the interval
     /// within the wall.
-    fn cross_cylinder(&self, ray: &Ray) -> Crossing {
-        let (shift, o, v) = self.shifted(ray);
+    fn cylinder_interval(&self, ray: &Ray) -> Crossing {
+        let (shift, o, v) = self.ray_in_axis_frame(ray);
         let r2 = self.base_radius * self.base_radius;
-        let mut ends = [End::at(f64::NEG_INFINITY), End::at(f64::INFINITY)];
+        let mut ends = [End::on_single_piece(f64::NEG_INFINITY), End::on_single_piece(f64::INFINITY)];
         let a = v.across_squared();
         if a > 0.0 {
             let turn = o.x * v.y - o.y * v.x;
@@ -243,12 +243,12 @@ impl Frustum {
             else {
                 return Crossing::Misses;
             };
-            ends = [End::on(s1, WALL), End::on(s2, WALL)];
+            ends = [End::on_piece(s1, WALL), End::on_piece(s2, WALL)];
         } else if o.across_squared() >= r2 {
             return Crossing::Misses;
         }
         if v.w != 0.0 {
-            let (base, cap) = (End::on(-o.w / v.w, BASE), End::on((1.0 - o.w) / v.w, CAP));
+            let (base, cap) = (End::on_piece(-o.w / v.w, BASE), End::on_piece((1.0 - o.w) / v.w, CAP));
             let (enter, leave) = if v.w > 0.0 { (base, cap) } else { (cap, base) };
             ends =
                 [if enter.t > ends[0].t { enter } else { ends[0] }, if leave.t < ends[1].t { leave } else { ends[1] }];
@@ -269,10 +269,10 @@ impl Frustum {
             CAP => axis,
             _ => {
                 // Half the gradient of |across|² - r(w)²
-                let at = self.split(p - self.base);
+                let at = self.to_axis_frame(p - self.base);
                 let dr = self.cap_radius - self.base_radius;
                 let across = p - self.base - at.w * axis;
-                let n = across - axis * (self.radius(at.w) * dr / axis.length_squared());
+                let n = across - axis * (self.radius_at(at.w) * dr / axis.length_squared());
                 // The apex has no normal; use the axis.
                 if n.length_squared() > 0.0 { n } else { axis * -dr.signum() }
             }
@@ -281,7 +281,7 @@ impl Frustum {
 
     /// Angle about the frustum's axis, and height along it. POV-Ray defines no uv mapping for cones and cylinders.
     pub fn uv(&self, p: DVec3, part: u32) -> DVec2 {
-        let at = self.split(p - self.base);
+        let at = self.to_axis_frame(p - self.base);
         let u = fp::angle_in_turns(at.y, at.x);
         let v = match part {
             WALL => at.w,

@@ -1,6 +1,6 @@
 //! The interface of all shapes, in object space: bounds, hits, inside, normal, uv.
 
-use super::{Face, Quirks, moved_box};
+use super::{Face, Quirks, transformed_box};
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform};
 
 /// A point where a ray hits a surface, in object space.
@@ -16,12 +16,12 @@ pub struct Hit {
 
 impl Hit {
     /// Creates a hit on a shape of one piece.
-    pub fn at(t: f64) -> Self {
-        Self::on(t, 0)
+    pub fn on_single_piece(t: f64) -> Self {
+        Self::on_piece(t, 0)
     }
 
     /// Creates a hit on a numbered piece of a shape.
-    pub fn on(t: f64, part: u32) -> Self {
+    pub fn on_piece(t: f64, part: u32) -> Self {
         Self { t, part, uv: DVec2::ZERO }
     }
 }
@@ -60,19 +60,19 @@ pub struct End {
 
 impl End {
     /// Creates the end of an interval at a surface of one piece.
-    pub fn at(t: f64) -> Self {
-        Self::on(t, 0)
+    pub fn on_single_piece(t: f64) -> Self {
+        Self::on_piece(t, 0)
     }
 
     /// Creates the end of an interval at a numbered piece of the surface.
-    pub fn on(t: f64, part: u32) -> Self {
+    pub fn on_piece(t: f64, part: u32) -> Self {
         Self { t, part }
     }
 }
 
 impl From<End> for Hit {
     fn from(end: End) -> Self {
-        Hit::on(end.t, end.part)
+        Hit::on_piece(end.t, end.part)
     }
 }
 
@@ -101,7 +101,7 @@ pub trait Kernel {
 
     /// The box that POV-Ray's `min_extent` and `max_extent` return under the transform M (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        moved_box(m, &self.bounds())
+        transformed_box(m, &self.bounds())
     }
 
     /// Appends every hit on the shape with `range.min < t < range.max`, in any order.
@@ -121,7 +121,7 @@ pub trait Kernel {
     }
 
     /// True if the ray has any hit on the shape in the range.
-    fn any(&self, ray: &Ray, range: Range) -> bool {
+    fn any_hit(&self, ray: &Ray, range: Range) -> bool {
         self.closest(ray, range).is_some()
     }
 
@@ -161,7 +161,7 @@ pub trait Kernel {
     }
 
     /// True if [`Kernel::crossing`] returns the intervals of nearly all lines.
-    fn knows_crossings(&self) -> bool {
+    fn computes_crossings(&self) -> bool {
         self.is_convex()
     }
 
@@ -194,7 +194,7 @@ pub trait Kernel {
     }
 
     /// Returns the shape to use under the transform M; `None` for a shape that does not depend on its transform.
-    fn changed_under(&self, _m: &Transform) -> Option<Self>
+    fn adapted_to_transform(&self, _m: &Transform) -> Option<Self>
     where
         Self: Sized,
     {

@@ -57,7 +57,7 @@ pub use ovus::Ovus;
 pub use parametric::Parametric;
 pub use plane::{Plane, Spanned};
 pub use polygon::Polygon;
-pub use pov_bounds::{HUGE, moved_box};
+pub use pov_bounds::{HUGE, transformed_box};
 pub use prism::Prism;
 pub use quadric::Quadric;
 pub use quirks::{Bounding, Quirks};
@@ -120,7 +120,7 @@ macro_rules! shapes {
             fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits(ray, range, out)),* } }
             fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) { match self { $(Shape::$name(s) => s.hits_in_csg(ray, range, out)),* } }
             fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> { match self { $(Shape::$name(s) => s.closest(ray, range)),* } }
-            fn any(&self, ray: &Ray, range: Range) -> bool { match self { $(Shape::$name(s) => s.any(ray, range)),* } }
+            fn any_hit(&self, ray: &Ray, range: Range) -> bool { match self { $(Shape::$name(s) => s.any_hit(ray, range)),* } }
             fn pov_bounds(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.pov_bounds(m)),* } }
             fn as_half_space(&self) -> Option<HalfSpace> { match self { $(Shape::$name(s) => s.as_half_space()),* } }
             fn half_spaces(&self) -> HalfSpaces { match self { $(Shape::$name(s) => s.half_spaces()),* } }
@@ -129,7 +129,7 @@ macro_rules! shapes {
             fn is_solid_unbounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_solid_unbounded()),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }
             fn is_convex(&self) -> bool { match self { $(Shape::$name(s) => s.is_convex()),* } }
-            fn knows_crossings(&self) -> bool { match self { $(Shape::$name(s) => s.knows_crossings()),* } }
+            fn computes_crossings(&self) -> bool { match self { $(Shape::$name(s) => s.computes_crossings()),* } }
             fn crossing(&self, ray: &Ray) -> Crossing { match self { $(Shape::$name(s) => s.crossing(ray)),* } }
             fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 { match self { $(Shape::$name(s) => s.normal(p, hit)),* } }
             fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 { match self { $(Shape::$name(s) => s.uv(p, hit)),* } }
@@ -143,9 +143,9 @@ macro_rules! shapes {
         impl Shape {
             /// The quirks of the shape's kind.
             pub fn quirks(&self) -> &'static Quirks { match self { $(Shape::$name(_) => &$name::QUIRKS),* } }
-            /// The shape to place by M: see [`Kernel::changed_under`].
+            /// The shape to place by M: see [`Kernel::adapted_to_transform`].
             pub fn under(&self, m: &Transform) -> Cow<'_, Self> {
-                match self { $(Shape::$name(s) => s.changed_under(m).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
+                match self { $(Shape::$name(s) => s.adapted_to_transform(m).map_or(Cow::Borrowed(self), |s| Cow::Owned(s.into()))),* }
             }
             /// True if both are clones of one shape.
             pub fn shares_with(&self, other: &Self) -> bool {

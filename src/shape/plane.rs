@@ -65,7 +65,7 @@ impl Plane {
 
 impl Spanned {
     /// Returns (u, v) of a point of the plane: its distances from two lines, as multiples of the other vector's.
-    fn coordinates(&self, p: DVec3) -> DVec2 {
+    fn span_coordinates(&self, p: DVec3) -> DVec2 {
         let (d, n) = (p - self.point, self.i.cross(self.j));
         DVec2::new(d.cross(self.j).dot(n), self.i.cross(d).dot(n)) / n.length_squared()
     }
@@ -89,14 +89,14 @@ impl Readable for Plane {
             "",
             "in place of normal and distance: four numbers A, B, C, D of A·x + B·y + C·z + D = 0 (durer)",
         )
-        .sets(|_, r| second_form("implicit", r)),
+        .sets(|_, r| second_form_error("implicit", r)),
         word(
             "point",
             ValueKind::Block,
             "",
             "in place of normal and distance: a point, then `normal n` or `span i, j` (durer)",
         )
-        .sets(|_, r| second_form("point", r)),
+        .sets(|_, r| second_form_error("point", r)),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -121,7 +121,7 @@ impl Readable for Plane {
 }
 
 /// Returns the error for a word of another form of a plane that is not first.
-fn second_form(word: &str, r: &mut dyn Reader) -> Result<()> {
+fn second_form_error(word: &str, r: &mut dyn Reader) -> Result<()> {
     let help = "write either `normal, distance` or one of the forms with words";
     let message = format!("`{word}` must be the first thing in a `plane`");
     Err(Diagnostic::new(codes::TWO_FORMS, r.span(), message).help(help).into())
@@ -180,7 +180,7 @@ impl Kernel for Plane {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         // t = (d - n·p₀) / n·v; a parallel ray divides by zero, and infinity and NaN are in no range
         let t = (self.distance - self.normal.dot(ray.origin)) / self.normal.dot(ray.dir);
-        (range.contains(t) && t <= tolerance::PLANE_ENDS).then(|| Hit::at(t))
+        (range.contains(t) && t <= tolerance::PLANE_ENDS).then(|| Hit::on_single_piece(t))
     }
 
     fn inside(&self, p: DVec3) -> bool {
@@ -202,7 +202,7 @@ impl Kernel for Plane {
             return Crossing::Unknown;
         }
         let (enter, leave) = if slope > 0.0 { (f64::NEG_INFINITY, t) } else { (t, f64::INFINITY) };
-        Crossing::Through([End::at(enter), End::at(leave)])
+        Crossing::Through([End::on_single_piece(enter), End::on_single_piece(leave)])
     }
 
     fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
@@ -213,7 +213,7 @@ impl Kernel for Plane {
     /// defines no uv mapping for planes.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         match &self.span {
-            Some(spanned) => spanned.coordinates(p),
+            Some(spanned) => spanned.span_coordinates(p),
             None => {
                 let (e1, e2) = self.normal.any_orthonormal_pair();
                 DVec2::new(p.dot(e1), p.dot(e2))
@@ -229,7 +229,7 @@ impl Kernel for Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::read;
+    use crate::shape::testing::read_shape;
     use proptest::prelude::*;
 
     fn t(plane: &Plane, ray: &Ray) -> Option<f64> {
@@ -274,15 +274,15 @@ mod tests {
     #[test]
     fn reading_every_form() {
         let floor = Plane::new(DVec3::Y, 1.5).unwrap();
-        assert_eq!(read::<Plane>("<0,2,0> 1.5").0.unwrap(), floor);
-        assert_eq!(read::<Plane>("implicit <0,4,0,-6>").0.unwrap(), floor);
-        assert_eq!(read::<Plane>("point <7,1.5,2> normal <0,5,0>").0.unwrap(), floor);
-        let spanned = read::<Plane>("point <7,1.5,2> span <0,0,3> <2,0,0>").0.unwrap();
+        assert_eq!(read_shape::<Plane>("<0,2,0> 1.5").0.unwrap(), floor);
+        assert_eq!(read_shape::<Plane>("implicit <0,4,0,-6>").0.unwrap(), floor);
+        assert_eq!(read_shape::<Plane>("point <7,1.5,2> normal <0,5,0>").0.unwrap(), floor);
+        let spanned = read_shape::<Plane>("point <7,1.5,2> span <0,0,3> <2,0,0>").0.unwrap();
         assert_eq!((spanned.normal, spanned.distance), (floor.normal, floor.distance));
         for bad in ["0 1", "implicit <0,0,0,1>", "point 0 normal 0", "point 0 span <1,0,0> <2,0,0>"] {
-            assert_eq!(read::<Plane>(bad).0.unwrap_err().code, codes::NO_DIRECTION, "{bad}");
+            assert_eq!(read_shape::<Plane>(bad).0.unwrap_err().code, codes::NO_DIRECTION, "{bad}");
         }
-        assert_eq!(read::<Plane>("<0,1,0> 1 implicit <0,1,0,0>").0.unwrap_err().code, codes::TWO_FORMS);
+        assert_eq!(read_shape::<Plane>("<0,1,0> 1 implicit <0,1,0,0>").0.unwrap_err().code, codes::TWO_FORMS);
     }
 
     proptest! {

@@ -7,7 +7,7 @@
 //! polygon { 10, <0,0> <4,0> <4,4> <0,4> <0,0>  <1,1> <3,1> <3,3> <1,3> <1,1> pigment { color rgb 1 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite, moved_box, pov_bounds};
+use super::{Hit, Hits, Kernel, Readable, finite, pov_bounds, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
@@ -38,7 +38,7 @@ pub struct Polygon {
 impl Polygon {
     /// Creates a polygon from points; a repeated first point ends an outline.
     pub fn new(points: &[DVec3]) -> Self {
-        let (outlines, unclosed) = split(points);
+        let (outlines, unclosed) = split_outlines(points);
         let area = outlines.iter().map(|o| vector_area(o)).max_by(|a, b| a.length().total_cmp(&b.length()));
         let area = area.unwrap_or_default().normalize_or_zero();
         let normal = if normal_of_first_turn(points).dot(area) < 0.0 { -area } else { area };
@@ -51,7 +51,7 @@ impl Polygon {
         let drop = normal.abs().max_position();
         let sides = outlines.iter().flat_map(|outline| {
             let next = outline.iter().cycle().skip(1);
-            outline.iter().zip(next).map(|(a, b)| [seen(*a, drop), seen(*b, drop)])
+            outline.iter().zip(next).map(|(a, b)| [project_along_axis(*a, drop), project_along_axis(*b, drop)])
         });
         Self { sides: sides.collect(), outlines, normal, drop, fault, unclosed }
     }
@@ -59,7 +59,7 @@ impl Polygon {
     /// True if the half-line from the point along +x crosses an odd number of the polygon's sides (lecture,
     /// "Point-in-polygon problem"). A side includes its lower end but not its upper end, so that a corner is crossed
     /// once.
-    fn covers(&self, p: DVec2) -> bool {
+    fn contains_projected(&self, p: DVec2) -> bool {
         let mut odd = false;
         for [a, b] in &self.sides {
             if (a.y <= p.y) != (b.y <= p.y) {
@@ -72,14 +72,14 @@ impl Polygon {
     }
 }
 
-/// Projects a point along the coordinate axis with index `drop`.
-fn seen(p: DVec3, drop: usize) -> DVec2 {
-    DVec2::new(p[(drop + 1) % 3], p[(drop + 2) % 3])
+/// Projects a point along the coordinate axis with index `axis`.
+fn project_along_axis(p: DVec3, axis: usize) -> DVec2 {
+    DVec2::new(p[(axis + 1) % 3], p[(axis + 2) % 3])
 }
 
 /// Splits a polygon's points where an outline returns to its first point; also returns true if the last outline does
 /// not.
-fn split(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
+fn split_outlines(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
     let mut outlines = vec![];
     let mut current: Vec<DVec3> = vec![];
     for &p in points {
@@ -179,7 +179,7 @@ impl Kernel for Polygon {
 
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let (thick, b) = (self.normal.abs() * pov_bounds::THIN, self.bounds());
-        moved_box(m, &Aabb { min: b.min - thick, max: b.max + thick })
+        transformed_box(m, &Aabb { min: b.min - thick, max: b.max + thick })
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -189,8 +189,10 @@ impl Kernel for Polygon {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         // Intersect the plane of the polygon, then test whether the point is within the outlines.
         let t = self.normal.dot(self.outlines[0][0] - ray.origin) / self.normal.dot(ray.dir);
-        let found = self.fault.is_none() && range.contains(t) && self.covers(seen(ray.at(t), self.drop));
-        found.then(|| Hit::at(t))
+        let found = self.fault.is_none()
+            && range.contains(t)
+            && self.contains_projected(project_along_axis(ray.at(t), self.drop));
+        found.then(|| Hit::on_single_piece(t))
     }
 
     fn inside(&self, _: DVec3) -> bool {
@@ -208,7 +210,7 @@ impl Kernel for Polygon {
     /// Surface coordinates of a polygon: the two coordinates of the projection. POV-Ray defines no uv mapping for
     /// polygons.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        seen(p, self.drop)
+        project_along_axis(p, self.drop)
     }
 
     fn has_uv_mapping(&self) -> bool {
@@ -220,7 +222,7 @@ impl Kernel for Polygon {
 mod tests {
     use super::*;
     use crate::math::fp;
-    use crate::shape::testing::read;
+    use crate::shape::testing::read_shape;
 
     /// True if a ray hits at (x, y) of the plane that was rotated about x = y = z.
     fn at(shape: &Polygon, x: f64, y: f64) -> bool {
@@ -242,7 +244,7 @@ mod tests {
     #[test]
     fn hole_from_the_manual() {
         let p = "12 <0,0> <0,6> <4,6> <4,3> <1,3> <1,0> <0,0> <1,4> <1,5> <3,5> <3,4> <1,4>";
-        let (letter, reports) = read::<Polygon>(p);
+        let (letter, reports) = read_shape::<Polygon>(p);
         let letter = letter.unwrap();
         assert!(reports.is_empty() && letter.outlines.len() == 2);
         assert!(at(&letter, 0.5, 1.0) && at(&letter, 2.0, 3.5) && at(&letter, 3.5, 4.5));
@@ -280,13 +282,13 @@ mod tests {
 
     #[test]
     fn reports() {
-        assert_eq!(read::<Polygon>("2 0 1").0.unwrap_err().code, codes::FEW_POINTS);
-        assert_eq!(read::<Polygon>("3 <0,0> <1,0> <0,1>").1[0].code, codes::OPEN_OUTLINE);
-        assert_eq!(read::<Polygon>("4 <0,0> <1,0> <2,0> <0,0>").1[0].code, codes::NOT_FLAT);
-        let bent = read::<Polygon>("5 0 <1,0,0> <1,1,0> <0,1,1e-6> 0");
+        assert_eq!(read_shape::<Polygon>("2 0 1").0.unwrap_err().code, codes::FEW_POINTS);
+        assert_eq!(read_shape::<Polygon>("3 <0,0> <1,0> <0,1>").1[0].code, codes::OPEN_OUTLINE);
+        assert_eq!(read_shape::<Polygon>("4 <0,0> <1,0> <2,0> <0,0>").1[0].code, codes::NOT_FLAT);
+        let bent = read_shape::<Polygon>("5 0 <1,0,0> <1,1,0> <0,1,1e-6> 0");
         assert_eq!(bent.1[0].code, codes::NOT_FLAT);
         assert!(bent.0.unwrap().bounds().is_empty());
-        assert!(read::<Polygon>("5 0 <1,0,0> <1,1,0> <0,1,1e-12> 0").1.is_empty());
-        assert!(read::<Polygon>("4.7 0 <1,0,0> <1,1,0> 0").1.is_empty());
+        assert!(read_shape::<Polygon>("5 0 <1,0,0> <1,1,0> <0,1,1e-12> 0").1.is_empty());
+        assert!(read_shape::<Polygon>("4.7 0 <1,0,0> <1,1,0> 0").1.is_empty());
     }
 }

@@ -11,15 +11,15 @@ pub(super) const NOTHING: Aabb = Aabb { min: DVec3::splat(2e10), max: DVec3::spl
 pub(super) const THIN: f64 = 0.001;
 
 /// Returns the box around a transformed box; an infinite box stays infinite.
-pub fn moved_box(by: &Transform, b: &Aabb) -> Aabb {
+pub fn transformed_box(by: &Transform, b: &Aabb) -> Aabb {
     let endless = b.min.x <= HUGE.min.x && b.max.x >= HUGE.max.x;
     if endless { HUGE } else { by.aabb(b) }
 }
 
 /// Returns the box that POV-Ray reports for a round shape under M; `b` is in the frame at `origin` whose z axis is
 /// rotated to `axis` by the shortest arc.
-pub(super) fn framed(m: &Transform, axis: DVec3, origin: DVec3, b: &Aabb) -> Aabb {
+pub(super) fn transformed_frame_bounds(m: &Transform, axis: DVec3, origin: DVec3, b: &Aabb) -> Aabb {
     let turn = DQuat::from_rotation_arc(DVec3::Z, axis.normalize_or(DVec3::Z));
     let turned = Transform::from_affine(DAffine3::from_rotation_translation(turn, origin));
-    moved_box(&turned.unwrap_or_else(|_| Transform::translate(origin)).then(m), b)
+    transformed_box(&turned.unwrap_or_else(|_| Transform::translate(origin)).then(m), b)
 }

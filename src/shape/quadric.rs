@@ -7,7 +7,7 @@
 //! quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 clipped_by { plane { y, 1.6 } } pigment { color rgb <0.9, 0.6, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, Readable, finite, moved_box};
+use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, Readable, finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, solve_quadratic_with_discriminant};
 use crate::source::Span;
@@ -65,42 +65,42 @@ impl Quadric {
         let has_center = determinant.abs() > 1e-9;
         let h = if has_center { DVec3::ZERO } else { h };
         let mut centered = Centered { q, h, c, center, size, ends: None, convex: false };
-        centered.ends = centered.box_around().filter(|_| has_center);
-        centered.convex = centered.ends.is_some_and(|b| !b.is_empty()) && centered.definite() > 0.0;
+        centered.ends = centered.bounding_box().filter(|_| has_center);
+        centered.convex = centered.ends.is_some_and(|b| !b.is_empty()) && centered.definiteness() > 0.0;
         Self { squares, mixed, linear, constant, centered }
     }
 
     /// Value of the quadric's form at a point; negative inside.
-    fn implicit(&self, p: DVec3) -> f64 {
-        self.centered.value(p - self.centered.center)
+    fn value_at(&self, p: DVec3) -> f64 {
+        self.centered.value_about_center(p - self.centered.center)
     }
 
-    fn roots(&self, ray: &Ray) -> Option<(f64, f64)> {
-        self.curve(ray).1
+    fn ray_roots(&self, ray: &Ray) -> Option<(f64, f64)> {
+        self.curvature_and_roots(ray).1
     }
 
     /// Returns the curvature of the quadric's form along a ray, and its roots.
-    fn curve(&self, ray: &Ray) -> (f64, Option<(f64, f64)>) {
+    fn curvature_and_roots(&self, ray: &Ray) -> (f64, Option<(f64, f64)>) {
         let Centered { q, h, center, .. } = &self.centered;
         // Start from the ray's point nearest to the centre, so that a distant eye costs no digits.
         let from = ray.origin - *center;
         let shift = -from.dot(ray.dir) / ray.dir.length_squared();
         let o = from + ray.dir * shift;
         let qv = *q * ray.dir;
-        let (a, half_b, c) = (qv.dot(ray.dir), qv.dot(o) + h.dot(ray.dir), self.centered.value(o));
+        let (a, half_b, c) = (qv.dot(ray.dir), qv.dot(o) + h.dot(ray.dir), self.centered.value_about_center(o));
         let roots = solve_quadratic_with_discriminant(a, half_b, c, half_b * half_b - a * c);
         (a, roots.map(|(t1, t2)| (t1 + shift, t2 + shift)))
     }
 }
 
 impl Centered {
-    fn value(&self, q: DVec3) -> f64 {
+    fn value_about_center(&self, q: DVec3) -> f64 {
         q.dot(self.q * q + 2.0 * self.h) + self.c
     }
 
     /// Returns 1 if the quadric's matrix Q is positive definite, -1 if negative definite, 0 otherwise (Sylvester's
     /// criterion).
-    fn definite(&self) -> f64 {
+    fn definiteness(&self) -> f64 {
         let (a, b) = (self.q.x_axis, self.q.y_axis);
         let sign = a.x.signum();
         let minor = a.x * b.y - a.y * b.x;
@@ -108,8 +108,8 @@ impl Centered {
     }
 
     /// Bounding box of the quadric: an ellipsoid extends √(-c·(Q⁻¹)ᵢᵢ) along axis i.
-    fn box_around(&self) -> Option<Aabb> {
-        let sign = self.definite();
+    fn bounding_box(&self) -> Option<Aabb> {
+        let sign = self.definiteness();
         if sign == 0.0 {
             return None;
         }
@@ -164,25 +164,25 @@ impl Kernel for Quadric {
     /// `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         match self.centered.ends {
-            Some(ends) if self.mixed == DVec3::ZERO && !ends.is_empty() => moved_box(m, &ends),
+            Some(ends) if self.mixed == DVec3::ZERO && !ends.is_empty() => transformed_box(m, &ends),
             _ => HUGE,
         }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        if let Some((t1, t2)) = self.roots(ray) {
-            out.extend([t1, t2].into_iter().filter(|&t| range.contains(t) && t.is_finite()).map(Hit::at));
+        if let Some((t1, t2)) = self.ray_roots(ray) {
+            out.extend([t1, t2].into_iter().filter(|&t| range.contains(t) && t.is_finite()).map(Hit::on_single_piece));
         }
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        let (t1, t2) = self.roots(ray)?;
+        let (t1, t2) = self.ray_roots(ray)?;
         let counts = |t: &f64| range.contains(*t) && t.is_finite();
-        Some(t1).filter(counts).into_iter().chain(Some(t2).filter(counts)).reduce(f64::min).map(Hit::at)
+        Some(t1).filter(counts).into_iter().chain(Some(t2).filter(counts)).reduce(f64::min).map(Hit::on_single_piece)
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        self.implicit(p) <= 0.0
+        self.value_at(p) <= 0.0
     }
 
     fn quadratic(&self) -> Option<Quadratic> {
@@ -191,19 +191,19 @@ impl Kernel for Quadric {
     }
 
     fn is_solid_unbounded(&self) -> bool {
-        self.centered.definite() < 0.0
+        self.centered.definiteness() < 0.0
     }
 
     fn is_convex(&self) -> bool {
         self.centered.convex
     }
 
-    fn knows_crossings(&self) -> bool {
+    fn computes_crossings(&self) -> bool {
         true
     }
 
     fn crossing(&self, ray: &Ray) -> Crossing {
-        let (bend, roots) = self.curve(ray);
+        let (bend, roots) = self.curvature_and_roots(ray);
         // Along a nearly straight line in the wall of a pipe or cone `t` is inaccurate; an ellipsoid has no such lines.
         let straight = STRAIGHT * self.centered.size * ray.dir.length_squared();
         if self.centered.ends.is_none() && bend.abs() <= straight {
@@ -213,7 +213,7 @@ impl Kernel for Quadric {
             None if bend > 0.0 => Crossing::Misses,
             None if bend < 0.0 => Crossing::Stays,
             Some((t1, t2)) if t1.is_finite() && t2.is_finite() => {
-                let ends = [End::at(t1), End::at(t2)];
+                let ends = [End::on_single_piece(t1), End::on_single_piece(t2)];
                 if bend > 0.0 { Crossing::Through(ends) } else { Crossing::Around(ends) }
             }
             _ => Crossing::Unknown,
@@ -235,24 +235,24 @@ impl Kernel for Quadric {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, assert_hits, read};
+    use crate::shape::testing::{all_hits, assert_hits, read_shape};
 
     fn made(text: &str) -> Quadric {
-        read::<Quadric>(text).0.unwrap()
+        read_shape::<Quadric>(text).0.unwrap()
     }
 
     #[test]
     fn closed_forms() {
         let ball = made("<1,1,1> 0 0 -1");
-        assert_hits(&all(&ball, &Ray::new(DVec3::Z * -5.0, DVec3::Z * 2.0)), &[(2.0, 0), (3.0, 0)]);
+        assert_hits(&all_hits(&ball, &Ray::new(DVec3::Z * -5.0, DVec3::Z * 2.0)), &[(2.0, 0), (3.0, 0)]);
         assert!(ball.inside(DVec3::ZERO) && !ball.inside(DVec3::Y * 1.01));
         assert_eq!(ball.bounds(), Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE });
         // A bowl y = x² + z², hit from above and from the side.
         let bowl = made("<1,0,1> 0 <0,-1,0> 0");
-        assert_hits(&all(&bowl, &Ray::new(DVec3::new(0.5, 9.0, 0.5), -DVec3::Y)), &[(8.5, 0)]);
-        assert_hits(&all(&bowl, &Ray::new(DVec3::new(-9.0, 4.0, 0.0), DVec3::X)), &[(7.0, 0), (11.0, 0)]);
+        assert_hits(&all_hits(&bowl, &Ray::new(DVec3::new(0.5, 9.0, 0.5), -DVec3::Y)), &[(8.5, 0)]);
+        assert_hits(&all_hits(&bowl, &Ray::new(DVec3::new(-9.0, 4.0, 0.0), DVec3::X)), &[(7.0, 0), (11.0, 0)]);
         assert!(bowl.inside(DVec3::Y) && !bowl.inside(-DVec3::Y) && bowl.bounds() == Aabb::INFINITE);
-        assert!(bowl.normal(DVec3::ZERO, &Hit::at(0.0)).normalize().distance(-DVec3::Y) < 1e-15);
+        assert!(bowl.normal(DVec3::ZERO, &Hit::on_single_piece(0.0)).normalize().distance(-DVec3::Y) < 1e-15);
         assert!(bowl.pov_bounds(&Transform::IDENTITY) == HUGE);
     }
 
@@ -287,7 +287,7 @@ mod tests {
     #[test]
     fn far_eye_and_turned_inside_out() {
         let ball = made("<1,1,1> 0 <0,0,0> -1");
-        let hits = all(&ball, &Ray::new(DVec3::new(0.0, 0.6, -1e7), DVec3::Z));
+        let hits = all_hits(&ball, &Ray::new(DVec3::new(0.0, 0.6, -1e7), DVec3::Z));
         assert!((hits[0].t - 1e7 + 0.8).abs() < 1e-8, "{hits:?}");
         let hole = made("<-1,-1,-1> 0 0 1");
         assert!(!hole.inside(DVec3::ZERO) && hole.inside(DVec3::X * 9.0) && hole.is_solid_unbounded());
@@ -332,9 +332,9 @@ mod tests {
 
     #[test]
     fn no_surface() {
-        assert_eq!(read::<Quadric>("1 0 0 1").1[0].code, codes::NO_SURFACE);
-        assert_eq!(read::<Quadric>("0 0 0 1").1[0].code, codes::NO_SURFACE);
-        assert!(read::<Quadric>("0 0 <0,1,0> 1").1.is_empty());
-        assert!(all(&made("1 0 0 1"), &Ray::new(DVec3::ZERO, DVec3::X)).is_empty());
+        assert_eq!(read_shape::<Quadric>("1 0 0 1").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read_shape::<Quadric>("0 0 0 1").1[0].code, codes::NO_SURFACE);
+        assert!(read_shape::<Quadric>("0 0 <0,1,0> 1").1.is_empty());
+        assert!(all_hits(&made("1 0 0 1"), &Ray::new(DVec3::ZERO, DVec3::X)).is_empty());
     }
 }

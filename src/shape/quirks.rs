@@ -19,7 +19,8 @@ pub struct Quirks {
     /// True if `inverse` does not exchange the outer and the inner texture of this kind of shape (quirk:
     /// `quadric_keeps_sides`).
     pub keeps_texture_sides: bool,
-    /// True if embedded textures show on the inside too, whatever `interior_texture` says (quirk: `blob_textures_on_both_sides`).
+    /// True if embedded textures show on the inside too, whatever `interior_texture` says (quirk:
+    /// `blob_textures_on_both_sides`).
     pub embedded_textures_on_both_sides: bool,
     /// True if embedded textures move with the shape even under `uv_mapping` (quirk: `blob_textures_move`).
     pub moves_embedded_textures: bool,

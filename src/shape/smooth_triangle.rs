@@ -108,7 +108,7 @@ impl Kernel for SmoothTriangle {
 
     /// Returns the smooth triangle with normals of length 1 under M, so that interpolation weighs them equally (quirk:
     /// `smooth_triangle_normals`).
-    fn changed_under(&self, m: &Transform) -> Option<Self> {
+    fn adapted_to_transform(&self, m: &Transform) -> Option<Self> {
         let normals = match self.is_twisted_under(m) {
             true => [DVec3::ZERO; 3],
             false => self.normals.map(|n| n / m.normal(n).length().max(f64::MIN_POSITIVE)),
@@ -136,12 +136,12 @@ impl Kernel for SmoothTriangle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::read;
+    use crate::shape::testing::read_shape;
 
     #[test]
     fn normals_are_interpolated() {
         // POV-Ray's trace(): the given normals are normalised first.
-        let (shape, reports) = read::<SmoothTriangle>("0 <0,0,-3> <1,0,0> <-1,0,-1> <0,1,0> <0,0,-1>");
+        let (shape, reports) = read_shape::<SmoothTriangle>("0 <0,0,-3> <1,0,0> <-1,0,-1> <0,1,0> <0,0,-1>");
         let (shape, ray) = (shape.unwrap(), Ray::new(DVec3::new(0.5, 0.25, -5.0), DVec3::Z));
         assert!(reports.is_empty());
         let hit = shape.closest(&ray, Range::FORWARD).unwrap();
@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn twisted() {
-        let with = |n: &str| read::<SmoothTriangle>(&format!("0 <0,0,1> <1,0,0> <0,0,1> <0,1,0> {n}"));
+        let with = |n: &str| read_shape::<SmoothTriangle>(&format!("0 <0,0,1> <1,0,0> <0,0,1> <0,1,0> {n}"));
         for bad in ["<0,0,-1>", "<1,0,0>", "0", "<1,0,-0.01>"] {
             let (shape, reports) = with(bad);
             assert_eq!(reports[0].code, codes::TWISTED_TRIANGLE, "{bad}");

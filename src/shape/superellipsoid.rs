@@ -9,7 +9,7 @@
 //! superellipsoid { <0.3, 0.5> rotate x*30 translate y pigment { color rgb <0.9, 0.4, 0.2> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite, moved_box};
+use super::{Hit, Hits, Kernel, Readable, finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, Range, Ray, Transform, fp, tolerance};
 use crate::source::Span;
@@ -112,7 +112,7 @@ struct Corner {
 }
 
 /// Computes xⁿ of a number with this logarithm; 1 where powers have no limit.
-fn exp_of(ln: f64, n: f64) -> f64 {
+fn power_of_logarithm(ln: f64, n: f64) -> f64 {
     let product = ln * n;
     if product.is_nan() { 1.0 } else { fp::exp(product) }
 }
@@ -120,7 +120,7 @@ fn exp_of(ln: f64, n: f64) -> f64 {
 /// Logarithm of (xᵃ + yᵃ)^(1/a) from the logarithms of x and y.
 fn ln_norm(x: f64, y: f64, a: f64) -> f64 {
     let (big, small) = if x > y { (x, y) } else { (y, x) };
-    big + fp::ln(1.0 + exp_of(small - big, a)) / a
+    big + fp::ln(1.0 + power_of_logarithm(small - big, a)) / a
 }
 
 impl Superellipsoid {
@@ -142,7 +142,7 @@ impl Superellipsoid {
     /// Finds the surface of a convex superellipsoid by Newton's method from one end of a line's piece in the cube to
     /// the surface. A tangent of a convex function is below the function, so steps approach the root and never pass it;
     /// `None` where the function no longer falls.
-    fn seen_from(&self, line: &Line, from: f64, to: f64) -> Option<f64> {
+    fn newton_from_end(&self, line: &Line, from: f64, to: f64) -> Option<f64> {
         let toward = (to - from).signum();
         let mut s = from;
         for _ in 0..200 {
@@ -171,43 +171,54 @@ impl Superellipsoid {
     /// Calls `found` with the roots on a superellipsoid between two points within one octant, ascending, if they are in
     /// the range. Returns true if `found` did. Pieces do not depend on the range, so neither do the last digits of
     /// roots.
-    fn in_octant(&self, line: &Line, lo: End, hi: End, within: Range, found: &mut dyn FnMut(f64) -> bool) -> bool {
+    fn find_roots_in_octant(
+        &self,
+        line: &Line,
+        lo: End,
+        hi: End,
+        within: Range,
+        found: &mut dyn FnMut(f64) -> bool,
+    ) -> bool {
         if hi.s < within.min || lo.s > within.max {
             return false;
         }
         // The gauge grows along each axis, so it is bounded by its values at two corners of the piece's box.
-        let far = self.corner(lo.ln.max(hi.ln));
+        let far = self.logarithms_at(lo.ln.max(hi.ln));
         if far.gauge < -CLEAR {
             return false;
         }
-        let near = self.corner(lo.ln.min(hi.ln));
+        let near = self.logarithms_at(lo.ln.min(hi.ln));
         if near.gauge > CLEAR {
             return false;
         }
         let length = hi.s - lo.s;
-        let slopes = self.slopes(&near, &far, (hi.p - lo.p) / length);
+        let slopes = self.derivative_bounds(&near, &far, (hi.p - lo.p) / length);
         if slopes.0 > 0.0 || slopes.1 < 0.0 || length < 1e-13 {
             let begins_inside = self.gauge(lo.p).0 <= 1.0;
             let differ = begins_inside != (self.gauge(hi.p).0 <= 1.0);
-            return differ && found(self.between(line, if begins_inside { (lo.s, hi.s) } else { (hi.s, lo.s) }));
+            return differ
+                && found(
+                    self.root_between_inside_and_outside(line, if begins_inside { (lo.s, hi.s) } else { (hi.s, lo.s) }),
+                );
         }
         let middle = End::new(line, 0.5 * (lo.s + hi.s));
-        self.in_octant(line, lo, middle, within, found) || self.in_octant(line, middle, hi, within, found)
+        self.find_roots_in_octant(line, lo, middle, within, found)
+            || self.find_roots_in_octant(line, middle, hi, within, found)
     }
 
     /// Returns the logarithms of the superellipsoid's terms at a point from those of its coordinates; each power costs
     /// one exponential.
-    fn corner(&self, of: DVec3) -> Corner {
+    fn logarithms_at(&self, of: DVec3) -> Corner {
         let across = ln_norm(of.x, of.y, 2.0 / self.e);
         Corner { of, across, gauge: ln_norm(across, of.z, 2.0 / self.n) }
     }
 
     /// Bounds of the derivative of the superellipsoid's (xᵃ + yᵃ)^(b/a) + zᵇ between two corners, along v, divided by
     /// b.
-    fn slopes(&self, near: &Corner, far: &Corner, v: DVec3) -> (f64, f64) {
+    fn derivative_bounds(&self, near: &Corner, far: &Corner, v: DVec3) -> (f64, f64) {
         let (a, b) = (2.0 / self.e, 2.0 / self.n);
         let power = |lo: f64, hi: f64, n: f64| {
-            let (x, y) = (exp_of(lo, n), exp_of(hi, n));
+            let (x, y) = (power_of_logarithm(lo, n), power_of_logarithm(hi, n));
             (x.min(y), x.max(y))
         };
         let times = |(lo, hi): (f64, f64), v: f64| {
@@ -229,7 +240,7 @@ impl Superellipsoid {
 
     /// Returns the root of a superellipsoid between a point inside and one outside: Newton's method, or bisection where
     /// that is slow.
-    fn between(&self, line: &Line, (mut inner, mut outer): (f64, f64)) -> f64 {
+    fn root_between_inside_and_outside(&self, line: &Line, (mut inner, mut outer): (f64, f64)) -> f64 {
         let (mut s, mut last) = (0.5 * (inner + outer), (outer - inner).abs());
         for _ in 0..100 {
             let (value, gradient) = self.gauge(line.at(s));
@@ -260,14 +271,14 @@ impl Superellipsoid {
             if gradient.dot(line.v) >= 0.0 {
                 return;
             }
-            let Some(first) = self.seen_from(line, lo, hi) else { return };
+            let Some(first) = self.newton_from_end(line, lo, hi) else { return };
             if visit(first) {
                 return;
             }
             last = first;
         }
         // At a grazing ray rounding can put the exit before the entry.
-        visit(self.seen_from(line, hi, lo).map_or(last, |s| s.max(last)));
+        visit(self.newton_from_end(line, hi, lo).map_or(last, |s| s.max(last)));
     }
 
     /// Calls `found` with each hit on the superellipsoid in the range, ascending, until it returns true.
@@ -295,7 +306,9 @@ impl Superellipsoid {
         cuts.extend((0..3).map(|axis| -line.o[axis] / v[axis]).filter(|s| *s > lo && *s < hi));
         cuts.sort_by(f64::total_cmp);
         let ends: smallvec::SmallVec<[End; 5]> = cuts.iter().map(|&s| End::new(&line, s)).collect();
-        let _ = ends.windows(2).any(|w| w[0].s < w[1].s && self.in_octant(&line, w[0], w[1], within, &mut visit));
+        let _ = ends
+            .windows(2)
+            .any(|w| w[0].s < w[1].s && self.find_roots_in_octant(&line, w[0], w[1], within, &mut visit));
     }
 }
 
@@ -346,12 +359,12 @@ impl Kernel for Superellipsoid {
 
     /// Box that POV-Ray reports for a superellipsoid, slightly larger than the shape (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        moved_box(m, &CUBE.grown(1e-4))
+        transformed_box(m, &CUBE.grown(1e-4))
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.search(ray, range, &mut |t| {
-            out.push(Hit::at(t));
+            out.push(Hit::on_single_piece(t));
             false
         });
     }
@@ -359,7 +372,7 @@ impl Kernel for Superellipsoid {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
         self.search(ray, range, &mut |t| {
-            first = Some(Hit::at(t));
+            first = Some(Hit::on_single_piece(t));
             true
         });
         first
@@ -388,7 +401,7 @@ impl Kernel for Superellipsoid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, read};
+    use crate::shape::testing::{all_hits, read_shape};
 
     fn near(found: &[Hit], want: &[f64]) {
         let same = found.len() == want.len() && found.iter().zip(want).all(|(h, t)| (h.t - t).abs() < 1e-12);
@@ -399,11 +412,14 @@ mod tests {
     fn ball_and_octahedron() {
         let ball = Superellipsoid { e: 1.0, n: 1.0 };
         let h = (1.0_f64 - 0.25).sqrt();
-        near(&all(&ball, &Ray::new(DVec3::new(0.3, 0.4, -5.0), DVec3::Z * 2.0)), &[(5.0 - h) / 2.0, (5.0 + h) / 2.0]);
-        near(&all(&ball, &Ray::new(DVec3::new(0.8, 0.7, -5.0), DVec3::Z)), &[]);
+        near(
+            &all_hits(&ball, &Ray::new(DVec3::new(0.3, 0.4, -5.0), DVec3::Z * 2.0)),
+            &[(5.0 - h) / 2.0, (5.0 + h) / 2.0],
+        );
+        near(&all_hits(&ball, &Ray::new(DVec3::new(0.8, 0.7, -5.0), DVec3::Z)), &[]);
         let octahedron = Superellipsoid { e: 2.0, n: 2.0 };
-        near(&all(&octahedron, &Ray::new(DVec3::new(0.3, 0.4, -5.0), DVec3::Z)), &[4.7, 5.3]);
-        near(&all(&octahedron, &Ray::new(DVec3::new(-5.0, 0.0, 0.0), DVec3::X)), &[4.0, 6.0]);
+        near(&all_hits(&octahedron, &Ray::new(DVec3::new(0.3, 0.4, -5.0), DVec3::Z)), &[4.7, 5.3]);
+        near(&all_hits(&octahedron, &Ray::new(DVec3::new(-5.0, 0.0, 0.0), DVec3::X)), &[4.0, 6.0]);
     }
 
     #[test]
@@ -414,8 +430,9 @@ mod tests {
             let hit = shape.closest(&Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z), Range::FORWARD).unwrap();
             assert!((hit.t - 5.0 + z).abs() < 1e-10, "{e} {n} {hit:?}");
         }
-        let n =
-            Superellipsoid { e: 2.0, n: 0.5 }.normal(DVec3::new(0.1, 0.2, 0.997968819820), &Hit::at(0.0)).normalize();
+        let n = Superellipsoid { e: 2.0, n: 0.5 }
+            .normal(DVec3::new(0.1, 0.2, 0.997968819820), &Hit::on_single_piece(0.0))
+            .normalize();
         assert!(n.distance(DVec3::new(0.027145172107, 0.027145172107, 0.999262867949)) < 1e-9, "{n}");
     }
 
@@ -428,7 +445,7 @@ mod tests {
                     let (sin, cos) = fp::sin_cos(f64::from(k) * 2.4);
                     let from = DVec3::new(3.0 * cos, 3.0 * sin, 0.1 * f64::from(k) - 3.0);
                     let ray = Ray::new(from, DVec3::new(0.11, -0.07, 0.05) * (f64::from(k % 7) - 3.0) - from);
-                    let hits = all(&shape, &ray);
+                    let hits = all_hits(&shape, &ray);
                     assert!(hits.len().is_multiple_of(2), "{shape:?} {ray:?} {hits:?}");
                     for hit in &hits {
                         let (value, _) = shape.gauge(ray.at(hit.t));
@@ -450,8 +467,8 @@ mod tests {
 
     #[test]
     fn reading() {
-        assert_eq!(read::<Superellipsoid>("<0.5,2,0>").0.unwrap(), Superellipsoid { e: 0.5, n: 2.0 });
-        assert_eq!(read::<Superellipsoid>("<-1,1,0>").1[0].code, codes::NO_SURFACE);
-        assert_eq!(read::<Superellipsoid>("<inf,1,0>").0.unwrap_err().code, codes::NOT_FINITE);
+        assert_eq!(read_shape::<Superellipsoid>("<0.5,2,0>").0.unwrap(), Superellipsoid { e: 0.5, n: 2.0 });
+        assert_eq!(read_shape::<Superellipsoid>("<-1,1,0>").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read_shape::<Superellipsoid>("<inf,1,0>").0.unwrap_err().code, codes::NOT_FINITE);
     }
 }

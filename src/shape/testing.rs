@@ -12,7 +12,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// Returns all hits of a ray's whole line on a shape, ascending.
-pub fn all(shape: &impl Kernel, ray: &Ray) -> Vec<Hit> {
+pub fn all_hits(shape: &impl Kernel, ray: &Ray) -> Vec<Hit> {
     let mut hits = Hits::new();
     shape.hits(ray, Range::ALL, &mut hits);
     hits.sort_by(|a, b| a.t.total_cmp(&b.t));
@@ -26,13 +26,13 @@ pub fn assert_hits(found: &[Hit], want: &[(f64, u32)]) {
 }
 
 /// Reads a shape from words separated by blanks; returns the diagnostics too.
-pub fn read<S: Readable>(text: &str) -> (Result<S>, Vec<Diagnostic>) {
+pub fn read_shape<S: Readable>(text: &str) -> (Result<S>, Vec<Diagnostic>) {
     let mut r = Words { left: text.split_whitespace().map(String::from).collect(), reports: vec![] };
-    let shape = read_all::<S>(&mut r);
+    let shape = read_whole_shape::<S>(&mut r);
     (shape, r.reports)
 }
 
-fn read_all<S: Readable>(r: &mut Words) -> Result<S> {
+fn read_whole_shape<S: Readable>(r: &mut Words) -> Result<S> {
     let mut shape = S::read(r)?;
     loop {
         let next = r.next()?;

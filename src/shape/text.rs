@@ -70,7 +70,7 @@ struct Glyph {
 impl Glyph {
     fn new(curves: Outline) -> Self {
         let ends = |better: fn(DVec2, DVec2) -> DVec2| {
-            curves.iter().flat_map(|curve| [curve[0], extreme(curve, better), curve[2]]).reduce(better)
+            curves.iter().flat_map(|curve| [curve[0], curve_extremum(curve, better), curve[2]]).reduce(better)
         };
         let (min, max) = (ends(DVec2::min).unwrap_or_default(), ends(DVec2::max).unwrap_or_default());
         Self { curves, min, max }
@@ -78,7 +78,7 @@ impl Glyph {
 
     /// True if the half-line from the point along +x crosses the letter's outlines an odd number of times. Each
     /// monotonic piece of a curve includes its lower end but not its upper end.
-    fn covers(&self, p: DVec2) -> bool {
+    fn outline_contains(&self, p: DVec2) -> bool {
         if p.y < self.min.y || p.y > self.max.y || p.x < self.min.x || p.x > self.max.x {
             return false;
         }
@@ -89,11 +89,11 @@ impl Glyph {
             let turn = (a.y - b.y) / (a.y - 2.0 * b.y + c.y);
             let mut piece = |s0: f64, y0: f64, s1: f64, y1: f64| {
                 if (y0 <= 0.0) != (y1 <= 0.0) {
-                    odd ^= at([a, b, c], root(a.y, b.y, c.y, s0, s1)).x > 0.0;
+                    odd ^= curve_point([a, b, c], quadratic_root_between(a.y, b.y, c.y, s0, s1)).x > 0.0;
                 }
             };
             if turn > 0.0 && turn < 1.0 {
-                let top = at([a, b, c], turn).y;
+                let top = curve_point([a, b, c], turn).y;
                 piece(0.0, a.y, turn, top);
                 piece(turn, top, 1.0, c.y);
             } else {
@@ -105,19 +105,19 @@ impl Glyph {
 }
 
 /// Returns the extremum of a letter's curve along each axis, if it is between the ends.
-fn extreme(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
+fn curve_extremum(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
     let turn = (curve[0] - curve[1]) / (curve[0] - 2.0 * curve[1] + curve[2]);
-    let inner = |s: f64| if s > 0.0 && s < 1.0 { at(*curve, s) } else { curve[0] };
+    let inner = |s: f64| if s > 0.0 && s < 1.0 { curve_point(*curve, s) } else { curve[0] };
     better(inner(turn.x), inner(turn.y))
 }
 
-fn at([a, b, c]: Curve, s: f64) -> DVec2 {
+fn curve_point([a, b, c]: Curve, s: f64) -> DVec2 {
     let r = 1.0 - s;
     a * (r * r) + b * (2.0 * r * s) + c * (s * s)
 }
 
 /// Returns the only root of (1 - s)²·a + 2s(1 - s)·b + s²·c between s0 and s1.
-fn root(a: f64, b: f64, c: f64, s0: f64, s1: f64) -> f64 {
+fn quadratic_root_between(a: f64, b: f64, c: f64, s0: f64, s1: f64) -> f64 {
     let middle = (s0 + s1) / 2.0;
     let off = |s: &f64| (s - middle).abs();
     match solve_quadratic(a - 2.0 * b + c, 2.0 * (b - a), a) {
@@ -180,7 +180,7 @@ impl Readable for Text {
                 first += count;
             }
         }
-        let boxes = text.letters.iter().map(|letter| text.tilt.aabb(&text.box_of(letter)));
+        let boxes = text.letters.iter().map(|letter| text.tilt.aabb(&text.letter_bounds(letter)));
         text.bounds = boxes.fold(Aabb::EMPTY, Aabb::union);
         Ok(text)
     }
@@ -194,12 +194,12 @@ impl Readable for Text {
 }
 
 impl Text {
-    fn box_of(&self, Letter { shape, at, .. }: &Letter) -> Aabb {
+    fn letter_bounds(&self, Letter { shape, at, .. }: &Letter) -> Aabb {
         Aabb::from_corners(at + shape.min.extend(0.0), at + shape.max.extend(self.depth))
     }
 
     /// Appends the hits on one letter of the text, with the ray in the letter's space.
-    fn meet(&self, letter: &Letter, ray: &Ray, range: Range, out: &mut Hits) {
+    fn add_letter_hits(&self, letter: &Letter, ray: &Ray, range: Range, out: &mut Hits) {
         let (o, d) = (ray.origin - letter.at, ray.dir);
         let mut push = |t: f64, part: u32, s: f64| {
             if range.contains(t) {
@@ -208,7 +208,7 @@ impl Text {
         };
         for (part, z) in [(FRONT, 0.0), (BACK, self.depth)] {
             let t = (z - o.z) / d.z;
-            if t.is_finite() && letter.shape.covers((o + d * t).truncate()) {
+            if t.is_finite() && letter.shape.outline_contains((o + d * t).truncate()) {
                 push(t, part, 0.0);
             }
         }
@@ -228,7 +228,7 @@ impl Text {
             for s in [s1, s2] {
                 // A curve includes its first end but not its last, so that a corner is hit once.
                 if (0.0..1.0).contains(&s) {
-                    let t = across.dot(at(from, s)) / length;
+                    let t = across.dot(curve_point(from, s)) / length;
                     let z = o.z + d.z * t;
                     if z >= 0.0 && z <= self.depth {
                         push(t, part, s);
@@ -239,7 +239,7 @@ impl Text {
     }
 
     /// Returns the text's letter that has this part, and the part's number within the letter.
-    fn part(&self, number: u32) -> (&Letter, u32) {
+    fn letter_of_part(&self, number: u32) -> (&Letter, u32) {
         let letter = &self.letters[self.letters.partition_point(|letter| letter.first <= number) - 1];
         (letter, number - letter.first)
     }
@@ -253,8 +253,8 @@ impl Kernel for Text {
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         let ray = self.tilt.inverse_ray(ray);
         for letter in &self.letters {
-            if self.box_of(letter).slabs(&ray, range).is_some() {
-                self.meet(letter, &ray, range, out);
+            if self.letter_bounds(letter).slabs(&ray, range).is_some() {
+                self.add_letter_hits(letter, &ray, range, out);
             }
         }
     }
@@ -263,13 +263,13 @@ impl Kernel for Text {
         let p = self.tilt.inverse_point(p);
         self.letters.iter().any(|letter| {
             let local = p - letter.at;
-            local.z > 0.0 && local.z < self.depth && letter.shape.covers(local.truncate())
+            local.z > 0.0 && local.z < self.depth && letter.shape.outline_contains(local.truncate())
         })
     }
 
     /// Normal of a text; walls point inwards (quirk: `text_walls`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
-        let (letter, part) = self.part(hit.part);
+        let (letter, part) = self.letter_of_part(hit.part);
         let n = match part {
             FRONT => DVec3::NEG_Z,
             BACK => DVec3::Z,
@@ -292,10 +292,10 @@ impl Kernel for Text {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::all;
+    use crate::shape::testing::all_hits;
 
     fn text(string: &str) -> Text {
-        crate::shape::testing::read::<Text>(&format!("ttf \"roboto\" \"{string}\" 0.5 0")).0.unwrap()
+        crate::shape::testing::read_shape::<Text>(&format!("ttf \"roboto\" \"{string}\" 0.5 0")).0.unwrap()
     }
 
     #[test]
@@ -306,7 +306,7 @@ mod tests {
             let at = |m: usize| (k * m % 997) as f64 / 997.0;
             let from = DVec3::new(at(13) * 3.0, at(29) - 0.2, at(5) - 0.2);
             let ray = Ray::new(from, DVec3::new(at(7) - 0.5, at(11) - 0.5, at(3) - 0.5));
-            let hits = all(&shape, &ray);
+            let hits = all_hits(&shape, &ray);
             assert!(hits.len().is_multiple_of(2), "{ray:?}: {hits:?}");
             met += hits.len();
             for pair in hits.windows(2) {
@@ -342,18 +342,18 @@ mod tests {
 
     #[test]
     fn of_a_negative_depth_only_the_ends_are_left() {
-        let shape = crate::shape::testing::read::<Text>("ttf \"roboto\" \"l\" -0.5 0").0.unwrap();
+        let shape = crate::shape::testing::read_shape::<Text>("ttf \"roboto\" \"l\" -0.5 0").0.unwrap();
         let middle = shape.bounds().center();
-        let hits = all(&shape, &Ray::new(middle.with_z(-5.0), DVec3::Z));
+        let hits = all_hits(&shape, &Ray::new(middle.with_z(-5.0), DVec3::Z));
         assert!(hits.len() == 2 && (hits[0].t - 4.5).abs() < 1e-4 && (hits[1].t - 5.0).abs() < 1e-4, "{hits:?}");
-        assert!(all(&shape, &Ray::new(middle.with_x(-5.0), DVec3::X)).is_empty() && !shape.inside(middle));
+        assert!(all_hits(&shape, &Ray::new(middle.with_x(-5.0), DVec3::X)).is_empty() && !shape.inside(middle));
         // Both ends exist even without depth (quirk: `text_without_depth`).
-        let flat = crate::shape::testing::read::<Text>("ttf \"roboto\" \"l\" 0 0").0.unwrap();
-        assert_eq!(all(&flat, &Ray::new(middle.with_z(-5.0), DVec3::Z)).len(), 2);
+        let flat = crate::shape::testing::read_shape::<Text>("ttf \"roboto\" \"l\" 0 0").0.unwrap();
+        assert_eq!(all_hits(&flat, &Ray::new(middle.with_z(-5.0), DVec3::Z)).len(), 2);
     }
 
     #[test]
     fn nothing_to_show() {
-        assert_eq!(crate::shape::testing::read::<Text>("ttf \"a\" \"\" 1 0").1[0].code, codes::NO_SURFACE);
+        assert_eq!(crate::shape::testing::read_shape::<Text>("ttf \"a\" \"\" 1 0").1[0].code, codes::NO_SURFACE);
     }
 }

@@ -147,7 +147,7 @@ impl Kernel for Triangle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::read;
+    use crate::shape::testing::read_shape;
     use proptest::prelude::*;
 
     fn corner() -> Triangle {
@@ -176,9 +176,9 @@ mod tests {
 
     #[test]
     fn degenerate() {
-        assert_eq!(read::<Triangle>("0 <1,0,0> <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
-        assert_eq!(read::<Triangle>("0 0 <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
-        assert!(read::<Triangle>("0 <1,0,0> <0,1e-7,0>").1.is_empty(), "thin is not degenerate");
+        assert_eq!(read_shape::<Triangle>("0 <1,0,0> <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
+        assert_eq!(read_shape::<Triangle>("0 0 <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
+        assert!(read_shape::<Triangle>("0 <1,0,0> <0,1e-7,0>").1.is_empty(), "thin is not degenerate");
         let line = Triangle::new(DVec3::ZERO, DVec3::X, DVec3::X * 2.0);
         assert!(line.bounds().is_empty());
         assert_eq!(line.intersect(&Ray::new(DVec3::new(0.5, 0.0, -1.0), DVec3::Z)), None);

@@ -1,6 +1,6 @@
 //! Surfaces of revolution about the y axis: the walls of `lathe` and `sor`.
 
-use super::spline::{blend, blend_slope, product, turns};
+use super::spline::{bernstein_derivative_at, bernstein_product, derivative_roots, evaluate_bernstein};
 use super::{Hit, Hits};
 use crate::math::{DVec2, DVec3, Range, Ray, bernstein_roots, fp, solve_quadratic_with_discriminant};
 use smallvec::SmallVec;
@@ -32,8 +32,8 @@ struct Piece {
 
 impl Piece {
     fn new(height: &[f64], radius2: Vec<f64>) -> Self {
-        let raised = |b: Vec<f64>| product(&b, &vec![1.0; radius2.len() + 1 - b.len()]);
-        let (height, height2) = (raised(height.to_vec()), raised(product(height, height)));
+        let raised = |b: Vec<f64>| bernstein_product(&b, &vec![1.0; radius2.len() + 1 - b.len()]);
+        let (height, height2) = (raised(height.to_vec()), raised(bernstein_product(height, height)));
         let most = radius2.iter().copied().fold(0.0, f64::max);
         Self { height, height2, radius2, most }
     }
@@ -65,7 +65,7 @@ impl Walls {
         let v = ray.dir / length;
         let middle = -from.dot(v);
         let line = Line { o: from + middle * v, v, middle, length };
-        let distance2 = closest_to_axis(line.o, v);
+        let distance2 = min_squared_axis_distance(line.o, v);
         for (part, piece) in self.pieces.iter().enumerate() {
             if piece.most < distance2 {
                 continue;
@@ -76,16 +76,20 @@ impl Walls {
                     out.push(Hit { t, part: part as u32, uv: DVec2::new(at, 0.0) });
                 }
             };
-            if v.y.abs() < LEVEL { piece.level_hits(&line, &mut visit) } else { piece.hits(&line, &mut visit) }
+            if v.y.abs() < LEVEL {
+                piece.visit_level_hits(&line, &mut visit)
+            } else {
+                piece.visit_hits(&line, &mut visit)
+            }
         }
     }
 
     /// Outward normal of the walls at a hit, for a curve that goes up.
     pub fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         let piece = &self.pieces[hit.part as usize];
-        let up = blend_slope(&piece.height, hit.uv.x);
+        let up = bernstein_derivative_at(&piece.height, hit.uv.x);
         // 2·r·r'
-        let out = blend_slope(&piece.radius2, hit.uv.x);
+        let out = bernstein_derivative_at(&piece.radius2, hit.uv.x);
         let n = DVec3::new(p.x * up, -0.5 * out, p.z * up);
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
@@ -98,7 +102,7 @@ impl Walls {
 }
 
 /// Lower bound of the squared distance between a line and the y axis.
-fn closest_to_axis(o: DVec3, v: DVec3) -> f64 {
+fn min_squared_axis_distance(o: DVec3, v: DVec3) -> f64 {
     let across = v.x * v.x + v.z * v.z;
     let turn = o.x * v.z - o.z * v.x;
     if across > 1e-12 { turn * turn / across * (1.0 - 1e-9) } else { 0.0 }
@@ -107,7 +111,7 @@ fn closest_to_axis(o: DVec3, v: DVec3) -> f64 {
 impl Piece {
     /// Calls `visit` with the hits on one segment of the walls. The ray is at height y where s = (y - o_y)/v_y, and
     /// there |(o + s·v)ₓ𝓏|² = r². Times v_y², that is a polynomial along the segment.
-    fn hits(&self, line: &Line, visit: &mut dyn FnMut(f64, f64)) {
+    fn visit_hits(&self, line: &Line, visit: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let (k, m, q) = (v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z, o.x * o.x + o.z * o.z);
         let by_height = 2.0 * (v.y * m - k * o.y);
@@ -116,13 +120,13 @@ impl Piece {
         let b: SmallVec<[f64; 8]> =
             terms.map(|((y, y2), r2)| k * y2 + by_height * y + constant - v.y * v.y * r2).collect();
         bernstein_roots(&b, &mut |at| {
-            let s = (blend(&self.height, at) - o.y) / v.y;
+            let s = (evaluate_bernstein(&self.height, at) - o.y) / v.y;
             if v.y.abs() > STEEP {
                 visit(s, at);
                 return false;
             }
             // Select the nearer of the two points at this distance from the axis.
-            let c = q - blend(&self.radius2, at);
+            let c = q - evaluate_bernstein(&self.radius2, at);
             if let Some((s1, s2)) = solve_quadratic_with_discriminant(k, m, c, (m * m - k * c).max(0.0)) {
                 visit(if (s - s1).abs() < (s - s2).abs() { s1 } else { s2 }, at);
             }
@@ -132,12 +136,12 @@ impl Piece {
 
     /// Calls `visit` with the hits of a level ray: where the segment has the ray's height, two points of the ray have
     /// its radius.
-    fn level_hits(&self, line: &Line, visit: &mut dyn FnMut(f64, f64)) {
+    fn visit_level_hits(&self, line: &Line, visit: &mut dyn FnMut(f64, f64)) {
         let (o, v) = (line.o, line.v);
         let b: SmallVec<[f64; 8]> = self.height.iter().map(|y| y - o.y).collect();
         bernstein_roots(&b, &mut |at| {
             let (k, m) = (v.x * v.x + v.z * v.z, o.x * v.x + o.z * v.z);
-            let c = o.x * o.x + o.z * o.z - blend(&self.radius2, at);
+            let c = o.x * o.x + o.z * o.z - evaluate_bernstein(&self.radius2, at);
             if let Some((s1, s2)) = solve_quadratic_with_discriminant(k, m, c, m * m - k * c) {
                 visit(s1, at);
                 visit(s2, at);
@@ -148,7 +152,7 @@ impl Piece {
 }
 
 /// Maximum on [0, 1] of a polynomial with these Bernstein coefficients, of degree up to 3; at least 0.
-pub fn widest(b: &[f64]) -> f64 {
-    let inner = turns(b).into_iter().flatten().map(|t| blend(b, t));
+pub fn max_on_unit_interval(b: &[f64]) -> f64 {
+    let inner = derivative_roots(b).into_iter().flatten().map(|t| evaluate_bernstein(b, t));
     inner.chain([b[0], b[b.len() - 1]]).fold(0.0, f64::max)
 }

@@ -34,8 +34,9 @@ enum Known {
 }
 
 impl Tracer<'_> {
-    /// Returns the mean visibility of a grid of lights. The grid is halved both ways down to single lights; a piece counts as the mean of
-    /// its corners, so inner lights count twice and four times as much as those at edges and corners (quirk: `area_light_subdivision`).
+    /// Returns the mean visibility of a grid of lights. The grid is halved both ways down to single lights; a piece
+    /// counts as the mean of its corners, so inner lights count twice and four times as much as those at edges and
+    /// corners (quirk: `area_light_subdivision`).
     pub(super) fn area_visibility(
         &mut self,
         light: &LightSource,
@@ -96,7 +97,8 @@ impl Tracer<'_> {
     }
 }
 
-/// Returns the offset of a light of the grid from the grid's centre, with jitter; `toward` is the direction from the light to the point.
+/// Returns the offset of a light of the grid from the grid's centre, with jitter; `toward` is the direction from the
+/// light to the point.
 pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomSequence) -> DVec3 {
     let number = 2 * (u64::from(cell[1]) << 32 | u64::from(cell[0]));
     area.light_offset(cell, toward, area.jitter.then(|| [random.at(number), random.at(number + 1)]))

@@ -26,8 +26,8 @@ pub(super) struct ShadedLayer<'w> {
     pub cos: f64,
 }
 
-/// One texture, evaluated at a point. Where a pattern blends several textures, each is lit, reflects and refracts by itself, and the
-/// result is their sum by shares (quirk: `blend_by_light`).
+/// One texture, evaluated at a point. Where a pattern blends several textures, each is lit, reflects and refracts by
+/// itself, and the result is their sum by shares (quirk: `blend_by_light`).
 pub(super) struct MaterialSample<'w> {
     /// Share of the point that shows the texture.
     pub share: f64,
@@ -96,14 +96,15 @@ struct Painter<'w, 'a> {
     interface: &'a Interface,
     opacity_by_color: bool,
     bailout: f64,
-    /// Normal that the patterns `slope` and `aoi` use: the result of the last bumps before them, in the space of those bumps
-    /// (quirk: `slope_after_bumps`).
+    /// Normal that the patterns `slope` and `aoi` use: the result of the last bumps before them, in the space of those
+    /// bumps (quirk: `slope_after_bumps`).
     pattern_normal: DVec3,
     materials: &'a mut SmallVec<[MaterialSample<'w>; 1]>,
 }
 
 impl<'w> Painter<'w, '_> {
-    /// Adds a material with its share. A texture that a pattern chooses is the only layer: others are refused when the scene is read.
+    /// Adds a material with its share. A texture that a pattern chooses is the only layer: others are refused when the
+    /// scene is read.
     fn paint(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
             Some(choice) => {
@@ -128,7 +129,8 @@ impl<'w> Painter<'w, '_> {
         TextureContext { normal: self.pattern_normal, ..*ctx }
     }
 
-    /// Evaluates the layers of a material. At qualities without light, the lowest visible layer is shown alone (quirk: `unlit_layers`).
+    /// Evaluates the layers of a material. At qualities without light, the lowest visible layer is shown alone (quirk:
+    /// `unlit_layers`).
     fn add(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         // (The sample is large and therefore filled in place.)
         let number = self.materials.len();
@@ -177,8 +179,9 @@ impl<'w> Painter<'w, '_> {
         material.transmittance = refraction * transmittance;
     }
 
-    /// Perturbs the normal: into the space of the texture by Mᵀ, back by M⁻ᵀ. Within the entry of a map, or a texture with `uv_mapping`,
-    /// bumps start from a normal of length 1, and the pigment uses the normal of that space (quirk: `bumps_within_maps`).
+    /// Perturbs the normal: into the space of the texture by Mᵀ, back by M⁻ᵀ. Within the entry of a map, or a texture
+    /// with `uv_mapping`, bumps start from a normal of length 1, and the pigment uses the normal of that space (quirk:
+    /// `bumps_within_maps`).
     fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> Bumped {
         let within = frame.is_some() || bumps.framed;
         let place = self.placed.place.as_deref().filter(|_| within || !bumps.stays);

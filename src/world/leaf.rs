@@ -86,8 +86,8 @@ impl Leaf {
     #[inline]
     pub(super) fn any(&self, ray: &Ray, range: Range) -> bool {
         match &self.place {
-            Some(m) => self.shape.any(&m.inverse_ray(ray), range),
-            None => self.shape.any(ray, range),
+            Some(m) => self.shape.any_hit(&m.inverse_ray(ray), range),
+            None => self.shape.any_hit(ray, range),
         }
     }
 

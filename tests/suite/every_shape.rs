@@ -308,7 +308,7 @@ fn hits_are_in_bounds_and_all_queries_agree() {
                     same || first.is_none() && all.is_empty(),
                     "{name} {shape:?} {ray:?} {range:?} {first:?} {all:?}"
                 );
-                assert_eq!(shape.any(&ray, range), first.is_some(), "{name} {shape:?} {ray:?} {range:?}");
+                assert_eq!(shape.any_hit(&ray, range), first.is_some(), "{name} {shape:?} {ray:?} {range:?}");
                 for hit in &all {
                     assert!(
                         range.contains(hit.t) && bounds.contains(ray.at(hit.t)),

@@ -24,8 +24,8 @@ const LARGEST: usize = 8;
 const LEAF: u32 = 4;
 
 impl Bvh {
-    /// Builds a BVH over boxes that [`super::fits_single_precision`] accepts; also returns the index of the box at each position of the
-    /// hierarchy's order.
+    /// Builds a BVH over boxes that [`super::fits_single_precision`] accepts; also returns the index of the box at each
+    /// position of the hierarchy's order.
     pub fn build(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
         let (bvh, order, _) = Build::build_hierarchy(boxes, |items| items.len() == 1, ITEM);
         (bvh, order)

@@ -40,8 +40,8 @@ macro_rules! meet {
 }
 
 impl Triangles {
-    /// Builds a BVH over the triangles with these corners, whose boxes [`super::fits_single_precision`] accepts; also returns the index
-    /// of the triangle at each position of the order.
+    /// Builds a BVH over the triangles with these corners, whose boxes [`super::fits_single_precision`] accepts; also
+    /// returns the index of the triangle at each position of the order.
     pub fn build(count: usize, corners: impl Fn(u32) -> [[f32; 3]; 3]) -> (Self, Vec<u32>) {
         let bounds = |i: usize| Aabb::from_points(corners(i as u32).map(|p| Vec3::from(p).as_dvec3()));
         let (bvh, order, rows) =

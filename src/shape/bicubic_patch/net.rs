@@ -29,14 +29,14 @@ pub struct Steps {
 }
 
 impl Net {
-    fn at(&self, row: usize, column: usize) -> DVec3 {
+    fn control_point(&self, row: usize, column: usize) -> DVec3 {
         self.0[4 * row + column]
     }
 
     /// Halves four curves of a Bézier surface, whose points are `step` apart; the curves are `other` apart. (De
     /// Casteljau's algorithm; the mean of two points does not depend on their order, so neighbours share their borders
     /// exactly.)
-    fn halves(&self, step: usize, other: usize) -> [Net; 2] {
+    fn halve_curves(&self, step: usize, other: usize) -> [Net; 2] {
         let mean = |p: DVec3, q: DVec3| 0.5 * (p + q);
         let (mut first, mut second) = (*self, *self);
         for curve in 0..4 {
@@ -56,7 +56,8 @@ impl Net {
     /// corners. If two of the first three coincide, the fourth is used; without any plane the piece is not flat (quirk:
     /// `patch_flatness`).
     fn is_flat(&self, flatness: f64) -> bool {
-        let [a, b, c, d] = [self.at(0, 0), self.at(0, 3), self.at(3, 0), self.at(3, 3)];
+        let [a, b, c, d] =
+            [self.control_point(0, 0), self.control_point(0, 3), self.control_point(3, 0), self.control_point(3, 3)];
         let plane = [(b, c), (c, d)].map(|(p, q)| (p - a).cross(q - a));
         let Some(normal) = plane.into_iter().find_map(DVec3::try_normalize) else { return false };
         self.0.iter().all(|p| (p - a).dot(normal).abs() < flatness)
@@ -66,22 +67,30 @@ impl Net {
     /// `patch_flatness`).
     fn normal(&self, row: usize, column: usize) -> DVec3 {
         let between = |at: usize, near: DVec3, far: DVec3| if at == 0 { near } else { far };
-        let downwards = between(row, self.at(1, column) - self.at(0, column), self.at(3, column) - self.at(2, column));
-        let along = between(column, self.at(row, 1) - self.at(row, 0), self.at(row, 3) - self.at(row, 2));
+        let downwards = between(
+            row,
+            self.control_point(1, column) - self.control_point(0, column),
+            self.control_point(3, column) - self.control_point(2, column),
+        );
+        let along = between(
+            column,
+            self.control_point(row, 1) - self.control_point(row, 0),
+            self.control_point(row, 3) - self.control_point(row, 2),
+        );
         downwards.cross(along).try_normalize().unwrap_or(DVec3::X)
     }
 
     /// Subdivides a Bézier surface; calls `leaf` with each flat piece: the corners first and last of the first row,
     /// first and last of the last row.
-    pub fn divide(&self, steps: Steps, leaf: &mut dyn FnMut([Corner; 4])) {
-        self.divide_from(steps, [DVec2::ZERO, DVec2::ONE], leaf);
+    pub fn subdivide(&self, steps: Steps, leaf: &mut dyn FnMut([Corner; 4])) {
+        self.subdivide_between(steps, [DVec2::ZERO, DVec2::ONE], leaf);
     }
 
-    fn divide_from(&self, steps: Steps, [from, to]: [DVec2; 2], leaf: &mut dyn FnMut([Corner; 4])) {
+    fn subdivide_between(&self, steps: Steps, [from, to]: [DVec2; 2], leaf: &mut dyn FnMut([Corner; 4])) {
         let Steps { rows, columns, flatness } = steps;
         if rows + columns == 0 || flatness > 0.0 && self.is_flat(flatness) {
             let corner = |row: usize, column: usize| Corner {
-                point: self.at(row, column),
+                point: self.control_point(row, column),
                 normal: self.normal(row, column),
                 place: DVec2::new(if column == 0 { from.x } else { to.x }, if row == 0 { from.y } else { to.y }),
             };
@@ -92,18 +101,18 @@ impl Net {
         let bands: &[(Net, f64, f64)] = match rows {
             0 => &[(*self, from.y, to.y)],
             _ => {
-                let [upper, lower] = self.halves(4, 1);
+                let [upper, lower] = self.halve_curves(4, 1);
                 &[(upper, from.y, middle.y), (lower, middle.y, to.y)]
             }
         };
         for (band, top, bottom) in bands {
             if columns == 0 {
-                band.divide_from(left, [from.with_y(*top), to.with_y(*bottom)], leaf);
+                band.subdivide_between(left, [from.with_y(*top), to.with_y(*bottom)], leaf);
                 continue;
             }
-            let [first, second] = band.halves(1, 4);
-            first.divide_from(left, [DVec2::new(from.x, *top), DVec2::new(middle.x, *bottom)], leaf);
-            second.divide_from(left, [DVec2::new(middle.x, *top), DVec2::new(to.x, *bottom)], leaf);
+            let [first, second] = band.halve_curves(1, 4);
+            first.subdivide_between(left, [DVec2::new(from.x, *top), DVec2::new(middle.x, *bottom)], leaf);
+            second.subdivide_between(left, [DVec2::new(middle.x, *top), DVec2::new(to.x, *bottom)], leaf);
         }
     }
 }

@@ -39,13 +39,13 @@ struct Cube {
 }
 
 impl Cube {
-    fn around(axis: DVec3) -> Self {
+    fn cube_around_axis(axis: DVec3) -> Self {
         let turn = DQuat::from_rotation_arc(DVec3::Z, axis.normalize_or(DVec3::Z));
         Self { is_ball: axis == DVec3::ZERO, columns: DVec3::AXES.map(|side| turn * side) }
     }
 
     /// Updates the cube around a blob's component for one of its transforms.
-    fn apply(&mut self, keyword: Next, step: &Transform) {
+    fn apply_transform(&mut self, keyword: Next, step: &Transform) {
         let scale = step.vector(DVec3::ONE);
         let even = scale.min_element() == scale.max_element();
         self.columns = match keyword {
@@ -74,26 +74,26 @@ pub(super) struct Stretch {
 pub(super) type Stretches = SmallVec<[Stretch; 16]>;
 
 impl Component {
-    fn local(&self, p: DVec3) -> DVec3 {
+    fn to_component_space(&self, p: DVec3) -> DVec3 {
         self.place.as_ref().map_or(p, |m| m.inverse_point(p))
     }
 
     /// Vector to `p` from the nearest point of the component's axis or centre, in radii.
-    fn way_from_middle(&self, p: DVec3) -> DVec3 {
-        let from_base = self.local(p) - self.base;
+    fn offset_from_axis(&self, p: DVec3) -> DVec3 {
+        let from_base = self.to_component_space(p) - self.base;
         let along = from_base.dot(self.axis) / self.axis.length_squared().max(f64::MIN_POSITIVE);
         (from_base - self.axis * along.clamp(0.0, 1.0)) / self.radius
     }
 
-    pub(super) fn field(&self, p: DVec3) -> f64 {
-        let u = 1.0 - self.way_from_middle(p).length_squared();
+    pub(super) fn field_at(&self, p: DVec3) -> f64 {
+        let u = 1.0 - self.offset_from_axis(p).length_squared();
         if u > 0.0 { self.strength * u * u } else { 0.0 }
     }
 
     /// Gradient of the field of a blob's component: s·2u·(-2d/r²), where d is the vector from the axis; transformed by
     /// M⁻ᵀ as a normal.
-    pub(super) fn gradient(&self, p: DVec3) -> DVec3 {
-        let d = self.way_from_middle(p);
+    pub(super) fn field_gradient(&self, p: DVec3) -> DVec3 {
+        let d = self.offset_from_axis(p);
         let u = 1.0 - d.length_squared();
         if u <= 0.0 {
             return DVec3::ZERO;
@@ -104,11 +104,11 @@ impl Component {
 
     /// Bounding box of a blob's component: that of the spheres at both ends.
     pub(super) fn bounds(&self) -> Aabb {
-        self.ball(self.base, self.radius).union(self.ball(self.base + self.axis, self.radius))
+        self.sphere_bounds(self.base, self.radius).union(self.sphere_bounds(self.base + self.axis, self.radius))
     }
 
     /// Bounding box in blob space of a sphere in component space.
-    fn ball(&self, center: DVec3, radius: f64) -> Aabb {
+    fn sphere_bounds(&self, center: DVec3, radius: f64) -> Aabb {
         let ball = Sphere { center, radius };
         self.place.as_ref().map_or(ball.bounds(), |m| ball.bounds_under(m))
     }
@@ -128,7 +128,7 @@ impl Component {
 
     /// Appends the stretches of a ray within reach of the blob's component, with the squared distance from its axis or
     /// centre.
-    pub(super) fn stretches(&self, ray: &Ray, out: &mut Stretches) {
+    pub(super) fn add_stretches(&self, ray: &Ray, out: &mut Stretches) {
         let local = self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray));
         let (o, d) = ((local.origin - self.base) / self.radius, local.dir / self.radius);
         let mut push = |o: DVec3, d: DVec3, within: [f64; 2]| {
@@ -170,7 +170,7 @@ impl Component {
     }
 
     pub(super) fn read_modifiers(&mut self, kind: &str, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
-        let mut cube = Cube::around(self.axis);
+        let mut cube = Cube::cube_around_axis(self.axis);
         loop {
             let next = r.next()?;
             match next {
@@ -180,7 +180,7 @@ impl Component {
                 }
                 next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
-                        cube.apply(next, &step);
+                        cube.apply_transform(next, &step);
                         paints.transform(&mut self.slot, &step);
                         let place = self.place.as_deref().map_or(*step, |place| place.then(&step));
                         self.place = Some(Box::new(place));
@@ -198,7 +198,7 @@ impl Component {
 
 impl Stretch {
     /// Adds the field of a blob's component to `sum`, as a polynomial of t - middle.
-    pub fn add(&self, middle: f64, sum: &mut [f64; 5]) {
+    pub fn add_to_polynomial(&self, middle: f64, sum: &mut [f64; 5]) {
         let [a, b, c] = self.squared_distance;
         // u = 1 - (a·t² + b·t + c), then s·u²
         let (u2, u1, u0) = (-a, -(2.0 * a * middle + b), 1.0 - ((a * middle + b) * middle + c));

@@ -4,12 +4,12 @@ use crate::color::{GRAY_WEIGHTS, Gamma};
 use crate::image_io::{Picture, Samples, expand_pixel, povray_gray};
 
 /// Converts a number to a height of 16 bits; numbers below 0 and above 1 wrap.
-pub fn wrapped(x: f64) -> u16 {
+pub fn wrap_to_u16(x: f64) -> u16 {
     (x * 65535.0) as i64 as u16
 }
 
 /// Returns the brightness of a colour whose channels have 16 bits each.
-pub fn gray([r, g, b]: [u16; 3]) -> u16 {
+pub fn brightness_u16([r, g, b]: [u16; 3]) -> u16 {
     if r == g && g == b {
         return r;
     }
@@ -19,7 +19,7 @@ pub fn gray([r, g, b]: [u16; 3]) -> u16 {
 
 /// Returns the height of each pixel of a picture, row by row from below. Palette indices are heights; colours of 16
 /// bits count by their brightness; of other colours red is the higher and green the lower byte.
-pub fn of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
+pub fn heights_of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
     let pixels = &picture.pixels;
     let (width, channels) = (pixels.width, pixels.channels);
     let curve = |x: f64| gamma.map_or(x, |gamma| gamma.decode(x));
@@ -41,9 +41,9 @@ pub fn of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
             rows.map(|i| height(pixel(i))).collect()
         }
         Samples::U16(all) => {
-            let code = |x: u16| if gamma.is_none() { x } else { wrapped(curve(f64::from(x) / 65535.0)) };
+            let code = |x: u16| if gamma.is_none() { x } else { wrap_to_u16(curve(f64::from(x) / 65535.0)) };
             rows.map(|i| match all[i * channels..(i + 1) * channels] {
-                [r, g, b, ..] => gray([code(r), code(g), code(b)]),
+                [r, g, b, ..] => brightness_u16([code(r), code(g), code(b)]),
                 [x, ..] => code(x),
                 [] => 0,
             })
@@ -61,7 +61,7 @@ pub fn of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
 
 /// Returns the heights of a `pot` picture from rows of palette indices: the left half holds the higher bytes, the right
 /// half the lower.
-pub fn of_halves(all: &[u16], width: usize) -> Vec<u16> {
+pub fn heights_of_pot(all: &[u16], width: usize) -> Vec<u16> {
     let half = width / 2;
     let row = |row: &[u16]| (0..half).map(|x| row[x] | row[x + width - half] >> 8).collect::<Vec<_>>();
     all.chunks_exact(width).flat_map(row).collect()

@@ -78,7 +78,7 @@ impl HeightField {
 
     fn search(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Hit) -> bool) {
         let Some(grid) = &self.grid else { return };
-        let scale = grid.scale();
+        let scale = grid.grid_from_object_scale();
         // Start where the ray enters the box, so that a distant eye costs no digits.
         let Some((enter, leave)) = self.bounds().grown(1e-4).slabs(ray, Range::ALL) else { return };
         if !(enter <= range.max && leave >= range.min && enter.is_finite()) {
@@ -87,7 +87,7 @@ impl HeightField {
         let start = enter;
         let local = Ray::new(ray.at(start) * scale, ray.dir * scale);
         let moved = Range { min: range.min - start, max: range.max - start };
-        grid.meet(&local, moved, &mut |t, Place { i, k, upper }| {
+        grid.visit_hits(&local, moved, &mut |t, Place { i, k, upper }| {
             let (y, t) = ((local.origin.y + local.dir.y * t) / STEPS, t + start);
             let uv = DVec2::new(i as f64, k as f64);
             y >= self.waterline() && range.contains(t) && visit(Hit { t, part: upper.into(), uv })
@@ -97,8 +97,9 @@ impl HeightField {
     /// Interpolates the normals of a height field's cell from its four corners, where they have length 1 in world
     /// space.
     fn smooth_normal(&self, grid: &Grid, place: Place, rest: DVec2) -> DVec3 {
-        let (m, scale) = (self.place.as_deref().unwrap_or(&Transform::IDENTITY), grid.scale());
-        let corner = |i: usize, k: usize| m.normal(grid.normal(place.i + i, place.k + k) * scale).normalize_or_zero();
+        let (m, scale) = (self.place.as_deref().unwrap_or(&Transform::IDENTITY), grid.grid_from_object_scale());
+        let corner =
+            |i: usize, k: usize| m.normal(grid.corner_normal(place.i + i, place.k + k) * scale).normalize_or_zero();
         let [n00, n10, n01, n11] = [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)];
         let n = n00.lerp(n10, rest.x).lerp(n01.lerp(n11, rest.x), rest.y);
         m.inverse_normal(n)
@@ -123,8 +124,8 @@ fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
         all.extend((0..width).map(|i| {
             let [r, g, b, ..] = function.call(&[step(i, width), step(j, height), 0.0]);
             // quirk: height_field_function_precision
-            let kept = |x: f64| heights::wrapped(f64::from(x as f32));
-            if colored { heights::gray([r, g, b].map(kept)) } else { wrap_to_u16(r as f32) }
+            let kept = |x: f64| heights::wrap_to_u16(f64::from(x as f32));
+            if colored { heights::brightness_u16([r, g, b].map(kept)) } else { wrap_to_u16(r as f32) }
         }));
     }
     Ok(HeightField::new(width, all, false, 0.0))
@@ -181,8 +182,8 @@ impl Readable for HeightField {
             && width > 1
             && height > 1
         {
-            let all = heights::of_picture(&picture, self.gamma);
-            let heights = if self.is_pot { heights::of_halves(&all, picture.pixels.width) } else { all };
+            let all = heights::heights_of_picture(&picture, self.gamma);
+            let heights = if self.is_pot { heights::heights_of_pot(&all, picture.pixels.width) } else { all };
             self.grid = Some(Arc::new(Grid::new(width, heights)));
         }
         if self.grid.is_none() {
@@ -206,7 +207,7 @@ impl Kernel for HeightField {
 
     fn bounds(&self) -> Aabb {
         let Some(grid) = &self.grid else { return Aabb::EMPTY };
-        let [lo, hi] = grid.range().map(|h| h / STEPS);
+        let [lo, hi] = grid.height_range().map(|h| h / STEPS);
         let lo = lo.max(self.waterline());
         if lo > hi { Aabb::EMPTY } else { Aabb { min: DVec3::Y * lo, max: DVec3::new(1.0, hi, 1.0) } }
     }
@@ -234,12 +235,12 @@ impl Kernel for HeightField {
         if !(0.0..=1.0).contains(&p.x) || !(0.0..=1.0).contains(&p.z) {
             return false;
         }
-        let (place, rest) = grid.place(p.x * grid.across as f64, p.z * grid.deep as f64);
-        p.y < self.water_level || p.y * STEPS < grid.height(place, rest)
+        let (place, rest) = grid.cell_at(p.x * grid.across as f64, p.z * grid.deep as f64);
+        p.y < self.water_level || p.y * STEPS < grid.triangle_height(place, rest)
     }
 
     fn solid_bounds(&self) -> Option<Aabb> {
-        let b = self.grid.as_ref()?.range().map(|h| h / STEPS);
+        let b = self.grid.as_ref()?.height_range().map(|h| h / STEPS);
         Some(Aabb { min: DVec3::new(0.0, f64::NEG_INFINITY, 0.0), max: DVec3::new(1.0, b[1], 1.0) })
     }
 
@@ -248,14 +249,14 @@ impl Kernel for HeightField {
     }
 
     /// Returns the height field with normals that are averaged in world space, as in POV-Ray.
-    fn changed_under(&self, m: &Transform) -> Option<Self> {
+    fn adapted_to_transform(&self, m: &Transform) -> Option<Self> {
         self.smooth.then(|| Self { place: Some(Box::new(*m)), ..self.clone() })
     }
 
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         let Some(grid) = &self.grid else { return DVec3::Y };
         let place = Place { i: hit.uv.x as usize, k: hit.uv.y as usize, upper: hit.part == 1 };
-        let scale = grid.scale();
+        let scale = grid.grid_from_object_scale();
         if self.smooth {
             let rest = DVec2::new(p.x * scale.x - hit.uv.x, p.z * scale.z - hit.uv.y);
             let n = self.smooth_normal(grid, place, rest.clamp(DVec2::ZERO, DVec2::ONE));
@@ -263,7 +264,7 @@ impl Kernel for HeightField {
                 return n;
             }
         }
-        let slope = grid.slope(place);
+        let slope = grid.triangle_slope(place);
         DVec3::new(-slope.x, 1.0, -slope.y) * scale
     }
 

@@ -19,11 +19,11 @@ impl Normals {
 
     /// Returns the height field's normal at a corner in object space, with a length of about 32767 steps. Any thread
     /// may compute it first; all compute the same.
-    pub fn at(&self, grid: &Grid, i: usize, k: usize) -> DVec3 {
-        let kept = &self.0[k * (grid.across + 1) + i];
+    pub fn normal_at(&self, grid: &Grid, column: usize, row: usize) -> DVec3 {
+        let kept = &self.0[row * (grid.across + 1) + column];
         let mut packed = kept.load(Ordering::Relaxed);
         if packed == 0 {
-            packed = KNOWN | pack(mean(grid, i, k));
+            packed = KNOWN | pack(mean_normal(grid, column, row));
             kept.store(packed, Ordering::Relaxed);
         }
         unpack(packed)
@@ -32,12 +32,12 @@ impl Normals {
 
 /// Mean of the normals that a height field's corner has towards its neighbours on each side, in cells and steps (quirk:
 /// `height_field_normals`).
-fn mean(grid: &Grid, i: usize, k: usize) -> DVec3 {
-    let here = grid.at(i, k);
-    let left = (i > 0).then(|| here - grid.at(i - 1, k));
-    let right = (i < grid.across).then(|| grid.at(i + 1, k) - here);
-    let before = (k > 0).then(|| here - grid.at(i, k - 1));
-    let behind = (k < grid.deep).then(|| grid.at(i, k + 1) - here);
+fn mean_normal(grid: &Grid, column: usize, row: usize) -> DVec3 {
+    let here = grid.corner_height(column, row);
+    let left = (column > 0).then(|| here - grid.corner_height(column - 1, row));
+    let right = (column < grid.across).then(|| grid.corner_height(column + 1, row) - here);
+    let before = (row > 0).then(|| here - grid.corner_height(column, row - 1));
+    let behind = (row < grid.deep).then(|| grid.corner_height(column, row + 1) - here);
     let mut sum = DVec3::ZERO;
     for along_x in [left, right].into_iter().flatten() {
         for along_z in [before, behind].into_iter().flatten() {
@@ -74,7 +74,7 @@ mod tests {
         let normals = Normals::new(16);
         let expected = (DVec3::new(-3.0, 1.0, -2.0).normalize() * 32767.0).trunc();
         for (i, k) in [(0, 0), (3, 3), (1, 2), (1, 2)] {
-            assert_eq!(normals.at(&grid, i, k), expected);
+            assert_eq!(normals.normal_at(&grid, i, k), expected);
         }
     }
 }

@@ -28,7 +28,7 @@ impl Search<'_> {
     ///
     /// From an end on, the value cannot reach 0 sooner than the rate allows: the rest is bisected (as in Kalra and
     /// Barr, "Guaranteed Ray Intersections with Implicit Surfaces", 1989).
-    pub fn between(&self, a: Point, b: Point, rate: Interval, found: &mut dyn FnMut(f64) -> bool) -> bool {
+    pub fn find_roots_between(&self, a: Point, b: Point, rate: Interval, found: &mut dyn FnMut(f64) -> bool) -> bool {
         if b.0 <= self.range.min || a.0 >= self.range.max {
             return false;
         }
@@ -44,15 +44,15 @@ impl Search<'_> {
         let one_way = if a.1 < 0.0 { rate.lo >= 0.0 } else { rate.hi <= 0.0 };
         let (lo, hi) = (lo.clamp(a.0, b.0), hi.clamp(a.0, b.0));
         if differ && (one_way || hi - lo <= self.apart) {
-            return self.one(a, b).is_some_and(found);
+            return self.only_root_between(a, b).is_some_and(found);
         }
         let middle = 0.5 * (lo + hi);
         let m = (middle, (self.value)(middle));
-        self.between(a, m, rate, found) || self.between(m, b, rate, found)
+        self.find_roots_between(a, m, rate, found) || self.find_roots_between(m, b, rate, found)
     }
 
     /// Returns the only root between two points, if it is in the range.
-    fn one(&self, a: Point, b: Point) -> Option<f64> {
+    fn only_root_between(&self, a: Point, b: Point) -> Option<f64> {
         let Range { min, max } = self.range;
         let is_before = |t: f64| ((self.value)(t) < 0.0) != (a.1 < 0.0);
         if a.0 < min && is_before(min) || b.0 > max && !is_before(max) {

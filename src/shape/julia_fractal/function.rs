@@ -70,36 +70,36 @@ pub const WORDS: [(&str, Function); 17] = [
     ("ln", Ln),
 ];
 
-const fn applied(name: &'static str, summary: &'static str) -> WordSpec {
+const fn function_word(name: &'static str, summary: &'static str) -> WordSpec {
     word(name, ValueKind::Nothing, "", summary)
 }
 
 /// Words of all functions of a Julia fractal.
 pub const FUNCTIONS: [WordSpec; 18] = [
-    applied("sqr", "each round is h²; so it is without any function"),
-    applied("cube", "each round is h³; of hypercomplex numbers h², as in POV-Ray"),
-    applied("exp", "each round is eʰ"),
-    applied("reciprocal", "each round is 1/h"),
-    applied("sin", "each round is sin h"),
-    applied("asin", "each round is asin h"),
-    applied("sinh", "each round is sinh h"),
-    applied("asinh", "each round is asinh h"),
-    applied("cos", "each round is cos h"),
-    applied("acos", "each round is acos h"),
-    applied("cosh", "each round is cosh h"),
-    applied("acosh", "each round is acosh h"),
-    applied("tan", "each round is tan h"),
-    applied("atan", "each round is atan h"),
-    applied("tanh", "each round is tanh h"),
-    applied("atanh", "each round is atanh h"),
-    applied("ln", "each round is the logarithm of h"),
+    function_word("sqr", "each round is h²; so it is without any function"),
+    function_word("cube", "each round is h³; of hypercomplex numbers h², as in POV-Ray"),
+    function_word("exp", "each round is eʰ"),
+    function_word("reciprocal", "each round is 1/h"),
+    function_word("sin", "each round is sin h"),
+    function_word("asin", "each round is asin h"),
+    function_word("sinh", "each round is sinh h"),
+    function_word("asinh", "each round is asinh h"),
+    function_word("cos", "each round is cos h"),
+    function_word("acos", "each round is acos h"),
+    function_word("cosh", "each round is cosh h"),
+    function_word("acosh", "each round is acosh h"),
+    function_word("tan", "each round is tan h"),
+    function_word("atan", "each round is atan h"),
+    function_word("tanh", "each round is tanh h"),
+    function_word("atanh", "each round is atanh h"),
+    function_word("ln", "each round is the logarithm of h"),
     word("pwr", ValueKind::Block, "", "`pwr(x, y)`: each round is h to the power x + iy"),
 ];
 
 const ONE: Complex = Complex::new(1.0, 0.0);
 
 /// Returns -i·z: the complex number turned clockwise by 90°.
-fn turned_back(z: Complex) -> Complex {
+fn times_minus_i(z: Complex) -> Complex {
     -z.times_i()
 }
 
@@ -121,9 +121,9 @@ fn atanh(z: Complex) -> (Complex, Complex) {
 }
 
 /// Returns g(z) = -i·f(i·z) and its derivative f'(i·z): sin follows from sinh, and asin from asinh.
-fn around(f: fn(Complex) -> (Complex, Complex), z: Complex) -> (Complex, Complex) {
+fn rotated_function(f: fn(Complex) -> (Complex, Complex), z: Complex) -> (Complex, Complex) {
     let (value, slope) = f(z.times_i());
-    (turned_back(value), slope)
+    (times_minus_i(value), slope)
 }
 
 fn tanh(z: Complex) -> (Complex, Complex) {
@@ -145,20 +145,20 @@ impl Function {
                 let (sinh, cosh) = z.sinh_cosh();
                 (cosh, sinh)
             }
-            Sin => around(|z| z.sinh_cosh(), z),
+            Sin => rotated_function(|z| z.sinh_cosh(), z),
             Cos => {
                 // cos z = cosh(i·z), and its derivative is i·sinh(i·z) = -sin z.
                 let (sinh, cosh) = z.times_i().sinh_cosh();
                 (cosh, sinh.times_i())
             }
-            Tan => around(tanh, z),
+            Tan => rotated_function(tanh, z),
             Tanh => tanh(z),
-            Asin => around(asinh, z),
+            Asin => rotated_function(asinh, z),
             Acos => {
-                let (asin, slope) = around(asinh, z);
+                let (asin, slope) = rotated_function(asinh, z);
                 (Complex::new(std::f64::consts::FRAC_PI_2, 0.0) - asin, -slope)
             }
-            Atan => around(atanh, z),
+            Atan => rotated_function(atanh, z),
             Asinh => asinh(z),
             Acosh => acosh(z),
             Atanh => atanh(z),
@@ -184,7 +184,7 @@ mod tests {
                 let at = |x: f64, y: f64| f.value_and_slope(Complex::new(x, y));
                 let slope = at(x, y).1;
                 let along_x = 5e5 * (at(x + 1e-6, y).0 - at(x - 1e-6, y).0);
-                let along_y = turned_back(5e5 * (at(x, y + 1e-6).0 - at(x, y - 1e-6).0));
+                let along_y = times_minus_i(5e5 * (at(x, y + 1e-6).0 - at(x, y - 1e-6).0));
                 let near = |a: Complex| (a - slope).length_squared() < 1e-16 * (1.0 + slope.length_squared());
                 assert!(near(along_x) && near(along_y), "{f:?} {slope:?} {along_x:?} {along_y:?}");
             }

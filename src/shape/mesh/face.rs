@@ -17,7 +17,7 @@ pub struct Face {
 
 impl Face {
     /// Transforms the mesh's triangle: points by M and normals by M⁻ᵀ.
-    pub fn moved(self, m: &Transform) -> Self {
+    pub fn transformed(self, m: &Transform) -> Self {
         Self {
             corners: self.corners.map(|p| m.point(p)),
             normal: m.normal(self.normal),

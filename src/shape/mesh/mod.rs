@@ -38,7 +38,7 @@ impl TriangleMesh {
     }
 
     fn texture_weights(&self, hit: &Hit) -> TextureWeights {
-        let Some(painted) = self.triangles.painted(hit) else { return smallvec![(0, 1.0)] };
+        let Some(painted) = self.triangles.corner_textures(hit) else { return smallvec![(0, 1.0)] };
         let each = painted[0] & EACH_CORNER != 0;
         let [a, b, c] = painted.map(|slot| slot & !EACH_CORNER).map(|slot| match slot.checked_sub(1) {
             Some(look) if !self.texture_weights.is_empty() => self.texture_weights[look as usize],
@@ -78,8 +78,8 @@ macro_rules! mesh_kernel {
                 self.0.triangles.closest(ray, range)
             }
 
-            fn any(&self, ray: &Ray, range: Range) -> bool {
-                self.0.triangles.any(ray, range)
+            fn any_hit(&self, ray: &Ray, range: Range) -> bool {
+                self.0.triangles.any_hit(ray, range)
             }
 
             fn inside(&self, p: DVec3) -> bool {

@@ -28,7 +28,7 @@ impl Ordered {
     /// numbers.
     pub fn new(lists: Triangles) -> Self {
         let mut all = Self { lists, ..Self::default() };
-        let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| all.is_solid(i as usize)).collect();
+        let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| all.is_usable(i as usize)).collect();
         let corners = |i: u32| all.lists.corners[i as usize].map(|i| all.lists.vertices[i as usize].to_array());
         let (bvh, order) = bvh::Triangles::build(kept.len(), |i| corners(kept[i as usize]));
         all.written = vec![0; order.len()];
@@ -56,37 +56,37 @@ impl Ordered {
         self.lists.corners.iter().flatten().map(|&i| self.lists.vertices[i as usize].as_dvec3())
     }
 
-    fn is_solid(&self, face: usize) -> bool {
-        let [a, b, c] = self.face(face);
+    fn is_usable(&self, face: usize) -> bool {
+        let [a, b, c] = self.corners_of_face(face);
         !Triangle::new(a, b, c).is_degenerate() && bvh::fits_single_precision(&self.face_bounds(face))
     }
 
-    fn face(&self, face: usize) -> [DVec3; 3] {
+    fn corners_of_face(&self, face: usize) -> [DVec3; 3] {
         self.lists.corners[face].map(|i| self.lists.vertices[i as usize].as_dvec3())
     }
 
     fn face_bounds(&self, face: usize) -> Aabb {
-        Aabb::from_points(self.face(face))
+        Aabb::from_points(self.corners_of_face(face))
     }
 
     /// Returns all triangles of the mesh in the order written.
     pub fn faces(&self) -> Vec<Face> {
         let face = |&i: &u32| {
             let (i, lists) = (i as usize, &self.lists);
-            let [a, b, c] = self.face(i);
+            let [a, b, c] = self.corners_of_face(i);
             Face {
                 corners: [a, b, c],
                 normal: Triangle::new(a, b, c).face_normal(),
-                normals: Self::of(&lists.smooth, i)
+                normals: Self::triangle_indices(&lists.smooth, i)
                     .map(|numbers| numbers.map(|n| lists.normals[n as usize].as_dvec3())),
-                uv: Self::of(&lists.mapped, i).map(|numbers| numbers.map(|n| lists.uvs[n as usize])),
+                uv: Self::triangle_indices(&lists.mapped, i).map(|numbers| numbers.map(|n| lists.uvs[n as usize])),
             }
         };
         self.written.iter().map(face).collect()
     }
 
     /// Returns the three indices of a triangle in a list; `None` if it has none.
-    fn of(list: &[[u32; 3]], face: usize) -> Option<[u32; 3]> {
+    fn triangle_indices(list: &[[u32; 3]], face: usize) -> Option<[u32; 3]> {
         list.get(face).copied().filter(|numbers| *numbers != NONE)
     }
 
@@ -102,13 +102,13 @@ impl Ordered {
 
     /// Calls `visit` with each hit of a ray on the mesh in the range; `visit` returns the distance up to which hits are
     /// still of interest.
-    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
+    fn visit_hits(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
         self.bvh.visit_hits(ray, range, |part, t, uv| visit(Hit { t, part, uv }));
     }
 
     /// Appends all hits of a ray on the mesh in the range.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.meet(ray, range, |hit| {
+        self.visit_hits(ray, range, |hit| {
             out.push(hit);
             ControlFlow::Continue(range.max)
         });
@@ -117,7 +117,7 @@ impl Ordered {
     /// Returns the closest hit of the ray on the mesh within the range.
     pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut best = None;
-        self.meet(ray, range, |hit| {
+        self.visit_hits(ray, range, |hit| {
             best = Some(hit);
             ControlFlow::Continue(hit.t)
         });
@@ -125,9 +125,9 @@ impl Ordered {
     }
 
     /// True if the ray has any hit on the mesh in the range.
-    pub fn any(&self, ray: &Ray, range: Range) -> bool {
+    pub fn any_hit(&self, ray: &Ray, range: Range) -> bool {
         let mut found = false;
-        self.meet(ray, range, |_| {
+        self.visit_hits(ray, range, |_| {
             found = true;
             ControlFlow::Break(())
         });
@@ -138,7 +138,7 @@ impl Ordered {
     pub fn is_crossed_oddly(&self, ray: &Ray) -> bool {
         let mut odd = false;
         if self.bounds().contains(ray.origin) {
-            self.meet(ray, Range::FORWARD, |_| {
+            self.visit_hits(ray, Range::FORWARD, |_| {
                 odd = !odd;
                 ControlFlow::Continue(f64::INFINITY)
             });
@@ -149,15 +149,15 @@ impl Ordered {
     /// Normal of the mesh at a hit, of any length.
     pub fn normal(&self, hit: &Hit) -> DVec3 {
         let face = hit.part as usize;
-        let [a, b, c] = self.face(face);
+        let [a, b, c] = self.corners_of_face(face);
         let flat = Triangle::new(a, b, c).face_normal();
-        let Some(smooth) = Self::of(&self.lists.smooth, face) else { return flat };
-        let sum = self.between(hit, smooth.map(|i| self.lists.normals[i as usize].as_dvec3()));
+        let Some(smooth) = Self::triangle_indices(&self.lists.smooth, face) else { return flat };
+        let sum = self.interpolate_corners(hit, smooth.map(|i| self.lists.normals[i as usize].as_dvec3()));
         if sum == DVec3::ZERO { flat } else { sum }
     }
 
     /// Interpolates values of the corners of the mesh's triangle at a hit.
-    fn between<T>(&self, hit: &Hit, [a, b, c]: [T; 3]) -> T
+    fn interpolate_corners<T>(&self, hit: &Hit, [a, b, c]: [T; 3]) -> T
     where
         T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
     {
@@ -166,13 +166,13 @@ impl Ordered {
 
     /// Surface coordinates of the mesh at a hit; (0, 0) for a triangle without any (quirk: `mesh_without_uv`).
     pub fn uv(&self, hit: &Hit) -> DVec2 {
-        let mapped = Self::of(&self.lists.mapped, hit.part as usize);
-        mapped.map_or(DVec2::ZERO, |numbers| self.between(hit, numbers.map(|i| self.lists.uvs[i as usize])))
+        let mapped = Self::triangle_indices(&self.lists.mapped, hit.part as usize);
+        mapped.map_or(DVec2::ZERO, |numbers| self.interpolate_corners(hit, numbers.map(|i| self.lists.uvs[i as usize])))
     }
 
     /// Numbers of the textures at the corners of the mesh's triangle that was hit; `None` without any.
-    pub fn painted(&self, hit: &Hit) -> Option<[u32; 3]> {
-        Self::of(&self.lists.painted, hit.part as usize)
+    pub fn corner_textures(&self, hit: &Hit) -> Option<[u32; 3]> {
+        Self::triangle_indices(&self.lists.painted, hit.part as usize)
     }
 }
 
@@ -210,7 +210,7 @@ mod tests {
                     let ray = Ray::new(p - dir * 9.0, dir);
                     let end = ray.at(9.0 + 5.0 / -dir.z);
                     let within = end.truncate().clamp(DVec2::splat(0.1), DVec2::splat(0.9)) == end.truncate();
-                    assert!(!within || mesh.any(&ray, Range::FORWARD), "{k} {l} {dir}");
+                    assert!(!within || mesh.any_hit(&ray, Range::FORWARD), "{k} {l} {dir}");
                 }
             }
         }
@@ -225,13 +225,13 @@ mod tests {
             let mut all = Hits::new();
             mesh.hits(&ray, Range::ALL, &mut all);
             for hit in &all {
-                let p = mesh.between(hit, mesh.face(hit.part as usize));
+                let p = mesh.interpolate_corners(hit, mesh.corners_of_face(hit.part as usize));
                 assert!(p.distance(ray.at(hit.t)) < 1e-12, "{hit:?}");
                 assert!(mesh.bounds().contains(p));
             }
             let nearest = all.iter().map(|hit| hit.t).filter(|t| *t > 0.0).reduce(f64::min);
             assert_eq!(mesh.closest(&ray, Range::FORWARD).map(|hit| hit.t), nearest);
-            assert_eq!(mesh.any(&ray, Range::FORWARD), nearest.is_some());
+            assert_eq!(mesh.any_hit(&ray, Range::FORWARD), nearest.is_some());
         }
     }
 }

@@ -122,7 +122,7 @@ impl Readable for Mesh {
             Some(file) => file.triangles.clone(),
             None => Arc::new(Ordered::new(triangles)),
         };
-        self.0.tell_if_empty("mesh", span, r);
+        self.0.warn_if_empty("mesh", span, r);
         Ok(())
     }
 }
@@ -132,22 +132,22 @@ impl Draft {
         if self.triangles.corners.is_empty() && self.file.is_none() {
             return Ok(());
         }
-        Err(two_sources(file))
+        Err(two_sources_error(file))
     }
 
     fn must_have_no_file(&self, triangle: Span) -> Result<()> {
-        if self.file.is_none() { Ok(()) } else { Err(two_sources(triangle)) }
+        if self.file.is_none() { Ok(()) } else { Err(two_sources_error(triangle)) }
     }
 }
 
-fn two_sources(span: Span) -> Fault {
+fn two_sources_error(span: Span) -> Fault {
     let d = Diagnostic::new(codes::TWO_FORMS, span, "a `mesh` has one `file`, or triangles, not both");
     Box::new(d.help("write two meshes, in a `union { … }`"))
 }
 
 impl Mesh {
     /// Creates a mesh of existing triangles.
-    pub fn of(triangles: Triangles) -> Self {
+    pub fn from_triangles(triangles: Triangles) -> Self {
         Self(TriangleMesh { triangles: Arc::new(Ordered::new(triangles)), ..TriangleMesh::default() }, Draft::default())
     }
 
@@ -157,10 +157,10 @@ impl Mesh {
         let Draft { triangles, known, .. } = &mut self.1;
         for i in 0..3 {
             points[i] = r.vector()?;
-            corners[i] = number(&mut known.vertices, &mut triangles.vertices, points[i]);
+            corners[i] = index_of_point(&mut known.vertices, &mut triangles.vertices, points[i]);
             if smooth {
                 let normal = r.vector()?.normalize_or_zero();
-                normals[i] = number(&mut known.normals, &mut triangles.normals, normal);
+                normals[i] = index_of_point(&mut known.normals, &mut triangles.normals, normal);
             }
         }
         loop {
@@ -184,7 +184,7 @@ impl Mesh {
                         };
                     }
                     r.leave()?;
-                    texture_weights = each(texture_weights);
+                    texture_weights = mark_each_corner(texture_weights);
                 }
                 Next::Block("texture") | Next::Thing("texture") => {
                     let mut slot = 0;
@@ -204,7 +204,7 @@ impl Mesh {
 }
 
 /// Returns the index of a point in a mesh's list; appends the point if it is new.
-fn number(known: &mut FxHashMap<[u32; 3], u32>, list: &mut Vec<Vec3>, p: DVec3) -> u32 {
+fn index_of_point(known: &mut FxHashMap<[u32; 3], u32>, list: &mut Vec<Vec3>, p: DVec3) -> u32 {
     let p = p.as_vec3();
     *known.entry(p.to_array().map(f32::to_bits)).or_insert_with(|| {
         list.push(p);
@@ -299,11 +299,11 @@ impl Readable for Mesh2 {
             mesh.mapped = mesh.corners.clone();
         }
         let at = |own: Option<Span>| own.or(lists.faces).unwrap_or(span);
-        check(&mesh.corners, mesh.vertices.len(), faces, ("corner", "vertex_vectors"), at(lists.faces))?;
-        check(&mesh.smooth, mesh.normals.len(), faces, ("normal", "normal_vectors"), at(lists.normals))?;
-        check(&mesh.mapped, mesh.uvs.len(), faces, ("pair of coordinates", "uv_vectors"), at(lists.uvs))?;
+        check_indices(&mesh.corners, mesh.vertices.len(), faces, ("corner", "vertex_vectors"), at(lists.faces))?;
+        check_indices(&mesh.smooth, mesh.normals.len(), faces, ("normal", "normal_vectors"), at(lists.normals))?;
+        check_indices(&mesh.mapped, mesh.uvs.len(), faces, ("pair of coordinates", "uv_vectors"), at(lists.uvs))?;
         self.0.triangles = Arc::new(Ordered::new(mesh));
-        self.0.tell_if_empty("mesh2", span, r);
+        self.0.warn_if_empty("mesh2", span, r);
         Ok(())
     }
 }
@@ -352,7 +352,7 @@ fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
     while list.len() < count {
         if literal_triples(r, count - list.len(), &mut list) == 0 {
             let span = r.span();
-            list.push(numbers(&r.vector()?.to_array(), span)?);
+            list.push(indices_or_error(&r.vector()?.to_array(), span)?);
         }
     }
     Ok(list)
@@ -361,14 +361,14 @@ fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
 /// Reads triples of indices from a long list of literals, up to the first invalid one; returns their number.
 fn literal_triples(r: &mut dyn Reader, most: usize, list: &mut Vec<[u32; 3]>) -> usize {
     r.literals(3, most, &mut |found| {
-        let triple = triple(found);
+        let triple = to_indices(found);
         list.extend(triple);
         triple.is_some()
     })
 }
 
-fn numbers(found: &[f64], span: Span) -> Result<[u32; 3]> {
-    match triple(found) {
+fn indices_or_error(found: &[f64], span: Span) -> Result<[u32; 3]> {
+    match to_indices(found) {
         Some(triple) => Ok(triple),
         None if found.len() != 3 => Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has three corners"),
         None => Diagnostic::err(codes::BAD_INDEX, span, "entries of a list are counted from 0"),
@@ -379,7 +379,7 @@ fn numbers(found: &[f64], span: Span) -> Result<[u32; 3]> {
 type Triples = Vec<[u32; 3]>;
 
 /// Converts three numbers to indices; `None` if one is not an index.
-fn triple(found: &[f64]) -> Option<[u32; 3]> {
+fn to_indices(found: &[f64]) -> Option<[u32; 3]> {
     let found: [f64; 3] = found.try_into().ok()?;
     found.iter().all(|x| (0.0..f64::from(u32::MAX)).contains(x)).then(|| found.map(|x| x as u32))
 }
@@ -397,7 +397,7 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
                 if given == 3 || faces.is_empty() {
                     return Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has one texture, or three");
                 }
-                let slot = texture(number, textures, span)?;
+                let slot = texture_slot(number, textures, span)?;
                 painted.resize(faces.len(), [0; 3]);
                 if let Some(texture_weights) = painted.last_mut() {
                     // One texture applies to all corners, until another follows.
@@ -407,13 +407,13 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
                         texture_weights[given] = slot
                     }
                     if given == 2 {
-                        *texture_weights = each(*texture_weights);
+                        *texture_weights = mark_each_corner(*texture_weights);
                     }
                 }
                 given += 1;
             }
             (Value::Vector(v), span) => {
-                faces.push(numbers(&v.c[..v.len as usize], span)?);
+                faces.push(indices_or_error(&v.c[..v.len as usize], span)?);
                 literal_triples(r, usize::MAX, &mut faces);
                 given = 0;
             }
@@ -437,31 +437,37 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
 }
 
 /// Marks textures of a face that were given for each corner, even if they are equal.
-fn each([a, b, c]: [u32; 3]) -> [u32; 3] {
+fn mark_each_corner([a, b, c]: [u32; 3]) -> [u32; 3] {
     if a == b && b == c { [a | super::EACH_CORNER, b, c] } else { [a, b, c] }
 }
 
-fn texture(number: f64, textures: &[u32], span: Span) -> Result<u32> {
+fn texture_slot(number: f64, textures: &[u32], span: Span) -> Result<u32> {
     match textures.get(number as usize).filter(|_| number >= 0.0) {
         Some(slot) => Ok(*slot),
-        None => Err(beyond("texture", number, "texture_list", textures.len(), span).into()),
+        None => Err(index_error("texture", number, "texture_list", textures.len(), span).into()),
     }
 }
 
-fn beyond(what: &str, number: f64, list: &str, length: usize, span: Span) -> Diagnostic {
+fn index_error(what: &str, number: f64, list: &str, length: usize, span: Span) -> Diagnostic {
     let message = format!("there is no {what} {number}: `{list}` has {length}");
     Diagnostic::new(codes::BAD_INDEX, span, message).help("they are counted from 0")
 }
 
 /// Returns an error for an index beyond its list, or if the number of triples is not the number of triangles of the
 /// mesh.
-fn check(numbers: &[[u32; 3]], length: usize, faces: usize, (what, list): (&str, &str), span: Span) -> Result<()> {
+fn check_indices(
+    numbers: &[[u32; 3]],
+    length: usize,
+    faces: usize,
+    (what, list): (&str, &str),
+    span: Span,
+) -> Result<()> {
     if !numbers.is_empty() && numbers.len() != faces {
         let message = format!("these are for {} triangles, and there are {faces}", numbers.len());
         return Diagnostic::err(codes::WRONG_COUNT, span, message);
     }
     match numbers.iter().flatten().find(|&&i| i as usize >= length) {
-        Some(&i) => Err(beyond(what, f64::from(i), list, length, span).into()),
+        Some(&i) => Err(index_error(what, f64::from(i), list, length, span).into()),
         None => Ok(()),
     }
 }
@@ -476,7 +482,7 @@ impl TriangleMesh {
         Ok(true)
     }
 
-    fn tell_if_empty(&self, word: &str, span: Span, r: &mut dyn Reader) {
+    fn warn_if_empty(&self, word: &str, span: Span, r: &mut dyn Reader) {
         if self.triangles.is_empty() {
             r.report(Diagnostic::new(codes::NO_SURFACE, span, format!("this `{word}` has no triangles")));
         }

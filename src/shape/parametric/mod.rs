@@ -67,9 +67,9 @@ impl Parametric {
     }
 
     /// Returns the point of the parametric surface at (u, v).
-    fn point(&self, uv: DVec2) -> DVec3 {
+    fn point_at(&self, uv: DVec2) -> DVec3 {
         let p = uv.extend(0.0);
-        DVec3::from_array([0, 1, 2].map(|i| self.functions[i].at(p)))
+        DVec3::from_array([0, 1, 2].map(|i| self.functions[i].value_at(p)))
     }
 
     fn patches(&self) -> &Patches {
@@ -77,7 +77,7 @@ impl Parametric {
     }
 
     fn search(&self, ray: &Ray, range: Range, nearest: bool, found: &mut dyn FnMut(Hit)) {
-        let Some((enter, leave)) = self.container.stretch(ray) else { return };
+        let Some((enter, leave)) = self.container.interval_inside(ray) else { return };
         let (min, max) = (range.min.max(enter), range.max.min(leave));
         if min >= max {
             return;
@@ -85,7 +85,7 @@ impl Parametric {
         // Start where the ray enters the container, so that a distant eye costs no digits.
         let near = Ray::new(ray.at(enter), ray.dir);
         let within = Range { min: min - enter, max: max - enter };
-        self.patches().meet(self, &near, within, nearest, &mut |t, uv| {
+        self.patches().visit_hits(self, &near, within, nearest, &mut |t, uv| {
             let t = t + enter;
             if range.contains(t) {
                 found(Hit { t, part: 0, uv });
@@ -123,9 +123,9 @@ impl Readable for Parametric {
 
     const WORDS: &'static [Row<Self>] = &[
         word("accuracy", ValueKind::Float, "0.001", "how small details are that may be lost")
-            .sets(|s, r| set(&mut s.accuracy, super::formula::positive(r, "accuracy", 0.001))),
+            .sets(|s, r| set(&mut s.accuracy, super::formula::read_positive(r, "accuracy", 0.001))),
         word("max_gradient", ValueKind::Float, "1", "how steep the functions are, where durer can't know it")
-            .sets(|s, r| set(&mut s.max_gradient, super::formula::positive(r, "max_gradient", 1.0))),
+            .sets(|s, r| set(&mut s.max_gradient, super::formula::read_positive(r, "max_gradient", 1.0))),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -208,7 +208,7 @@ impl Kernel for Parametric {
         let step = (self.to - self.from) * 1e-6;
         let along = |step: DVec2| {
             let (a, b) = ((hit.uv - step).max(self.from), (hit.uv + step).min(self.to));
-            self.point(b) - self.point(a)
+            self.point_at(b) - self.point_at(a)
         };
         let n = along(DVec2::new(step.x, 0.0)).cross(along(DVec2::new(0.0, step.y)));
         n.try_normalize().unwrap_or(DVec3::Y)

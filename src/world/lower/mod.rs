@@ -18,7 +18,7 @@ use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::medium::Interior;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, PhotonSettings, Scene};
-use crate::shape::{Bounding, Kernel, Shape, moved_box};
+use crate::shape::{Bounding, Kernel, Shape, transformed_box};
 use crate::source::Span;
 use crate::texture::{Texture, Uncommon};
 use crate::value::SharedDefault;
@@ -237,7 +237,7 @@ impl Lowering {
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
         if matches!(object.kind, ObjectKind::Csg(CsgOp::Intersection | CsgOp::Difference, _)) {
-            node = node.visible_within(moved_box(&inherited.place.now, &object.pov_bounds()));
+            node = node.visible_within(transformed_box(&inherited.place.now, &object.pov_bounds()));
         }
         if object.uncommon.flags.inverse {
             node = node.inverted();

@@ -38,8 +38,8 @@ impl SolidNode {
         !solid.is_empty() && solid.union(surface) != surface
     }
 
-    /// Box within which a camera can be inside a node whose inside extends beyond its bounds: POV-Ray's box of its shapes, before they
-    /// are inverted (quirk: `camera_inside_box`).
+    /// Box within which a camera can be inside a node whose inside extends beyond its bounds: POV-Ray's box of its
+    /// shapes, before they are inverted (quirk: `camera_inside_box`).
     pub(in crate::world) fn camera_bounds(&self) -> Aabb {
         match &self.kind {
             SolidKind::Leaf(leaf)
@@ -105,7 +105,7 @@ impl SolidNode {
             _ => boxes.surface.union(boxes.solid),
         };
         let is_known =
-            |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.is_whole() && leaf.shape.knows_crossings());
+            |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.is_whole() && leaf.shape.computes_crossings());
         let known = match &self.kind {
             SolidKind::Leaf(_) | SolidKind::Union(_) => false,
             SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_known),
