@@ -128,7 +128,7 @@ impl Fog {
         }
         if self.turbulence.amount != DVec3::ZERO {
             let stirred = (ray.origin + ray.dir * (0.5 * length)) * self.turbulence.amount;
-            let gap = self.turb_depth * noise::turbulence(stirred, self.turbulence.series(), noise);
+            let gap = self.turb_depth * noise::turbulence(stirred, self.turbulence.to_octaves(), noise);
             depth *= 1.0 - gap.min(1.0) * fp::exp(-far);
         }
         let clear = with_minimum_transmittance(&self.color, fp::exp(-depth));

@@ -119,9 +119,9 @@ impl Rainbow {
                 }
                 Next::Thing("color_map") => rainbow.color_map = r.thing::<ColorMap>()?,
                 Next::Block("color_map" | "colour_map") => {
-                    r.take()?;
+                    r.take_token()?;
                     rainbow.color_map = Some(Arc::new(ColorMap::read(r)?));
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 next if read_row(RAINBOW_ROWS, &mut rainbow, next, r)? => {}
                 _ => return Err(r.unknown_word("rainbow", &RAINBOW.names()).into()),
@@ -168,7 +168,7 @@ impl Rainbow {
         if shown == 0.0 {
             return None;
         }
-        let color = map.at(index);
+        let color = map.color_at(index);
         let open = 1.0 - shown + shown * color.transmit;
         let clear = with_minimum_transmittance(
             &crate::color::Color { transmit: open, ..color },

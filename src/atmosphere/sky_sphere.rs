@@ -77,12 +77,12 @@ impl SkySphere {
                     }
                 }
                 Next::Block("pigment") => {
-                    r.take()?;
+                    r.take_token()?;
                     sky.pigments.push(Pigment::read(r, &Pigment::default(), defaults)?);
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Word("emission") => {
-                    r.take()?;
+                    r.take_token()?;
                     sky.emission = r.color()?.rgb;
                 }
                 next if next.is_transform() => {

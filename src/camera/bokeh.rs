@@ -27,8 +27,8 @@ impl Bokeh {
     pub(super) fn new(pigment: &Pigment, noise: NoiseGenerator, waves: usize) -> Self {
         let program = PigmentProgram::new(pigment);
         Self::from_brightness(|at| {
-            let ctx = TextureContext { waves, ..TextureContext::free(at.extend(0.0), noise) };
-            gray(program.at(&ctx).rgb)
+            let ctx = TextureContext { waves, ..TextureContext::without_surface(at.extend(0.0), noise) };
+            gray(program.color_at(&ctx).rgb)
         })
     }
 

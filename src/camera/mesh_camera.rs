@@ -75,7 +75,7 @@ impl PovrayCamera {
                 Next::End => break,
                 Next::Block("mesh" | "mesh2") => camera.meshes.push(read_mesh(r)?),
                 Next::Word("smooth") if camera.distribution == Distribution::Uv => {
-                    r.take()?;
+                    r.take_token()?;
                     camera.smooth = r.flag()?;
                 }
                 _ => return Err(r.unknown_word("mesh_camera", &["mesh", "mesh2", "smooth"]).into()),

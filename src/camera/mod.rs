@@ -92,20 +92,20 @@ impl Camera {
                 next if read_row(KIND_ROWS, &mut povray, next, r)? => {}
                 next if read_row(BLUR_ROWS, &mut povray, next, r)? => {}
                 Next::Block("mesh_camera") => {
-                    r.take()?;
+                    r.take_token()?;
                     povray.read_mesh_camera(r, mesh)?;
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Block("bokeh") => {
-                    r.take()?;
+                    r.take_token()?;
                     povray.bokeh = read_bokeh(r, defaults)?;
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Thing("normal") => povray.normal = r.thing::<Normal>()?,
                 Next::Block("normal") => {
-                    r.take()?;
+                    r.take_token()?;
                     povray.normal = Some(Arc::new(Normal::read(r, defaults.layers[0].normal.as_deref(), defaults)?));
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Word(word) | Next::Block(word) if POVRAY.is_unsupported(word) => {
                     unsupported.push(r.read_unsupported(word)?);
@@ -163,9 +163,9 @@ fn read_bokeh(r: &mut dyn Reader, defaults: &Texture) -> Result<Option<Arc<Pigme
             Next::End => return Ok(pigment),
             Next::Thing("pigment") => pigment = r.thing::<Pigment>()?,
             Next::Block("pigment") => {
-                r.take()?;
+                r.take_token()?;
                 pigment = Some(Arc::new(Pigment::read(r, &defaults.layers[0].pigment, defaults)?));
-                r.leave()?;
+                r.leave_block()?;
             }
             _ => return Err(r.unknown_word("bokeh", &["pigment"]).into()),
         }

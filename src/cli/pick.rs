@@ -14,7 +14,7 @@ use crate::math::fp;
 use crate::render::{self, Picked, Region, Unwatched};
 use crate::scene::Scene;
 use crate::source::{Place, Sources, Span};
-use crate::value::decimal;
+use crate::value::format_decimal;
 use crate::world::World;
 use crate::{Built, Keep};
 use serde::Serialize;
@@ -204,7 +204,7 @@ fn list(numbers: &[f64], scale: f64) -> String {
         return numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
     }
     let places = (5.0 - fp::log10(largest).floor()).clamp(0.0, 300.0) as usize;
-    numbers.iter().map(|x| decimal(*x, places)).collect::<Vec<_>>().join(", ")
+    numbers.iter().map(|x| format_decimal(*x, places)).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

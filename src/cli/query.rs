@@ -12,7 +12,7 @@ use crate::math::{Aabb, DVec3, Transform};
 use crate::scene::{Object, ObjectKind, Scene};
 use crate::source::{Sources, Span};
 use crate::texture::{Paint, Texture};
-use crate::value::decimal;
+use crate::value::format_decimal;
 use crate::world::{Probe, World};
 use crate::{Built, Keep};
 use serde::Serialize;
@@ -282,6 +282,7 @@ fn counted(n: usize, thing: &str) -> String {
 
 /// Formats a vector with four decimal places, enough to find an object.
 fn vector(numbers: &[f64]) -> String {
-    let texts: Vec<_> = numbers.iter().map(|x| if x.is_finite() { decimal(*x, 4) } else { x.to_string() }).collect();
+    let texts: Vec<_> =
+        numbers.iter().map(|x| if x.is_finite() { format_decimal(*x, 4) } else { x.to_string() }).collect();
     format!("<{}>", texts.join(", "))
 }

@@ -122,9 +122,9 @@ impl<'a> Interpreter<'a> {
 
     /// Opens the block that comes next, calls `read` with the block's span, and closes the block.
     fn read_inside<T: Thing>(&mut self, read: impl FnOnce(&mut Self, Span) -> Result<T>) -> Result<Arc<dyn Thing>> {
-        let at = self.take()?;
+        let at = self.take_token()?;
         let thing = read(self, at)?;
-        self.leave()?;
+        self.leave_block()?;
         Ok(Arc::new(thing))
     }
 
@@ -140,11 +140,11 @@ impl<'a> Interpreter<'a> {
                     self.builder.set_default_texture(Arc::new(texture));
                 }
                 Next::Block("camera") => {
-                    let at = self.take()?;
+                    let at = self.take_token()?;
                     let defaults = self.builder.defaults().clone();
                     let camera = read_camera(self, at, &defaults)?;
                     self.builder.set_default_camera(camera);
-                    self.leave()?;
+                    self.leave_block()?;
                 }
                 _ => {
                     let base = self.builder.defaults().texture.clone();

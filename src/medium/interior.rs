@@ -117,7 +117,7 @@ impl Interior {
                 next if read_row(INTERIOR_ROWS, &mut out, next, r)? => {}
                 // `refraction N` switched bending on in POV-Ray 3.0; its number has no effect.
                 Next::Word(word) if INTERIOR.ignores(word) => {
-                    r.take()?;
+                    r.take_token()?;
                     r.float()?;
                 }
                 Next::Word(word) | Next::Block(word) if INTERIOR.is_unsupported(word) => {

@@ -39,12 +39,12 @@ impl Readable for Agate {
 
 impl Field for Agate {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &FieldParams::NONE)
+        self.value_with_params(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         // quirk: agate_constants
-        let turbulence = noise::turbulence(at.p, params.turbulence.series(), at.noise);
+        let turbulence = noise::turbulence(at.p, params.turbulence.to_octaves(), at.noise);
         let turn = 1.3 * self.turbulence * turbulence + 1.1 * at.p.z;
         fp::pow(0.5 * (fp::sin(TAU * turn) + 1.0), 0.77)
     }

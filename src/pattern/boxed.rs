@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn concentric_cubes() {
-        let value = |x, y, z| Boxed {}.value(&TextureContext::free(DVec3::new(x, y, z), Default::default()));
+        let value = |x, y, z| Boxed {}.value(&TextureContext::without_surface(DVec3::new(x, y, z), Default::default()));
         assert_eq!([value(0.25, 0.0, -0.125), value(0.1, -0.5, 0.3), value(0.0, 0.0, 2.0)], [0.75, 0.5, 0.0]);
     }
 }

@@ -31,7 +31,7 @@ impl TextureContext {
 
     /// Creates the context of a point without a surface, as functions evaluate patterns. Functions ignore the scene's
     /// `number_of_waves`, as in POV-Ray.
-    pub fn free(p: DVec3, noise: NoiseGenerator) -> Self {
+    pub fn without_surface(p: DVec3, noise: NoiseGenerator) -> Self {
         Self {
             p,
             uv: DVec2::new(p.x, p.y),
@@ -45,12 +45,12 @@ impl TextureContext {
 
     /// True if the point is on a surface. Without one, patterns of the surface's direction are 0 (quirk:
     /// `slope_without_surface`).
-    pub fn has_surface(&self) -> bool {
+    pub fn is_on_surface(&self) -> bool {
         self.normal != DVec3::ZERO
     }
 
     /// Returns this texture context for the point's coordinates in another space.
-    pub fn at(&self, p: DVec3) -> Self {
+    pub fn with_point(&self, p: DVec3) -> Self {
         Self { p, ..*self }
     }
 }
@@ -78,7 +78,7 @@ pub trait Field {
     fn value(&self, at: &TextureContext) -> f64;
 
     /// Returns the number of a pattern that depends on its shared parameters.
-    fn value_as(&self, at: &TextureContext, _params: &FieldParams) -> f64 {
+    fn value_with_params(&self, at: &TextureContext, _params: &FieldParams) -> f64 {
         self.value(at)
     }
 
@@ -94,7 +94,7 @@ pub trait Field {
 
     /// Returns the normal `n` with bumps that the pattern computes itself, all in the pattern's space; `None` if bumps
     /// are found by comparing heights.
-    fn bumped(&self, _at: &TextureContext, _params: &FieldParams, _n: DVec3, _amount: f64) -> Option<DVec3> {
+    fn bumped_normal(&self, _at: &TextureContext, _params: &FieldParams, _n: DVec3, _amount: f64) -> Option<DVec3> {
         None
     }
 
@@ -105,7 +105,7 @@ pub trait Field {
 
     /// True if the pattern's name sets the frequency to 0, so that `phase` has no effect until a `frequency` is given
     /// (quirk: `still_patterns`).
-    fn begins_still(&self) -> bool {
+    fn starts_with_zero_frequency(&self) -> bool {
         false
     }
 

@@ -40,7 +40,8 @@ mod tests {
 
     #[test]
     fn concentric_cylinders() {
-        let value = |x, y, z| Cylindrical {}.value(&TextureContext::free(DVec3::new(x, y, z), Default::default()));
+        let value =
+            |x, y, z| Cylindrical {}.value(&TextureContext::without_surface(DVec3::new(x, y, z), Default::default()));
         assert_eq!([value(0.0, 7.0, 0.25), value(0.3, 1.0, 0.4), value(2.0, 0.0, 0.0)], [0.75, 0.5, 0.0]);
     }
 }

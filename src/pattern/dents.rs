@@ -36,7 +36,7 @@ impl Field for Dents {
         LocalBounds { range: noise.range.map_increasing(|n| n.powi(3)), steepest, ..noise }
     }
 
-    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped_normal(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         Some(n + amount * self.value(at) * noise::noise_vector(at.p))
     }
 }

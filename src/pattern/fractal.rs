@@ -85,7 +85,7 @@ impl Orbits {
 
     /// Returns the pattern's number for an orbit that begins at `z` and continues by `step` until it has `left`.
     /// `starts` is true if `z` belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
-    fn value<const BLOCK: u32>(
+    fn orbit_number<const BLOCK: u32>(
         &self,
         z: Complex,
         step: impl Fn(Complex) -> Complex,
@@ -94,8 +94,8 @@ impl Orbits {
     ) -> f64 {
         // Only interior type 1 needs the least distance from 0: loops without it are faster.
         let end = match self.interior.kind {
-            1 => self.follow::<BLOCK, true>(z, step, left, starts),
-            _ => self.follow::<BLOCK, false>(z, step, left, starts),
+            1 => self.follow_orbit::<BLOCK, true>(z, step, left, starts),
+            _ => self.follow_orbit::<BLOCK, false>(z, step, left, starts),
         };
         match end {
             End::Left(i, z) => {
@@ -103,9 +103,9 @@ impl Orbits {
                 match kind {
                     1 => f64::from(i) / f64::from(self.iterations),
                     6 => z.length_squared().sqrt() * factor,
-                    7 => Self::turn(i, factor.trunc(), factor),
-                    8 => Self::turn(i, factor.trunc() + 1.0, factor),
-                    _ => Self::common(kind, z) * factor,
+                    7 => Self::wrapped_count(i, factor.trunc(), factor),
+                    8 => Self::wrapped_count(i, factor.trunc() + 1.0, factor),
+                    _ => Self::last_position_number(kind, z) * factor,
                 }
             }
             End::Stays(z, least) => {
@@ -114,14 +114,14 @@ impl Orbits {
                     1 => least.sqrt() * factor,
                     // The manual says the length; POV-Ray squares the imaginary part alone (quirk: fractal_types).
                     6 => z.x * z.x + z.y * z.y * factor,
-                    _ => Self::common(kind, z) * factor,
+                    _ => Self::last_position_number(kind, z) * factor,
                 }
             }
         }
     }
 
     #[inline(always)]
-    fn follow<const BLOCK: u32, const LEAST: bool>(
+    fn follow_orbit<const BLOCK: u32, const LEAST: bool>(
         &self,
         z: Complex,
         step: impl Fn(Complex) -> Complex,
@@ -171,22 +171,22 @@ impl Orbits {
     }
 
     /// Returns the pattern's number for the orbit z → zⁿ + c.
-    fn powers(&self, n: u32, z: Complex, c: Complex) -> f64 {
+    fn power_orbit_number(&self, n: u32, z: Complex, c: Complex) -> f64 {
         match n {
-            2 if !far(c) => self.value::<8>(z, |z| z.square() + c, far, true),
-            2 => self.value::<1>(z, |z| z.square() + c, far, true),
-            n => self.value::<1>(z, |z| z.power(n) + c, far, true),
+            2 if !has_escaped(c) => self.orbit_number::<8>(z, |z| z.square() + c, has_escaped, true),
+            2 => self.orbit_number::<1>(z, |z| z.square() + c, has_escaped, true),
+            n => self.orbit_number::<1>(z, |z| z.power(n) + c, has_escaped, true),
         }
     }
 
     /// Returns `i` modulo `turn`, divided by the factor (quirk: `fractal_types`); 0 for a `turn` of 0, where POV-Ray
     /// crashes.
-    fn turn(i: u32, turn: f64, factor: f64) -> f64 {
+    fn wrapped_count(i: u32, turn: f64, factor: f64) -> f64 {
         if turn == 0.0 { 0.0 } else { f64::from(i) % turn / factor }
     }
 
     /// Returns a number of an orbit's last position `z`, for the types that exterior and interior share.
-    fn common(kind: u8, z: Complex) -> f64 {
+    fn last_position_number(kind: u8, z: Complex) -> f64 {
         match kind {
             2 => z.x,
             3 => z.y,
@@ -198,7 +198,7 @@ impl Orbits {
 }
 
 /// True if z has escaped: |z| then grows for ever if |c| ≤ 2.
-fn far(z: Complex) -> bool {
+fn has_escaped(z: Complex) -> bool {
     z.length_squared() > 4.0
 }
 
@@ -252,9 +252,9 @@ impl Field for Mandel {
         let c = Complex::new(at.p.x, at.p.y);
         let OrbitValue { kind, factor } = self.orbits.interior;
         if kind == 0 && self.exponent == 2 && is_in_main_bodies(c) {
-            return Orbits::common(kind, c) * factor;
+            return Orbits::last_position_number(kind, c) * factor;
         }
-        self.orbits.powers(self.exponent, c, c)
+        self.orbits.power_orbit_number(self.exponent, c, c)
     }
 
     /// Returns the colours of `mandel` without a map; exponents other than 2 have gray defaults (quirk:
@@ -301,7 +301,7 @@ impl Readable for Julia {
 impl Field for Julia {
     fn value(&self, at: &TextureContext) -> f64 {
         let c = Complex::new(self.constant.x, self.constant.y);
-        self.orbits.powers(self.exponent, Complex::new(at.p.x, at.p.y), c)
+        self.orbits.power_orbit_number(self.exponent, Complex::new(at.p.x, at.p.y), c)
     }
 }
 
@@ -353,9 +353,9 @@ impl Readable for Magnet {
             );
         }
         let constant = match r.next()? {
-            Next::Word("mandel") => r.take().map(|_| None)?,
+            Next::Word("mandel") => r.take_token().map(|_| None)?,
             Next::Word("julia") => {
-                r.take()?;
+                r.take_token()?;
                 Some(r.vector2()?)
             }
             _ => return Err(r.unexpected("`mandel` or `julia`").into()),
@@ -382,9 +382,9 @@ impl Field for Magnet {
                 let below = 3.0 * z.square() + 3.0 * (c2 * z) + product + 1.0;
                 (above / below).square()
             };
-            self.orbits.value::<1>(start, step, left, starts)
+            self.orbits.orbit_number::<1>(start, step, left, starts)
         } else {
-            self.orbits.value::<1>(start, |z| ((z.square() + c1) / (2.0 * z + c2)).square(), left, starts)
+            self.orbits.orbit_number::<1>(start, |z| ((z.square() + c1) / (2.0 * z + c2)).square(), left, starts)
         }
     }
 }
@@ -401,7 +401,7 @@ mod tests {
 
     fn mandel(x: f64, y: f64, exterior: u8, interior: u8) -> f64 {
         let pattern = Mandel { orbits: orbits(exterior, interior), exponent: 2 };
-        pattern.value(&TextureContext::free(DVec3::new(x, y, 3.0), Default::default()))
+        pattern.value(&TextureContext::without_surface(DVec3::new(x, y, 3.0), Default::default()))
     }
 
     #[test]
@@ -421,7 +421,7 @@ mod tests {
         let (mut within, mut stays) = (0, 0);
         for i in 0..40_000 {
             let c = Complex::new(f64::from(i % 200) * 0.0131 - 2.05, f64::from(i / 200) * 0.0117 - 1.17);
-            let orbit = Orbits { iterations: 500, ..orbits(1, 0) }.powers(2, c, c) == 0.5;
+            let orbit = Orbits { iterations: 500, ..orbits(1, 0) }.power_orbit_number(2, c, c) == 0.5;
             within += u32::from(is_in_main_bodies(c));
             stays += u32::from(orbit);
             assert!(orbit || !is_in_main_bodies(c), "{} {}", c.x, c.y);

@@ -41,12 +41,12 @@ impl Field for Marble {
         LocalBounds::from_steepest(self.value(at), 1.0, radius)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         let by = params.turbulence;
         if by.amount.x == 0.0 {
             return at.p.x;
         }
-        at.p.x + by.amount.x * noise::turbulence(at.p, by.series(), at.noise)
+        at.p.x + by.amount.x * noise::turbulence(at.p, by.to_octaves(), at.noise)
     }
 
     fn owns_turbulence(&self) -> bool {

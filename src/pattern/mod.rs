@@ -141,9 +141,9 @@ pub(crate) fn extreme_points() -> impl Iterator<Item = DVec3> {
 /// A pattern of cells: each kind of cell has a colour, pigment or texture of its own.
 pub trait Cells {
     /// Number of the pattern's kinds of cells.
-    fn count(&self) -> usize;
+    fn cell_kind_count(&self) -> usize;
     /// Returns the kind of the pattern's cell that contains the point.
-    fn cell(&self, p: DVec3) -> usize;
+    fn cell_kind(&self, p: DVec3) -> usize;
     /// True if all points within a radius are certainly in the same cell of the pattern; false if that is not quickly
     /// decided.
     fn is_uniform(&self, _p: DVec3, _radius: f64) -> bool {
@@ -230,17 +230,17 @@ macro_rules! fields {
 
         impl Field for FieldPattern {
             fn value(&self, at: &TextureContext) -> f64 { match self { $(FieldPattern::$name(f) => f.value(at)),* } }
-            fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
-                match self { $(FieldPattern::$name(f) => f.value_as(at, params)),* }
+            fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+                match self { $(FieldPattern::$name(f) => f.value_with_params(at, params)),* }
             }
             fn bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds {
                 match self { $(FieldPattern::$name(f) => f.bounds_near(at, params, radius)),* }
             }
             fn default_wave(&self) -> Option<Wave> { match self { $(FieldPattern::$name(f) => f.default_wave()),* } }
-            fn begins_still(&self) -> bool { match self { $(FieldPattern::$name(f) => f.begins_still()),* } }
+            fn starts_with_zero_frequency(&self) -> bool { match self { $(FieldPattern::$name(f) => f.starts_with_zero_frequency()),* } }
             fn owns_turbulence(&self) -> bool { match self { $(FieldPattern::$name(f) => f.owns_turbulence()),* } }
-            fn bumped(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
-                match self { $(FieldPattern::$name(f) => f.bumped(at, params, n, amount)),* }
+            fn bumped_normal(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+                match self { $(FieldPattern::$name(f) => f.bumped_normal(at, params, n, amount)),* }
             }
             fn default_colors(&self) -> Vec<(f64, Color)> {
                 match self { $(FieldPattern::$name(f) => f.default_colors()),* }
@@ -257,8 +257,8 @@ macro_rules! cells {
         }
 
         impl Cells for CellPattern {
-            fn count(&self) -> usize { match self { $(CellPattern::$name(c) => c.count()),* } }
-            fn cell(&self, p: DVec3) -> usize { match self { $(CellPattern::$name(c) => c.cell(p)),* } }
+            fn cell_kind_count(&self) -> usize { match self { $(CellPattern::$name(c) => c.cell_kind_count()),* } }
+            fn cell_kind(&self, p: DVec3) -> usize { match self { $(CellPattern::$name(c) => c.cell_kind(p)),* } }
             fn is_uniform(&self, p: DVec3, radius: f64) -> bool { match self { $(CellPattern::$name(c) => c.is_uniform(p, radius)),* } }
             fn default_color(&self, cell: usize) -> Color {
                 match self { $(CellPattern::$name(c) => c.default_color(cell)),* }

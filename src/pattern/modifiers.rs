@@ -50,9 +50,9 @@ impl Modifiers {
 
     pub(super) const ROWS: &[Row<Self>] = &[
         word("frequency", ValueKind::Float, "1", "passes through the map in a unit")
-            .sets(|s, r| set(&mut s.frequency, r.float().map(|x| Some(single(x))))),
+            .sets(|s, r| set(&mut s.frequency, r.float().map(|x| Some(to_single_precision(x))))),
         word("phase", ValueKind::Float, "0", "where the map begins")
-            .sets(|s, r| set(&mut s.phase, r.float().map(single))),
+            .sets(|s, r| set(&mut s.phase, r.float().map(to_single_precision))),
         word("ramp_wave", ValueKind::Nothing, "", "rises and falls back at once")
             .sets(|s, _| set(&mut s.wave, Ok(Wave::Ramp))),
         word("triangle_wave", ValueKind::Nothing, "", "rises and falls")
@@ -62,16 +62,17 @@ impl Modifiers {
         word("scallop_wave", ValueKind::Nothing, "", "a row of arches")
             .sets(|s, _| set(&mut s.wave, Ok(Wave::Scallop))),
         word("cubic_wave", ValueKind::Nothing, "", "flat at both ends").sets(|s, _| set(&mut s.wave, Ok(Wave::Cubic))),
-        word("poly_wave", ValueKind::Float, "1", "to this power")
-            .sets(|s, r| set(&mut s.wave, r.optional_float().map(|x| Wave::Poly(single(x.unwrap_or(1.0)))))),
+        word("poly_wave", ValueKind::Float, "1", "to this power").sets(|s, r| {
+            set(&mut s.wave, r.optional_float().map(|x| Wave::Poly(to_single_precision(x.unwrap_or(1.0)))))
+        }),
     ];
 
     /// Applies frequency, phase and wave type to a pattern's number; returns the number that the map receives. A
     /// frequency of 0 leaves the number unchanged except for the wave.
-    pub fn apply(&self, raw: f64) -> f64 {
+    pub fn apply_to_number(&self, raw: f64) -> f64 {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 { raw } else { raw * frequency + self.phase };
-        let shifted = if frequency == 0.0 { shifted } else { wrapped(shifted) };
+        let shifted = if frequency == 0.0 { shifted } else { wrap_to_period(shifted) };
         let v = if shifted < 0.0 { fp::fraction(shifted) } else { shifted };
         match self.wave {
             Wave::Ramp => v,
@@ -87,12 +88,12 @@ impl Modifiers {
     /// given.
     pub fn apply_to_cell(&self, cell: usize) -> f64 {
         let cells = Self { frequency: Some(self.frequency.unwrap_or(0.0)), ..*self };
-        cells.apply(cell as f64)
+        cells.apply_to_number(cell as f64)
     }
 }
 
 /// Returns `x % PERIOD`, by subtractions that are exact too, as long as they are few.
-fn wrapped(x: f64) -> f64 {
+fn wrap_to_period(x: f64) -> f64 {
     let mut rest = x.abs();
     if rest < PERIOD {
         return x;
@@ -110,7 +111,7 @@ fn wrapped(x: f64) -> f64 {
     rest.copysign(x)
 }
 
-fn single(x: f64) -> f64 {
+fn to_single_precision(x: f64) -> f64 {
     f64::from(x as f32)
 }
 
@@ -122,10 +123,10 @@ mod tests {
     fn wrapping_is_a_remainder() {
         for i in 0..4000 {
             let x = f64::from(i) * 0.010_001 - 20.0;
-            assert_eq!(wrapped(x), x % PERIOD, "{x}");
+            assert_eq!(wrap_to_period(x), x % PERIOD, "{x}");
             let near = f64::from(i - 2000) * PERIOD;
             for x in [near, near.next_up(), near.next_down()] {
-                assert_eq!(wrapped(x), x % PERIOD, "{x}");
+                assert_eq!(wrap_to_period(x), x % PERIOD, "{x}");
             }
         }
     }

@@ -42,11 +42,11 @@ impl Readable for ObjectPattern {
 }
 
 impl Cells for ObjectPattern {
-    fn count(&self) -> usize {
+    fn cell_kind_count(&self) -> usize {
         2
     }
 
-    fn cell(&self, p: DVec3) -> usize {
+    fn cell_kind(&self, p: DVec3) -> usize {
         usize::from(self.0.contains(p))
     }
 

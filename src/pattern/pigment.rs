@@ -65,7 +65,7 @@ impl Readable for PigmentPattern {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let at = r.span();
         let thing = r.pigment()?;
-        r.leave()?;
+        r.leave_block()?;
         match downcast::<Self>(&thing) {
             Some(pattern) => Ok((*pattern).clone()),
             None => Diagnostic::err(codes::WRONG_TYPE, at, "expected a pigment"),

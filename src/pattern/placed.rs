@@ -94,7 +94,7 @@ impl Pattern {
                 read_row(TurbulenceParams::ROWS, self.space.turbulence_mut(), next, r)?;
             }
             Next::Word("noise_generator") => {
-                r.take()?;
+                r.take_token()?;
                 // quirk: noise_generator_bits
                 let bits = |noise: Option<NoiseGenerator>| noise.map_or(0, NoiseGenerator::number);
                 self.noise = match bits(self.noise) | bits(read_noise_generator(r, 0.0)?) {
@@ -103,17 +103,17 @@ impl Pattern {
                 };
             }
             Next::Word("uv_mapping") => {
-                r.take()?;
+                r.take_token()?;
                 self.uv = r.flag()?;
             }
             Next::Block("warp") => {
-                r.take()?;
+                r.take_token()?;
                 let warp = Warp::read(r)?;
-                r.leave()?;
-                self.space.warp(warp);
+                r.leave_block()?;
+                self.space.append_warp(warp);
             }
             Next::Word("average") => {
-                r.take()?;
+                r.take_token()?;
                 self.kind = PatternKind::Average;
             }
             Next::Function => self.kind = PatternKind::Field(FieldPattern::FunctionPattern(FunctionPattern::read(r)?)),
@@ -127,17 +127,17 @@ impl Pattern {
     fn read_name(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<bool> {
         let block = matches!(r.next()?, Next::Block(_));
         if FieldPattern::is_name(word) {
-            r.take()?;
+            r.take_token()?;
             if let Some(pattern) = FieldPattern::read(word, block, r) {
                 let pattern = pattern?;
                 self.modifiers.wave = pattern.default_wave().unwrap_or(self.modifiers.wave);
-                if pattern.begins_still() {
+                if pattern.starts_with_zero_frequency() {
                     self.modifiers.frequency = Some(0.0);
                 }
                 self.kind = PatternKind::Field(pattern);
             }
         } else if CellPattern::is_name(word) {
-            r.take()?;
+            r.take_token()?;
             if let Some(pattern) = CellPattern::read(word, block, r) {
                 self.kind = PatternKind::Cells(pattern?);
                 self.modifiers.frequency = Some(0.0);
@@ -155,18 +155,18 @@ impl Pattern {
     }
 
     /// True if the pattern mixes all entries of the map.
-    pub fn averages(&self) -> bool {
+    pub fn is_average(&self) -> bool {
         self.kind == PatternKind::Average
     }
 
     /// Appends a transform to those of the pattern.
     pub fn transform(&mut self, by: &Transform) {
-        self.around.as_deref_mut().unwrap_or(&mut self.space).then(by);
+        self.around.as_deref_mut().unwrap_or(&mut self.space).append_transform(by);
     }
 
     /// Ends the block that contains the pattern: a pattern with `uv_mapping` keeps its space apart from later
     /// transforms.
-    pub fn end(&mut self) {
+    pub fn end_block(&mut self) {
         if self.uv {
             self.around.get_or_insert_default();
         }
@@ -174,30 +174,30 @@ impl Pattern {
 
     /// Removes and returns the space around a pattern that was mapped by uv; from then on the pattern receives points.
     /// `None` if the pattern was not mapped.
-    pub fn take_around(&mut self) -> Option<Self> {
+    pub fn take_outer_space(&mut self) -> Option<Self> {
         let space = *self.around.take()?;
         self.uv = false;
         Some(Self { kind: PatternKind::Surface, space, ..Self::default() })
     }
 
-    /// Restores the space around a pattern that [`Self::take_around`] returned.
-    pub fn put_around(&mut self, around: Self) {
+    /// Restores the space around a pattern that [`Self::take_outer_space`] returned.
+    pub fn restore_outer_space(&mut self, around: Self) {
         (self.uv, self.around) = (true, Some(Box::new(around.space)));
     }
 
     /// True if the pattern receives (u, v, 0) instead of the point.
-    pub fn by_uv(&self) -> bool {
+    pub fn uses_uv(&self) -> bool {
         self.uv || self.kind == PatternKind::Surface
     }
 
     /// True if the pattern, or the pigment whose brightness it is, depends on surface coordinates.
     pub fn depends_on_uv(&self) -> bool {
-        self.by_uv()
+        self.uses_uv()
             || matches!(&self.kind, PatternKind::Field(FieldPattern::PigmentPattern(inner)) if inner.depends_on_uv())
     }
 
     /// True if the pattern may depend on the surface normal. (Functions and the pigments of patterns are not searched.)
-    pub fn may_see_normal(&self) -> bool {
+    pub fn may_depend_on_normal(&self) -> bool {
         use FieldPattern::{Aoi, FunctionPattern, PigmentPattern, Slope};
         matches!(self.kind, PatternKind::Field(Slope(_) | Aoi(_) | FunctionPattern(_) | PigmentPattern(_)))
     }

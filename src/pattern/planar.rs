@@ -39,7 +39,8 @@ mod tests {
 
     #[test]
     fn nothing_is_left_one_unit_away() {
-        let value = |x, y, z| Planar {}.value(&TextureContext::free(DVec3::new(x, y, z), Default::default()));
+        let value =
+            |x, y, z| Planar {}.value(&TextureContext::without_surface(DVec3::new(x, y, z), Default::default()));
         assert_eq!([value(9.0, 0.25, 9.0), value(0.0, -0.5, 0.0), value(0.0, 2.0, 0.0)], [0.75, 0.5, 0.0]);
     }
 }

@@ -72,7 +72,7 @@ impl Readable for Slope {
             // POV-Ray ignores an altitude without a direction.
             altitude = (up != DVec3::ZERO).then(|| Box::new(Altitude { up, range }));
         }
-        r.leave()?;
+        r.leave_block()?;
         Ok(Self { towards, range, altitude })
     }
 }
@@ -97,13 +97,13 @@ fn read_range(r: &mut dyn Reader) -> Result<[f64; 2]> {
 }
 
 /// Maps x linearly from 0 at the low end to 1 at the high end, and beyond; unchanged if both are equal.
-fn within(x: f64, [low, high]: [f64; 2]) -> f64 {
+fn linear_ramp(x: f64, [low, high]: [f64; 2]) -> f64 {
     if low == high { x } else { (x - low) / (high - low) }
 }
 
 impl Field for Slope {
     fn value(&self, at: &TextureContext) -> f64 {
-        if !at.has_surface() {
+        if !at.is_on_surface() {
             return 0.0;
         }
         let towards = match self.towards {
@@ -111,13 +111,13 @@ impl Field for Slope {
             Towards::Point(point) => point - at.world,
         };
         let facing = 1.0 - fp::acos(at.normal.dot(towards.normalize_or_zero())) / PI;
-        let slope = within(facing, self.range);
+        let slope = linear_ramp(facing, self.range);
         let value = match self.altitude.as_deref() {
             None => slope,
             // weighted by the lengths of the two vectors
             Some(Altitude { up, range }) => {
                 let (by_slope, by_height) = (towards.length(), up.length());
-                let height = within(at.p.dot(*up) / by_height, *range);
+                let height = linear_ramp(at.p.dot(*up) / by_height, *range);
                 (by_slope * slope + by_height * height) / (by_slope + by_height)
             }
         };
@@ -133,7 +133,8 @@ mod tests {
 
     #[test]
     fn facing_and_height() {
-        let ctx = TextureContext { normal: DVec3::Y, ..TextureContext::free(DVec3::Y * 0.5, Default::default()) };
+        let ctx =
+            TextureContext { normal: DVec3::Y, ..TextureContext::without_surface(DVec3::Y * 0.5, Default::default()) };
         let slope = Slope { towards: Towards::Direction(DVec3::X), range: [0.0, 1.0], altitude: None };
         assert_eq!(slope.value(&ctx), 0.5);
         assert_eq!(Slope { range: [0.25, 0.75], ..slope.clone() }.value(&ctx), 0.5);
@@ -149,7 +150,7 @@ mod tests {
         let point = Slope { towards: Towards::Point(DVec3::Y), range: [0.5, 0.5], altitude: None };
         let high = Slope { altitude: Some(Box::new(Altitude { up: DVec3::Y, range: [1.0, -1.0] })), ..slope.clone() };
         for p in extreme_points() {
-            let there = TextureContext::free(p, Default::default());
+            let there = TextureContext::without_surface(p, Default::default());
             for ctx in
                 [there, TextureContext { normal: p, ..there }, TextureContext { normal: DVec3::ZERO, ray: p, ..there }]
             {

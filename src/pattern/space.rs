@@ -31,12 +31,12 @@ pub enum Step {
 
 impl Space {
     /// Appends a transform to the pattern's space.
-    pub fn then(&mut self, by: &Transform) {
+    pub fn append_transform(&mut self, by: &Transform) {
         self.transform = self.transform.then(by).into();
     }
 
     /// Appends a warp to the pattern's space; later transforms move it too.
-    pub fn warp(&mut self, warp: Warp) {
+    pub fn append_warp(&mut self, warp: Warp) {
         if !self.transform.is_identity() {
             self.inner.push(Step::Moved(*std::mem::take(&mut self.transform)));
         }
@@ -49,7 +49,7 @@ impl Space {
     }
 
     /// Transforms a normal from the outer space to the pattern's space, by transposed matrices; warps have no effect.
-    pub fn normal_inside(&self, n: DVec3) -> DVec3 {
+    pub fn normal_to_pattern_space(&self, n: DVec3) -> DVec3 {
         self.inner.iter().rev().fold(self.transform.inverse_normal(n), |n, step| match step {
             Step::Moved(transform) => transform.inverse_normal(n),
             Step::Warped(_) => n,
@@ -57,7 +57,7 @@ impl Space {
     }
 
     /// Transforms a normal from the pattern's space to the outer space.
-    pub fn normal_outside(&self, n: DVec3) -> DVec3 {
+    pub fn normal_from_pattern_space(&self, n: DVec3) -> DVec3 {
         let n = self.inner.iter().fold(n, |n, step| match step {
             Step::Moved(transform) => transform.normal(n),
             Step::Warped(_) => n,
@@ -66,7 +66,7 @@ impl Space {
     }
 
     /// True if the pattern's space equals the outer space.
-    pub fn is_plain(&self) -> bool {
+    pub fn is_identity(&self) -> bool {
         self.inner.is_empty() && self.turbulence.is_none() && self.transform.is_identity()
     }
 }

@@ -39,7 +39,8 @@ mod tests {
 
     #[test]
     fn concentric_spheres() {
-        let value = |x, y, z| Spherical {}.value(&TextureContext::free(DVec3::new(x, y, z), Default::default()));
+        let value =
+            |x, y, z| Spherical {}.value(&TextureContext::without_surface(DVec3::new(x, y, z), Default::default()));
         assert_eq!([value(0.0, 0.25, 0.0), value(0.3, 0.0, 0.4), value(0.0, 0.0, 2.0)], [0.75, 0.5, 0.0]);
     }
 }

@@ -36,11 +36,11 @@ impl Readable for Spiral1 {
 
 impl Field for Spiral1 {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &FieldParams::NONE)
+        self.value_with_params(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
-        thread(at.p, self.arms) + shift(at, params)
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        spiral_number(at.p, self.arms) + turbulence_shift(at, params)
     }
 
     fn default_wave(&self) -> Option<Wave> {
@@ -50,7 +50,7 @@ impl Field for Spiral1 {
 
 /// Returns the number of a spiral pattern before its wave: it grows by 1 with each unit along z and away from it, and
 /// by the number of arms with each turn, starting at -y.
-pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
+pub(super) fn spiral_number(p: DVec3, arms: f64) -> f64 {
     if p.x == 0.0 && p.y == 0.0 {
         return p.z;
     }
@@ -59,7 +59,7 @@ pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
 }
 
 /// Returns the number that `turbulence` adds to a spiral pattern, in addition to the displacement of the point.
-pub(super) fn shift(at: &TextureContext, params: &FieldParams) -> f64 {
+pub(super) fn turbulence_shift(at: &TextureContext, params: &FieldParams) -> f64 {
     let amount = params.turbulence.amount.x;
-    if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, params.turbulence.series(), at.noise) }
+    if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, params.turbulence.to_octaves(), at.noise) }
 }

@@ -44,12 +44,12 @@ impl TurbulenceParams {
     ];
 
     /// Returns the sum of octaves of noise with these parameters.
-    pub fn series(&self) -> Turbulence {
+    pub fn to_octaves(&self) -> Turbulence {
         Turbulence::new(self.lambda, self.omega, self.octaves)
     }
 
     /// Displaces a point by turbulence: p + amount · vturbulence(p).
     pub fn displace(&self, p: DVec3) -> DVec3 {
-        if self.amount == DVec3::ZERO { p } else { p + self.amount * noise::vturbulence(p, self.series()) }
+        if self.amount == DVec3::ZERO { p } else { p + self.amount * noise::vturbulence(p, self.to_octaves()) }
     }
 }

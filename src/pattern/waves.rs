@@ -31,27 +31,27 @@ impl Readable for Waves {
 
 impl Field for Waves {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &FieldParams::NONE)
+        self.value_with_params(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let wave = |s: &Source| {
             let turns = s.frequency * frequency * at.p.distance(s.place) + phase;
             fp::sin(TAU * turns) / s.frequency
         };
-        let sources = sources(at.waves);
+        let sources = wave_sources(at.waves);
         0.5 + 0.2 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
     }
 
-    fn bumped(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped_normal(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let wave = |s: &Source| {
             let from = at.p - s.place;
             let r = from.length();
             fp::sin(TAU * (s.frequency * frequency * r + phase)) / s.frequency * from / r
         };
-        let sources = sources(at.waves);
+        let sources = wave_sources(at.waves);
         Some(n + amount / sources.len() as f64 * sources.iter().map(wave).sum::<DVec3>())
     }
 }
@@ -66,7 +66,7 @@ pub struct Source {
 }
 
 /// Returns the first `count` sources of waves; at most 4096 exist.
-pub fn sources(count: usize) -> &'static [Source] {
+pub fn wave_sources(count: usize) -> &'static [Source] {
     &SOURCES[..count.clamp(1, SOURCES.len())]
 }
 

@@ -37,14 +37,14 @@ impl Field for Wood {
         LocalBounds::from_steepest(self.value(at), 1.0, radius)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         let by = params.turbulence;
         if by.amount == DVec3::ZERO {
             return self.value(at);
         }
         // Each coordinate is shifted by a sine of itself, whose phase is the noise.
         let p = at.p.truncate();
-        let angle = TAU * by.amount.truncate() * (p + noise::vturbulence(at.p, by.series()).truncate());
+        let angle = TAU * by.amount.truncate() * (p + noise::vturbulence(at.p, by.to_octaves()).truncate());
         (p + DVec2::new(fp::sin(angle.x), fp::sin(angle.y))).length()
     }
 

@@ -41,7 +41,7 @@ impl Field for Wrinkles {
         LocalBounds::from_deviation(self.value(at), far, 10.0 * steepest).clamp_range(0.0, 1.0)
     }
 
-    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped_normal(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         // ten octaves of the noise's absolute value along each axis
         let octave = |weight| weight * noise::noise_vector(at.p / weight).abs();
         Some(n + amount * HALVES.into_iter().map(octave).sum::<DVec3>())

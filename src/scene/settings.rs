@@ -65,7 +65,7 @@ impl Settings {
                 next if read_row(SETTINGS_ROWS, self, next, r)? => {}
                 Next::Word(word) if SETTINGS.ignores(word) => {
                     let mut row = vec![];
-                    r.take()?;
+                    r.take_token()?;
                     while r.at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
                         r.skip_into(&mut row)?;
                     }

@@ -157,16 +157,16 @@ impl Readable for Blob {
     fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
         match next {
             Next::Word("threshold") => {
-                r.take()?;
+                r.take_token()?;
                 self.threshold = r.float()?;
             }
             Next::Word("component") => {
-                let span = r.take()?;
+                let span = r.take_token()?;
                 let (strength, radius, base) = (r.float()?, r.float()?, r.vector()?);
                 self.components.push(Component::new(span, base, DVec3::ZERO, radius, strength)?);
             }
             Next::Block(kind @ ("sphere" | "cylinder")) => {
-                let span = r.take()?;
+                let span = r.take_token()?;
                 let base = r.vector()?;
                 let axis = if kind == "cylinder" { r.vector()? - base } else { DVec3::ZERO };
                 let radius = r.float()?;
@@ -174,7 +174,7 @@ impl Readable for Blob {
                 let strength = r.float()?;
                 let mut component = Component::new(span, base, axis, radius, strength)?;
                 component.read_modifiers(kind, r, paints)?;
-                r.leave()?;
+                r.leave_block()?;
                 self.textured |= component.slot != 0;
                 self.components.push(component);
             }

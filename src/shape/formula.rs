@@ -93,20 +93,20 @@ impl Container {
     /// # Errors
     /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
-        r.take()?;
+        r.take_token()?;
         let container = match r.next()? {
             Next::Block("box") => {
-                r.take()?;
+                r.take_token()?;
                 Self::Box(Cuboid::read(r)?)
             }
             Next::Block("sphere") => {
-                r.take()?;
+                r.take_token()?;
                 Self::Sphere(Sphere::read(r)?)
             }
             _ => return Err(r.unexpected("`sphere { … }` or `box { … }`").into()),
         };
-        r.leave()?;
-        r.leave()?;
+        r.leave_block()?;
+        r.leave_block()?;
         Ok(container)
     }
 

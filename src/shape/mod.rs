@@ -101,7 +101,12 @@ pub trait Paints {
     ///
     /// # Errors
     /// A diagnostic if the material has no equivalent.
-    fn of_file(&mut self, material: &MeshMaterial, picture: Option<&Arc<Picture>>, r: &mut dyn Reader) -> Result<u32>;
+    fn add_mesh_material(
+        &mut self,
+        material: &MeshMaterial,
+        picture: Option<&Arc<Picture>>,
+        r: &mut dyn Reader,
+    ) -> Result<u32>;
 
     /// Transforms one embedded texture; other users of the same texture keep theirs.
     fn transform(&mut self, slot: &mut u32, by: &Transform);

@@ -138,7 +138,7 @@ fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
     if r.next()? != Next::Word("span") {
         return Err(r.unexpected("`normal` or `span` after the `point` of a `plane`").into());
     }
-    r.take()?;
+    r.take_token()?;
     let (i, j) = (r.vector()?, r.vector()?);
     finite(start, &[point, i, j], &[])?;
     let plane = Plane::spanned(point, i, j);

@@ -57,7 +57,7 @@ impl Paints for NoPaints {
         Ok(None)
     }
 
-    fn of_file(&mut self, _: &MeshMaterial, _: Option<&Arc<Picture>>, _: &mut dyn Reader) -> Result<u32> {
+    fn add_mesh_material(&mut self, _: &MeshMaterial, _: Option<&Arc<Picture>>, _: &mut dyn Reader) -> Result<u32> {
         Ok(0)
     }
 
@@ -82,12 +82,12 @@ impl Reader for Words {
         Span::new(1, 2)
     }
 
-    fn take(&mut self) -> Result<Span> {
+    fn take_token(&mut self) -> Result<Span> {
         self.left.pop_front();
         Ok(self.span())
     }
 
-    fn leave(&mut self) -> Result<()> {
+    fn leave_block(&mut self) -> Result<()> {
         Ok(())
     }
 
@@ -113,7 +113,7 @@ impl Reader for Words {
         if Reader::next(self)? == Next::Value { self.float().map(Some) } else { Ok(None) }
     }
 
-    fn continued(&mut self) -> Result<Next> {
+    fn next_in_statement(&mut self) -> Result<Next> {
         Reader::next(self)
     }
 

@@ -147,11 +147,11 @@ impl Readable for Text {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let name = match r.next()? {
             Next::Word("ttf") => {
-                r.take()?;
+                r.take_token()?;
                 None
             }
             Next::Word("internal") => {
-                r.take()?;
+                r.take_token()?;
                 let number = r.float()?;
                 Some(INTERNAL.get(number as usize).copied().unwrap_or(INTERNAL[0]))
             }

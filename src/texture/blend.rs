@@ -2,7 +2,7 @@
 //! "Normal Maps", "Texture Maps").
 
 use super::Texture;
-use super::doubts::tell_falling;
+use super::doubts::warn_of_descending_map;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::pattern::{CellPattern, Cells, Pattern, PatternKind};
 use crate::value::{Next, Reader, ReaderExt, Thing};
@@ -23,32 +23,32 @@ pub type Shares<'a, T> = SmallVec<[(&'a T, f64); 2]>;
 impl<T> Map<T> {
     /// Returns the map's entries below and above a number, and the number's position between them, from 0 to 1. The
     /// last entry from its own number on, the first up to its own number.
-    pub fn around(&self, v: f64) -> (&T, Option<(&T, f64)>) {
+    pub fn entries_around(&self, number: f64) -> (&T, Option<(&T, f64)>) {
         let (first, last) = (&self.entries[0], &self.entries[self.entries.len() - 1]);
         // The last entry takes precedence over the first, also where both have one number; NaN gives the first (quirk:
         // map_ends).
-        if v >= last.0 {
+        if number >= last.0 {
             return (&last.1, None);
         }
-        if v <= first.0 || v.is_nan() {
+        if number <= first.0 || number.is_nan() {
             return (&first.1, None);
         }
         // No binary search: entries may be in any order, and the first that fits counts (quirk: map_ends).
-        let Some(i) = self.entries.iter().position(|e| e.0 >= v) else { return (&last.1, None) };
+        let Some(i) = self.entries.iter().position(|e| e.0 >= number) else { return (&last.1, None) };
         let ((a, below), (b, above)) = (&self.entries[i - 1], &self.entries[i]);
-        (below, Some((above, (v - a) / (b - a))))
+        (below, Some((above, (number - a) / (b - a))))
     }
 
     /// Returns the map's values at a number, with their weights.
-    pub fn shares(&self, v: f64) -> Shares<'_, T> {
-        match self.around(v) {
+    pub fn weighted_entries(&self, number: f64) -> Shares<'_, T> {
+        match self.entries_around(number) {
             (only, None) => SmallVec::from_slice(&[(only, 1.0)]),
             (below, Some((above, t))) => SmallVec::from_slice(&[(below, 1.0 - t), (above, t)]),
         }
     }
 
     /// Returns all values of the map, weighted by their numbers.
-    pub fn average(&self) -> Shares<'_, T> {
+    pub fn entries_weighted_by_numbers(&self) -> Shares<'_, T> {
         let sum: f64 = self.entries.iter().map(|(weight, _)| weight).sum();
         self.entries.iter().map(|(weight, entry)| (entry, weight / sum)).collect()
     }
@@ -66,7 +66,7 @@ pub trait Entry: Clone {
     fn read_entry(r: &mut dyn Reader, defaults: &Texture) -> Result<Self>;
 
     /// Reads a declared value of a map if one comes next.
-    fn declared(r: &mut dyn Reader) -> Result<Option<Self>>;
+    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>>;
 }
 
 impl<T: Entry> Map<T>
@@ -85,34 +85,34 @@ where
         let span = r.span();
         let mut entries = vec![];
         while r.next()? == Next::Entry {
-            r.take()?;
+            r.take_token()?;
             let number = match r.optional_float()? {
                 Some(number) => number,
                 None if average && !r.at_color()? => 1.0,
-                None => return Err(r.unexpected("the entry's number").help(example::<T>()).into()),
+                None => return Err(r.unexpected("the entry's number").help(example_entry::<T>()).into()),
             };
             entries.push((number, T::read_entry(r, defaults)?));
-            r.leave()?;
+            r.leave_block()?;
         }
         if entries.is_empty() {
             if r.next()? != Next::End {
                 return Err(r.unknown_word(T::MAP, &["[0.5 …]"]).into());
             }
             return Diagnostic::new(codes::EMPTY_MAP, span, format!("a `{}` needs at least one entry", T::MAP))
-                .help(example::<T>())
+                .help(example_entry::<T>())
                 .into();
         }
         entries.shrink_to_fit();
         let map = Self { entries };
         if !average {
-            tell_falling(r, span, &map);
+            warn_of_descending_map(r, span, &map);
         }
         Ok(map)
     }
 }
 
 /// Returns an example of a map's entry, for the help line of a message.
-fn example<T: Entry>() -> String {
+fn example_entry<T: Entry>() -> String {
     format!("entries look like `[0.5 {} … ]`", T::BLOCK)
 }
 
@@ -133,21 +133,21 @@ pub fn read_list<T: Entry>(
         return Ok(None);
     }
     let mut list = vec![];
-    while list.len() < pattern.count() {
+    while list.len() < pattern.cell_kind_count() {
         if r.next()? == Next::Block(T::BLOCK) {
-            r.take()?;
+            r.take_token()?;
             list.push(T::read_entry(r, defaults)?);
-            r.leave()?;
-        } else if let Some(declared) = T::declared(r)? {
+            r.leave_block()?;
+        } else if let Some(declared) = T::read_declared(r)? {
             list.push(declared);
         } else {
             break;
         }
     }
     if matches!(name, Next::Block(_)) {
-        r.leave()?;
+        r.leave_block()?;
     }
-    list.extend((list.len()..pattern.count()).map(|cell| default(pattern, cell)));
+    list.extend((list.len()..pattern.cell_kind_count()).map(|cell| default(pattern, cell)));
     Ok(Some(Blend::List(list.into())))
 }
 
@@ -162,12 +162,12 @@ pub enum Blend<T> {
 }
 
 impl<T> Blend<T> {
-    /// Returns the values at a pattern's number, with their weights; all with `average`.
-    pub fn shares(&self, number: f64, average: bool) -> Shares<'_, T> {
+    /// Returns the values at a pattern's number, with their weights; all of them if `all` is true.
+    pub fn weighted_values(&self, number: f64, all: bool) -> Shares<'_, T> {
         match self {
-            Blend::Map(map) if average => map.average(),
-            Blend::Map(map) => map.shares(number),
-            Blend::List(list) => between(list, number),
+            Blend::Map(map) if all => map.entries_weighted_by_numbers(),
+            Blend::Map(map) => map.weighted_entries(number),
+            Blend::List(list) => weighted_list_values(list, number),
         }
     }
 
@@ -183,7 +183,7 @@ impl<T> Blend<T> {
     }
 
     /// True if both maps or lists share one allocation.
-    pub(super) fn shares_with(&self, other: &Self) -> bool {
+    pub(super) fn shares_allocation_with(&self, other: &Self) -> bool {
         match (self, other) {
             (Blend::Map(a), Blend::Map(b)) => Arc::ptr_eq(a, b),
             (Blend::List(a), Blend::List(b)) => Arc::ptr_eq(a, b),
@@ -218,7 +218,7 @@ impl<T> Blend<T> {
 
 /// Returns the values of a list at a pattern's number, as of a map with its entries at whole numbers: a `frequency`
 /// gives numbers between them.
-fn between<T>(list: &[T], number: f64) -> Shares<'_, T> {
+fn weighted_list_values<T>(list: &[T], number: f64) -> Shares<'_, T> {
     let (i, t) = (number as usize, number.fract());
     let (Some(below), Some(above)) = (list.get(i).or(list.last()), list.get(i.saturating_add(1)).or(list.last()))
     else {
@@ -236,7 +236,7 @@ mod tests {
     fn blends_between_and_holds_at_the_ends() {
         let gray = |x: f64| Color::opaque(Rgb::splat(x));
         let map = Map { entries: vec![(0.25, gray(0.0)), (0.5, gray(1.0)), (0.5, gray(0.25)), (1.0, gray(0.75))] };
-        let at = |v| map.at(v).rgb.x;
+        let at = |v| map.color_at(v).rgb.x;
         assert_eq!([at(0.0), at(0.375), at(0.5), at(0.75), at(2.0)], [0.0, 0.5, 1.0, 0.5, 0.75]);
         assert_eq!(at(f64::NAN), 0.0);
     }
@@ -246,7 +246,7 @@ mod tests {
         // POV-Ray 3.7's choice
         let shown = |numbers: &[f64], v: f64| {
             let map = Map { entries: numbers.iter().copied().enumerate().map(|(i, number)| (number, i)).collect() };
-            match map.around(v) {
+            match map.entries_around(v) {
                 (i, None) => (*i, *i),
                 (below, Some((above, _))) => (*below, *above),
             }
@@ -261,6 +261,6 @@ mod tests {
     #[test]
     fn weights_of_an_average_add_up_to_one() {
         let map = Map { entries: vec![(1.0, 'a'), (3.0, 'b')] };
-        assert_eq!(map.average().to_vec(), [(&'a', 0.25), (&'b', 0.75)]);
+        assert_eq!(map.entries_weighted_by_numbers().to_vec(), [(&'a', 0.25), (&'b', 0.75)]);
     }
 }

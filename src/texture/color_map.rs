@@ -1,7 +1,7 @@
 //! `color_map`: colours along a line of numbers (manual, "Color Maps").
 
 use super::blend::Map;
-use super::doubts::tell_falling;
+use super::doubts::warn_of_descending_map;
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Interval;
@@ -13,8 +13,8 @@ pub type ColorMap = Map<Color>;
 
 impl ColorMap {
     /// Returns the map's colour at a number.
-    pub fn at(&self, v: f64) -> Color {
-        match self.around(v) {
+    pub fn color_at(&self, number: f64) -> Color {
+        match self.entries_around(number) {
             (only, None) => *only,
             (below, Some((above, t))) => below.lerp(*above, t),
         }
@@ -24,7 +24,7 @@ impl ColorMap {
     /// `near`.
     pub fn bounds_near(&self, near: LocalBounds) -> [LocalBounds; 5] {
         let Interval { lo, hi } = near.range;
-        let (first, last) = (self.at(lo).to_array(), self.at(hi).to_array());
+        let (first, last) = (self.color_at(lo).to_array(), self.color_at(hi).to_array());
         let mut all = [0, 1, 2, 3, 4].map(|i: usize| LocalBounds {
             range: Interval::new(first[i], last[i]),
             steepest: 0.0,
@@ -63,7 +63,7 @@ impl ColorMap {
         let span = r.span();
         let mut entries = vec![];
         while r.next()? == Next::Entry {
-            r.take()?;
+            r.take_token()?;
             let from = r.float()?;
             match r.float_or_color()? {
                 FloatOrColor::Color(color) => entries.push((from, color.without_infinities())),
@@ -72,7 +72,7 @@ impl ColorMap {
                     entries.push((to, r.color()?.without_infinities()));
                 }
             }
-            r.leave()?;
+            r.leave_block()?;
         }
         if entries.is_empty() {
             if r.next()? != Next::End {
@@ -84,7 +84,7 @@ impl ColorMap {
         }
         entries.shrink_to_fit();
         let map = Self { entries };
-        tell_falling(r, span, &map);
+        warn_of_descending_map(r, span, &map);
         Ok(map)
     }
 }

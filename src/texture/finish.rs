@@ -150,14 +150,14 @@ impl Finish {
                     None => return Err(r.unknown_word("finish", &FINISH.names()).into()),
                 },
                 Next::Block("reflection") => {
-                    r.take()?;
+                    r.take_token()?;
                     f.reflection = Reflection::read(r, &f.reflection)?.into();
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Block("irid") => {
-                    r.take()?;
+                    r.take_token()?;
                     f.irid = Some(Box::new(Irid::read(r)?));
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Word(word) | Next::Block(word) if FINISH.is_unsupported(word) => {
                     f.uncommon.unsupported.push(r.read_unsupported(word)?)
@@ -191,7 +191,7 @@ impl Finish {
     pub(super) fn read_word(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
             Next::Word(word) if FINISH.ignores(word) => {
-                r.take()?;
+                r.take_token()?;
                 r.float().map(|_| true)
             }
             _ => read_row(FINISH_ROWS, self, next, r),
@@ -230,7 +230,7 @@ impl Irid {
 
     /// Returns the interference factor of the thin film for light at these cosines of incidence and view: 1 +
     /// a·cos(2π·path/λ) (quirk: `irid_formula`).
-    pub fn tint(&self, p: DVec3, cosines: f64, wavelength: Rgb, noise: NoiseGenerator) -> Rgb {
+    pub fn interference_factor(&self, p: DVec3, cosines: f64, wavelength: Rgb, noise: NoiseGenerator) -> Rgb {
         let mut thickness = self.thickness;
         if self.turbulence != 0.0 {
             let series = Turbulence::new(2.0, 0.5, 5.0);
@@ -276,7 +276,7 @@ impl Reflection {
     }
 
     /// True if the finish has no mirror reflection. (Negative amounts are not traced.)
-    pub fn is_none(&self) -> bool {
+    pub fn is_without_reflection(&self) -> bool {
         self.min.max(self.max).cmple(Rgb::ZERO).all()
     }
 }

@@ -74,31 +74,31 @@ impl ImageMap {
                 next if read_row(IMAGE_MAP_ROWS, &mut clearness, next, r)? => {}
                 next if bitmap.read_word(r, next)? => {}
                 _ => {
-                    let words: Vec<_> = bitmap::word_names().chain(IMAGE_MAP.names()).collect();
+                    let words: Vec<_> = bitmap::bitmap_word_names().chain(IMAGE_MAP.names()).collect();
                     return Err(r.unknown_word("image_map", &words).into());
                 }
             }
         }
-        Ok(Self { texels: bitmap.colors(r), mapping: bitmap.mapping, clearness })
+        Ok(Self { texels: bitmap.color_texels(r), mapping: bitmap.mapping, clearness })
     }
 
     /// Returns the `image_map`'s colour at a point; transparent beyond the edges of a picture with `once`.
-    pub fn at(&self, p: DVec3) -> Color {
-        let Some(place) = self.mapping.place(p) else {
+    pub fn color_at(&self, p: DVec3) -> Color {
+        let Some(place) = self.mapping.project(p) else {
             return Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
         };
-        let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
-        pixels.iter().fold(Color::BLACK, |sum, (i, weight)| sum.plus_scaled(self.pixel(*i), *weight))
+        let pixels = self.mapping.weighted_pixels(place, self.texels.width(), self.texels.height());
+        pixels.iter().fold(Color::BLACK, |sum, (i, weight)| sum.plus_scaled(self.pixel_color(*i), *weight))
     }
 
     /// True if the `image_map`'s picture covers the point.
-    pub fn holds(&self, p: DVec3) -> bool {
-        self.mapping.place(p).is_some()
+    pub fn covers_point(&self, p: DVec3) -> bool {
+        self.mapping.project(p).is_some()
     }
 
-    fn pixel(&self, i: usize) -> Color {
+    fn pixel_color(&self, i: usize) -> Color {
         let [r, g, b, a] = self.texels.rgba(i);
-        let index = self.texels.index(i);
+        let index = self.texels.palette_index(i);
         let transmit = match (self.clearness.transmit, index) {
             (None, _) => 1.0 - a,
             // In a palette, `transmit all` replaces alpha (quirk: image_palette_transmit).
@@ -130,8 +130,8 @@ impl ImageMap {
     /// True if the `image_map`'s picture, as one of several pigments, counts as opaque: only its own alpha and palette
     /// count, not `filter`, nor `transmit all` of a picture without a palette (quirk: `image_seems_opaque`).
     pub fn counts_as_opaque(&self) -> bool {
-        let clear = |i: usize| match self.texels.index(i) {
-            Some(_) => self.pixel(i).transmit != 0.0,
+        let clear = |i: usize| match self.texels.palette_index(i) {
+            Some(_) => self.pixel_color(i).transmit != 0.0,
             None => self.texels.rgba(i)[3] < 1.0,
         };
         let pixels = self.texels.width() * self.texels.height();

@@ -93,13 +93,13 @@ impl Texture {
                 next => out.read_element(r, next, &mut draft, base)?,
             }
         }
-        let top = out.top();
-        top.pigment.finish();
+        let top = out.top_layer();
+        top.pigment.set_default_colors();
         if let Some(parts) = draft.parts {
             top.choice = Some(Box::new(Choice { pattern: draft.pattern, parts }));
         }
         if draft.uv {
-            out.set_uv();
+            out.use_uv();
         }
         Ok(out)
     }
@@ -114,11 +114,11 @@ impl Texture {
                 }
             }
             Next::Word("uv_mapping") => {
-                r.take()?;
+                r.take_token()?;
                 draft.uv = r.flag()?;
             }
             Next::Word("no_bump_scale") => {
-                r.take()?;
+                r.take_token()?;
                 let on = r.flag()?;
                 for layer in &mut self.layers {
                     if let Some(normal) = &mut layer.normal {
@@ -127,29 +127,29 @@ impl Texture {
                 }
             }
             Next::Block("texture_map") => {
-                r.take()?;
-                draft.parts = Some(Blend::Map(Arc::new(Map::read_entries(r, base, draft.pattern.averages())?)));
-                r.leave()?;
+                r.take_token()?;
+                draft.parts = Some(Blend::Map(Arc::new(Map::read_entries(r, base, draft.pattern.is_average())?)));
+                r.leave_block()?;
             }
             Next::Block("tiles") => {
-                r.take()?;
+                r.take_token()?;
                 draft.parts = Some(read_tiles(r, &mut draft.pattern, base)?);
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Word(word) if bare && (FINISH.has_effect(word) || FINISH.ignores(word)) => {
-                Arc::make_mut(&mut self.top().finish).read_word(next, r)?;
+                Arc::make_mut(&mut self.top_layer().finish).read_word(next, r)?;
             }
             // A lone number was the texture's grain.
             Next::Value if bare => drop(r.float()?),
             next if self.read_part(r, next, base)? => {}
             // Before version 3.0, a texture could contain the pigment's words.
             Next::Word(_) | Next::Value | Next::Block("color_map" | "colour_map") if bare => {
-                self.top().pigment.read_element(r, next, base)?;
+                self.top_layer().pigment.read_element(r, next, base)?;
             }
             Next::Block("material_map") => {
-                r.take()?;
+                r.take_token()?;
                 draft.parts = Some(read_material_map(r, &mut draft.pattern, base)?);
-                r.leave()?;
+                r.leave_block()?;
             }
             next if draft.pattern.read_element(next, r)? => {
                 if let Some(list) = blend::read_list(r, next, &draft.pattern, base, &|_, _| base.clone())? {
@@ -161,7 +161,7 @@ impl Texture {
         Ok(())
     }
 
-    fn top(&mut self) -> &mut Layer {
+    fn top_layer(&mut self) -> &mut Layer {
         let top = self.layers.len() - 1;
         &mut self.layers[top]
     }
@@ -172,22 +172,22 @@ impl Texture {
     /// # Errors
     /// A diagnostic at the item that is not understood.
     pub fn read_part(&mut self, r: &mut dyn Reader, next: Next, base: &Texture) -> Result<bool> {
-        let layer = self.top();
+        let layer = self.top_layer();
         match next {
             Next::Block("pigment") => {
-                r.take()?;
+                r.take_token()?;
                 layer.pigment = Pigment::read(r, &layer.pigment, base)?;
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Block("finish") => {
-                r.take()?;
+                r.take_token()?;
                 layer.finish = Arc::new(Finish::read(r, &layer.finish)?);
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Block("normal") => {
-                r.take()?;
+                r.take_token()?;
                 layer.normal = Some(Arc::new(Normal::read(r, layer.normal.as_deref(), base)?));
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Thing("normal") => match r.thing::<Normal>()? {
                 Some(normal) => layer.normal = Some(normal),
@@ -208,17 +208,17 @@ impl Texture {
 
     /// True if both textures are certainly equal. Parts that take long to compare, such as pictures, must be the same
     /// allocation.
-    pub fn is_plainly(&self, other: &Self) -> bool {
+    pub fn is_certainly_equal(&self, other: &Self) -> bool {
         let same = |a: &Layer, b: &Layer| {
             let normal = match (&a.normal, &b.normal) {
                 (Some(a), Some(b)) => Arc::ptr_eq(a, b),
                 (a, b) => a.is_none() && b.is_none(),
             };
             let choice = match (&a.choice, &b.choice) {
-                (Some(a), Some(b)) => a.parts.shares_with(&b.parts) && a.pattern == b.pattern,
+                (Some(a), Some(b)) => a.parts.shares_allocation_with(&b.parts) && a.pattern == b.pattern,
                 (a, b) => a.is_none() && b.is_none(),
             };
-            normal && choice && Arc::ptr_eq(&a.finish, &b.finish) && a.pigment.is_plainly(&b.pigment)
+            normal && choice && Arc::ptr_eq(&a.finish, &b.finish) && a.pigment.is_certainly_equal(&b.pigment)
         };
         self.layers.len() == other.layers.len() && self.layers.iter().zip(&other.layers).all(|(a, b)| same(a, b))
     }
@@ -246,7 +246,7 @@ impl Texture {
     }
 
     /// Makes every layer of the texture receive (u, v, 0) instead of points.
-    pub fn set_uv(&mut self) {
+    pub fn use_uv(&mut self) {
         for layer in &mut self.layers {
             layer.pigment.pattern.framed = !layer.pigment.pattern.uv;
             map_by_uv(&mut layer.pigment.pattern);
@@ -264,7 +264,7 @@ impl Texture {
 
 fn map_by_uv(pattern: &mut Pattern) {
     pattern.uv = true;
-    pattern.end();
+    pattern.end_block();
 }
 
 /// Reads `tiles { texture A tile2 texture B }`, a checker of textures in old scenes.
@@ -273,11 +273,11 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Resu
     loop {
         match r.next()? {
             Next::End => break,
-            Next::Word("tile2") => drop(r.take()?),
+            Next::Word("tile2") => drop(r.take_token()?),
             Next::Block("texture") => {
-                r.take()?;
+                r.take_token()?;
                 list.push(Texture::read(r, base)?);
-                r.leave()?;
+                r.leave_block()?;
             }
             _ => match r.thing::<Texture>()? {
                 Some(texture) => list.push((*texture).clone()),
@@ -299,11 +299,11 @@ fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) 
     loop {
         match r.next()? {
             Next::Block("texture") => {
-                r.take()?;
+                r.take_token()?;
                 list.push(Texture::read(r, base)?);
-                r.leave()?;
+                r.leave_block()?;
             }
-            Next::Thing("texture") => list.extend(Texture::declared(r)?),
+            Next::Thing("texture") => list.extend(Texture::read_declared(r)?),
             Next::End if !list.is_empty() => break,
             _ => return Err(r.unexpected("`texture`").into()),
         }
@@ -321,9 +321,9 @@ impl Entry for Texture {
     fn read_entry(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut out: Option<Texture> = None;
         while r.next()? == Next::Block("texture") {
-            r.take()?;
+            r.take_token()?;
             let layer = Texture::read(r, base)?;
-            r.leave()?;
+            r.leave_block()?;
             match &mut out {
                 Some(out) => out.layers.extend(layer.layers),
                 None => out = Some(layer),
@@ -335,7 +335,7 @@ impl Entry for Texture {
         }
     }
 
-    fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(r.thing::<Texture>()?.map(|texture| (*texture).clone()))
     }
 }

@@ -15,7 +15,7 @@ pub mod words;
 
 pub use blend::{Blend, Map, Shares};
 pub use color_map::ColorMap;
-pub use doubts::tell_bytes;
+pub use doubts::warn_of_byte_color;
 pub use finish::{Finish, Irid, Reflection, Uncommon};
 pub use image_map::ImageMap;
 pub use layers::{Choice, Layer, Texture};

@@ -82,7 +82,7 @@ impl Normal {
             Some(declared) => (*declared).clone(),
             None => base.cloned().unwrap_or_default(),
         };
-        let mut out = begun.opened();
+        let mut out = begun.wrap_uv_mapping();
         if let Some(on) = uv {
             (out.pattern.uv, out.stays) = (on, out.stays || on);
         }
@@ -92,14 +92,14 @@ impl Normal {
                 next => out.read_element(r, next, defaults)?,
             }
         }
-        out = out.closed();
-        out.pattern.end();
+        out = out.unwrap_uv_mapping();
+        out.pattern.end_block();
         Ok(out)
     }
 
     /// Wraps a normal that was mapped by uv, as the only entry of a map with the pattern `Surface`.
-    fn opened(mut self) -> Self {
-        match self.pattern.take_around() {
+    fn wrap_uv_mapping(mut self) -> Self {
+        match self.pattern.take_outer_space() {
             Some(pattern) => Self {
                 pattern,
                 relief: Relief::Normals(Blend::Map(Arc::new(Map { entries: vec![(0.0, self)] }))),
@@ -109,13 +109,13 @@ impl Normal {
         }
     }
 
-    /// Undoes [`Self::opened`] for a normal if no other pattern or map was named. (Other parameters of the surface have
+    /// Undoes [`Self::wrap_uv_mapping`] for a normal if no other pattern or map was named. (Other parameters of the surface have
     /// no effect.)
-    fn closed(self) -> Self {
+    fn unwrap_uv_mapping(self) -> Self {
         match &self.relief {
             Relief::Normals(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();
-                inner.pattern.put_around(self.pattern);
+                inner.pattern.restore_outer_space(self.pattern);
                 inner.bump_scale &= self.bump_scale;
                 inner
             }
@@ -143,12 +143,12 @@ impl Normal {
         match next {
             next if read_row(NORMAL_ROWS, self, next, r)? => {}
             Next::Block("bump_map") => {
-                r.take()?;
+                r.take_token()?;
                 let amount = &mut self.amount;
                 let image = ImagePattern::read_words(r, "bump_map", &mut |r, next| {
                     let sized = next == Next::Word("bump_size");
                     if sized {
-                        r.take()?;
+                        r.take_token()?;
                         *amount = r.float()?;
                     }
                     Ok(sized)
@@ -156,18 +156,18 @@ impl Normal {
                 self.relief = Relief::Own;
                 self.pattern.kind =
                     PatternKind::Field(FieldPattern::ImagePattern(ImagePattern { bumps: true, ..image }));
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Block("slope_map") => {
-                r.take()?;
+                r.take_token()?;
                 self.relief = Relief::Slopes(Arc::new(Map::read_entries(r, defaults, false)?));
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Block("normal_map") => {
-                r.take()?;
+                r.take_token()?;
                 self.relief =
-                    Relief::Normals(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.averages())?)));
-                r.leave()?;
+                    Relief::Normals(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.is_average())?)));
+                r.leave_block()?;
             }
             _ => return Err(r.unknown_word("normal", &NORMAL.names()).into()),
         }
@@ -189,8 +189,8 @@ impl Normal {
         is(&self.pattern) || inner
     }
 
-    /// True if both normals are certainly equal, see [`Texture::is_plainly`].
-    pub fn is_plainly(&self, other: &Self) -> bool {
+    /// True if both normals are certainly equal, see [`Texture::is_certainly_equal`].
+    pub fn is_certainly_equal(&self, other: &Self) -> bool {
         let large = matches!(&self.relief, Relief::Normals(_))
             || matches!(
                 &self.pattern.kind,
@@ -216,7 +216,7 @@ impl Entry for Normal {
         Self::read(r, defaults.layers[0].normal.as_deref(), defaults)
     }
 
-    fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(r.thing::<Normal>()?.map(|normal| (*normal).clone()))
     }
 }
@@ -230,7 +230,7 @@ impl Entry for Slope {
         Ok(Self { height: pair.x, slope: pair.y })
     }
 
-    fn declared(_: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared(_: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(None)
     }
 }

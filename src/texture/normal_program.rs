@@ -37,7 +37,7 @@ enum ReliefProgram {
 
 impl Slope {
     /// Returns the height at `t` on the cubic Hermite spline from this entry of a `slope_map` to another.
-    fn curve_to(&self, other: &Slope, t: f64) -> f64 {
+    fn hermite_height(&self, other: &Slope, t: f64) -> f64 {
         let (t2, t3) = (t * t, t * t * t);
         (2.0 * t3 - 3.0 * t2 + 1.0) * self.height
             + (t3 - 2.0 * t2 + t) * self.slope
@@ -71,7 +71,7 @@ impl NormalProgram {
     /// any length. Each space transforms the normal by the transpose of its matrix, so that stretching flattens bumps
     /// (quirk: `normals_by_transpose`).
     pub fn perturb(&self, ctx: &TextureContext, n: DVec3) -> DVec3 {
-        self.perturb_as(ctx, n, !self.bump_scale)
+        self.perturb_keeping_length(ctx, n, !self.bump_scale)
     }
 
     /// True for `no_bump_scale`: the perturbed normal has a length of its own.
@@ -80,37 +80,43 @@ impl NormalProgram {
     }
 
     /// Perturbs a surface normal; `keep_length` is true if this normal or one around it has `no_bump_scale`.
-    fn perturb_as(&self, ctx: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
+    fn perturb_keeping_length(&self, ctx: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
         let space = &self.space;
-        let inside = space.normal_inside(n);
+        let inside = space.normal_to_pattern_space(n);
         let n = if keep_length { inside } else { inside.normalize_or(inside) };
-        let inner = self.pattern.enter(ctx);
+        let inner = self.pattern.to_pattern_space(ctx);
         let bumped = match &self.relief {
-            ReliefProgram::Normals(parts) => self.blended(parts, &inner, n, keep_length),
-            _ => match self.pattern.bumped(&inner, n, self.amount) {
+            ReliefProgram::Normals(parts) => self.blend_normals(parts, &inner, n, keep_length),
+            _ => match self.pattern.bumped_normal(&inner, n, self.amount) {
                 Some(bumped) => bumped,
-                None => n + self.slant(&inner),
+                None => n + self.height_gradient(&inner),
             },
         };
-        space.normal_outside(bumped)
+        space.normal_from_pattern_space(bumped)
     }
 
     /// Blends the surface normals of several entries of a normal map. The patterns of an entry receive the normal that
     /// the entry before has bumped, and the upper of two is first, which only `slope` and `aoi` show (quirk:
     /// `blended_normals`).
-    fn blended(&self, parts: &Blend<NormalProgram>, inner: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
-        let average = self.pattern.averages();
-        let number = if average { 0.0 } else { self.pattern.number(inner) };
+    fn blend_normals(
+        &self,
+        parts: &Blend<NormalProgram>,
+        inner: &TextureContext,
+        n: DVec3,
+        keep_length: bool,
+    ) -> DVec3 {
+        let average = self.pattern.is_average();
+        let number = if average { 0.0 } else { self.pattern.number_in_pattern_space(inner) };
         let (mut sum, mut seen) = (DVec3::ZERO, *inner);
-        let mut shares = parts.shares(number, average);
+        let mut shares = parts.weighted_values(number, average);
         if !average {
             shares.reverse();
         }
         for (entry, share) in shares {
             let keep = keep_length || !entry.bump_scale;
-            let one = entry.perturb_as(&seen, n, keep);
+            let one = entry.perturb_keeping_length(&seen, n, keep);
             let one = if keep { one } else { one.normalize_or(one) };
-            if seen.has_surface() && one.is_finite() {
+            if seen.is_on_surface() && one.is_finite() {
                 seen.normal = one;
             }
             sum += share * one;
@@ -120,22 +126,22 @@ impl NormalProgram {
     }
 
     /// Gradient of the bumps' height: the heights at the corners of a tetrahedron around the point are compared.
-    fn slant(&self, inner: &TextureContext) -> DVec3 {
-        if self.pattern.is_plain() || self.pattern.averages() {
+    fn height_gradient(&self, inner: &TextureContext) -> DVec3 {
+        if self.pattern.is_constant() || self.pattern.is_average() {
             return DVec3::ZERO;
         }
         let h = self.accuracy;
-        let sum: DVec3 = TETRAHEDRON.iter().map(|&d| self.height(&inner.at(inner.p + h * d)) * d).sum();
+        let sum: DVec3 = TETRAHEDRON.iter().map(|&d| self.height_at(&inner.with_point(inner.p + h * d)) * d).sum();
         sum * (-self.amount * 0.1 / h)
     }
 
     /// Apparent height of the surface with bumps.
-    fn height(&self, inner: &TextureContext) -> f64 {
-        let number = self.pattern.number(inner);
+    fn height_at(&self, inner: &TextureContext) -> f64 {
+        let number = self.pattern.number_in_pattern_space(inner);
         match &self.relief {
-            ReliefProgram::Slopes(map) => match map.around(number) {
+            ReliefProgram::Slopes(map) => match map.entries_around(number) {
                 (only, None) => only.height,
-                (below, Some((above, t))) => below.curve_to(above, t),
+                (below, Some((above, t))) => below.hermite_height(above, t),
             },
             _ => number,
         }

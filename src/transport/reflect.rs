@@ -84,7 +84,7 @@ pub(super) fn film(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &Worl
     match &shaded.layer.finish.irid {
         Some(irid) => {
             let cosines = shaded.normal.dot(from).abs() + shaded.cos.abs();
-            irid.tint(point, cosines, world.irid_wavelength, world.noise)
+            irid.interference_factor(point, cosines, world.irid_wavelength, world.noise)
         }
         None => Rgb::ONE,
     }

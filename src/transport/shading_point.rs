@@ -108,7 +108,7 @@ impl<'w> Painter<'w, '_> {
     fn paint(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
             Some(choice) => {
-                let (number, inner) = choice.pattern.see(&self.pattern_context(ctx));
+                let (number, inner) = choice.pattern.evaluate(&self.pattern_context(ctx));
                 let inner = TextureContext { normal: ctx.normal, ..inner };
                 let within = PatternSpaces { space: &choice.space, outer: frame };
                 let mut shares = choice.shares(number);
@@ -212,11 +212,11 @@ struct PatternSpaces<'a> {
 
 impl PatternSpaces<'_> {
     fn inside(&self, n: DVec3) -> DVec3 {
-        self.space.normal_inside(self.outer.map_or(n, |outer| outer.inside(n)))
+        self.space.normal_to_pattern_space(self.outer.map_or(n, |outer| outer.inside(n)))
     }
 
     fn outside(&self, n: DVec3) -> DVec3 {
-        let n = self.space.normal_outside(n);
+        let n = self.space.normal_from_pattern_space(n);
         self.outer.map_or(n, |outer| outer.outside(n))
     }
 }
@@ -309,7 +309,7 @@ pub(super) fn shadow_transmittance(world: &World, ray: &Ray, found: &Intersectio
 fn material_transmittance(material: &Material, ctx: &TextureContext, quick: bool) -> Rgb {
     material.layers.iter().fold(Rgb::ONE, |pass, layer| match &layer.choice {
         Some(choice) => {
-            let (number, inner) = choice.pattern.see(ctx);
+            let (number, inner) = choice.pattern.evaluate(ctx);
             let shares = choice.shares(number);
             pass * shares
                 .iter()

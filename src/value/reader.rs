@@ -92,13 +92,13 @@ pub trait Reader {
     fn next(&mut self) -> Result<Next>;
     /// Returns the kind of the next token, or `Next::End` if a directive or a `;` precedes it. Directives do not run:
     /// they may use the name that is being declared.
-    fn continued(&mut self) -> Result<Next>;
+    fn next_in_statement(&mut self) -> Result<Next>;
     /// Returns the span of the next token in the scene.
     fn span(&mut self) -> Span;
     /// Consumes the word, or the opening `name {`, `[` or `{`, that [`Reader::next`] returned.
-    fn take(&mut self) -> Result<Span>;
+    fn take_token(&mut self) -> Result<Span>;
     /// Consumes the end of the block; any other token is an error.
-    fn leave(&mut self) -> Result<()>;
+    fn leave_block(&mut self) -> Result<()>;
     /// Reads an expression of the scene to its value.
     fn value(&mut self) -> Result<(Value, Span)>;
     /// Consumes the declared thing announced by [`Next::Thing`], or the function announced by [`Next::Function`].
@@ -180,7 +180,7 @@ pub trait ReaderExt: Reader {
 impl<R: Reader + ?Sized> ReaderExt for R {
     fn accept(&mut self, word: &str) -> Result<bool> {
         match self.next()? {
-            Next::Word(w) if w == word => self.take().map(|_| true),
+            Next::Word(w) if w == word => self.take_token().map(|_| true),
             _ => Ok(false),
         }
     }

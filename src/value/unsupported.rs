@@ -93,23 +93,25 @@ impl Serialize for Unsupported {
         match self {
             Unsupported::Word(word) => s.serialize_str(word),
             Unsupported::Numbers { .. } => Self::print_row(std::slice::from_ref(self), s),
-            Unsupported::Color(c) if c.filter == 0.0 && c.transmit == 0.0 => named(s, "rgb", &c.rgb.to_array()),
-            Unsupported::Color(c) => named(s, "rgbft", &c.to_array()),
-            Unsupported::Text(text) => named(s, "text", text),
-            Unsupported::Declared(kind) => named(s, "declared", kind),
-            Unsupported::Block(word, inner) => named(s, word, &Row(inner)),
+            Unsupported::Color(c) if c.filter == 0.0 && c.transmit == 0.0 => {
+                serialize_named(s, "rgb", &c.rgb.to_array())
+            }
+            Unsupported::Color(c) => serialize_named(s, "rgbft", &c.to_array()),
+            Unsupported::Text(text) => serialize_named(s, "text", text),
+            Unsupported::Declared(kind) => serialize_named(s, "declared", kind),
+            Unsupported::Block(word, inner) => serialize_named(s, word, &Row(inner)),
         }
     }
 }
 
-fn named<S: Serializer>(s: S, name: &str, value: &impl Serialize) -> Result<S::Ok, S::Error> {
+fn serialize_named<S: Serializer>(s: S, name: &str, value: &impl Serialize) -> Result<S::Ok, S::Error> {
     let mut map = s.serialize_map(Some(1))?;
     map.serialize_entry(name, value)?;
     map.end()
 }
 
 impl<'s> Item<'s> {
-    fn of(c: &'s [f64]) -> Self {
+    fn from_components(c: &'s [f64]) -> Self {
         if let [x] = c { Item::Number(*x) } else { Item::Vector(c) }
     }
 }
@@ -130,7 +132,7 @@ fn items(row: &[Unsupported]) -> impl Iterator<Item = Item<'_>> {
             Unsupported::Numbers { width, all } => ((*width).max(1), &all[..], None),
             other => (1, &[][..], Some(Item::Other(other))),
         };
-        all.chunks(width).map(Item::of).chain(other)
+        all.chunks(width).map(Item::from_components).chain(other)
     })
 }
 

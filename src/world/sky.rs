@@ -41,7 +41,7 @@ impl Sky {
         let SkySphere { pigments, emission, transform } = scene.sky_sphere.as_ref().unwrap_or(&none);
         let layers = pigments.iter().map(|pigment| SkyLayer {
             color: LayerColor::new(pigment),
-            quick: pigment.quick().map(|quick| LayerColor::new(&quick)),
+            quick: pigment.at_low_quality().map(|quick| LayerColor::new(&quick)),
         });
         let by_share = scene.settings.sky_by_share;
         Self { background, layers: layers.collect(), emission: *emission, place: *transform, by_share }
@@ -59,11 +59,11 @@ impl Sky {
             return behind;
         }
         let p = self.place.inverse_point(dir);
-        let ctx = TextureContext { waves, world: dir, ray: dir, ..TextureContext::free(p, noise) };
+        let ctx = TextureContext { waves, world: dir, ray: dir, ..TextureContext::without_surface(p, noise) };
         let colors = self.layers.iter().rev().map(|layer| {
             match layer.quick.as_ref().filter(|_| quick).unwrap_or(&layer.color) {
                 LayerColor::Solid(color) => *color,
-                LayerColor::PigmentProgram(pigment) => pigment.at(&ctx),
+                LayerColor::PigmentProgram(pigment) => pigment.color_at(&ctx),
             }
         });
         if self.by_share { self.by_share(colors, behind) } else { self.layered(colors, behind) }

@@ -39,23 +39,23 @@ impl<'a> Interpreter<'a> {
         }
         let sampler: Arc<dyn Sampler> = match word {
             "pigment" => {
-                self.take()?;
+                self.take_token()?;
                 let defaults = self.builder.defaults().texture.clone();
                 let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
-                self.leave()?;
+                self.leave_block()?;
                 Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.builder.noise_generator().clone()))
             }
             "pattern" => {
-                self.take()?;
+                self.take_token()?;
                 let defaults = self.builder.defaults().texture.clone();
                 let pattern = Pigment::read(self, &Pigment::default(), &defaults)?;
-                self.leave()?;
+                self.leave_block()?;
                 Arc::new(PatternSampler(PigmentProgram::new(&pattern), self.builder.noise_generator().clone()))
             }
             "transform" => {
-                self.take()?;
+                self.take_token()?;
                 let transform = self.transform_block()?;
-                self.leave()?;
+                self.leave_block()?;
                 Arc::new(TransformSampler(transform))
             }
             "spline" => self.read_spline()?,
@@ -81,7 +81,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads `spline { linear_spline 0, <1, 2, 3> 1, <2, 3, 4> }`.
     pub(super) fn read_spline(&mut self) -> Result<Arc<Spline>> {
-        let at = self.take()?;
+        let at = self.take_token()?;
         let mut kind = SplineKind::Linear;
         let mut points: Vec<(f64, VecN)> = vec![];
         if let Some(declared) = ReaderExt::thing::<Spline>(self)? {
@@ -108,7 +108,7 @@ impl<'a> Interpreter<'a> {
             };
             points.push((t, point));
         }
-        self.leave()?;
+        self.leave_block()?;
         if points.is_empty() {
             return Diagnostic::new(codes::EMPTY_MAP, at, "this spline has no points")
                 .help("`spline { linear_spline 0, <0, 0, 0> 1, <1, 2, 3> }`")

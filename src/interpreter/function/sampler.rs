@@ -13,7 +13,7 @@ pub(super) type SceneNoise = Arc<AtomicU8>;
 
 fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
     let generator = NoiseGenerator::from_number(f64::from(noise.load(Ordering::Relaxed)));
-    TextureContext::free(DVec3::new(p[0], p[1], p[2]), generator)
+    TextureContext::without_surface(DVec3::new(p[0], p[1], p[2]), generator)
 }
 
 /// User-defined function `function { pigment { … } }`: the colour of a pigment at a point.
@@ -30,7 +30,7 @@ impl Sampler for PigmentSampler {
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        self.0.at(&ctx(p, &self.1)).to_array()
+        self.0.color_at(&ctx(p, &self.1)).to_array()
     }
 
     fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
@@ -56,7 +56,7 @@ impl Sampler for PatternSampler {
     }
 
     fn sample_component(&self, component: usize, p: &[f64]) -> f64 {
-        if component == 0 { self.0.number_at(&ctx(p, &self.1)) } else { 0.0 }
+        if component == 0 { self.0.pattern_number_at(&ctx(p, &self.1)) } else { 0.0 }
     }
 
     fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {

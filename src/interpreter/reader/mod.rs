@@ -96,11 +96,11 @@ impl Reader for Interpreter<'_> {
         self.stream.next_span()
     }
 
-    fn take(&mut self) -> Result<Span> {
+    fn take_token(&mut self) -> Result<Span> {
         self.open()
     }
 
-    fn leave(&mut self) -> Result<()> {
+    fn leave_block(&mut self) -> Result<()> {
         self.close("the end of this block")
     }
 
@@ -233,7 +233,7 @@ impl Reader for Interpreter<'_> {
         self.read_color()
     }
 
-    fn continued(&mut self) -> Result<Next> {
+    fn next_in_statement(&mut self) -> Result<Next> {
         match self.peek_continuation()? {
             Token::End => Ok(Next::End),
             _ => Reader::next(self),

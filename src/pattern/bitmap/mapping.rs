@@ -79,7 +79,7 @@ impl Between {
 impl Mapping {
     /// Projects a point to a position on the bitmap's picture: (0, 0) is the lower left corner, (1, 1) the upper right
     /// one. `None` outside the picture.
-    pub fn place(&self, p: DVec3) -> Option<(f64, f64)> {
+    pub fn project(&self, p: DVec3) -> Option<(f64, f64)> {
         let around = || fp::angle_in_turns(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;
         match self.wrap {
@@ -104,7 +104,7 @@ impl Mapping {
     }
 
     /// Returns the bitmap's pixels, with weights, that are interpolated at a position, for a picture of this size.
-    pub fn pixels(&self, (u, v): (f64, f64), width: usize, height: usize) -> Weighted {
+    pub fn weighted_pixels(&self, (u, v): (f64, f64), width: usize, height: usize) -> Weighted {
         let (w, h) = (width as f64, height as f64);
         let size = Size { width, height, once: self.once };
         // Pixel centres are at half numbers, counted from the top left corner.
@@ -118,15 +118,15 @@ impl Mapping {
                 let row = height - 1 - (v * h + EDGE).floor() as usize % height;
                 smallvec![(row * width + column, 1.0)]
             }
-            Between::Bilinear => grid(i, j, &[1.0 - s, s], &[1.0 - t, t], size),
+            Between::Bilinear => weighted_grid(i, j, &[1.0 - s, s], &[1.0 - t, t], size),
             Between::Bicubic => {
                 let row = |f: f64| [1.0 + f, f, 1.0 - f, 2.0 - f].map(catmull_rom);
-                grid(i - 1, j - 1, &row(s), &row(t), size)
+                weighted_grid(i - 1, j - 1, &row(s), &row(t), size)
             }
             Between::Distance => {
                 // Lower left of the four pixels; a point level with the centres takes those and the next.
                 let (left, above) = ((a + EDGE).floor(), (b - EDGE).ceil() - 1.0);
-                by_distance(left as i64, above as i64, a - left, b - above, size)
+                pixels_by_distance(left as i64, above as i64, a - left, b - above, size)
             }
         }
     }
@@ -141,7 +141,7 @@ struct Size {
 }
 
 impl Size {
-    fn number(self, i: i64, j: i64) -> usize {
+    fn pixel_index(self, i: i64, j: i64) -> usize {
         let bring = |k: i64, n: usize| {
             let n = n as i64;
             (if self.once { k.clamp(0, n - 1) } else { k.rem_euclid(n) }) as usize
@@ -152,11 +152,11 @@ impl Size {
 
 /// Returns the pixels of a grid that begins at (i, j), each with the product of its column's and row's weight, for
 /// interpolation in a bitmap.
-fn grid(i: i64, j: i64, columns: &[f64], rows: &[f64], size: Size) -> Weighted {
+fn weighted_grid(i: i64, j: i64, columns: &[f64], rows: &[f64], size: Size) -> Weighted {
     let mut out = Weighted::new();
     for (y, t) in (j..).zip(rows) {
         for (x, s) in (i..).zip(columns) {
-            out.push((size.number(x, y), s * t));
+            out.push((size.pixel_index(x, y), s * t));
         }
     }
     out
@@ -168,12 +168,12 @@ fn catmull_rom(d: f64) -> f64 {
 }
 
 /// Returns four pixels of a bitmap, weighted by the inverse squares of their distances.
-fn by_distance(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
+fn pixels_by_distance(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
     let mut out = Weighted::new();
     for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
         let (dx, dy) = (s - f64::from(x), t - f64::from(y));
         let squared = dx * dx + dy * dy;
-        let number = size.number(i + i64::from(x), j + i64::from(y));
+        let number = size.pixel_index(i + i64::from(x), j + i64::from(y));
         if squared == 0.0 {
             return smallvec![(number, 1.0)];
         }
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn nearest_counts_from_the_top() {
         let flat = Mapping::default();
-        let at = |x, y| flat.place(DVec3::new(x, y, 0.0)).map(|uv| flat.pixels(uv, 4, 3)[0].0);
+        let at = |x, y| flat.project(DVec3::new(x, y, 0.0)).map(|uv| flat.weighted_pixels(uv, 4, 3)[0].0);
         assert_eq!([at(0.1, 0.1), at(0.9, 0.9), at(1.3, -0.1)], [Some(8), Some(3), Some(1)]);
     }
 
@@ -199,7 +199,7 @@ mod tests {
     fn weights_add_up_to_one() {
         for between in [Between::Bilinear, Between::Bicubic, Between::Distance] {
             let mapping = Mapping { between, ..Mapping::default() };
-            let sum: f64 = mapping.pixels((0.37, 0.81), 5, 7).iter().map(|(_, weight)| weight).sum();
+            let sum: f64 = mapping.weighted_pixels((0.37, 0.81), 5, 7).iter().map(|(_, weight)| weight).sum();
             assert!((sum - 1.0).abs() < 1e-12, "{between:?}");
         }
     }
@@ -207,7 +207,7 @@ mod tests {
     #[test]
     fn once_ends_at_the_edges() {
         let once = Mapping { once: true, between: Between::Bilinear, ..Mapping::default() };
-        assert_eq!(once.place(DVec3::new(1.01, 0.5, 0.0)), None);
-        assert!(once.pixels((0.01, 0.99), 4, 4).iter().all(|(number, _)| *number == 0));
+        assert_eq!(once.project(DVec3::new(1.01, 0.5, 0.0)), None);
+        assert!(once.weighted_pixels((0.01, 0.99), 4, 4).iter().all(|(number, _)| *number == 0));
     }
 }

@@ -1,6 +1,6 @@
 //! `material_map`: the numbers of a picture's palette choose among textures (manual, "Material Maps").
 
-use super::{Bitmap, Mapping, Texels, word_names};
+use super::{Bitmap, Mapping, Texels, bitmap_word_names};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -35,25 +35,25 @@ impl Readable for MaterialMap {
                 Next::Block("texture") | Next::Thing("texture") | Next::End => break,
                 next if bitmap.read_word(r, next)? => {}
                 _ => {
-                    let words: Vec<_> = word_names().chain(["texture"]).collect();
+                    let words: Vec<_> = bitmap_word_names().chain(["texture"]).collect();
                     return Err(r.unknown_word("material_map", &words).into());
                 }
             }
         }
-        Ok(Self { texels: bitmap.numbers(), mapping: bitmap.mapping, count: 256 })
+        Ok(Self { texels: bitmap.number_texels(), mapping: bitmap.mapping, count: 256 })
     }
 }
 
 impl Cells for MaterialMap {
-    fn count(&self) -> usize {
+    fn cell_kind_count(&self) -> usize {
         self.count
     }
 
-    fn cell(&self, p: DVec3) -> usize {
-        let Some(place) = self.mapping.place(p) else { return 0 };
-        let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
+    fn cell_kind(&self, p: DVec3) -> usize {
+        let Some(place) = self.mapping.project(p) else { return 0 };
+        let pixels = self.mapping.weighted_pixels(place, self.texels.width(), self.texels.height());
         // In a picture without a palette, red is the index.
-        let number = |i| self.texels.index(i).map_or_else(|| self.texels.rgba(i)[0] * 255.0, f64::from);
+        let number = |i| self.texels.palette_index(i).map_or_else(|| self.texels.rgba(i)[0] * 255.0, f64::from);
         let number: f64 = pixels.iter().map(|(i, weight)| weight * number(*i)).sum();
         number.max(0.0) as usize % self.count.max(1)
     }

@@ -35,14 +35,14 @@ const ROWS: &[Row<Bitmap>] = &[
     word("once", ValueKind::Nothing, "", "it is there once, not again and again")
         .sets(|s, _| set(&mut s.mapping.once, Ok(true))),
     word("interpolate", ValueKind::Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance")
-        .sets(|s, r| set(&mut s.mapping.between, read_between(r))),
+        .sets(|s, r| set(&mut s.mapping.between, read_interpolation(r))),
 ];
 
 /// Words that every bitmap pattern takes after the file's name.
 pub const WORDS: &[WordSpec] = specs!(ROWS);
 
 /// Names of the keywords in [`WORDS`].
-pub fn word_names() -> impl Iterator<Item = &'static str> {
+pub fn bitmap_word_names() -> impl Iterator<Item = &'static str> {
     WORDS.iter().map(|w| w.name)
 }
 
@@ -84,10 +84,10 @@ impl Bitmap {
                     .help(*reason)
                     .into();
             }
-            r.take()?;
+            r.take_token()?;
         }
         let picture = match r.next()? {
-            Next::Function => function_picture(r)?,
+            Next::Function => read_function_picture(r)?,
             _ => r.picture()?,
         };
         Ok(Self { picture, gamma: None, premultiplied: false, mapping: Mapping::default() })
@@ -102,7 +102,7 @@ impl Bitmap {
     }
 
     /// Returns the bitmap's pixels as colours of the scene.
-    pub fn colors(&self, r: &dyn Reader) -> Texels {
+    pub fn color_texels(&self, r: &dyn Reader) -> Texels {
         let language = r.language();
         let scene = language.assumed_gamma.unwrap_or(language.other_gamma);
         let curve = color_curve(self.picture.stored, self.gamma, scene, language.srgb_files);
@@ -110,7 +110,7 @@ impl Bitmap {
     }
 
     /// Returns the bitmap's pixels as numbers, exactly as the file stores them unless `gamma` is given.
-    pub fn numbers(&self) -> Texels {
+    pub fn number_texels(&self) -> Texels {
         let curve = color_curve(Stored::Plain, self.gamma, Gamma::Power(1.0), false);
         Texels::new(self.picture.clone(), curve, self.premultiplied)
     }
@@ -122,7 +122,7 @@ fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
 }
 
 /// Reads the number after `interpolate` in a bitmap.
-fn read_between(r: &mut dyn Reader) -> Result<Between> {
+fn read_interpolation(r: &mut dyn Reader) -> Result<Between> {
     let (at, n) = (r.span(), r.float()?);
     Between::from_number(n).ok_or_else(|| {
         let message = format!("`interpolate` takes 2, 3 or 4, found {n}");
@@ -132,7 +132,7 @@ fn read_between(r: &mut dyn Reader) -> Result<Between> {
 
 /// Reads a bitmap from a function, `function W, H { … }`: a picture of W by H samples from (0, 0), at the top, to (1,
 /// 1), with 16 bits per channel.
-fn function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
+fn read_function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let at = r.span();
     let Some(([width, height], thing)) = r.sized_function()? else {
         return Diagnostic::new(codes::WRONG_TYPE, at, "a function as a picture needs a size")

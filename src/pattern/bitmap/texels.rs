@@ -57,7 +57,7 @@ impl Texels {
     }
 
     /// Palette index of the bitmap's pixel `i`; `None` without a palette.
-    pub fn index(&self, i: usize) -> Option<u8> {
+    pub fn palette_index(&self, i: usize) -> Option<u8> {
         self.picture.indices.as_ref().and_then(|indices| indices.get(i).copied())
     }
 
@@ -75,20 +75,20 @@ impl Texels {
     }
 }
 
-/// Returns the curve from a picture file's numbers to those of a scene, whose colours relate to light by `scene`.
+/// Returns the curve from a picture file's numbers to those of a scene, whose colours relate to light by `scene_gamma`.
 /// `decodes` is true if files without gamma information follow the sRGB curve. In scenes before version 3.7 without
 /// `assumed_gamma`, numbers stay unchanged (quirk: `gamma_by_version`).
-pub fn color_curve(stored: Stored, said: Option<Gamma>, scene: Gamma, decodes: bool) -> impl Fn(f64) -> f64 {
-    let file = match (said, stored) {
+pub fn color_curve(stored: Stored, stated: Option<Gamma>, scene_gamma: Gamma, decodes: bool) -> impl Fn(f64) -> f64 {
+    let file = match (stated, stored) {
         (Some(gamma), _) => Some(gamma),
-        (None, _) if scene == Gamma::Raw => None,
+        (None, _) if scene_gamma == Gamma::Raw => None,
         (None, Stored::Plain) => None,
         (None, Stored::Unsaid) => decodes.then_some(Gamma::Srgb),
         (None, Stored::Srgb) => Some(Gamma::Srgb),
         (None, Stored::Power(g)) => Some(Gamma::Power(g)),
     };
-    let file = file.filter(|gamma| !gamma.is_equivalent(scene));
-    move |v| file.map_or(v, |gamma| scene.encode(gamma.decode(v)))
+    let file = file.filter(|gamma| !gamma.is_equivalent(scene_gamma));
+    move |v| file.map_or(v, |gamma| scene_gamma.encode(gamma.decode(v)))
 }
 
 #[cfg(test)]

@@ -39,11 +39,11 @@ const NEIGHBOURS_HEXAGON: &[(i64, i64)] = &[(1, 0), (0, 1), (-1, 1), (-1, 0), (0
 impl Cells {
     /// Returns the pavement's grid of cells with this number of sides; `None` unless that is 3, 4 or 6.
     pub fn with_sides(sides: f64) -> Option<Self> {
-        [Self::Triangles, Self::Squares, Self::Hexagons].into_iter().find(|cells| cells.sides() as f64 == sides)
+        [Self::Triangles, Self::Squares, Self::Hexagons].into_iter().find(|cells| cells.side_count() as f64 == sides)
     }
 
     /// Number of sides of a cell of the pavement's grid.
-    pub fn sides(self) -> usize {
+    pub fn side_count(self) -> usize {
         match self {
             Self::Triangles => 3,
             Self::Squares => 4,
@@ -70,23 +70,23 @@ impl Cells {
     }
 
     /// Width of the bevel at a pavement's joints.
-    pub fn depth(self) -> f64 {
+    pub fn bevel_width(self) -> f64 {
         if self == Self::Squares { 0.5 } else { H / 3.0 }
     }
 
     /// Number of cells at each position of the pavement's grid.
-    fn kinds(self) -> usize {
+    fn kinds_per_position(self) -> usize {
         if self == Self::Triangles { 2 } else { 1 }
     }
 
     /// Directions of the corners from the centre of a pavement's cell, for each kind of cell.
-    pub fn corners(self) -> Vec<Vec<DVec2>> {
+    pub fn corner_directions(self) -> Vec<Vec<DVec2>> {
         let first: &[f64] = match self {
             Self::Triangles => &[210.0, 150.0],
             Self::Squares => &[225.0],
             Self::Hexagons => &[0.0],
         };
-        let n = self.sides();
+        let n = self.side_count();
         let corner = |first: f64, k: usize| {
             let (sin, cos) = fp::sin_cos((first + 360.0 * k as f64 / n as f64).to_radians());
             DVec2::new(cos, sin)
@@ -95,7 +95,7 @@ impl Cells {
     }
 
     /// Returns the pavement's cell that contains a point, and the point relative to the cell's centre.
-    pub fn locate(self, p: DVec2) -> (Cell, DVec2) {
+    pub fn cell_at(self, p: DVec2) -> (Cell, DVec2) {
         let cell = |i: f64, j: f64, kind| Cell { i: i as i64, j: j as i64, kind };
         match self {
             Self::Squares => {
@@ -142,11 +142,11 @@ impl Cells {
     }
 
     /// Returns the index that an edge of a pavement's cell has in the cell on its other side.
-    fn same_edge(self, cell: Cell, edge: usize) -> usize {
+    fn edge_in_neighbour(self, cell: Cell, edge: usize) -> usize {
         match (self, cell.kind) {
             (Self::Triangles, 0) => (edge + 2) % 3,
             (Self::Triangles, _) => (edge + 1) % 3,
-            _ => (edge + self.sides() / 2) % self.sides(),
+            _ => (edge + self.side_count() / 2) % self.side_count(),
         }
     }
 }
@@ -191,30 +191,30 @@ impl Plan {
         };
         let mut plan = Self { cells, steps, joints, corners: vec![] };
         let places = (0..steps[2]).flat_map(|j| (0..steps[0]).map(move |i| (i, j)));
-        let all = places.flat_map(|(i, j)| (0..cells.kinds()).map(move |kind| Cell { i, j, kind }));
-        plan.corners = all.map(|cell| (0..cells.sides()).map(|k| plan.corner(cell, k)).collect()).collect();
+        let all = places.flat_map(|(i, j)| (0..cells.kinds_per_position()).map(move |kind| Cell { i, j, kind }));
+        plan.corners = all.map(|cell| (0..cells.side_count()).map(|k| plan.corner(cell, k)).collect()).collect();
         plan
     }
 
-    fn index(&self, cell: Cell) -> usize {
+    fn index_in_period(&self, cell: Cell) -> usize {
         let [a, b, c] = self.steps;
         let (up, j) = (cell.j.div_euclid(c), cell.j.rem_euclid(c));
         // no step overflows, for any cell
         let i = (cell.i.rem_euclid(a) - up.rem_euclid(a) * b).rem_euclid(a);
-        (j * a + i) as usize * self.cells.kinds() + cell.kind
+        (j * a + i) as usize * self.cells.kinds_per_position() + cell.kind
     }
 
     fn is_joint(&self, cell: Cell, edge: usize) -> bool {
-        self.joints[self.index(cell)] >> edge & 1 == 1
+        self.joints[self.index_in_period(cell)] >> edge & 1 == 1
     }
 
     fn corner(&self, cell: Cell, k: usize) -> Corner {
-        let n = self.cells.sides();
+        let n = self.cells.side_count();
         // around the corner, from the edge after it to the edge before it
         let (mut there, mut edge) = (cell, k);
         let mut others = vec![];
         for _ in 0..2 * n / (n - 2) - 2 {
-            (there, edge) = (self.cells.neighbour(there, edge), (self.cells.same_edge(there, edge) + 1) % n);
+            (there, edge) = (self.cells.neighbour(there, edge), (self.cells.edge_in_neighbour(there, edge) + 1) % n);
             others.push(self.is_joint(there, edge));
         }
         let [first, last] = [others.first(), others.last()].map(|other| other == Some(&true));
@@ -223,8 +223,8 @@ impl Plan {
     }
 
     /// Returns the corners of a pavement's cell.
-    pub fn corners(&self, cell: Cell) -> &[Corner] {
-        &self.corners[self.index(cell)]
+    pub fn corners_of_cell(&self, cell: Cell) -> &[Corner] {
+        &self.corners[self.index_in_period(cell)]
     }
 }
 
@@ -237,11 +237,17 @@ mod tests {
         for cells in [Cells::Triangles, Cells::Squares, Cells::Hexagons] {
             for row in cells.plans().iter().copied().flatten() {
                 let plan = Plan::new(cells, row);
-                assert_eq!(plan.joints.len() as i64, plan.steps[0] * plan.steps[2] * cells.kinds() as i64, "{row}");
+                assert_eq!(
+                    plan.joints.len() as i64,
+                    plan.steps[0] * plan.steps[2] * cells.kinds_per_position() as i64,
+                    "{row}"
+                );
                 for (i, j) in (-7..7).flat_map(|i| (-7..7).map(move |j| (i, j))) {
-                    for (kind, edge) in (0..cells.kinds()).flat_map(|k| (0..cells.sides()).map(move |e| (k, e))) {
+                    for (kind, edge) in
+                        (0..cells.kinds_per_position()).flat_map(|k| (0..cells.side_count()).map(move |e| (k, e)))
+                    {
                         let cell = Cell { i, j, kind };
-                        let (other, same) = (cells.neighbour(cell, edge), cells.same_edge(cell, edge));
+                        let (other, same) = (cells.neighbour(cell, edge), cells.edge_in_neighbour(cell, edge));
                         assert_eq!(cells.neighbour(other, same), cell);
                         assert_eq!(plan.is_joint(cell, edge), plan.is_joint(other, same), "{row}");
                     }

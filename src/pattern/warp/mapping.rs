@@ -41,14 +41,14 @@ impl Layout {
     }
 
     /// Returns the point of the pattern for (u, v) and a depth in a mapping warp.
-    fn place(&self, u: f64, v: f64, depth: f64) -> DVec3 {
+    fn pattern_point(&self, u: f64, v: f64, depth: f64) -> DVec3 {
         // A rotation only for directions along an axis (quirk: warp_orientation).
         let n = self.orientation;
         DVec3::new((n.y + n.z) * u + n.x * depth, (n.x + n.z) * v - n.y * depth, n.y * v - n.x * u + n.z * depth)
     }
 
     /// Scale of the pattern's plane at this distance in a mapping warp.
-    fn growth(&self, distance: f64) -> f64 {
+    fn plane_scale(&self, distance: f64) -> f64 {
         if self.dist_exp == 0.0 { 1.0 } else { fp::pow(distance, self.dist_exp) }
     }
 }
@@ -79,7 +79,7 @@ impl Bend for CylindricalWarp {
         if distance == 0.0 {
             return p;
         }
-        self.0.place(fp::angle_in_turns(p.z, p.x) * self.0.growth(distance), p.y, distance)
+        self.0.pattern_point(fp::angle_in_turns(p.z, p.x) * self.0.plane_scale(distance), p.y, distance)
     }
 }
 
@@ -109,9 +109,9 @@ impl Bend for SphericalWarp {
         if distance == 0.0 {
             return p;
         }
-        let grown = self.0.growth(distance);
+        let grown = self.0.plane_scale(distance);
         let latitude = fp::asin(p.y / distance) / PI + 0.5;
-        self.0.place(fp::angle_in_turns(p.z, p.x) * grown, latitude * grown, distance)
+        self.0.pattern_point(fp::angle_in_turns(p.z, p.x) * grown, latitude * grown, distance)
     }
 }
 
@@ -152,8 +152,8 @@ impl Bend for ToroidalWarp {
         let outwards = fp::hypot(p.x, p.z) - self.major_radius;
         let distance = fp::hypot(outwards, p.y);
         let part = fp::atan2(p.y, outwards) / TAU + 0.5;
-        let grown = self.layout.growth(distance);
-        self.layout.place(fp::angle_in_turns(p.z, p.x) * grown, fp::fraction(part) * grown, distance)
+        let grown = self.layout.plane_scale(distance);
+        self.layout.pattern_point(fp::angle_in_turns(p.z, p.x) * grown, fp::fraction(part) * grown, distance)
     }
 }
 
@@ -193,7 +193,7 @@ impl Readable for PlanarWarp {
 
 impl Bend for PlanarWarp {
     fn apply(&self, p: DVec3) -> DVec3 {
-        self.layout.place(p.x, p.y, self.distance)
+        self.layout.pattern_point(p.x, p.y, self.distance)
     }
 }
 
@@ -223,7 +223,7 @@ impl Bend for CubicWarp {
         let q = p / depth;
         // Six squares, 4 side by side and 3 above each other: find the square, and the offset right and up from its
         // centre; edges as in the pattern `cubic`.
-        let ((column, row), right, up) = match (Cubic {}).cell(p) {
+        let ((column, row), right, up) = match (Cubic {}).cell_kind(p) {
             0 => ((2.0, 1.0), -q.z, q.y),
             1 => ((1.0, 2.0), q.x, -q.z),
             2 => ((1.0, 1.0), q.x, q.y),

@@ -73,7 +73,7 @@ impl Warp {
         if !names.contains(&name) {
             return Err(r.unknown_word("warp", &names).into());
         }
-        r.take()?;
+        r.take_token()?;
         let Some(warp) = Self::begin(name, r) else { return Err(r.unknown_word("warp", &names).into()) };
         let mut warp = warp?;
         loop {

@@ -70,9 +70,9 @@ impl LightSource {
     }
 
     fn read_part(r: &mut dyn Reader, defaults: &Defaults) -> Result<Object> {
-        r.take()?;
+        r.take_token()?;
         let object = Object::read(r, defaults)?;
-        r.leave()?;
+        r.leave_block()?;
         Ok(*object)
     }
 
@@ -94,7 +94,7 @@ impl Object {
                 Next::Block(part) if is_object(part) => parts.push(*Self::read(r, defaults)?),
                 Next::Thing("object" | "light_source") => parts.push(*Self::read(r, defaults)?),
                 Next::Word("global_lights") => {
-                    r.take()?;
+                    r.take_token()?;
                     global = r.flag()?;
                 }
                 next if next.is_transform() => steps.extend(r.transform()?),

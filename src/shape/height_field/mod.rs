@@ -161,7 +161,7 @@ impl Readable for HeightField {
         while let Next::Word(word) = r.next()?
             && FORMATS.contains(&word)
         {
-            r.take()?;
+            r.take_token()?;
             is_pot = word == "pot";
         }
         match r.next()? {

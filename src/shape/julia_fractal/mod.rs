@@ -286,7 +286,7 @@ impl Readable for JuliaFractal {
     fn read_own(&mut self, next: Next, r: &mut dyn Reader, _: &mut dyn Paints) -> Result<bool> {
         let Next::Word(name) = next else { return Ok(false) };
         if name == "pwr" {
-            let span = r.take()?;
+            let span = r.take_token()?;
             let power = r.numbers_in_parentheses(2)?;
             finite(span, &[], &power)?;
             self.function = Function::Pwr(power[0], power[1]);
@@ -294,7 +294,7 @@ impl Readable for JuliaFractal {
         }
         match WORDS.iter().find(|(word, _)| *word == name) {
             Some((_, function)) => {
-                r.take()?;
+                r.take_token()?;
                 self.function = *function;
                 Ok(true)
             }

@@ -45,7 +45,10 @@ impl FileMesh {
 
     /// Returns the object's numbers of the textures of a mesh file.
     pub fn texture_weights(&self, paints: &mut dyn Paints, r: &mut dyn Reader) -> Result<Vec<u32>> {
-        self.materials.iter().map(|(material, picture)| paints.of_file(material, picture.as_ref(), r)).collect()
+        self.materials
+            .iter()
+            .map(|(material, picture)| paints.add_mesh_material(material, picture.as_ref(), r))
+            .collect()
     }
 }
 

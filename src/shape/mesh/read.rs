@@ -98,7 +98,7 @@ impl Readable for Mesh {
     fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
         match next {
             Next::Word("file") => {
-                let at = r.take()?;
+                let at = r.take_token()?;
                 self.1.must_be_empty(at)?;
                 let file = FileMesh::read(r)?;
                 self.0.texture_weights = file.texture_weights(paints, r)?;
@@ -106,10 +106,10 @@ impl Readable for Mesh {
                 Ok(true)
             }
             Next::Block(kind @ ("triangle" | "smooth_triangle")) => {
-                let span = r.take()?;
+                let span = r.take_token()?;
                 self.1.must_have_no_file(span)?;
                 self.read_triangle(kind == "smooth_triangle", span, r, paints)?;
-                r.leave()?;
+                r.leave_block()?;
                 Ok(true)
             }
             _ => self.0.read_inside(next, r),
@@ -168,14 +168,14 @@ impl Mesh {
             match next {
                 Next::End => break,
                 Next::Word("uv_vectors") => {
-                    r.take()?;
+                    r.take_token()?;
                     for uv in &mut uvs {
                         *uv = triangles.uvs.len() as u32;
                         triangles.uvs.push(r.vector2()?);
                     }
                 }
                 Next::Block("texture_list") => {
-                    r.take()?;
+                    r.take_token()?;
                     for slot in &mut texture_weights {
                         let next = r.next()?;
                         *slot = match paints.read_one(next, r)? {
@@ -183,7 +183,7 @@ impl Mesh {
                             None => return Err(r.unexpected("a texture for each of the three corners").into()),
                         };
                     }
-                    r.leave()?;
+                    r.leave_block()?;
                     texture_weights = mark_each_corner(texture_weights);
                 }
                 Next::Block("texture") | Next::Thing("texture") => {
@@ -258,7 +258,7 @@ impl Readable for Mesh2 {
         let Lists { triangles: mesh, textures, faces, normals, uvs } = &mut self.1;
         let span = match list {
             "vertex_vectors" | "normal_vectors" | "uv_vectors" | "texture_list" | "face_indices" | "normal_indices"
-            | "uv_indices" => r.take()?,
+            | "uv_indices" => r.take_token()?,
             _ => return Ok(false),
         };
         match list {
@@ -284,7 +284,7 @@ impl Readable for Mesh2 {
                 mesh.mapped = read_triples(r)?;
             }
         }
-        r.leave()?;
+        r.leave_block()?;
         Ok(true)
     }
 
@@ -477,7 +477,7 @@ impl TriangleMesh {
         if next != Next::Word("inside_vector") {
             return Ok(false);
         }
-        r.take()?;
+        r.take_token()?;
         self.inside_vector = Some(r.vector()?).filter(|dir| *dir != DVec3::ZERO);
         Ok(true)
     }

@@ -141,7 +141,7 @@ impl Readable for Parametric {
         match next {
             Next::Block("contained_by") => self.container = Container::read(r)?,
             Next::Word("precompute") => {
-                r.take()?;
+                r.take_token()?;
                 r.float()?;
                 while r.next()? == Next::Value {
                     r.value()?;
