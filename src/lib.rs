@@ -245,8 +245,8 @@ pub struct Built {
     pub diagnostics: Vec<Diagnostic>,
     /// True if a limit (steps, memory, time) ended the run.
     pub limit_reached: bool,
-    /// Macro calls and includes around each object of the scene, innermost first; empty unless
-    /// `BuildOptions::record_origins` is set.
+    /// Macro calls and includes around each object of the scene, innermost first; empty unless `BuildOptions::record_origins`
+    /// is set.
     pub origins: Vec<Vec<Label>>,
     /// Branches of `#if` and its kin that never ran; empty unless `BuildOptions::record_branches` is set.
     pub unused_branches: Vec<Span>,

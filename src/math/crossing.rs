@@ -2,7 +2,7 @@
 
 /// Returns the root x of a function between two points `(x, f(x))` with values of different signs, to this `accuracy`:
 /// by the "Illinois" variant of regula falsi (Dowell and Jarratt, 1971), and by bisection where that does not converge.
-/// Where the function jumps, the result is just after the jump.
+/// At a jump of the function, the result is just after the jump.
 pub fn root_between(function: &dyn Fn(f64) -> f64, a: (f64, f64), b: (f64, f64), accuracy: f64) -> f64 {
     let before = a.1 < 0.0;
     let ((mut a, mut fa), (mut b, mut fb)) = (a, b);

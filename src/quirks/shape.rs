@@ -54,7 +54,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "height_field_heights",
         "Palette indices are heights by themselves, colours of 16 bits count by their brightness, and of other \
          colours red is the higher and green the lower byte of a height.",
-        &["light_cases/function_image_bits", "src/shape/height_field/tests.rs::numbers_of_pictures"],
+        &["light_cases/function_image_bits", "src/shape/height_field/tests.rs::heights_follow_from_pixels"],
     ),
     emulated(
         "height_field_inside",

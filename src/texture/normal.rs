@@ -109,8 +109,8 @@ impl Normal {
         }
     }
 
-    /// Undoes [`Self::wrap_uv_mapping`] for a normal if no other pattern or map was named. (Other parameters of the surface have
-    /// no effect.)
+    /// Undoes [`Self::wrap_uv_mapping`] for a normal if no other pattern or map was named. (Other parameters of the
+    /// surface have no effect.)
     fn unwrap_uv_mapping(self) -> Self {
         match &self.relief {
             Relief::Normals(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {

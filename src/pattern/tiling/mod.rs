@@ -54,7 +54,8 @@ struct Plan {
     kinds: usize,
     /// Width of the bevel at the edges of a periodic tiling's tiles.
     depth: f64,
-    /// Tiles of one period of the tiling; after [`Self::with_copies`], all that reach into the parallelogram of the periods.
+    /// Tiles of one period of the tiling; after [`Self::with_copies`], all that reach into the parallelogram of the
+    /// periods.
     tiles: Vec<Tile>,
 }
 
