@@ -66,7 +66,7 @@
 //!
 //! # Progress and cancellation
 //!
-//! [`BuildOptions::stop`], `max_steps`, `max_time` and `max_memory` end [`build`] early; a [`Watch`] follows and ends
+//! [`BuildOptions::cancel`], `max_steps`, `max_time` and `max_memory` end [`build`] early; a [`Watch`] follows and ends
 //! [`render`].
 //!
 //! ```
@@ -175,6 +175,8 @@ pub use image_io::{Encoding, Format, Frame, encode};
 #[doc(inline)]
 pub use interpreter::{Options as BuildOptions, Timing};
 #[doc(inline)]
+pub use math::cancel::{CancelReason, CancelToken};
+#[doc(inline)]
 pub use render::{Cancelled, Options as RenderOptions, RayCounts, Region, Unwatched, Watch, render};
 #[doc(inline)]
 pub use source::{
@@ -282,6 +284,24 @@ pub fn build_with(
     keep: Keep,
     debug: &mut dyn FnMut(&str),
 ) -> Built {
+    let mut built = options.cancel.scope(|| build_uncancelled(parsed, sources, file, options, keep, debug));
+    if !built.limit_reached && options.cancel.is_cancelled() {
+        // Whatever was computed after the cancellation is worthless.
+        built.world = None;
+        built.limit_reached = true;
+        built.diagnostics.extend(options.cancellation(source::Span::NONE));
+    }
+    built
+}
+
+fn build_uncancelled(
+    parsed: &interpreter::ParsedFiles,
+    sources: &Sources,
+    file: FileId,
+    options: &interpreter::Options,
+    keep: Keep,
+    debug: &mut dyn FnMut(&str),
+) -> Built {
     let start = options.host.elapsed();
     let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached, origins, unused_branches } =
         interpreter::interpret_with(parsed, sources, file, options, debug);
@@ -318,7 +338,8 @@ const BIG_STACK: usize = 512 << 20;
 /// If `work` panics.
 pub fn on_big_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     let slot = std::sync::Mutex::new(Some(work));
-    let take = || slot.lock().ok().and_then(|mut work| work.take()).map(|work| work());
+    let token = math::cancel::CancelToken::current();
+    let take = || slot.lock().ok().and_then(|mut work| work.take()).map(|work| token.scope(work));
     let result = std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().name("durer".into()).stack_size(BIG_STACK);
         match thread.spawn_scoped(scope, take) {

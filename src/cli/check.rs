@@ -5,14 +5,16 @@ use super::args::{CheckArgs, CheckFormat, Deny, RenderArgs, Warn};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result};
 use super::inputs::Inputs;
+use super::interrupt::{Deadline, Overrun};
 use super::overlay::Invocation;
 use super::summary::Word;
 use super::{overlay, session, summary};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::ParsedFiles;
+use crate::math::cancel::CancelToken;
 use crate::source::Sources;
 use crate::syntax::lint::{self, Lints};
-use crate::{Keep, advice};
+use crate::{BuildOptions, Keep, advice};
 use std::path::Path;
 
 /// Checks all inputs; the worst result determines the exit code. `animation` comes from POV-Ray's options.
@@ -57,10 +59,13 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
         Err(other) => return Err(other),
     };
     let options = session::reading_options(&scene, &input, session::timing(&scene, animation.as_ref())?);
+    let deadline = Deadline::start(scene.max_time, CancelToken::default(), Overrun::EndsProcess);
+    let options = BuildOptions { cancel: deadline.token().clone(), ..options };
     let parsed = ParsedFiles::default();
     let doubtful = args.warn.contains(&Warn::Doubtful);
     let keep = if doubtful { Keep::Both } else { Keep::World };
     let mut built = session::build(console, &parsed, &sources, file, &options, keep);
+    drop(deadline);
     let scene = built.scene.as_ref().filter(|_| doubtful);
     built.diagnostics.extend(scene.map(|scene| advice::doubtful(scene, &sources)).unwrap_or_default());
     built.diagnostics.extend(lint(args, &sources, &parsed));

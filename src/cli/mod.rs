@@ -80,7 +80,7 @@ fn parse(words: Vec<OsString>) -> Result<(Console, Command, Context)> {
         diagnostics.extend(idle);
     }
     console.report(&sources, &diagnostics);
-    Ok((console, command, Context { animation, ini_files: sources.read_files(), stop: None }))
+    Ok((console, command, Context { animation, ini_files: sources.read_files(), cancel: None }))
 }
 
 fn dispatch(console: &Console, command: &Command, context: Context) -> Result {

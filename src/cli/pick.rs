@@ -1,15 +1,15 @@
 //! `durer pick INPUT X,Y`: the object that one pixel shows, and the text that describes it.
 
 use super::animation::Animation;
-use super::args::PickArgs;
 use super::args::values::Size;
+use super::args::{PickArgs, SceneArgs};
 use super::console::Console;
 use super::exit::{Exit, Result};
 use super::overlay::Invocation;
 use super::session;
 use crate::color::transfer;
 use crate::diagnostic::{Diagnostic, Label, codes};
-use crate::interpreter::{self, ParsedFiles};
+use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::math::fp;
 use crate::render::{self, Picked, Region, Unwatched};
 use crate::scene::Scene;
@@ -18,6 +18,7 @@ use crate::value::format_decimal;
 use crate::world::World;
 use crate::{Built, Keep};
 use serde::Serialize;
+use std::path::Path;
 
 /// Output of `durer pick --json`.
 #[derive(Serialize)]
@@ -75,23 +76,39 @@ pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> 
         return Ok(outside(args, size)?);
     };
     let sources = Sources::default();
-    let file = session::open_or_report(console, &sources, &input)?;
     let timing = session::timing(&merged.scene, animation.as_ref())?;
-    let options = session::reading_options(&merged.scene, &input, timing);
+    let text = session::within_time(&merged.scene, || {
+        describe_pixel(console, args, &sources, &input, &merged.scene, timing, (x, y))
+    })?;
+    console.data(text).map(|()| Exit::Fine)
+}
+
+/// Returns the output about a pixel of the picture.
+fn describe_pixel(
+    console: &Console,
+    args: &PickArgs,
+    sources: &Sources,
+    input: &Path,
+    scene: &SceneArgs,
+    timing: Timing,
+    (x, y): (usize, usize),
+) -> Result<String> {
+    let size = scene.size();
+    let file = session::open_or_report(console, sources, input)?;
+    let options = session::reading_options(scene, input, timing);
     let options = interpreter::Options { record_origins: true, ..options };
-    let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
-    let world = session::settle(console, &sources, &mut built)?;
+    let mut built = session::build(console, &ParsedFiles::default(), sources, file, &options, Keep::Both);
+    let world = session::settle(console, sources, &mut built)?;
     let drawing = render::Options { frame: timing.frame, ..render::Options::new(size.width, size.height) };
-    let pixel = PixelReport { sources: &sources, color: color_of(&world, &drawing, x, y), built: Some(&built) };
+    let pixel = PixelReport { sources, color: color_of(&world, &drawing, x, y), built: Some(&built) };
     let picked = render::pick(&world, &drawing, x, y);
     let origin = picked.as_ref().and_then(|picked| origin_of(&built, &drawing, (x, y), picked));
     if args.json {
         let object = picked.as_ref().map(|p| pixel.describe(p, origin));
-        console.json(&Output { hit: object.is_some(), object })?;
-    } else {
-        console.data(pixel.in_words(picked.as_ref(), origin))?;
+        let output = Output { hit: object.is_some(), object };
+        return Ok(serde_json::to_string(&output).unwrap_or_default() + "\n");
     }
-    Ok(Exit::Fine)
+    Ok(pixel.in_words(picked.as_ref(), origin))
 }
 
 /// The text for a pixel of a finished picture, where its colour is `color`.

@@ -78,12 +78,15 @@ pub fn run(console: &Console, args: &QueryArgs) -> Result {
     let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
     let scene = merged.scene;
     session::check_input(&input)?;
-    let sources = Sources::default();
-    let file = session::open_or_report(console, &sources, &input)?;
-    let options = session::reading_options(&scene, &input, session::timing(&scene, animation.as_ref())?);
-    let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
-    let world = session::settle(console, &sources, &mut built)?;
-    let contents = contents(&built, &world, &sources);
+    let timing = session::timing(&scene, animation.as_ref())?;
+    let contents = session::within_time(&scene, || {
+        let sources = Sources::default();
+        let file = session::open_or_report(console, &sources, &input)?;
+        let options = session::reading_options(&scene, &input, timing);
+        let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
+        let world = session::settle(console, &sources, &mut built)?;
+        Ok(contents(&built, &world, &sources))
+    })?;
     if args.json {
         console.json(&contents)?;
     } else {

@@ -5,11 +5,13 @@ use super::args::values::{Frames, Size};
 use super::args::{AaMethod, Library, LookArgs, SceneArgs};
 use super::console::{Console, print_message};
 use super::exit::{Exit, Failure, Result, usage};
+use super::interrupt::{Deadline, Overrun};
 use super::memory;
 use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
+use crate::math::cancel::CancelToken;
 use crate::render::{SampleLayout, Sampling};
-use crate::source::{Disk, FileId, LocalHost, ReadError, Sandbox, SearchPath, Sources};
+use crate::source::{Disk, FileId, LocalHost, ReadError, Sandbox, SearchPath, Sources, Span};
 use crate::syntax::Granularity;
 use crate::world::World;
 use crate::{Built, Keep, interpreter, render};
@@ -100,7 +102,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         max_time: args.max_time.map(|s| s.0),
         max_memory: args.max_memory.map(|b| b.0).or_else(memory::default_limit),
         host: Arc::new(LocalHost::default()),
-        stop: None,
+        cancel: CancelToken::current(),
         granularity: if args.single_tokens { Granularity::Tokens } else { Granularity::Whole },
         record_origins: false,
         record_branches: false,
@@ -139,6 +141,24 @@ fn sampling(look: &LookArgs) -> Sampling {
         depth: look.aa_depth.map_or(default.depth, u32::from),
         jitter: look.aa_jitter.map_or(default.jitter, |jitter| jitter.0),
         gamma: look.aa_gamma.map_or(default.gamma, |gamma| gamma.0),
+    }
+}
+
+/// Runs `work` on a scene within `--max-time`. The work polls the token of its thread, as [`reading_options`] does.
+///
+/// # Errors
+/// Those of `work`, or that the time is over.
+pub fn within_time<T>(args: &SceneArgs, work: impl FnOnce() -> Result<T>) -> Result<T> {
+    let deadline = Deadline::start(args.max_time, CancelToken::default(), Overrun::EndsProcess);
+    let result = deadline.token().scope(work)?;
+    let limit = interpreter::Options {
+        max_time: args.max_time.map(|s| s.0),
+        cancel: deadline.token().clone(),
+        ..Default::default()
+    };
+    match limit.cancellation(Span::NONE) {
+        Some(diagnostic) => Err(Failure::Fault(Box::new(diagnostic))),
+        None => Ok(result),
     }
 }
 

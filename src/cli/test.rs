@@ -4,20 +4,21 @@ use super::args::values::Size;
 use super::args::{LookArgs, MessageFormat, SceneArgs, TestArgs};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
-use super::interrupt::{self, Deferred};
+use super::interrupt::{self, Deadline, Deferred, Overrun};
 use super::memory;
 use super::session;
 use super::summary::{self, Word};
+use crate::BuildOptions;
 use crate::cli::render::monitor::Monitor;
 use crate::cli::render::progress::Progress;
 use crate::diagnostic::file;
 use crate::image_io::{self, Encoding, Format, Frame, Pixels};
+use crate::math::cancel::CancelToken;
 use crate::snapshot::{self, Case, Comparison, Entry, Tolerance, Verdict};
 use crate::source::{Disk, Files, Sources};
 use clap::Parser;
 use serde_json::json;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 /// Options of a scene's snapshot, from the comment `//! test: --size 128x96 --aa off`.
 #[derive(Parser, Debug)]
@@ -131,7 +132,6 @@ fn try_case(console: &Console, case: &Case, setting: &Setting) -> Outcome {
 }
 
 fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting, outcome: &mut Outcome) -> Result<()> {
-    let start = Instant::now();
     let file = session::open(sources, &case.scene)?;
     let mut header = match Header::try_parse_from(snapshot::header(sources.text(file)).unwrap_or("").split_whitespace())
     {
@@ -147,7 +147,9 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     memory::check_memory(header.scene.size(), None, bytes_per_pixel, header.scene.max_memory.map(|b| b.0))?;
 
     let timing = session::timing(&header.scene, None)?;
+    let deadline = Deadline::start(header.scene.max_time, CancelToken::default(), Overrun::EndsProcess);
     let options = session::reading_options(&header.scene, &case.scene, timing);
+    let options = BuildOptions { cancel: deadline.token().clone(), ..options };
     let built = crate::build(sources, file, &options, &mut |_| {});
     outcome.messages = console.text(sources, &built.diagnostics);
     let (exit, Some(world)) = (session::verdict(built.limit_reached, &built.diagnostics), built.world) else {
@@ -158,7 +160,7 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     }
     let drawing = session::drawing_options(&header.scene, &header.look, setting.threads, timing);
     let _deferred = Deferred::begin();
-    let frame = Monitor::new(Progress::Silent, start, header.scene.max_time).render(&world, &drawing)?;
+    let frame = Monitor::new(Progress::Silent, deadline.token().clone()).render(&world, &drawing)?;
     compare(if header.look.alpha { frame } else { frame.over_black() }, expected.as_ref(), outcome);
     Ok(())
 }

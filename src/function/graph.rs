@@ -4,6 +4,7 @@
 use super::numeric::{self, Kernel};
 use super::{Function, Gives, Interval, LocalBounds, Program, Sampler, internal::Internal};
 use crate::math::DVec3;
+use crate::math::cancel::Poll;
 use crate::math::noise::{self, NoiseGenerator};
 use crate::syntax::ast::Operator;
 use rustc_hash::FxHashMap;
@@ -218,8 +219,8 @@ fn evaluate_series(is_product: bool, body: &Program, arguments: &[f64]) -> f64 {
     if last - first > MAX_TERMS {
         return f64::NAN;
     }
-    let (mut total, mut counter) = (f64::from(is_product), *first);
-    while counter <= *last {
+    let (mut total, mut counter, mut poll) = (f64::from(is_product), *first, Poll::default());
+    while counter <= *last && !poll.is_cancelled() {
         inner[outer.len()] = counter;
         let term = body.run(&inner);
         total = if is_product { total * term } else { total + term };

@@ -21,6 +21,7 @@ mod stream;
 mod token_expr;
 
 use crate::diagnostic::{Diagnostic, Label, codes};
+use crate::math::cancel::CancelToken;
 use crate::scene::Scene;
 use crate::source::{FileId, Files, Host, LocalHost, Sandbox, Sandboxed, SearchPath, Sources, Span};
 use crate::syntax::ast::Symbol;
@@ -35,7 +36,6 @@ pub use rvalue::UNSUPPORTED_BLOCKS;
 use scene_builder::{SceneBuilder, compat};
 pub use statement::STATEMENTS;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use stream::{FrameKind, Mode, TokenStream};
 
 /// Built-in functions of scripts that `function { }` does not have: name, arguments, one-line summary.
@@ -68,8 +68,8 @@ pub struct Options {
     pub max_memory: Option<u64>,
     /// Clock and memory meter, for the limits and the constant `now`.
     pub host: Arc<dyn Host>,
-    /// Flag that another thread sets to end the run, as a limit would.
-    pub stop: Option<Arc<AtomicBool>>,
+    /// Token by which another thread ends the run, as a limit would.
+    pub cancel: CancelToken,
     /// Size of the elements that the parser produces.
     pub granularity: Granularity,
     /// True to record the macro calls and includes through which each object came into the scene.
@@ -93,7 +93,7 @@ impl Default for Options {
             max_time: None,
             max_memory: None,
             host: Arc::new(LocalHost::default()),
-            stop: None,
+            cancel: CancelToken::default(),
             granularity: Granularity::Whole,
             record_origins: false,
             record_branches: false,

@@ -3,13 +3,13 @@
 use super::scan::Scan;
 use super::text::Text;
 use crate::diagnostic::Diagnostic;
+use crate::math::cancel::CancelToken;
 use crate::syntax::tokens_of;
 use lsp_types::{TextDocumentContentChangeEvent, Uri};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 /// Global offset of a text's first byte; 0 would mean no position.
@@ -31,8 +31,8 @@ pub struct Document {
     pub faults: Vec<Diagnostic>,
     /// Time of the document's next background run.
     pub due: Option<Instant>,
-    /// Flag that stops the document's present background run.
-    pub stop: Option<Arc<AtomicBool>>,
+    /// Token that ends the document's present background run.
+    pub cancel: Option<CancelToken>,
 }
 
 impl Document {
@@ -47,7 +47,7 @@ impl Document {
             scan: Arc::default(),
             faults: vec![],
             due: None,
-            stop: None,
+            cancel: None,
         };
         new.scan();
         new

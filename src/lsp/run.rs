@@ -5,13 +5,15 @@ use super::files::same;
 use crate::Keep;
 use crate::diagnostic::Severity;
 use crate::interpreter::{Options, ParsedFiles};
+use crate::math::cancel::{CancelReason, CancelToken};
 use crate::source::{Disk, Overlay, Sandbox, SearchPath, Sources};
 use crate::syntax::lint::{self, Lints};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::mpsc::RecvTimeoutError;
+use std::time::Duration;
 
 /// Limit of a run: number of elements and loop passes.
 const MAX_STEPS: u64 = 50_000_000;
@@ -34,8 +36,8 @@ pub struct Job {
     pub open: Vec<(PathBuf, String)>,
     /// Folders of the run's include path.
     pub include: Vec<PathBuf>,
-    /// Stops the run when it is set.
-    pub stop: Arc<AtomicBool>,
+    /// Token that ends the run.
+    pub cancel: CancelToken,
 }
 
 /// Result of running a scene in the background of the language server.
@@ -50,7 +52,17 @@ pub struct RunResult {
 
 /// Runs a scene on a thread of its own; calls `done` at the end.
 pub fn start(job: Job, done: impl FnOnce(RunResult) + Send + 'static) {
+    // The channel closes at the end of the run.
+    let (ended, end) = std::sync::mpsc::channel::<()>();
+    let cancel = job.cancel.clone();
+    let timer = move || {
+        if end.recv_timeout(Duration::from_secs_f64(MAX_TIME)) == Err(RecvTimeoutError::Timeout) {
+            cancel.cancel(CancelReason::TimeLimit);
+        }
+    };
+    let _ = std::thread::Builder::new().name("run timer".into()).spawn(timer);
     let work = move || {
+        let _ended = ended;
         let diagnostics = catch_unwind(AssertUnwindSafe(|| crate::on_big_stack(|| run(&job)))).unwrap_or_default();
         done(RunResult { uri: job.uri, version: job.version, diagnostics });
     };
@@ -76,7 +88,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
         max_steps: MAX_STEPS,
         max_time: Some(MAX_TIME),
         max_memory: Some(MAX_MEMORY),
-        stop: Some(job.stop.clone()),
+        cancel: job.cancel.clone(),
         record_branches: true,
         ..Options::default()
     };

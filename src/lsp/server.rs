@@ -7,6 +7,7 @@ use super::requests;
 use super::requests::commands::Watches;
 use super::run::{self, Job, RunResult};
 use super::text::Text;
+use crate::math::cancel::{CancelReason, CancelToken};
 use lsp_server::{ErrorCode, Message, Notification, Request, Response};
 use lsp_types::{
     DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, PublishDiagnosticsParams, Uri,
@@ -16,8 +17,6 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::str::FromStr;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
@@ -102,8 +101,8 @@ impl<S: Client> Server<S> {
         }
         self.open
             .values()
-            .filter_map(|document| document.stop.as_ref())
-            .for_each(|stop| stop.store(true, Ordering::Relaxed));
+            .filter_map(|document| document.cancel.as_ref())
+            .for_each(|cancel| cancel.cancel(CancelReason::Request));
     }
 
     fn request(&mut self, request: Request) {
@@ -184,8 +183,8 @@ impl<S: Client> Server<S> {
         for scene in self.scenes_of(key) {
             if let Some(document) = self.open.get_mut(&scene) {
                 document.due = due;
-                if let Some(stop) = document.stop.take() {
-                    stop.store(true, Ordering::Relaxed);
+                if let Some(cancel) = document.cancel.take() {
+                    cancel.cancel(CancelReason::Request);
                 }
             }
         }
@@ -219,8 +218,8 @@ impl<S: Client> Server<S> {
             let open =
                 others.filter_map(|(_, other)| Some((other.path.clone()?, other.text.as_str().to_string()))).collect();
             let Some(document) = self.open.get_mut(&key) else { continue };
-            let stop = Arc::new(AtomicBool::new(false));
-            (document.due, document.stop) = (None, Some(stop.clone()));
+            let cancel = CancelToken::default();
+            (document.due, document.cancel) = (None, Some(cancel.clone()));
             let job = Job {
                 uri: key,
                 version: document.version,
@@ -228,7 +227,7 @@ impl<S: Client> Server<S> {
                 text: document.text.as_str().to_string(),
                 open,
                 include: self.include.clone(),
-                stop,
+                cancel,
             };
             let events = self.events.clone();
             run::start(job, move |ran| {
@@ -243,7 +242,7 @@ impl<S: Client> Server<S> {
         if document.version != ran.version || document.due.is_some() {
             return;
         }
-        document.stop = None;
+        document.cancel = None;
         let mut found = BTreeMap::new();
         for (path, diagnostics) in ran.diagnostics {
             let address = match path {
@@ -293,8 +292,8 @@ impl<S: Client> Server<S> {
 
     fn close(&mut self, key: &str) {
         let scenes = self.scenes_of(key);
-        if let Some(stop) = self.open.remove(key).and_then(|document| document.stop) {
-            stop.store(true, Ordering::Relaxed);
+        if let Some(cancel) = self.open.remove(key).and_then(|document| document.cancel) {
+            cancel.cancel(CancelReason::Request);
         }
         let gone = self.results.remove(key).unwrap_or_default();
         gone.keys().map(String::as_str).chain([key]).for_each(|address| self.publish(address));

@@ -2,6 +2,7 @@
 
 mod aabb;
 pub mod bvh;
+pub mod cancel;
 mod complex;
 mod crossing;
 pub mod fp;

@@ -3,6 +3,7 @@
 use super::screen::{Image, Screen, View};
 use crate::diagnostic;
 use crate::image_io::Rows;
+use crate::math::cancel::CancelToken;
 use crate::render::{self, Options, RayCounts, Region, Stopped, Tile, Watch};
 use crate::world::World;
 use std::time::{Duration, Instant};
@@ -14,16 +15,16 @@ const LEVEL_FACTOR: usize = 16;
 /// Rendering time in seconds below which no further coarse level is useful.
 const SHORT: f64 = 0.3;
 
-/// Renders to the screen until `stop` returns true; pixels outside of the region in `options` are not displayed.
+/// Renders to the screen until `cancel` is cancelled; pixels outside of the region in `options` are not displayed.
 /// Returns the number of rays and the duration of the first level, 0 if there was only the full resolution.
 ///
 /// # Errors
-/// If `stop` returned true.
+/// If `cancel` was cancelled.
 pub fn render_progressively(
     world: &World,
     options: &Options,
     screen: &Screen,
-    stop: &(dyn Fn() -> bool + Sync),
+    cancel: &CancelToken,
 ) -> Result<(RayCounts, Duration), Stopped> {
     let (begin, mut first) = (Instant::now(), None);
     let whole = Region { x: 0, y: 0, width: options.width, height: options.height };
@@ -33,7 +34,7 @@ pub fn render_progressively(
     let mut count = FIRST_PIXELS;
     while count < pixels {
         let start = Instant::now();
-        let image = coarse(world, options, area, (count as f64 / pixels as f64).sqrt(), stop)?;
+        let image = coarse(world, options, area, (count as f64 / pixels as f64).sqrt(), cancel)?;
         let rate = start.elapsed().as_secs_f64() / (image.width * image.height).max(1) as f64;
         screen.put_coarse(image);
         first.get_or_insert_with(|| begin.elapsed());
@@ -42,20 +43,14 @@ pub fn render_progressively(
             break;
         }
     }
-    let watch = TileDisplay { world, options, screen, stop };
+    let watch = TileDisplay { world, options, screen, cancel };
     let rays = render::draw(world, options, &watch, &mut Discard)?;
     screen.finish();
     Ok((rays, first.unwrap_or_default()))
 }
 
 /// Renders `area` with a resolution multiplied by `share`, one sample a pixel.
-fn coarse(
-    world: &World,
-    options: &Options,
-    area: Region,
-    share: f64,
-    stop: &(dyn Fn() -> bool + Sync),
-) -> Result<Image, Stopped> {
+fn coarse(world: &World, options: &Options, area: Region, share: f64, cancel: &CancelToken) -> Result<Image, Stopped> {
     let scaled = |length: usize| ((length as f64 * share).round() as usize).max(1);
     let part = Region {
         x: scaled(area.x + 1) - 1,
@@ -66,19 +61,23 @@ fn coarse(
     let (width, height) =
         (scaled(options.width).max(part.x + part.width), scaled(options.height).max(part.y + part.height));
     let options = Options { width, height, region: Some(part), antialias: None, ..options.clone() };
-    let (mut image, watch) = (Image { width: part.width, height: part.height, pixels: vec![] }, StopOnly { stop });
+    let (mut image, watch) = (Image { width: part.width, height: part.height, pixels: vec![] }, StopOnly { cancel });
     render::draw(world, &options, &watch, &mut Crop { part, row_width: width, row: 0, to: &mut image })?;
     Ok(image)
 }
 
 struct StopOnly<'a> {
-    stop: &'a (dyn Fn() -> bool + Sync),
+    cancel: &'a CancelToken,
 }
 
 impl Watch for StopOnly<'_> {
     fn progress(&self, _: usize, _: usize) {}
     fn cancelled(&self) -> bool {
-        (self.stop)()
+        self.cancel.is_cancelled()
+    }
+
+    fn cancel_token(&self) -> CancelToken {
+        self.cancel.clone()
     }
 }
 
@@ -87,7 +86,7 @@ struct TileDisplay<'a> {
     world: &'a World,
     options: &'a Options,
     screen: &'a Screen,
-    stop: &'a (dyn Fn() -> bool + Sync),
+    cancel: &'a CancelToken,
 }
 
 impl Watch for TileDisplay<'_> {
@@ -96,7 +95,11 @@ impl Watch for TileDisplay<'_> {
     }
 
     fn cancelled(&self) -> bool {
-        (self.stop)()
+        self.cancel.is_cancelled()
+    }
+
+    fn cancel_token(&self) -> CancelToken {
+        self.cancel.clone()
     }
 
     fn store_tile(&self, tile: Tile, pixels: &[[f32; 4]]) {

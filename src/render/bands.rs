@@ -113,13 +113,18 @@ impl FrameRender<'_> {
     }
 
     fn render_tile(&self, tile: &Tile, first_samples: &PixelRows) -> Result<(Vec<Pixel>, RayCounts), Cancelled> {
-        let is_cancelled = || self.workers.watch.cancelled();
+        let is_cancelled = || self.workers.is_cancelled();
         let mut sampler = Sampler::new(self.context, self.camera, &is_cancelled);
         let pixels = match tile.pass {
             FINAL_PASS => self.method.tile(&mut sampler, first_samples, tile.area),
             _ => self.first_tile(&mut sampler, &tile.area),
         };
-        if sampler.is_stopped() { Err(Cancelled) } else { Ok((pixels, *sampler.counts())) }
+        // A search that the token has ended returned any result.
+        if sampler.is_stopped() || self.workers.is_cancelled() {
+            Err(Cancelled)
+        } else {
+            Ok((pixels, *sampler.counts()))
+        }
     }
 
     /// The area of the first pass; `None` for methods of one pass.

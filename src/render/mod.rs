@@ -17,6 +17,7 @@ pub use pick::pick;
 
 use crate::diagnostic::{self, Fault};
 use crate::image_io::{Frame, Rows};
+use crate::math::cancel::CancelToken;
 use crate::source::Span;
 pub use crate::transport::RayCounts;
 use crate::world::World;
@@ -127,8 +128,13 @@ pub trait Watch: Sync {
     /// Called after each tile with the number of finished pixels; with adaptive anti-aliasing the pixels of both passes
     /// count.
     fn progress(&self, done: usize, total: usize);
-    /// Returns true to stop the render.
+    /// Returns true to stop the render. The answer takes effect at the next surface that a ray hits.
     fn cancelled(&self) -> bool;
+    /// Returns a token that stops the render too, even inside of a long search for one hit. By default that is the token
+    /// of the calling thread.
+    fn cancel_token(&self) -> CancelToken {
+        CancelToken::current()
+    }
     /// Returns the pixels of a tile, row by row, if an earlier run stored them.
     fn load_tile(&self, _: Tile) -> Option<Vec<[f32; 4]>> {
         None

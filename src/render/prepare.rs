@@ -16,7 +16,7 @@ pub(super) fn prepare<'w>(
     options: &Options,
     workers: &Workers,
 ) -> Result<FrameContext<'w>, Cancelled> {
-    if workers.watch.cancelled() {
+    if workers.is_cancelled() {
         return Err(Cancelled);
     }
     let origin = CameraOrigin { origin: camera.view.common_origin(), reach: camera.view.max_distance() };

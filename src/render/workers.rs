@@ -1,6 +1,7 @@
 //! Parallel work: the only file of this module that uses rayon. Results are in the order of the jobs, whatever thread did them.
 
 use super::{Cancelled, Watch};
+use crate::math::cancel::CancelToken;
 use rayon::prelude::*;
 
 /// Stack of each thread in bytes. Solids that are nested 5000 deep, which is the parser's limit, need 17 MB; unused stack costs no memory.
@@ -10,6 +11,7 @@ const STACK: usize = 32 << 20;
 pub(super) struct Workers<'a> {
     pool: Option<rayon::ThreadPool>,
     pub watch: &'a dyn Watch,
+    token: CancelToken,
 }
 
 impl<'a> Workers<'a> {
@@ -17,7 +19,12 @@ impl<'a> Workers<'a> {
     pub fn new(threads: usize, watch: &'a dyn Watch) -> Self {
         let builder = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK);
         // Without threads the work is done on the caller's.
-        Self { pool: builder.build().ok(), watch }
+        Self { pool: builder.build().ok(), watch, token: watch.cancel_token() }
+    }
+
+    /// True if the render is to stop: results that end after that may be worthless.
+    pub fn is_cancelled(&self) -> bool {
+        self.token.is_cancelled() || self.watch.cancelled()
     }
 
     /// Returns the results of `work` for all jobs, in order, and the result of `beside`, which runs at the same time.
@@ -27,7 +34,7 @@ impl<'a> Workers<'a> {
         work: impl Fn(&J) -> Result<T, Cancelled> + Sync,
         beside: impl FnOnce() -> B + Send,
     ) -> (Result<Vec<T>, Cancelled>, B) {
-        let work = |job: &J| if self.watch.cancelled() { Err(Cancelled) } else { work(job) };
+        let work = |job: &J| self.token.scope(|| if self.is_cancelled() { Err(Cancelled) } else { work(job) });
         match &self.pool {
             Some(pool) => {
                 let all = || jobs.par_iter().with_max_len(1).map(work).collect();

@@ -4,6 +4,7 @@
 use super::Texture;
 use super::doubts::warn_of_descending_map;
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::cancel;
 use crate::pattern::{CellPattern, Cells, Pattern, PatternKind};
 use crate::value::{Next, Reader, ReaderExt, Thing};
 use serde::Serialize;
@@ -191,11 +192,17 @@ impl<T> Blend<T> {
         }
     }
 
-    /// Applies `f` to all values from which the pattern selects, once for each run of equal neighbours.
+    /// Applies `f` to all values from which the pattern selects, once for each run of equal neighbours. In cancelled
+    /// work all values count as equal, so that nested maps, whose number of values is exponential in their depth, end
+    /// soon.
     pub fn map_runs<U: Clone>(&self, same: impl Fn(&T, &T) -> bool, mut f: impl FnMut(&T) -> U) -> Blend<U> {
         let mut before: Option<(&T, U)> = None;
-        let mut all = self.iter().map(|entry| match &before {
-            Some((last, made)) if same(last, entry) => made.clone(),
+        let entries: &mut dyn Iterator<Item = &T> = match self {
+            Blend::Map(map) => &mut map.entries.iter().map(|(_, entry)| entry),
+            Blend::List(list) => &mut list.iter(),
+        };
+        let mut all = entries.map(|entry| match &before {
+            Some((last, made)) if same(last, entry) || cancel::is_cancelled() => made.clone(),
             _ => before.insert((entry, f(entry))).1.clone(),
         });
         match self {
@@ -207,9 +214,10 @@ impl<T> Blend<T> {
         }
     }
 
-    /// Iterates over all values from which the pattern selects, in order.
+    /// Iterates over all values from which the pattern selects, in order; over none in cancelled work.
     pub fn iter(&self) -> Box<dyn Iterator<Item = &T> + '_> {
         match self {
+            _ if cancel::is_cancelled() => Box::new([].iter()),
             Blend::Map(map) => Box::new(map.entries.iter().map(|(_, entry)| entry)),
             Blend::List(list) => Box::new(list.iter()),
         }

@@ -2,7 +2,7 @@
 
 use super::blend::Blend;
 use super::normal::{Normal, Relief, Slope, SlopeMap};
-use crate::math::DVec3;
+use crate::math::{DVec3, cancel};
 use crate::pattern::{PatternProgram, Space, TextureContext};
 use serde::Serialize;
 use std::f64::consts::SQRT_2;
@@ -113,6 +113,9 @@ impl NormalProgram {
             shares.reverse();
         }
         for (entry, share) in shares {
+            if cancel::is_cancelled() {
+                return n;
+            }
             let keep = keep_length || !entry.bump_scale;
             let one = entry.perturb_keeping_length(&seen, n, keep);
             let one = if keep { one } else { one.normalize_or(one) };

@@ -3,6 +3,7 @@
 use super::{Blend, ColorMap, ImageMap, Paint, Pigment};
 use crate::color::{Color, gray};
 use crate::function::LocalBounds;
+use crate::math::cancel;
 use crate::pattern::{Pattern, PatternKind, PatternProgram, PigmentBrightness, TextureContext};
 use serde::Serialize;
 use std::sync::Arc;
@@ -105,12 +106,28 @@ impl PigmentProgram {
                     [(i, 1.0)] => self.node_color(*i as usize, &inner),
                     // Both neighbours are the same node.
                     [(i, _), (j, _)] if i == j && !pattern.is_average() => self.node_color(*i as usize, &inner),
-                    ref shares => shares.iter().fold(Color::BLACK, |sum, (i, share)| {
-                        sum.plus_scaled(self.node_color(**i as usize, &inner), *share)
-                    }),
+                    ref shares => self.sum(shares, &inner),
                 }
             }
         }
+    }
+}
+
+impl PigmentProgram {
+    /// Returns the sum of the nodes' colours, each times its share. Nodes that follow each other and are the same one
+    /// are evaluated once, so that nested averages of one pigment do not take exponential time.
+    fn sum(&self, shares: &[(&u32, f64)], inner: &TextureContext) -> Color {
+        let (mut sum, mut last) = (Color::BLACK, None);
+        for &(&i, share) in shares {
+            let color = match last {
+                Some((known, color)) if known == i => color,
+                _ if cancel::is_cancelled() => return sum,
+                _ => self.node_color(i as usize, inner),
+            };
+            sum = sum.plus_scaled(color, share);
+            last = Some((i, color));
+        }
+        sum
     }
 }
 

@@ -61,7 +61,7 @@ impl Tracer<'_> {
         let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.cell(grid, cell));
         let is_single = (0..2).all(|i| high[i] - low[i] <= 1);
         let is_settled = grid.area.adaptive.is_some_and(|least| level >= least) && agree(&corners, grid.center.light);
-        if is_single || is_settled || self.is_stopped() {
+        if is_single || is_settled || self.is_stopped_at_next_surface() {
             return corners.iter().sum::<Rgb>() * 0.25;
         }
         let halves = |i: usize| {

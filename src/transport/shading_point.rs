@@ -4,7 +4,7 @@ use super::context::Quality;
 use super::interface::Interface;
 use super::reflect::left_over;
 use crate::color::{Color, Rgb, gray};
-use crate::math::{DVec2, DVec3, Ray};
+use crate::math::{DVec2, DVec3, Ray, cancel};
 use crate::pattern::{Space, TextureContext};
 use crate::shape::{Kernel, TextureWeights};
 use crate::texture::NormalProgram;
@@ -117,6 +117,9 @@ impl<'w> Painter<'w, '_> {
                     shares.reverse();
                 }
                 for (part, s) in shares {
+                    if cancel::is_cancelled() {
+                        break;
+                    }
                     self.paint(part, &inner, share * s, Some(&within));
                 }
             }

@@ -65,7 +65,7 @@ fn types_of_many_values_are_small() {
         ("pattern::Pattern", size_of::<pattern::Pattern>(), 168),
         ("world::SolidNode", size_of::<world::SolidNode>(), 48),
         ("world::Part", size_of::<world::Part>(), 40),
-        ("world::ObjectInfo", size_of::<world::ObjectInfo>(), 12),
+        ("world::ObjectInfo", size_of::<world::ObjectInfo>(), 16),
         ("world::Material", size_of::<world::Material>(), 48),
         ("world::Layer", size_of::<world::Layer>(), 80),
     ];

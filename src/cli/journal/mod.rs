@@ -176,7 +176,7 @@ impl Journal {
     }
 
     /// Deletes the file after the picture has been written.
-    pub fn remove(self) {
+    pub fn remove(&self) {
         let written = self.state.lock().unwrap_or_else(PoisonError::into_inner).file.take().is_some();
         if written {
             // A later run reports and ignores a file that remains.

@@ -11,13 +11,12 @@ use crate::cli::overlay::Invocation;
 use crate::cli::{memory, session};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::interpreter::Timing;
+use crate::math::cancel::CancelToken;
 use crate::render::Region;
 use crate::source::Span;
 use crate::{interpreter, render};
 use std::io::IsTerminal;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 /// Configuration of `durer render`, read from the command line.
@@ -40,8 +39,8 @@ pub struct Config {
     pub progress: When,
     /// Destination of the render's times and counters.
     pub stats: Option<Stats>,
-    /// Ends the work without a message when it is set.
-    pub stop: Option<Arc<AtomicBool>>,
+    /// Token of a caller that goes on after the run; `None` if the process ends with the run.
+    pub cancel: Option<CancelToken>,
     /// True if the picture belongs to an animation.
     is_animated: bool,
     /// Options of all frames; each frame adds its moment.
@@ -59,7 +58,7 @@ pub enum Pictures {
 
 impl Config {
     /// Checks the arguments in an order that reports a mistyped input first, and everything else before hours of work.
-    pub fn resolve(invocation: Invocation, stop: Option<Arc<AtomicBool>>) -> Result<Self> {
+    pub fn resolve(invocation: Invocation, cancel: Option<CancelToken>) -> Result<Self> {
         let Invocation { input, args, animation, exact_name } = invocation;
         session::check_input(&input)?;
         if args.dump.is_none() {
@@ -96,9 +95,9 @@ impl Config {
             progress: args.progress.unwrap_or(When::Auto),
             stats: args.stats,
             is_animated: args.frames.is_some() || animation.is_some(),
-            reading: interpreter::Options { stop: stop.clone(), ..reading },
+            reading,
             drawing,
-            stop,
+            cancel,
         })
     }
 

@@ -10,19 +10,20 @@ use super::target::Target;
 use crate::cli::args::Dump;
 use crate::cli::console::Console;
 use crate::cli::exit::{Exit, Failure, Result};
-use crate::cli::interrupt::{self, Deferred};
+use crate::cli::interrupt::{self, Deadline, Deferred, Overrun};
 use crate::cli::journal::finished_frames::FinishedFrames;
 use crate::cli::journal::identity::{self, Work};
 use crate::cli::journal::{self, Journal};
 use crate::cli::session;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::interpreter::{ParsedFiles, Timing};
+use crate::interpreter::{self, ParsedFiles, Timing};
+use crate::math::cancel::{CancelReason, CancelToken};
 use crate::render::RayCounts;
 use crate::source::{FileId, ReadFiles, Sources};
 use crate::world::World;
 use crate::{Built, Keep, advice};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Rendering of one picture: from the scene's text to the picture file.
@@ -98,8 +99,8 @@ impl<'a> Job<'a> {
     }
 
     /// Text → Scene → World. Warnings that an earlier frame has reported are removed.
-    fn build(&mut self, timing: Timing) -> Built {
-        let options = self.config.reading(timing);
+    fn build(&mut self, timing: Timing, cancel: &CancelToken) -> Built {
+        let options = interpreter::Options { cancel: cancel.clone(), ..self.config.reading(timing) };
         let keep = if self.config.dump == Some(Dump::Scene) { Keep::Both } else { Keep::World };
         let mut built = session::build(self.console, &self.parsed, self.sources, self.file, &options, keep);
         built.diagnostics.retain(|d| d.severity == Severity::Error || !self.reported.contains(d));
@@ -175,8 +176,14 @@ impl<'a> Job<'a> {
             target.check()?;
             self.done.pictures.extend(target.file().map(Path::to_path_buf));
         }
-        let mut built = self.build(timing);
-        if config.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+        let (token, overrun) = match &config.cancel {
+            Some(token) => (token.clone(), Overrun::Continues),
+            None => (CancelToken::default(), Overrun::EndsProcess),
+        };
+        let deadline = Deadline::start(config.max_time, token, overrun);
+        let token = deadline.token();
+        let mut built = self.build(timing, token);
+        if config.cancel.is_some() && token.reason() == Some(CancelReason::Request) {
             // The caller has no use for the messages of a run that it stopped.
             return Ok(Exit::Fine);
         }
@@ -190,10 +197,14 @@ impl<'a> Job<'a> {
 
         let deferred = Deferred::begin();
         let progress = Progress::new(config.progress, console, self.sources.name(self.file));
-        let mut monitor = Monitor::new(progress, start, config.max_time);
-        monitor.stop = config.stop.clone();
-        monitor.journal = self.journal(target, timing);
+        let mut monitor = Monitor::new(progress, token.clone());
+        monitor.is_silent = config.cancel.is_some();
+        monitor.journal = self.journal(target, timing).map(Arc::new);
+        if let Some(journal) = monitor.journal.clone() {
+            interrupt::set_cleanup(Some(Box::new(move || _ = journal.close())));
+        }
         let rendered = self.write(target, &world, timing, &monitor);
+        interrupt::set_cleanup(None);
         match (monitor.journal, &rendered) {
             (Some(journal), Ok(_)) => {
                 journal::report_failure(console, &journal);

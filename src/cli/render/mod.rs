@@ -18,14 +18,13 @@ use super::inputs::Inputs;
 use super::overlay::Invocation;
 use super::{povray, summary};
 use crate::image_io::Format;
+use crate::math::cancel::CancelToken;
 use crate::source::{ReadFiles, Sources};
 use config::Config;
 use job::Job;
 use stats::Report;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use target::{Target, is_folder};
 
 /// Inputs of a run beside its arguments.
@@ -35,8 +34,9 @@ pub struct Context {
     pub animation: Option<Animation>,
     /// INI files that the command line was read from.
     pub ini_files: ReadFiles,
-    /// Ends the run without a message when it is set.
-    pub stop: Option<Arc<AtomicBool>>,
+    /// Token of a caller that goes on after the run: if the caller cancels the run, no message is printed. `None` if the
+    /// process ends with the run.
+    pub cancel: Option<CancelToken>,
 }
 
 /// Results of a command's scenes so far.
@@ -140,7 +140,7 @@ fn render_with(
 ) -> Result<(Exit, String)> {
     let invocation = Invocation::new(input, args.clone(), context.animation.clone());
     let (console, invocation) = invocation.with_ini(console, sources)?;
-    let config = Config::resolve(invocation, context.stop.clone())?;
+    let config = Config::resolve(invocation, context.cancel.clone())?;
     let mut job = Job::new(&console, sources, &config, &context.ini_files, done)?;
     let exit = job.run()?;
     Ok((exit, job.summary()))

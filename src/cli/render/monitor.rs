@@ -1,6 +1,5 @@
 //! Follows the rendering of a picture: progress, journal, Ctrl-C and `--max-time`.
 
-use crate::cli::args::values::Seconds;
 use crate::cli::console::print_message;
 use crate::cli::exit::{Exit, Failure, Result};
 use crate::cli::interrupt;
@@ -8,22 +7,21 @@ use crate::cli::journal::Journal;
 use crate::cli::render::progress::Progress;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::{Frame, Rows};
+use crate::math::cancel::{CancelReason, CancelToken};
 use crate::render::{self, RayCounts, Stopped, Tile, Watch};
 use crate::source::Span;
 use crate::world::World;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
 
 /// Shows progress, stores tiles, and stops on Ctrl-C, on request and after the time limit.
 pub struct Monitor {
     progress: Progress,
-    /// End of the time that `--max-time` allows.
-    deadline: Option<Instant>,
-    /// Stops the rendering when it is set.
-    pub stop: Option<Arc<AtomicBool>>,
+    /// Token that ends the rendering.
+    cancel: CancelToken,
+    /// True if somebody else than the user or a limit ends the rendering, who wants no message.
+    pub is_silent: bool,
     /// Journal of the picture's finished tiles.
-    pub journal: Option<Journal>,
+    pub journal: Option<Arc<Journal>>,
 }
 
 impl Watch for Monitor {
@@ -32,7 +30,11 @@ impl Watch for Monitor {
     }
 
     fn cancelled(&self) -> bool {
-        interrupt::is_requested() || self.is_late() || self.is_stopped()
+        self.cancel.is_cancelled()
+    }
+
+    fn cancel_token(&self) -> CancelToken {
+        self.cancel.clone()
     }
 
     fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
@@ -47,9 +49,9 @@ impl Watch for Monitor {
 }
 
 impl Monitor {
-    /// Follows work that began at `start`.
-    pub fn new(progress: Progress, start: Instant, limit: Option<Seconds>) -> Self {
-        Self { progress, deadline: limit.map(|s| start + Duration::from_secs_f64(s.0)), stop: None, journal: None }
+    /// Follows a rendering that `cancel` ends.
+    pub fn new(progress: Progress, cancel: CancelToken) -> Self {
+        Self { progress, cancel, is_silent: false, journal: None }
     }
 
     /// Renders a World into rows, unless the rendering is stopped.
@@ -73,21 +75,14 @@ impl Monitor {
         Ok(frame)
     }
 
-    fn is_late(&self) -> bool {
-        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
-    }
-
-    fn is_stopped(&self) -> bool {
-        self.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed))
-    }
-
     /// Returns the reason why the picture was not finished.
     fn reason(&self) -> Failure {
+        interrupt::notice();
         if interrupt::is_requested() {
             print_message("interrupted; no picture was written\n");
             return Failure::Reported(Exit::Interrupted);
         }
-        if self.is_stopped() {
+        if self.is_silent && self.cancel.reason() == Some(CancelReason::Request) {
             return Failure::Reported(Exit::Fine);
         }
         let text = "the picture took longer than `--max-time` allows";

@@ -13,7 +13,7 @@ use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::preview::{FileWatcher, Screen, serve};
 use crate::source::Span;
-use queue::{RenderQueue, Request, is_stopped};
+use queue::{RenderQueue, Request};
 use render_loop::RenderLoop;
 use std::path::Path;
 use std::sync::Arc;
@@ -53,15 +53,15 @@ fn redraw(console: &Console, args: &WatchArgs) -> Result {
     let queue = Arc::new(RenderQueue::default());
     let files = file_watcher(&queue);
     loop {
-        let stop = queue.pop().stop;
-        let context = render::Context { stop: Some(stop.clone()), ..render::Context::default() };
+        let cancel = queue.pop().cancel;
+        let context = render::Context { cancel: Some(cancel.clone()), ..render::Context::default() };
         let (rendered, read) = render::run(console, &render_args(args), context);
         let failed = match rendered {
             Err(Failure::Reported(Exit::Interrupted)) => return Ok(Exit::Interrupted),
             Ok(exit) => exit != Exit::Fine,
             Err(failure) => console.print_failure(failure) != Exit::Fine,
         };
-        if !failed && !is_stopped(&stop) {
+        if !failed && !cancel.is_cancelled() {
             console.info(&format!("{}: rendered; waiting for the next change\n", args.input.display()));
         }
         files.follow(&read, &args.input, failed);

@@ -1,8 +1,8 @@
 //! Queue of one element for the work that the page and changed files ask for.
 
+use crate::math::cancel::{CancelReason, CancelToken};
 use crate::preview::Settings;
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
-use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::sync::{Condvar, Mutex, PoisonError};
 
 /// Part of a watched picture's work that has to be repeated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -22,7 +22,7 @@ pub struct RenderQueue {
 struct Pending {
     request: Option<Request>,
     settings: Settings,
-    stop: Arc<AtomicBool>,
+    cancel: CancelToken,
 }
 
 /// Rendering work that was taken from the queue.
@@ -31,14 +31,14 @@ pub struct Work {
     pub request: Request,
     /// Settings of the page for the rendering.
     pub settings: Settings,
-    /// Flag that is set as soon as the rendering work is obsolete.
-    pub stop: Arc<AtomicBool>,
+    /// Token that is cancelled as soon as the rendering work is obsolete.
+    pub cancel: CancelToken,
 }
 
 impl Default for RenderQueue {
     fn default() -> Self {
         let settings = Settings { scale: 1.0, antialias: true, quality: 9, clock: None, zoom: None };
-        let pending = Pending { request: Some(Request::Scene), settings, stop: Arc::default() };
+        let pending = Pending { request: Some(Request::Scene), settings, cancel: CancelToken::default() };
         Self { pending: Mutex::new(pending), changed: Condvar::new() }
     }
 }
@@ -49,7 +49,7 @@ impl RenderQueue {
         let mut pending = self.pending.lock().unwrap_or_else(PoisonError::into_inner);
         pending.request = pending.request.max(Some(request));
         change(&mut pending.settings);
-        pending.stop.store(true, Relaxed);
+        pending.cancel.cancel(CancelReason::Request);
         self.changed.notify_all();
     }
 
@@ -58,13 +58,8 @@ impl RenderQueue {
         let pending = self.pending.lock().unwrap_or_else(PoisonError::into_inner);
         let is_empty = |pending: &mut Pending| pending.request.is_none();
         let mut pending = self.changed.wait_while(pending, is_empty).unwrap_or_else(PoisonError::into_inner);
-        pending.stop = Arc::default();
+        pending.cancel = CancelToken::default();
         let request = pending.request.take().unwrap_or(Request::Scene);
-        Work { request, settings: pending.settings.clone(), stop: pending.stop.clone() }
+        Work { request, settings: pending.settings.clone(), cancel: pending.cancel.clone() }
     }
-}
-
-/// True if a newer request made the rendering obsolete.
-pub fn is_stopped(stop: &AtomicBool) -> bool {
-    stop.load(Relaxed)
 }

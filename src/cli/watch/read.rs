@@ -5,17 +5,18 @@ use crate::cli::args::values::Size;
 use crate::cli::args::{RenderArgs, WatchArgs};
 use crate::cli::console::{Console, print_message};
 use crate::cli::exit::Failure;
+use crate::cli::interrupt::{Deadline, Overrun};
 use crate::cli::overlay::{self, Invocation};
 use crate::cli::session;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
+use crate::math::cancel::{CancelReason, CancelToken};
 use crate::preview::{Link, Message, Settings};
 use crate::source::{ReadFiles, Sandbox, Sources, Span};
 use crate::world::World;
 use crate::{Keep, render};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 use std::time::Duration;
 
 /// A watched scene that can be rendered.
@@ -50,10 +51,10 @@ pub struct Read {
 const MAX_LOG: usize = 64 << 10;
 
 /// Text → World. Messages and the scene's own output also go to the console.
-pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, stop: &Arc<AtomicBool>) -> Read {
+pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, cancel: &CancelToken) -> Read {
     let sources = Sources::default();
     let mut out = Read::default();
-    let messages = match try_read(args, settings, stop, &sources, &mut out) {
+    let messages = match try_read(args, settings, cancel, &sources, &mut out) {
         Ok((messages, scene)) => {
             out.scene = scene.map(|(world, input, args, timing)| {
                 let sources = Mutex::default();
@@ -64,7 +65,7 @@ pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, stop: &Arc
         Err(messages) => messages,
     };
     out.files = sources.read_files();
-    if super::queue::is_stopped(stop) {
+    if cancel.reason() == Some(CancelReason::Request) {
         return out;
     }
     console.report(&sources, &messages);
@@ -85,7 +86,7 @@ type Found = (Vec<Diagnostic>, Option<(World, PathBuf, RenderArgs, Timing)>);
 fn try_read(
     args: &WatchArgs,
     settings: &Settings,
-    stop: &Arc<AtomicBool>,
+    cancel: &CancelToken,
     sources: &Sources,
     out: &mut Read,
 ) -> Result<Found, Vec<Diagnostic>> {
@@ -114,12 +115,13 @@ fn try_read(
     let options = session::reading_options(&args.scene, &input, timing);
     // A preview writes no files, unless `--allow-write` names their folder.
     let sandbox = Sandbox { write: args.scene.allow_write.clone(), ..options.sandbox.clone() };
-    let options = interpreter::Options { sandbox, stop: Some(stop.clone()), ..options };
+    let options = interpreter::Options { sandbox, cancel: cancel.clone(), ..options };
     let log = &mut out.log;
     let mut print = |text: &str| {
         print_message(text);
         log.push_str(&text[..text.floor_char_boundary(MAX_LOG.saturating_sub(log.len()))]);
     };
+    let _deadline = Deadline::start(args.scene.max_time, cancel.clone(), Overrun::Continues);
     let built = crate::build_with(&ParsedFiles::default(), sources, file, &options, Keep::World, &mut print);
     out.times = [built.parse_time, built.build_time];
     messages.extend(built.diagnostics);

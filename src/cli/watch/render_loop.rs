@@ -1,16 +1,18 @@
 //! Renders the picture of the page, and handles the page's requests.
 
-use super::queue::{RenderQueue, Request, Work, is_stopped};
+use super::queue::{RenderQueue, Request, Work};
 use super::read::{self, Read, Scene};
 use crate::cli::args::WatchArgs;
 use crate::cli::args::values::Size;
 use crate::cli::console::Console;
 use crate::cli::exit::Result;
+use crate::cli::interrupt::{Deadline, Overrun};
 use crate::cli::memory;
 use crate::cli::pick;
 use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::Rows;
+use crate::math::cancel::{CancelReason, CancelToken};
 use crate::preview::{self, Change, FileWatcher, Message, PageState, Screen, Settings, TextPosition};
 use crate::render::{self, RayCounts, Region, Stopped};
 use crate::source::{Sources, Span};
@@ -18,7 +20,6 @@ use serde_json::{Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::process::Command;
-use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -65,31 +66,31 @@ impl RenderLoop {
             editor: self.args.editor.is_some(),
         };
         loop {
-            let Work { request, settings, stop } = self.queue.pop();
+            let Work { request, settings, cancel } = self.queue.pop();
             state.settings = settings;
             if request == Request::Scene || scene.is_none() {
                 state.status = "reading";
                 self.screen.set_state(state.clone());
-                let read = self.read(console, &state.settings, &stop);
+                let read = self.read(console, &state.settings, &cancel);
                 let (failed, files_read) = (read.failed, read.files.clone());
-                if !is_stopped(&stop) {
+                if !cancel.is_cancelled() {
                     scene = take(&mut state, read);
                 }
                 files.follow(&files_read, &self.args.input, failed);
             }
-            if is_stopped(&stop) {
+            if cancel.is_cancelled() {
                 continue;
             }
             match &scene {
-                Some(scene) => self.render(console, scene, &mut state, &stop),
+                Some(scene) => self.render(console, scene, &mut state, &cancel),
                 None => state.status = "broken",
             }
             self.screen.set_state(state.clone());
         }
     }
 
-    fn read(&self, console: &Console, settings: &Settings, stop: &Arc<AtomicBool>) -> Read {
-        let work = || read::read(console, &self.args, settings, stop);
+    fn read(&self, console: &Console, settings: &Settings, cancel: &CancelToken) -> Read {
+        let work = || read::read(console, &self.args, settings, cancel);
         catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Read {
             messages: vec![internal_fault()],
             failed: true,
@@ -97,13 +98,13 @@ impl RenderLoop {
         })
     }
 
-    fn render(&self, console: &Console, scene: &Arc<Scene>, state: &mut PageState, stop: &AtomicBool) {
+    fn render(&self, console: &Console, scene: &Arc<Scene>, state: &mut PageState, cancel: &CancelToken) {
         let options = read::drawing(scene, &state.settings);
         state.status = "drawing";
         state.messages.retain(|message| message.place.is_some() || message.severity == "warning");
         self.screen.set_state(state.clone());
         *self.displayed.lock().unwrap_or_else(PoisonError::into_inner) = Some((scene.clone(), options.clone()));
-        let work = || self.render_now(scene, &options, stop);
+        let work = || self.render_now(scene, &options, cancel);
         match catch_unwind(AssertUnwindSafe(work)) {
             Ok(Ok(rendered)) => {
                 state.status = "done";
@@ -117,7 +118,7 @@ impl RenderLoop {
                     state.times.iter().map(|t| t.1).sum::<f64>()
                 ));
             }
-            Ok(Err(Stopped::Cancelled)) if is_stopped(stop) => {}
+            Ok(Err(Stopped::Cancelled)) if cancel.reason() == Some(CancelReason::Request) => {}
             Ok(Err(stopped)) => {
                 let fault = match stopped {
                     Stopped::Fault(fault) => *fault,
@@ -142,16 +143,15 @@ impl RenderLoop {
         &self,
         scene: &Scene,
         options: &render::Options,
-        stop: &AtomicBool,
+        cancel: &CancelToken,
     ) -> std::result::Result<Rendered, Stopped> {
         let limit = scene.args.scene.max_memory.map(|bytes| bytes.0);
         // Two pictures are in memory: this one and the previous one.
         let Region { width, height, .. } = part_of(options);
         memory::check_memory(Size { width, height }, None, 2 * size_of::<[f32; 4]>(), limit)?;
         let start = Instant::now();
-        let late = scene.args.scene.max_time.map(|seconds| start + Duration::from_secs_f64(seconds.0));
-        let stop = || is_stopped(stop) || late.is_some_and(|late| Instant::now() > late);
-        let (rays, first) = preview::render_progressively(&scene.world, options, &self.screen, &stop)?;
+        let deadline = Deadline::start(scene.args.scene.max_time, cancel.clone(), Overrun::Continues);
+        let (rays, first) = preview::render_progressively(&scene.world, options, &self.screen, deadline.token())?;
         Ok(Rendered { rays, first, rest: start.elapsed().saturating_sub(first) })
     }
 }

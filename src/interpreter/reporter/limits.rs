@@ -2,8 +2,9 @@
 
 use super::Reporter;
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::interpreter::Options;
+use crate::math::cancel::CancelReason;
 use crate::source::{Host, Span};
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 /// Maximum depth of nested macro calls.
@@ -35,6 +36,21 @@ impl Usage {
     }
 }
 
+impl Options {
+    /// Returns the error at `span` of a run that was cancelled; `None` for a run that was not.
+    pub fn cancellation(&self, span: Span) -> Option<Diagnostic> {
+        let (message, help) = match self.cancel.reason()? {
+            CancelReason::Request => ("the run was stopped".into(), "its result is no longer needed"),
+            CancelReason::TimeLimit => {
+                let limit =
+                    self.max_time.map_or_else(|| "its time limit".into(), |seconds| format!("{seconds} seconds"));
+                (format!("the scene took more than {limit}"), "--max-time SECONDS allows more")
+            }
+        };
+        Some(Diagnostic::new(codes::TIME_LIMIT, span, message).help(help))
+    }
+}
+
 impl Reporter<'_> {
     /// Counts one step: a directive, a loop pass or a macro call.
     pub fn step(&mut self, span: Span) -> Result<()> {
@@ -60,14 +76,15 @@ impl Reporter<'_> {
     }
 
     fn check_limits(&mut self, span: Span) -> Result<()> {
-        if self.inputs.options.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed)) {
-            return self.limit(codes::TIME_LIMIT, span, "the run was stopped".into(), "its result is no longer needed");
-        }
-        if let Some(seconds) = self.inputs.options.max_time
-            && self.inputs.options.host.elapsed().saturating_sub(self.usage.started).as_secs_f64() > seconds
+        let options = self.inputs.options;
+        if let Some(seconds) = options.max_time
+            && options.host.elapsed().saturating_sub(self.usage.started).as_secs_f64() > seconds
         {
-            let message = format!("the scene took more than {seconds} seconds");
-            return self.limit(codes::TIME_LIMIT, span, message, "--max-time SECONDS allows more");
+            options.cancel.cancel(CancelReason::TimeLimit);
+        }
+        if let Some(diagnostic) = options.cancellation(span) {
+            self.limit_reached = true;
+            return diagnostic.into();
         }
         if let Some(bytes) = self.inputs.options.max_memory
             && self.inputs.options.host.resident_bytes().is_some_and(|used| used > bytes)

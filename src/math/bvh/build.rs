@@ -5,7 +5,7 @@
 
 use super::node::{Child, WIDTH, Wide};
 use super::{Bvh, round_down, round_up};
-use crate::math::Aabb;
+use crate::math::{Aabb, cancel};
 use glam::Vec3A;
 use smallvec::SmallVec;
 use std::array::from_fn;
@@ -20,6 +20,8 @@ const ITEM: f32 = 1.5;
 const PACK: f32 = 1.0;
 /// Maximum number of boxes in a pack of a BVH.
 const LARGEST: usize = 8;
+/// Number of boxes of a BVH node below which a build does not poll for cancellation.
+const PRIMS_BETWEEN_POLLS: usize = 1 << 14;
 /// Maximum number of items in a leaf of the BVH.
 const LEAF: u32 = 4;
 
@@ -119,7 +121,9 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             self.pairs.push(Pair { parts, items: 1, first: [0; WIDTH - 1], is_leaf: true });
             return Half { number: self.pairs.len() as u32 - 1, lo, hi, items: 1, cost };
         }
-        let (count, [left, right]) = split_boxes(prims, around, levels == 0);
+        // A cancelled build ends quickly with a poor tree.
+        let is_cancelled = prims.len() > PRIMS_BETWEEN_POLLS && cancel::is_cancelled();
+        let (count, [left, right]) = split_boxes(prims, around, levels == 0 || is_cancelled);
         let mid = boxes.start + count;
         let levels = levels.saturating_sub(1);
         let a = self.build_subtree(boxes.start..mid, &left, levels);

@@ -5,7 +5,7 @@
 //! smaller cells are empty or have bounds.
 
 use crate::function::{Interval, Slope};
-use crate::math::{Aabb, DVec3, Ray, fp};
+use crate::math::{Aabb, DVec3, Ray, cancel, fp};
 use crate::shape::formula::Formula;
 use std::sync::OnceLock;
 
@@ -119,7 +119,7 @@ impl Cells {
         };
         let mut ends = [0, 1, 2].map(|axis| end_of(axis, cell[axis]));
         let mut t = from;
-        loop {
+        while !cancel::is_cancelled() {
             let axis = if ends[0] <= ends[1] { 0 } else { 1 };
             let axis = if ends[axis] <= ends[2] { axis } else { 2 };
             let next = ends[axis].min(to).max(t);
@@ -142,6 +142,7 @@ impl Cells {
             ends[axis] = end_of(axis, moved);
             t = next;
         }
+        true
     }
 
     /// Returns the eight parts of an isosurface's cell; `None` if all of them hold surface and none has bounds.

@@ -5,6 +5,7 @@
 use super::Parametric;
 use crate::function::Slope;
 use crate::math::bvh::{self, Bvh};
+use crate::math::cancel;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use std::cell::Cell;
 use std::ops::ControlFlow;
@@ -105,7 +106,7 @@ impl Patches {
         let largest = container.size().max_element() / PARTS;
         let mut patches = vec![];
         let mut open = vec![(Patch::new(of, of.from, of.to, &mut room), 0)];
-        while let Some((patch, depth)) = open.pop() {
+        while let Some((patch, depth)) = open.pop().filter(|_| !cancel::is_cancelled()) {
             if patch.bounds.intersection(container).is_empty() || patch.middle.is_nan() && depth == DEPTH {
                 continue;
             }
@@ -163,6 +164,7 @@ impl Line<'_> {
             Verdict::Open if depth == 0 || patch.bounds.size().max_element() < self.smallest => {
                 self.report_hit(patch.middle, (patch.from + patch.to) * 0.5, found);
             }
+            Verdict::Open if cancel::is_cancelled() => {}
             Verdict::Open => {
                 for half in patch.halve(self.of, room) {
                     self.visit_hits(&half, depth - 1, room, found);

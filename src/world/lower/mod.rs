@@ -16,6 +16,7 @@ use super::{
 use crate::color::Gamma;
 use crate::color::Rgb;
 use crate::diagnostic::Result;
+use crate::math::cancel;
 use crate::medium::Interior;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, PhotonSettings, Scene};
 use crate::shape::{Bounding, Kernel, Shape, transformed_box};
@@ -48,6 +49,10 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     let mut lowering = Lowering::under(scene.settings.ambient_light);
     let mut builder = GeometryBuilder::default();
     for object in objects {
+        // (Whoever cancelled the lowering discards its result.)
+        if cancel::is_cancelled() {
+            break;
+        }
         lowering.default_texture = object.default_texture.clone();
         let before = lowering.mark();
         if let Some(solid) = lowering.lower_object(&object, &Inherited::default())? {
