@@ -104,14 +104,14 @@ impl Fog {
                         fog.transform(&step);
                     }
                 }
-                Next::Word(_) | Next::Value if r.at_color()? => fog.color = r.color()?,
+                Next::Word(_) | Next::Value if r.is_at_color()? => fog.color = r.color()?,
                 _ => return Err(r.unknown_word("fog", &FOG.names()).into()),
             }
         }
     }
 
     fn transform(&mut self, by: &Transform) {
-        self.up = by.vector(self.up);
+        self.up = by.transform_vector(self.up);
     }
 
     /// True if the fog has an effect: its distance is not 0.
@@ -157,7 +157,7 @@ impl Fog {
 
 /// Combines all fogs of a scene along a ray: the radiances are added, the transmittances are multiplied (quirk:
 /// `fogs_add`).
-pub fn segment_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
+pub fn combine_fogs(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
     fogs.iter().map(|fog| fog.segment(ray, length, noise)).fold(Segment::NONE, |all, one| Segment {
         radiance: all.radiance + one.radiance,
         transmittance: all.transmittance * one.transmittance,

@@ -7,8 +7,8 @@ mod rainbow;
 mod sky_sphere;
 
 pub use background::{Background, ViewKind};
-pub use fog::{FOG, Fog, segment_of as fogs};
-pub use rainbow::{RAINBOW, Rainbow, segment_of as rainbows};
+pub use fog::{FOG, Fog, combine_fogs};
+pub use rainbow::{RAINBOW, Rainbow, combine_rainbows};
 pub use sky_sphere::{SKY_SPHERE, SkySphere};
 
 use crate::color::{Color, Rgb};
@@ -18,7 +18,7 @@ use crate::color::{Color, Rgb};
 pub struct Segment {
     /// Radiance that the segment adds.
     pub radiance: Rgb,
-    /// Share of the light from behind the segment that remains.
+    /// Share of the light from behind the ray's segment that is transmitted.
     pub transmittance: Rgb,
 }
 

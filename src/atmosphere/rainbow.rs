@@ -197,7 +197,7 @@ fn smooth_step(x: f64) -> f64 {
 }
 
 /// Combines all rainbows that a ray meets along its length: returns their mean (quirk: `rainbows_average`).
-pub fn segment_of(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
+pub fn combine_rainbows(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
     let met: smallvec::SmallVec<[Segment; 2]> =
         rainbows.iter().filter_map(|rainbow| rainbow.segment(ray, length, random)).collect();
     if met.is_empty() {
@@ -232,7 +232,7 @@ mod tests {
     }
 
     fn seen(rainbows: &[Rainbow], from_up: f64, length: f64) -> Rgb {
-        let veil = segment_of(rainbows, &ray(20.0, from_up), length, &mut || 0.5);
+        let veil = combine_rainbows(rainbows, &ray(20.0, from_up), length, &mut || 0.5);
         veil.radiance + veil.transmittance * Rgb::new(1.0, 0.5, 0.25)
     }
 
@@ -249,6 +249,6 @@ mod tests {
         close(seen(std::slice::from_ref(&arc), 30.0, plane), [0.64774, 0.44197, 0.37263]);
         let near = Rainbow { distance: 30.0, ..bow(color(0.0, 0.0)) };
         close(seen(&[bow(color(0.0, 0.0)), near], 0.0, plane), [0.37366, 0.42171, 0.52403]);
-        assert_eq!(segment_of(&[arc], &ray(23.0, 0.0), plane, &mut || 0.5), Segment::NONE);
+        assert_eq!(combine_rainbows(&[arc], &ray(23.0, 0.0), plane, &mut || 0.5), Segment::NONE);
     }
 }

@@ -66,7 +66,12 @@ impl LectureCamera {
             (x, y) => (x.map(half), y.map(half)),
         };
         let t = &self.transform;
-        let frame = Frame { origin: t.point(self.eye), direction: -t.vector(w), right: t.vector(u), up: t.vector(v) };
+        let frame = Frame {
+            origin: t.transform_point(self.eye),
+            direction: -t.transform_vector(w),
+            right: t.transform_vector(u),
+            up: t.transform_vector(v),
+        };
         LoweredCamera { frame, projection: Projection::Lecture { tan_x, tan_y }, lens: None, bumps: None }
     }
 }

@@ -40,7 +40,7 @@ impl PlacedMesh {
     /// Returns the centre of the mesh's face and its normal, of any length; `None` if the mesh has no such face.
     fn face_center_and_normal(&self, index: usize) -> Option<(DVec3, DVec3)> {
         let Face { corners: [a, b, c], normal, .. } = self.faces.get(index)?;
-        Some((self.transform.point((*a + *b + *c) / 3.0), self.transform.normal(*normal)))
+        Some((self.transform.transform_point((*a + *b + *c) / 3.0), self.transform.transform_normal(*normal)))
     }
 
     /// Returns a face of the mesh in world space.
@@ -189,7 +189,7 @@ impl MeshRays {
 
     fn ray_from_face(&self, mesh: &PlacedMesh, index: usize) -> Option<Ray> {
         let (middle, normal) = mesh.face_center_and_normal(index)?;
-        self.ray_from(middle, normal)
+        self.ray_along_normal(middle, normal)
     }
 
     /// Returns the ray from the first face of the mesh that contains this uv.
@@ -211,10 +211,10 @@ impl MeshRays {
             Some(normals) if self.camera.smooth => between(normals),
             _ => face.normal,
         };
-        self.ray_from(between(face.corners), normal)
+        self.ray_along_normal(between(face.corners), normal)
     }
 
-    fn ray_from(&self, position: DVec3, normal: DVec3) -> Option<Ray> {
+    fn ray_along_normal(&self, position: DVec3, normal: DVec3) -> Option<Ray> {
         let normal = normal.try_normalize()?;
         let dir = if self.reversed { -normal } else { normal };
         Some(Ray::new(position + dir * self.offset, dir))

@@ -169,9 +169,9 @@ impl PovrayCamera {
             (direction, right, up) = self.turn_towards(target, direction, right, up);
         }
         let t = &self.transform;
-        let (direction, right, up) = (t.vector(direction), t.vector(right), t.vector(up));
-        let frame = Frame { origin: t.point(self.location), direction, right, up };
-        let blur = FocalBlur { focal_point: t.point(self.blur.focal_point), ..self.blur };
+        let (direction, right, up) = (t.transform_vector(direction), t.transform_vector(right), t.transform_vector(up));
+        let frame = Frame { origin: t.transform_point(self.location), direction, right, up };
+        let blur = FocalBlur { focal_point: t.transform_point(self.blur.focal_point), ..self.blur };
         let lens = blur.lower_lens(frame.origin, direction.normalize_or_zero());
         LoweredCamera { frame, projection: self.projection(&frame), lens, bumps: None }
     }

@@ -163,12 +163,12 @@ fn row_of_light(light: &Light, moved: &Transform, sources: &Sources) -> LightRow
         Beam::Cylinder(_) => "cylinder",
     };
     let source = sources.place(light.source).map(Position::from);
-    LightRow { source, kind, location: moved.point(light.location).into(), color: light.color.into() }
+    LightRow { source, kind, location: moved.transform_point(light.location).into(), color: light.color.into() }
 }
 
 fn row_of_texture(texture: &Texture, first: Option<Position>) -> TextureRow {
     let top = texture.layers.last();
-    let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.explicit()) {
+    let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.explicit_value()) {
         (Some(choice), _) => name_of(&choice.pattern.kind),
         (None, Some(pattern)) => name_of(&pattern.kind),
         (None, None) => match &layer.pigment.paint {

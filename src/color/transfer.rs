@@ -18,11 +18,11 @@ pub enum Gamma {
 
 impl Gamma {
     /// Decodes a number of this transfer curve to linear light.
-    pub fn decode(self, v: f64) -> f64 {
+    pub fn decode(self, encoded: f64) -> f64 {
         match self {
-            Gamma::Power(g) => fp::pow(v.max(0.0), g),
-            Gamma::Srgb => srgb_decode(v),
-            Gamma::Raw => v,
+            Gamma::Power(g) => fp::pow(encoded.max(0.0), g),
+            Gamma::Srgb => srgb_decode(encoded),
+            Gamma::Raw => encoded,
         }
     }
 

@@ -2,7 +2,7 @@
 //! once; operations on constants are evaluated when the graph is built.
 
 use super::numeric::{self, Kernel};
-use super::{Function, Gives, Interval, LocalBounds, Program, Sampler, internal::Internal};
+use super::{Function, Interval, LocalBounds, Program, ResultType, Sampler, internal::Internal};
 use crate::math::DVec3;
 use crate::math::cancel::Poll;
 use crate::math::noise::{self, NoiseGenerator};
@@ -140,9 +140,9 @@ impl Callee {
         let gives = match self {
             Callee::Function(function) => function.result_type(),
             Callee::Sampler(sampler) => sampler.result_type(),
-            _ => Gives::Number,
+            _ => ResultType::Number,
         };
-        gives == Gives::Number
+        gives == ResultType::Number
     }
 
     fn is_same_callee(&self, other: &Callee) -> bool {
@@ -200,7 +200,7 @@ impl Callee {
 }
 
 fn load_generator(scene: &AtomicU8) -> NoiseGenerator {
-    NoiseGenerator::from_number(f64::from(scene.load(Ordering::Relaxed)))
+    NoiseGenerator::from_generator_number(f64::from(scene.load(Ordering::Relaxed)))
 }
 
 fn scene_noise(generator: &AtomicU8, p: &[f64]) -> f64 {

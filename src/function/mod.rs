@@ -43,7 +43,7 @@ pub enum Body {
 
 /// Type of a function's result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Gives {
+pub enum ResultType {
     /// The function returns a number.
     Number,
     /// The function returns a vector of this many numbers, two to five.
@@ -57,7 +57,7 @@ pub trait Sampler: std::fmt::Debug + Send + Sync {
     /// Number of arguments that the evaluation of the pigment, pattern, transform or spline takes.
     fn arity(&self) -> usize;
     /// Type of the result of the evaluation.
-    fn result_type(&self) -> Gives;
+    fn result_type(&self) -> ResultType;
     /// Evaluates the object; a number is the first of the five results, a colour is red, green, blue, filter, transmit.
     fn sample(&self, arguments: &[f64]) -> [f64; 5];
     /// Evaluates one component of the result.
@@ -85,9 +85,9 @@ impl Function {
     }
 
     /// Type of the function's result.
-    pub fn result_type(&self) -> Gives {
+    pub fn result_type(&self) -> ResultType {
         match &self.body {
-            Body::Numeric(_) => Gives::Number,
+            Body::Numeric(_) => ResultType::Number,
             Body::Sampled(sampler) => sampler.result_type(),
         }
     }

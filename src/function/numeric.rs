@@ -48,7 +48,7 @@ pub struct Numeric {
     pub summary: &'static str,
 }
 
-const fn one(
+const fn unary_row(
     name: &'static str,
     f: fn(f64) -> f64,
     bounds: fn(Interval, Interval) -> Interval,
@@ -57,7 +57,7 @@ const fn one(
     Numeric { name, kernel: Kernel::One(f), domain: Domain::All, bounds, summary }
 }
 
-const fn two(
+const fn binary_row(
     name: &'static str,
     f: fn(f64, f64) -> f64,
     bounds: fn(Interval, Interval) -> Interval,
@@ -66,7 +66,7 @@ const fn two(
     Numeric { name, kernel: Kernel::Two(f), domain: Domain::All, bounds, summary }
 }
 
-const fn many(
+const fn folded_row(
     name: &'static str,
     f: fn(f64, f64) -> f64,
     bounds: fn(Interval, Interval) -> Interval,
@@ -88,57 +88,78 @@ fn any_number(_: Interval, _: Interval) -> Interval {
 
 /// All built-in numeric functions. `asin` and `acos` are not clamped here: outside of [-1, 1] they are NaN.
 pub const TABLE: &[Numeric] = &[
-    one("abs", f64::abs, |a, _| a.abs(), "the distance from 0"),
-    one("acos", fp::acos_or_nan, any_number, "the angle in radians whose cosine it is").with_domain(Domain::Arc),
-    one("acosh", fp::acosh, any_number, "the inverse of cosh"),
-    one("asin", fp::asin_or_nan, any_number, "the angle in radians whose sine it is").with_domain(Domain::Arc),
-    one("asinh", fp::asinh, |a, _| a.map_increasing(fp::asinh), "the inverse of sinh"),
-    one("atan", fp::atan, |a, _| a.map_increasing(fp::atan), "the angle in radians whose tangent it is"),
-    two("atan2", fp::atan2, |_, _| Interval::new(-3.2, 3.2), "the angle in radians of the point (B, A)")
+    unary_row("abs", f64::abs, |a, _| a.abs(), "the distance from 0"),
+    unary_row("acos", fp::acos_or_nan, any_number, "the angle in radians whose cosine it is").with_domain(Domain::Arc),
+    unary_row("acosh", fp::acosh, any_number, "the inverse of cosh"),
+    unary_row("asin", fp::asin_or_nan, any_number, "the angle in radians whose sine it is").with_domain(Domain::Arc),
+    unary_row("asinh", fp::asinh, |a, _| a.map_increasing(fp::asinh), "the inverse of sinh"),
+    unary_row("atan", fp::atan, |a, _| a.map_increasing(fp::atan), "the angle in radians whose tangent it is"),
+    binary_row("atan2", fp::atan2, |_, _| Interval::new(-3.2, 3.2), "the angle in radians of the point (B, A)")
         .with_domain(Domain::NotBothZero("<0, 0> has no direction")),
-    one("atanh", fp::atanh, any_number, "the inverse of tanh"),
-    many("bitwise_and", |a, b| bitwise(a, b, |a, b| a & b), any_number, "bits that are in all of the whole numbers"),
-    many("bitwise_or", |a, b| bitwise(a, b, |a, b| a | b), any_number, "bits that are in any of the whole numbers"),
-    many("bitwise_xor", |a, b| bitwise(a, b, |a, b| a ^ b), any_number, "bits that are in an odd number of them"),
-    one("ceil", f64::ceil, |a, _| Interval { lo: a.lo.ceil(), hi: a.hi.ceil() }, "the next whole number above"),
-    one("cos", fp::cos, |a, _| a.cos(), "the cosine of an angle in radians"),
-    one("cosh", fp::cosh, |a, _| a.abs().map_increasing(fp::cosh), "the hyperbolic cosine"),
-    one("degrees", f64::to_degrees, |a, _| a.map_increasing(f64::to_degrees), "radians to degrees"),
-    two("div", |a, b| (a / b).trunc(), any_number, "the whole part of A/B").with_domain(Domain::Divides),
-    one("exp", fp::exp, |a, _| a.map_increasing(fp::exp), "e to the power of A"),
-    one("floor", f64::floor, |a, _| Interval { lo: a.lo.floor(), hi: a.hi.floor() }, "the next whole number below"),
-    one("int", f64::trunc, |a, _| Interval { lo: a.lo.trunc(), hi: a.hi.trunc() }, "the number without its fraction"),
-    one(
+    unary_row("atanh", fp::atanh, any_number, "the inverse of tanh"),
+    folded_row(
+        "bitwise_and",
+        |a, b| bitwise(a, b, |a, b| a & b),
+        any_number,
+        "bits that are in all of the whole numbers",
+    ),
+    folded_row(
+        "bitwise_or",
+        |a, b| bitwise(a, b, |a, b| a | b),
+        any_number,
+        "bits that are in any of the whole numbers",
+    ),
+    folded_row("bitwise_xor", |a, b| bitwise(a, b, |a, b| a ^ b), any_number, "bits that are in an odd number of them"),
+    unary_row("ceil", f64::ceil, |a, _| Interval { lo: a.lo.ceil(), hi: a.hi.ceil() }, "the next whole number above"),
+    unary_row("cos", fp::cos, |a, _| a.cos(), "the cosine of an angle in radians"),
+    unary_row("cosh", fp::cosh, |a, _| a.abs().map_increasing(fp::cosh), "the hyperbolic cosine"),
+    unary_row("degrees", f64::to_degrees, |a, _| a.map_increasing(f64::to_degrees), "radians to degrees"),
+    binary_row("div", |a, b| (a / b).trunc(), any_number, "the whole part of A/B").with_domain(Domain::Divides),
+    unary_row("exp", fp::exp, |a, _| a.map_increasing(fp::exp), "e to the power of A"),
+    unary_row(
+        "floor",
+        f64::floor,
+        |a, _| Interval { lo: a.lo.floor(), hi: a.hi.floor() },
+        "the next whole number below",
+    ),
+    unary_row(
+        "int",
+        f64::trunc,
+        |a, _| Interval { lo: a.lo.trunc(), hi: a.hi.trunc() },
+        "the number without its fraction",
+    ),
+    unary_row(
         "ln",
         fp::ln,
         |a, _| if a.lo > 0.0 { a.map_increasing(fp::ln) } else { Interval::ALL },
         "the natural logarithm",
     )
     .with_domain(Domain::AboveZero),
-    one(
+    unary_row(
         "log",
         fp::log10,
         |a, _| if a.lo > 0.0 { a.map_increasing(fp::log10) } else { Interval::ALL },
         "the logarithm of base 10",
     )
     .with_domain(Domain::AboveZero),
-    many("max", f64::max, |a, b| Interval { lo: a.lo.max(b.lo), hi: a.hi.max(b.hi) }, "the largest"),
-    many("min", f64::min, |a, b| Interval { lo: a.lo.min(b.lo), hi: a.hi.min(b.hi) }, "the smallest"),
-    two("mod", |a, b| a % b, any_number, "what A/B leaves over, with the sign of A").with_domain(Domain::Divides),
-    two("pow", fp::pow, Interval::pow, "A to the power of B")
+    folded_row("max", f64::max, |a, b| Interval { lo: a.lo.max(b.lo), hi: a.hi.max(b.hi) }, "the largest"),
+    folded_row("min", f64::min, |a, b| Interval { lo: a.lo.min(b.lo), hi: a.hi.min(b.hi) }, "the smallest"),
+    binary_row("mod", |a, b| a % b, any_number, "what A/B leaves over, with the sign of A")
+        .with_domain(Domain::Divides),
+    binary_row("pow", fp::pow, Interval::pow, "A to the power of B")
         .with_domain(Domain::NotBothZero("0 to the power of 0 is not defined")),
-    one("radians", f64::to_radians, |a, _| a.map_increasing(f64::to_radians), "degrees to radians"),
-    one("sin", fp::sin, |a, _| a.sin(), "the sine of an angle in radians"),
-    one("sinh", fp::sinh, |a, _| a.map_increasing(fp::sinh), "the hyperbolic sine"),
-    one(
+    unary_row("radians", f64::to_radians, |a, _| a.map_increasing(f64::to_radians), "degrees to radians"),
+    unary_row("sin", fp::sin, |a, _| a.sin(), "the sine of an angle in radians"),
+    unary_row("sinh", fp::sinh, |a, _| a.map_increasing(fp::sinh), "the hyperbolic sine"),
+    unary_row(
         "sqrt",
         f64::sqrt,
         |a, _| if a.lo >= 0.0 { a.map_increasing(f64::sqrt) } else { Interval::ALL },
         "the square root",
     )
     .with_domain(Domain::FromZero),
-    one("tan", fp::tan, any_number, "the tangent of an angle in radians"),
-    one("tanh", fp::tanh, |a, _| a.map_increasing(fp::tanh), "the hyperbolic tangent"),
+    unary_row("tan", fp::tan, any_number, "the tangent of an angle in radians"),
+    unary_row("tanh", fp::tanh, |a, _| a.map_increasing(fp::tanh), "the hyperbolic tangent"),
 ];
 
 fn bitwise(a: f64, b: f64, f: fn(i64, i64) -> i64) -> f64 {

@@ -31,7 +31,7 @@ impl Slope {
     }
 
     /// Returns the slope of the parameter with this index, whose value is in the interval.
-    pub fn parameter(i: usize, value: Interval) -> Self {
+    pub fn slope_of_parameter(i: usize, value: Interval) -> Self {
         let mut by = [ZERO; 3];
         if let Some(by) = by.get_mut(i) {
             *by = ONE;
@@ -100,16 +100,16 @@ fn interval_sum(a: Interval, b: Interval) -> Interval {
 }
 
 impl Graph {
-    /// Returns bounds of the function's result and of its derivatives, from those of its parameters. `room` is scratch
-    /// memory for those of all operations.
-    pub fn slope(&self, parameters: &[Slope], room: &mut Vec<Slope>) -> Slope {
-        room.clear();
+    /// Returns bounds of the function's result and of its derivatives, from those of its parameters. `scratch` is
+    /// scratch memory for those of all operations.
+    pub fn slope_over_box(&self, parameters: &[Slope], scratch: &mut Vec<Slope>) -> Slope {
+        scratch.clear();
         let mut last = None;
         for node in &self.nodes {
-            let slope = self.slope_of_operation(node, parameters, room, &mut last);
-            room.push(slope);
+            let slope = self.slope_of_operation(node, parameters, scratch, &mut last);
+            scratch.push(slope);
         }
-        room.get(self.result as usize).copied().unwrap_or(Slope::with_unknown_gradient(Interval::ALL))
+        scratch.get(self.result as usize).copied().unwrap_or(Slope::with_unknown_gradient(Interval::ALL))
     }
 
     /// Returns the slope of one operation of the graph. `last` has the results of the last call: the next operation
@@ -149,13 +149,13 @@ impl Graph {
 }
 
 impl Function {
-    /// Returns bounds of the function's number and of its derivatives, over a box of its parameters. `room` is scratch
-    /// memory.
-    pub fn slope(&self, parameters: &[Interval], room: &mut Vec<Slope>) -> Slope {
+    /// Returns bounds of the function's number and of its derivatives, over a box of its parameters. `scratch` is
+    /// scratch memory.
+    pub fn slope_over_box(&self, parameters: &[Interval], scratch: &mut Vec<Slope>) -> Slope {
         let list: SmallVec<[Slope; 4]> =
-            parameters.iter().enumerate().map(|(i, &value)| Slope::parameter(i, value)).collect();
+            parameters.iter().enumerate().map(|(i, &value)| Slope::slope_of_parameter(i, value)).collect();
         match &self.body {
-            Body::Numeric(program) => program.graph().slope(&list, room),
+            Body::Numeric(program) => program.graph().slope_over_box(&list, scratch),
             Body::Sampled(sampler) => {
                 let list: SmallVec<[&Slope; 4]> = list.iter().collect();
                 call_slopes(&Callee::Sampler(sampler.clone()), &list)[0]
@@ -275,7 +275,7 @@ fn call_slopes(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
         && let Body::Numeric(program) = &function.body
     {
         let list: SmallVec<[Slope; 10]> = list.iter().copied().copied().collect();
-        return [program.graph().slope(&list, &mut vec![]); 5];
+        return [program.graph().slope_over_box(&list, &mut vec![]); 5];
     }
     let values: SmallVec<[Interval; 10]> = list.iter().map(|slope| slope.value).collect();
     let bounds = |component: usize| callee.bounds(component, &values);
@@ -289,7 +289,7 @@ fn call_slopes(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
         let middle: SmallVec<[f64; 10]> = values.iter().map(|i| 0.5 * (i.lo + i.hi)).collect();
         let radius = values[..3].iter().map(|i| (0.5 * (i.hi - i.lo)).powi(2)).sum::<f64>().sqrt();
         let near = callee.bounds_near(&middle, radius);
-        let (rough, longest) = ([a, b, c].iter().any(|slope| slope.rough), max_stretch([a, b, c]));
+        let (rough, longest) = ([a, b, c].iter().any(|slope| slope.rough), max_step_factor([a, b, c]));
         return each(&|component| {
             let LocalBounds { range, gradient, steepest, rough: uneven } = near[component];
             let value = range.intersection_or_self(bounds(component));
@@ -315,7 +315,7 @@ fn call_slopes(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
 }
 
 /// Upper bound of the factor by which three coordinates lengthen a step of the function's parameters.
-fn max_stretch(numbers: [&Slope; 3]) -> f64 {
+fn max_step_factor(numbers: [&Slope; 3]) -> f64 {
     let size = |i: &Interval| i.lo.abs().max(i.hi.abs());
     let turns = numbers.iter().map(|n| n.around * n.around).sum::<f64>().sqrt();
     let alone = |(i, n): (usize, &&Slope)| (0..3).all(|k| k == i || n.by[k] == ZERO);

@@ -1,6 +1,6 @@
 //! `spline { … }` (manual, "Splines"): a curve of two to five numbers through points at values of a parameter.
 
-use super::{Gives, Sampler};
+use super::{ResultType, Sampler};
 use crate::value::{Thing, VecN};
 
 /// Interpolation between a spline's points.
@@ -166,8 +166,8 @@ impl Sampler for Spline {
         1
     }
 
-    fn result_type(&self) -> Gives {
-        Gives::Vector(self.len)
+    fn result_type(&self) -> ResultType {
+        ResultType::Vector(self.len)
     }
 
     fn sample(&self, arguments: &[f64]) -> [f64; 5] {

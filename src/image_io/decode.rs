@@ -50,16 +50,16 @@ impl From<Pixels> for Decoded {
 ///
 /// # Errors
 /// E0002 if the file does not exist, E0003 if it can't be read, E0007 if it is not a picture.
-pub fn decode_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
+pub fn decode_picture_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
     let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
-    decode_bytes(&bytes, path).map(|decoded| decoded.pixels)
+    decode_picture_bytes(&bytes, path).map(|decoded| decoded.pixels)
 }
 
 /// Decodes the bytes of a picture file.
 ///
 /// # Errors
 /// E0007 if it is not a picture.
-pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
+pub(super) fn decode_picture_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
     decode_any(bytes, ending).map_err(|reason| {
         let reason = reason.lines().next().unwrap_or_default();
@@ -82,12 +82,12 @@ pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
 ///
 /// # Errors
 /// The reason why the bytes are not a picture, in words.
-pub fn decode(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
+pub fn decode_pixels(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
     decode_any(bytes, ending).map(|decoded| decoded.pixels)
 }
 
 fn decode_any(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
-    if let Some(pixels) = netpbm::decode(bytes) {
+    if let Some(pixels) = netpbm::decode_netpbm(bytes) {
         return pixels.map(Decoded::from);
     }
     match bytes {
@@ -95,16 +95,16 @@ fn decode_any(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
             let pixels = decode_exr(bytes).or_else(|fault| decode_gray_exr(bytes).map_err(|_| fault));
             return pixels.map(Decoded::from).map_err(|e| e.to_string());
         }
-        [b'#', b'?', ..] => return radiance::decode(bytes).map(Decoded::from),
+        [b'#', b'?', ..] => return radiance::decode_radiance(bytes).map(Decoded::from),
         [b'F', b'O', b'R', b'M', ..] => return Err("iff pictures are not read, as they are not by POV-Ray 3.7".into()),
         _ => {}
     }
-    if let Some(decoded) = tiff_palette::decode(bytes, decode_with_image_crate) {
+    if let Some(decoded) = tiff_palette::decode_tiff_palette(bytes, decode_with_image_crate) {
         return decoded;
     }
     let format = image::guess_format(bytes).ok();
     if format.is_none() && ending.eq_ignore_ascii_case("tga") {
-        return tga::decode(bytes);
+        return tga::decode_tga(bytes);
     }
     let pixels = decode_with_image_crate(bytes)?;
     if format != Some(ImageFormat::Bmp) {

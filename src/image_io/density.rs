@@ -26,7 +26,7 @@ impl Voxels {
     /// E0002 if the file does not exist, E0003 if it can't be read, E0007 if its length is wrong.
     pub fn read(files: &dyn Files, path: &Path) -> Result<Self> {
         let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
-        Self::decode(&bytes).map_err(|reason| {
+        Self::decode_df3(&bytes).map_err(|reason| {
             let text = format!("`{}` can't be decoded: {reason}", path.display());
             Box::new(Diagnostic::new(codes::PICTURE_BROKEN, Span::NONE, text))
         })
@@ -37,7 +37,7 @@ impl Voxels {
     ///
     /// # Errors
     /// The reason why the bytes are not a df3 file, in words.
-    pub fn decode(bytes: &[u8]) -> std::result::Result<Self, String> {
+    pub fn decode_df3(bytes: &[u8]) -> std::result::Result<Self, String> {
         let Some((&header, body)) = bytes.split_first_chunk::<6>() else { return Err("it is too short".into()) };
         let [a, b, c, d, e, f] = header;
         let size = [[a, b], [c, d], [e, f]].map(|pair| usize::from(u16::from_be_bytes(pair)));
@@ -76,11 +76,11 @@ mod tests {
     #[test]
     fn file_length_decides_the_sample_size() {
         let header = [0, 2, 0, 1, 0, 1];
-        let at = |body: &[u8]| Voxels::decode(&[&header, body].concat()).map(|v| v.density_at([1, 0, 0]));
+        let at = |body: &[u8]| Voxels::decode_df3(&[&header, body].concat()).map(|v| v.density_at([1, 0, 0]));
         assert_eq!(at(&[0, 51]), Ok(0.2));
         assert_eq!(at(&[0, 0, 51, 51]), Ok(0.2));
         assert_eq!(at(&[0, 0, 0, 0, 51, 51, 51, 51]), Ok(0.2));
         assert!(at(&[0]).is_err());
-        assert!(Voxels::decode(&[0, 0, 0, 0, 0, 0, 1]).is_err());
+        assert!(Voxels::decode_df3(&[0, 0, 0, 0, 0, 0, 1]).is_err());
     }
 }

@@ -2,7 +2,7 @@
 
 use super::dither::{Dither, Ditherer};
 use super::png_writer::PngWriter;
-use super::quantize::{Integers, over_black};
+use super::quantize::{Integers, composite_over_black};
 use super::{Format, Frame};
 use crate::color::{Gamma, gray};
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
@@ -210,7 +210,8 @@ impl<W: Write + Seek> Encoder<W> {
         match &mut self.out {
             Out::Png(out) => out.write_rows(&stored(true))?,
             Out::Flat(out) if encoding.format == Format::Hdr => {
-                let rgb: Vec<_> = rows.iter().map(|&p| Rgb(over_black(p).map(|c| nan_to_zero(c).max(0.0)))).collect();
+                let rgb: Vec<_> =
+                    rows.iter().map(|&p| Rgb(composite_over_black(p).map(|c| nan_to_zero(c).max(0.0)))).collect();
                 out.write_all(&encode_hdr_parts(&rgb, width, rows.len() / width)?.1)?;
             }
             Out::Flat(out) => out.write_all(&stored(true))?,
@@ -295,7 +296,7 @@ fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32
     };
     let packing = ExrEncoding { compression, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
     let pixel = |at: exr::math::Vec2<usize>| pixels[at.y() * size.0 + at.x()].map(nan_to_zero);
-    let rgb = |at| over_black(pixel(at));
+    let rgb = |at| composite_over_black(pixel(at));
     let rgba = |at| {
         let [r, g, b, a] = pixel(at);
         [r * a, g * a, b * a, a]

@@ -23,7 +23,7 @@ impl Frame {
     /// Composites the picture over black.
     pub fn over_black(&self) -> Self {
         let opaque = |&p: &[f32; 4]| {
-            let [r, g, b] = quantize::over_black(p);
+            let [r, g, b] = quantize::composite_over_black(p);
             [r, g, b, 1.0]
         };
         Self { width: self.width, height: self.height, pixels: self.pixels.iter().map(opaque).collect() }

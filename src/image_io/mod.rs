@@ -17,8 +17,8 @@ mod tests;
 mod tga;
 mod tiff_palette;
 
-use decode::{Decoded, decode_bytes};
-pub use decode::{Pixels, Samples, decode, decode_file, expand_pixel};
+use decode::{Decoded, decode_picture_bytes};
+pub use decode::{Pixels, Samples, decode_picture_file, decode_pixels, expand_pixel};
 pub use density::Voxels;
 pub use dither::Dither;
 pub use encode::{EncodeError, Encoder, Encoding, Packing, Rows, encode};

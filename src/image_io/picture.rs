@@ -1,6 +1,6 @@
 //! A picture that a scene uses: its samples, and the information in its file about them.
 
-use super::{Decoded, Pixels, Samples, decode_bytes};
+use super::{Decoded, Pixels, Samples, decode_picture_bytes};
 use crate::color::GRAY_WEIGHTS;
 use crate::diagnostic::Result;
 use crate::diagnostic::file;
@@ -40,7 +40,7 @@ impl Picture {
     /// E0002 if the file does not exist, E0003 if it can't be read, E0007 if it is not a picture.
     pub fn read(files: &dyn Files, path: &Path) -> Result<Self> {
         let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
-        let Decoded { mut pixels, mut indices } = decode_bytes(&bytes, path)?;
+        let Decoded { mut pixels, mut indices } = decode_picture_bytes(&bytes, path)?;
         let (mut stored, mut gray_bytes) = (Stored::Unsaid, false);
         match &bytes[..] {
             [0x89, b'P', b'N', b'G', ..] => {

@@ -23,7 +23,7 @@ static BITS16: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(65_535, 8))
 
 impl Quantizer {
     fn new(max: u16, shift: u32) -> Self {
-        let mut thresholds: Vec<f32> = (1..=max).map(|k| threshold(k, max)).collect();
+        let mut thresholds: Vec<f32> = (1..=max).map(|k| lowest_light_of_code(k, max)).collect();
         thresholds.push(f32::INFINITY);
         let first = (thresholds[0].to_bits() >> shift) - 1;
         let mut code = 0;
@@ -48,7 +48,7 @@ impl Quantizer {
 /// Returns the smallest light with this integer code: that of the half between the code and the one below. As in
 /// POV-Ray 3.7 the half itself is rounded up, and the nearest `f32` counts: `rgb 0.7` without any gamma is 178.5 and
 /// becomes 179.
-fn threshold(code: u16, max: u16) -> f32 {
+fn lowest_light_of_code(code: u16, max: u16) -> f32 {
     let half = ((f64::from(code) - 0.5) / f64::from(max)) as f32;
     transfer::srgb_decode(f64::from(half)) as f32
 }
@@ -59,7 +59,7 @@ fn linear_code(x: f32, max: f32) -> f32 {
 }
 
 /// Composites a pixel over black, for pictures without alpha; returns red, green and blue.
-pub(super) fn over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
+pub(super) fn composite_over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
     if a == 1.0 {
         return [r, g, b];
     }
@@ -122,7 +122,7 @@ impl Integers {
 
     /// Returns the light of a pixel's channels, clamped to 0..1, composited over black where alpha is not encoded.
     fn channel_lights(&self, &[r, g, b, a]: &[f32; 4]) -> impl Iterator<Item = f32> {
-        let [r, g, b] = if self.alpha { [r, g, b] } else { over_black([r, g, b, a]) };
+        let [r, g, b] = if self.alpha { [r, g, b] } else { composite_over_black([r, g, b, a]) };
         // (`max` replaces NaN by 0.)
         [r, g, b, a].into_iter().take(if self.alpha { 4 } else { 3 }).map(|x| x.clamp(0.0, 1.0).max(0.0))
     }
@@ -170,7 +170,7 @@ fn pack_pixels<T: Copy + Default>(
         }
     } else {
         for (to, &pixel) in out.as_chunks_mut::<3>().0.iter_mut().zip(pixels) {
-            *to = over_black(pixel).map(&color);
+            *to = composite_over_black(pixel).map(&color);
         }
     }
     out

@@ -6,7 +6,7 @@ use super::{Pixels, Samples};
 ///
 /// # Errors
 /// The reason why it can't be decoded, in words.
-pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
+pub(super) fn decode_radiance(bytes: &[u8]) -> Result<Pixels, String> {
     let mut rest = bytes;
     while !read_line(&mut rest)?.is_empty() {}
     let size = String::from_utf8_lossy(read_line(&mut rest)?).into_owned();
@@ -105,8 +105,8 @@ mod tests {
         let runs = [head, vec![2, 2, 0, 2, 130, 128, 2, 0, 0, 130, 64, 130, 129]].concat();
         let expected = [128.5, 0.5, 64.5, 128.5, 0.5, 64.5].map(|m| m / 128.0).to_vec();
         for file in [plain, runs] {
-            assert_eq!(decode(&file).unwrap().samples, Samples::F32(expected.clone()));
-            assert!(decode(&file[..file.len() - 1]).is_err());
+            assert_eq!(decode_radiance(&file).unwrap().samples, Samples::F32(expected.clone()));
+            assert!(decode_radiance(&file[..file.len() - 1]).is_err());
         }
     }
 }

@@ -8,12 +8,12 @@ fn picture_of_all_codes() -> Frame {
     Pixels { width: 16, height: 16, channels: 4, samples: Samples::U8(rgba) }.to_linear_image()
 }
 
-fn encoded(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Vec<u8> {
+fn encode_test_picture(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Vec<u8> {
     encode(frame, &Encoding { format, depth, alpha, ..Encoding::new(format) }).unwrap()
 }
 
 fn round_trip(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Pixels {
-    decode(&encoded(frame, format, depth, alpha), format.name()).unwrap()
+    decode_pixels(&encode_test_picture(frame, format, depth, alpha), format.name()).unwrap()
 }
 
 /// Test: a bmp is dithered from the bottom; turned upside down, it equals the png of the picture turned upside down.
@@ -107,11 +107,11 @@ fn jpg_decodes_near_the_original() {
 }
 
 #[test]
-fn ppm_byte_for_byte() {
+fn ppm_files_have_these_bytes() {
     let frame = Frame { width: 2, height: 1, pixels: vec![[1.0, 0.5, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]] };
-    assert_eq!(encoded(&frame, Format::Ppm, 8, false), b"P6\n2 1\n255\n\xff\xbc\x00\x00\x00\xff");
+    assert_eq!(encode_test_picture(&frame, Format::Ppm, 8, false), b"P6\n2 1\n255\n\xff\xbc\x00\x00\x00\xff");
     assert_eq!(
-        encoded(&frame, Format::Ppm, 16, false),
+        encode_test_picture(&frame, Format::Ppm, 16, false),
         b"P6\n2 1\n65535\n\xff\xff\xbc\x40\x00\x00\x00\x00\x00\x00\xff\xff"
     );
 }
@@ -121,13 +121,17 @@ fn the_same_picture_gives_the_same_bytes() {
     let frame = picture_of_all_codes();
     for name in Format::names() {
         let format = Format::from_name(name).unwrap();
-        assert_eq!(encoded(&frame, format, 8, true), encoded(&frame, format, 8, true), "{name}");
+        assert_eq!(
+            encode_test_picture(&frame, format, 8, true),
+            encode_test_picture(&frame, format, 8, true),
+            "{name}"
+        );
     }
 }
 
 #[test]
 fn broken_files_are_refused_in_words() {
     for bytes in [&b"\x89PNG\r\n\x1a\nxxxx"[..], b"", b"hello", b"\x76\x2f\x31\x01", b"\xff\xd8\xff"] {
-        assert!(decode(bytes, "png").is_err());
+        assert!(decode_pixels(bytes, "png").is_err());
     }
 }

@@ -26,7 +26,7 @@ const HEADER: usize = 18;
 ///
 /// # Errors
 /// The reason why it can't be decoded, in words.
-pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
+pub(super) fn decode_tga(bytes: &[u8]) -> Result<Decoded, String> {
     let head = bytes.get(..HEADER).ok_or("it ends within its header")?;
     let word = |at: usize| usize::from(u16::from_le_bytes([head[at], head[at + 1]]));
     let header = Header {
@@ -138,7 +138,8 @@ mod tests {
 
     #[test]
     fn sixteen_bits_hold_alpha() {
-        let pixels = |bits| decode(&[header(2, bits, 0, 0x20), vec![0xff, 0x7f, 0x01, 0x80]].concat()).unwrap().pixels;
+        let pixels =
+            |bits| decode_tga(&[header(2, bits, 0, 0x20), vec![0xff, 0x7f, 0x01, 0x80]].concat()).unwrap().pixels;
         assert_eq!(pixels(16).samples, Samples::U8(vec![248, 248, 248, 0, 0, 0, 8, 255]));
         assert_eq!(pixels(15).samples, Samples::U8(vec![248, 248, 248, 0, 0, 8]));
     }
@@ -146,17 +147,17 @@ mod tests {
     #[test]
     fn runs_and_palettes() {
         let file = [header(9, 8, 2, 0x20), vec![1, 2, 3, 4, 5, 6, 0x81, 1]].concat();
-        let decoded = decode(&file).unwrap();
+        let decoded = decode_tga(&file).unwrap();
         assert_eq!(decoded.pixels.samples, Samples::U8(vec![6, 5, 4, 6, 5, 4]));
         assert_eq!(decoded.indices, Some(vec![1, 1]));
         for end in 0..file.len() {
-            assert!(decode(&file[..end]).is_err());
+            assert!(decode_tga(&file[..end]).is_err());
         }
     }
 
     #[test]
     fn rows_run_both_ways() {
-        let at = |descriptor| decode(&[header(3, 8, 0, descriptor), vec![7, 9]].concat()).unwrap().pixels.samples;
+        let at = |descriptor| decode_tga(&[header(3, 8, 0, descriptor), vec![7, 9]].concat()).unwrap().pixels.samples;
         assert_eq!((at(0), at(0x10)), (Samples::U8(vec![7, 9]), Samples::U8(vec![9, 7])));
     }
 }

@@ -39,7 +39,10 @@ impl File<'_> {
 
 /// Decodes a TIFF file with a palette; `None` if the file has no palette that is read. `gray` decodes the bytes of a
 /// file that is modified to be gray.
-pub(super) fn decode(bytes: &[u8], gray: impl Fn(&[u8]) -> Result<Pixels, String>) -> Option<Result<Decoded, String>> {
+pub(super) fn decode_tiff_palette(
+    bytes: &[u8],
+    gray: impl Fn(&[u8]) -> Result<Pixels, String>,
+) -> Option<Result<Decoded, String>> {
     let little = match bytes.get(..4)? {
         b"II*\0" => true,
         b"MM\0*" => false,
@@ -69,7 +72,7 @@ mod tests {
     use super::*;
 
     fn usual(bytes: &[u8]) -> Result<Pixels, String> {
-        crate::image_io::decode(bytes, "tiff")
+        crate::image_io::decode_pixels(bytes, "tiff")
     }
 
     #[test]
@@ -97,7 +100,7 @@ mod tests {
         file.extend((tags.len() as u16).to_le_bytes());
         file.extend(tags.concat());
         file.extend([0; 4]);
-        let decoded = decode(&file, usual).unwrap().unwrap();
+        let decoded = decode_tiff_palette(&file, usual).unwrap().unwrap();
         assert_eq!(decoded.pixels.samples, Samples::U16(vec![0, 0, 0, 7, 14, 21, 255, 510, 765]));
         assert_eq!(decoded.indices, Some(vec![0, 7, 255]));
         for end in 0..file.len() {

@@ -59,7 +59,7 @@ impl<'a> Interpreter<'a> {
             Token::Block(BlockName { word: None, span, .. }) if self.inputs.sources.snippet(span) == "dictionary" => {
                 self.read_dictionary()
             }
-            Token::Word(_) if self.at_color()? => self.read_plain_value(),
+            Token::Word(_) if self.is_at_color()? => self.read_plain_value(),
             _ => match Reader::next(self)? {
                 Next::Block(word) => self.read_thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
                 _ => Err(self.unexpected_token("a value").into()),

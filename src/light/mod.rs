@@ -127,9 +127,9 @@ impl Light {
 
     /// Transforms the light's location, axes and target.
     pub fn transform(&mut self, by: &Transform) {
-        self.location = by.point(self.location);
-        self.point_at = by.point(self.point_at);
-        self.area.axes = self.area.axes.map(|axis| by.vector(axis));
+        self.location = by.transform_point(self.location);
+        self.point_at = by.transform_point(self.point_at);
+        self.area.axes = self.area.axes.map(|axis| by.transform_vector(axis));
     }
 }
 

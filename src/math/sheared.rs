@@ -43,7 +43,7 @@ impl Sheared {
 
     /// True if the ray is on the same side of all three sides of a triangle, whose signed areas these are.
     #[inline(always)]
-    pub(super) fn is_within([u, v, w]: [f64; 3]) -> bool {
+    pub(super) fn have_equal_signs([u, v, w]: [f64; 3]) -> bool {
         (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0)
     }
 
@@ -52,7 +52,7 @@ impl Sheared {
         let [a, b, c] = corners.map(|p| self.shear_corner(self.axes.map(|axis| p[axis])));
         let [u, v, w] = Self::signed_areas(a, b, c);
         let det = u + v + w;
-        if !Self::is_within([u, v, w]) || det == 0.0 {
+        if !Self::have_equal_signs([u, v, w]) || det == 0.0 {
             return None;
         }
         let t = self.shear.z * (u * a.z + v * b.z + w * c.z) / det;

@@ -113,45 +113,45 @@ impl Transform {
     }
 
     /// Transforms a point: M·p (w = 1).
-    pub fn point(&self, p: DVec3) -> DVec3 {
+    pub fn transform_point(&self, p: DVec3) -> DVec3 {
         self.m.transform_point3(p)
     }
 
     /// Transforms a vector: M·v (w = 0).
-    pub fn vector(&self, v: DVec3) -> DVec3 {
+    pub fn transform_vector(&self, v: DVec3) -> DVec3 {
         self.m.transform_vector3(v)
     }
 
     /// Transforms a normal: M⁻ᵀ·n, which stays perpendicular to the surface; not normalised.
-    pub fn normal(&self, n: DVec3) -> DVec3 {
+    pub fn transform_normal(&self, n: DVec3) -> DVec3 {
         // (M⁻¹)ᵀ·n without building the transpose: the dot products with the columns of M⁻¹.
         let inv = &self.inv.matrix3;
         DVec3::new(inv.x_axis.dot(n), inv.y_axis.dot(n), inv.z_axis.dot(n))
     }
 
-    /// Transforms a normal by Mᵀ·n, the inverse of [`Self::normal`]; not normalised.
-    pub fn inverse_normal(&self, n: DVec3) -> DVec3 {
+    /// Transforms a normal by Mᵀ·n, the inverse of [`Self::transform_normal`]; not normalised.
+    pub fn inverse_transform_normal(&self, n: DVec3) -> DVec3 {
         let m = &self.m.matrix3;
         DVec3::new(m.x_axis.dot(n), m.y_axis.dot(n), m.z_axis.dot(n))
     }
 
     /// Transforms a point by the inverse: M⁻¹·p (w = 1).
-    pub fn inverse_point(&self, p: DVec3) -> DVec3 {
+    pub fn inverse_transform_point(&self, p: DVec3) -> DVec3 {
         self.inv.transform_point3(p)
     }
 
     /// Transforms a vector by the inverse: M⁻¹·v (w = 0).
-    pub fn inverse_vector(&self, v: DVec3) -> DVec3 {
+    pub fn inverse_transform_vector(&self, v: DVec3) -> DVec3 {
         self.inv.transform_vector3(v)
     }
 
     /// Transforms a ray by the inverse, M⁻¹·ray: the origin as a point, the direction as a vector, not renormalised.
-    pub fn inverse_ray(&self, ray: &Ray) -> Ray {
-        Ray { origin: self.inverse_point(ray.origin), dir: self.inverse_vector(ray.dir) }
+    pub fn inverse_transform_ray(&self, ray: &Ray) -> Ray {
+        Ray { origin: self.inverse_transform_point(ray.origin), dir: self.inverse_transform_vector(ray.dir) }
     }
 
     /// Returns the smallest axis-aligned box around the transformed box, M·box; infinite where the box is.
-    pub fn aabb(&self, b: &Aabb) -> Aabb {
+    pub fn transform_aabb(&self, b: &Aabb) -> Aabb {
         if b.is_empty() {
             return Aabb::EMPTY;
         }

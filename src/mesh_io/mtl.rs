@@ -1,12 +1,12 @@
 //! Materials of OBJ files: colour, opacity, highlight and picture. (Alias|Wavefront, MTL material format, 1995.)
 
-use super::words::{lines, parse_number};
+use super::words::{numbered_lines, parse_number};
 use super::{MeshMaterial, ReadResult};
 
 /// Appends the materials of an MTL file; `file` is its name, for messages.
 pub fn read_mtl(bytes: &[u8], file: &str, out: &mut Vec<MeshMaterial>) -> ReadResult<()> {
     let first = out.len();
-    for (line, text) in lines(bytes) {
+    for (line, text) in numbered_lines(bytes) {
         let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((&text, ""));
         let rest = rest.trim();
         if word == "newmtl" {

@@ -1,6 +1,6 @@
 //! OBJ: vertices, polygons and names of materials, line by line. (Alias|Wavefront, Object files, 1995.)
 
-use super::words::{lines, parse_number};
+use super::words::{numbered_lines, parse_number};
 use super::{MeshFile, NONE, Open, ReadResult, finite_point, mtl, polygon, unit_direction};
 use crate::math::DVec2;
 use glam::Vec3;
@@ -9,7 +9,7 @@ use glam::Vec3;
 pub fn read_obj(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     let mut out = MeshFile::default();
     let mut state = State::default();
-    for (line, text) in lines(bytes) {
+    for (line, text) in numbered_lines(bytes) {
         let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((&text, ""));
         match word {
             "v" => {

@@ -139,7 +139,7 @@ impl PropertyAccess for Face {
 }
 
 /// Replaces `out` by the numbers of a list property in a PLY file.
-fn numbers_of(property: &Property, out: &mut Vec<f64>) {
+fn numbers_of_list(property: &Property, out: &mut Vec<f64>) {
     out.clear();
     match property {
         Property::ListChar(list) => out.extend(list.iter().map(|x| f64::from(*x))),
@@ -192,7 +192,7 @@ fn read_faces<T: BufRead>(
     let (mut list, mut points) = (vec![], vec![]);
     for_each_element(reader, element, header, |i, Face(property)| {
         let Some(property) = property else { return Ok(()) };
-        numbers_of(&property, &mut list);
+        numbers_of_list(&property, &mut list);
         let count = out.vertices.len();
         if let Some(n) = list.iter().find(|n| !(**n >= 0.0 && **n < count as f64)) {
             return Err(format!("`face` {i} has a corner {n}, and there are {count}"));

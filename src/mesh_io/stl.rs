@@ -64,12 +64,13 @@ fn read_binary(bytes: &[u8], count: Option<usize>, out: &mut Joined) -> ReadResu
 fn read_text(bytes: &[u8], out: &mut Joined) -> ReadResult<()> {
     let mut words = Words::new(bytes, 1);
     let mut corners: Vec<Vec3> = vec![];
-    while let Some(word) = words.next() {
+    while let Some(word) = words.next_word() {
         if word.eq_ignore_ascii_case(b"vertex") {
             let mut p = [0.0; 3];
             for x in &mut p {
-                let word =
-                    words.next().ok_or_else(|| format!("{}: it ends within a corner", words.line_for_message()))?;
+                let word = words
+                    .next_word()
+                    .ok_or_else(|| format!("{}: it ends within a corner", words.line_for_message()))?;
                 *x = parse_number(word, || words.line_for_message())?;
             }
             corners.push(finite_point(p, || words.line_for_message())?);

@@ -16,7 +16,7 @@ impl<'a> Words<'a> {
     }
 
     /// Returns the next word of the text, on this line or a later one.
-    pub fn next(&mut self) -> Option<&'a [u8]> {
+    pub fn next_word(&mut self) -> Option<&'a [u8]> {
         loop {
             let first = *self.rest.first()?;
             if !first.is_ascii_whitespace() {
@@ -39,7 +39,7 @@ impl<'a> Words<'a> {
 
 /// Returns the lines of a text, each with its number and without its end; a line that ends in `\` is joined with the
 /// next.
-pub fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
+pub fn numbered_lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
     let text = |line: &[u8]| String::from_utf8_lossy(line).trim().to_string();
     let mut rest = bytes.split(|b| *b == b'\n').enumerate();
     std::iter::from_fn(move || {

@@ -95,7 +95,7 @@ pub fn nearest_sites(p: DVec3, metric: f64) -> Nearest {
     let (cell, within) = Cell::containing(p);
     let mut near = Nearest { sums: [f64::INFINITY; 3], site: p };
     let next = if metric == 2.0 {
-        near = cell.with_neighbourhood(|around| near.with_squared_distances(around, within));
+        near = cell.with_neighbour_points(|around| near.with_squared_distances(around, within));
         // No site in a cube two steps away is nearer than that cube's side.
         let side = |x: f64| metric_power(2.0 - x, 2.0).min(metric_power(1.0 + x, 2.0));
         if side(within.x).min(side(within.y)).min(side(within.z)) >= near.sums[2] {

@@ -36,7 +36,7 @@ fn serialize_size<S: Serializer>(voxels: &Arc<Voxels>, s: S) -> std::result::Res
 }
 
 impl Voxel {
-    fn from_number(n: f64) -> Self {
+    fn from_interpolation_number(n: f64) -> Self {
         match n as i64 {
             i64::MIN..=0 => Voxel::Nearest,
             1 => Voxel::Linear,
@@ -58,7 +58,7 @@ impl Readable for DensityFile {
 
     const WORDS: &'static [Row<Self>] =
         &[word("interpolate", ValueKind::Float, "0", "between the numbers: 0 nothing, 1 straight lines, 2 curves")
-            .sets(|s, r| set(&mut s.between, r.float().map(Voxel::from_number)))];
+            .sets(|s, r| set(&mut s.between, r.float().map(Voxel::from_interpolation_number)))];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         if !r.accept("df3")? {
@@ -130,7 +130,7 @@ mod tests {
 
     fn value(between: Voxel, x: f64) -> f64 {
         let bytes = [0, 4, 0, 1, 0, 1, 0, 255, 51, 0];
-        let voxels = Arc::new(Voxels::decode(&bytes).unwrap());
+        let voxels = Arc::new(Voxels::decode_df3(&bytes).unwrap());
         DensityFile { voxels, between }
             .value(&TextureContext::without_surface(DVec3::new(x, 0.5, 0.5), Default::default()))
     }

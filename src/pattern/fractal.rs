@@ -239,7 +239,7 @@ impl Readable for Mandel {
 /// True if the orbit of z² + c certainly never escapes: in the cardioid, where orbits converge to a point, and in the
 /// disc to its left, where they converge to a cycle of two (B. B. Mandelbrot, "Fractal aspects of the iteration of z →
 /// Λz(1-z)", 1980). Most of the set is there.
-fn is_in_main_bodies(c: Complex) -> bool {
+fn is_in_main_cardioid_or_disc(c: Complex) -> bool {
     // Points at the very border, where orbits take longest, are iterated.
     const LEAST: f64 = 1e-9;
     let (x, y2) = (c.x - 0.25, c.y * c.y);
@@ -251,7 +251,7 @@ impl Field for Mandel {
     fn value(&self, at: &TextureContext) -> f64 {
         let c = Complex::new(at.p.x, at.p.y);
         let OrbitValue { kind, factor } = self.orbits.interior;
-        if kind == 0 && self.exponent == 2 && is_in_main_bodies(c) {
+        if kind == 0 && self.exponent == 2 && is_in_main_cardioid_or_disc(c) {
             return Orbits::last_position_number(kind, c) * factor;
         }
         self.orbits.power_orbit_number(self.exponent, c, c)
@@ -422,9 +422,9 @@ mod tests {
         for i in 0..40_000 {
             let c = Complex::new(f64::from(i % 200) * 0.0131 - 2.05, f64::from(i / 200) * 0.0117 - 1.17);
             let orbit = Orbits { iterations: 500, ..orbits(1, 0) }.power_orbit_number(2, c, c) == 0.5;
-            within += u32::from(is_in_main_bodies(c));
+            within += u32::from(is_in_main_cardioid_or_disc(c));
             stays += u32::from(orbit);
-            assert!(orbit || !is_in_main_bodies(c), "{} {}", c.x, c.y);
+            assert!(orbit || !is_in_main_cardioid_or_disc(c), "{} {}", c.x, c.y);
         }
         // The areas are 3π/8 and π/16, of 1.507 for the whole set.
         let share = f64::from(within) / f64::from(stays);

@@ -37,7 +37,7 @@ impl Readable for ObjectPattern {
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        Ok(Self(r.solid()?))
+        Ok(Self(r.read_solid()?))
     }
 }
 

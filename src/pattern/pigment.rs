@@ -64,7 +64,7 @@ impl Readable for PigmentPattern {
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let at = r.span();
-        let thing = r.pigment()?;
+        let thing = r.read_pigment_pattern()?;
         r.leave_block()?;
         match downcast::<Self>(&thing) {
             Some(pattern) => Ok((*pattern).clone()),

@@ -99,7 +99,7 @@ impl Pattern {
                 let bits = |noise: Option<NoiseGenerator>| noise.map_or(0, NoiseGenerator::number);
                 self.noise = match bits(self.noise) | bits(read_noise_generator(r, 0.0)?) {
                     0 => None,
-                    number => Some(NoiseGenerator::from_number(f64::from(number))),
+                    number => Some(NoiseGenerator::from_generator_number(f64::from(number))),
                 };
             }
             Next::Word("uv_mapping") => {
@@ -149,7 +149,7 @@ impl Pattern {
     }
 
     /// True if `next` begins a pattern: its name, or a function.
-    pub fn is_named_by(next: Next) -> bool {
+    pub fn begins_pattern(next: Next) -> bool {
         let is_name = |word| FieldPattern::is_name(word) || CellPattern::is_name(word);
         matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function
     }
@@ -210,7 +210,7 @@ impl Pattern {
 pub fn read_noise_generator(r: &mut dyn Reader, least: f64) -> Result<Option<NoiseGenerator>> {
     let (at, n) = (r.span(), r.float()?);
     if (least..4.0).contains(&n) {
-        return Ok((n >= 1.0).then(|| NoiseGenerator::from_number(n)));
+        return Ok((n >= 1.0).then(|| NoiseGenerator::from_generator_number(n)));
     }
     let message = format!("there are noise generators 1, 2 and 3, but none with the number {n}");
     Diagnostic::err(codes::BAD_ARGUMENT, at, message)

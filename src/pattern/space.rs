@@ -50,8 +50,8 @@ impl Space {
 
     /// Transforms a normal from the outer space to the pattern's space, by transposed matrices; warps have no effect.
     pub fn normal_to_pattern_space(&self, n: DVec3) -> DVec3 {
-        self.inner.iter().rev().fold(self.transform.inverse_normal(n), |n, step| match step {
-            Step::Moved(transform) => transform.inverse_normal(n),
+        self.inner.iter().rev().fold(self.transform.inverse_transform_normal(n), |n, step| match step {
+            Step::Moved(transform) => transform.inverse_transform_normal(n),
             Step::Warped(_) => n,
         })
     }
@@ -59,10 +59,10 @@ impl Space {
     /// Transforms a normal from the pattern's space to the outer space.
     pub fn normal_from_pattern_space(&self, n: DVec3) -> DVec3 {
         let n = self.inner.iter().fold(n, |n, step| match step {
-            Step::Moved(transform) => transform.normal(n),
+            Step::Moved(transform) => transform.transform_normal(n),
             Step::Warped(_) => n,
         });
-        self.transform.normal(n)
+        self.transform.transform_normal(n)
     }
 
     /// True if the pattern's space equals the outer space.

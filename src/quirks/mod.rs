@@ -78,11 +78,11 @@ pub const TOPICS: &[Topic] = &[
 ];
 
 /// Creates the row of a quirk that durer emulates.
-const fn emulated(id: &'static str, summary: &'static str, evidence: Evidence) -> Quirk {
+const fn emulated_quirk(id: &'static str, summary: &'static str, evidence: Evidence) -> Quirk {
     Quirk { id, summary, evidence, status: Status::Emulated }
 }
 
 /// Creates the row of a quirk that durer does not emulate; `instead` is what durer does, and why.
-const fn differs(id: &'static str, summary: &'static str, instead: &'static str, evidence: Evidence) -> Quirk {
+const fn differing_quirk(id: &'static str, summary: &'static str, instead: &'static str, evidence: Evidence) -> Quirk {
     Quirk { id, summary, evidence, status: Status::Differs(instead) }
 }

@@ -130,8 +130,8 @@ pub trait Watch: Sync {
     fn progress(&self, done: usize, total: usize);
     /// Returns true to stop the render. The answer takes effect at the next surface that a ray hits.
     fn cancelled(&self) -> bool;
-    /// Returns a token that stops the render too, even inside of a long search for one hit. By default that is the token
-    /// of the calling thread.
+    /// Returns a token that stops the render too, even inside of a long search for one hit. By default that is the
+    /// token of the calling thread.
     fn cancel_token(&self) -> CancelToken {
         CancelToken::current()
     }

@@ -66,8 +66,8 @@ impl Settings {
                 Next::Word(word) if SETTINGS.ignores(word) => {
                     let mut row = vec![];
                     r.take_token()?;
-                    while r.at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
-                        r.skip_into(&mut row)?;
+                    while r.is_at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
+                        r.skip_unsupported(&mut row)?;
                     }
                     self.unsupported.push(Unsupported::Block(word, row.into()));
                 }

@@ -211,7 +211,7 @@ impl<const FORM: usize> Algebraic<FORM> {
     fn read_term(&mut self, r: &mut dyn Reader) -> Result<()> {
         let span = r.span();
         let powers = r.numbers_in_parentheses(3)?;
-        r.colon()?;
+        r.read_colon()?;
         let value = r.float()?;
         let sum: f64 = powers.iter().map(|p| p.floor()).sum();
         if powers.iter().any(|p| *p < 0.0) || sum > self.order as f64 {

@@ -16,7 +16,7 @@ use super::pov_bounds::NOTHING;
 use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, Readable, TextureWeights, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
-use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, solve_between, tolerance};
+use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, solve_polynomial_between, tolerance};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Next, Reader, ReaderExt, Spec, ValueKind};
@@ -100,7 +100,7 @@ impl Blob {
                 continue;
             }
             roots.clear();
-            solve_between(&sum, -half, half, &mut roots);
+            solve_polynomial_between(&sum, -half, half, &mut roots);
             for &t in &roots {
                 let t = t + middle + start;
                 if range.contains(t) && visit(t).is_break() {

@@ -2,7 +2,7 @@
 
 use super::{Cuboid, Kernel, Readable, Sphere};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::{Function, Gives, Interval, Slope};
+use crate::function::{Function, Interval, ResultType, Slope};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::value::{Next, Reader, downcast};
 use serde::{Serialize, Serializer};
@@ -37,7 +37,7 @@ impl Formula {
         let Some(function) = downcast::<Function>(&thing) else {
             return Diagnostic::err(codes::WRONG_TYPE, at, format!("expected `function {{ … }}` of {names}"));
         };
-        if function.result_type() != Gives::Number {
+        if function.result_type() != ResultType::Number {
             return Diagnostic::new(codes::WRONG_TYPE, at, "this function does not give a number")
                 .help("declare it, and take a part of what it gives: `function { F(x, y, z).gray }`")
                 .into();
@@ -67,7 +67,7 @@ impl Formula {
     /// Bounds of the value and gradient of the formula's function in a box; `scratch` is scratch memory.
     pub fn slope_in_box(&self, b: &Aabb, scratch: &mut Vec<Slope>) -> Slope {
         let side = |axis: usize| Interval { lo: b.min[axis], hi: b.max[axis] };
-        self.0.slope(&[side(0), side(1), side(2)], scratch)
+        self.0.slope_over_box(&[side(0), side(1), side(2)], scratch)
     }
 }
 

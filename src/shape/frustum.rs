@@ -1,6 +1,6 @@
 //! Common part of `cylinder` and `cone`: a wall around an axis with a linear radius, and two end discs.
 
-use super::{Crossing, End, HalfSpaces, Hit, Hits, nearest, pov_bounds};
+use super::{Crossing, End, HalfSpaces, Hit, Hits, nearest_hit, pov_bounds};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, solve_quadratic_with_discriminant, tolerance};
 use crate::value::words::word;
 use crate::value::{ValueKind, WordSpec};
@@ -123,7 +123,7 @@ impl Frustum {
         }
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(&all)
+        nearest_hit(&all)
     }
 
     /// Appends the frustum's hits in the range.

@@ -30,7 +30,7 @@ impl Hit {
 pub type Hits = smallvec::SmallVec<[Hit; 4]>;
 
 /// Returns the hit with the smallest ray parameter `t`.
-pub(super) fn nearest(hits: &Hits) -> Option<Hit> {
+pub(super) fn nearest_hit(hits: &Hits) -> Option<Hit> {
     hits.iter().min_by(|a, b| a.t.total_cmp(&b.t)).copied()
 }
 
@@ -96,7 +96,7 @@ pub trait Kernel {
 
     /// Bounding box of the shape under the transform M; by default around the corners of [`Kernel::bounds`].
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        m.aabb(&self.bounds())
+        m.transform_aabb(&self.bounds())
     }
 
     /// The box that POV-Ray's `min_extent` and `max_extent` return under the transform M (quirk: `extent_boxes`).
@@ -117,7 +117,7 @@ pub trait Kernel {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(&all)
+        nearest_hit(&all)
     }
 
     /// True if the ray has any hit on the shape in the range.
@@ -140,7 +140,7 @@ pub trait Kernel {
 
     /// The quadratic form that is not positive on the surface and inside; `None` for shapes that are not quadrics. It
     /// bounds intersections.
-    fn quadratic(&self) -> Option<Quadratic> {
+    fn bounding_quadratic(&self) -> Option<Quadratic> {
         None
     }
 

@@ -13,7 +13,7 @@
 
 use super::spline::{Curve, Interpolation, KINDS, bernstein_product, read_points, single_outline};
 use super::turned::Walls;
-use super::{Hit, Hits, Kernel, Readable, nearest, transformed_box};
+use super::{Hit, Hits, Kernel, Readable, nearest_hit, transformed_box};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::value::words::{Row, joined, specs};
@@ -78,7 +78,7 @@ impl Kernel for Lathe {
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        m.aabb(&self.bounds())
+        m.transform_aabb(&self.bounds())
     }
 
     /// Bounding box of the lathe; for a `bezier_spline`, that of all control points (quirk: `extent_boxes`).
@@ -97,7 +97,7 @@ impl Kernel for Lathe {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(&all)
+        nearest_hit(&all)
     }
 
     fn inside(&self, p: DVec3) -> bool {

@@ -49,7 +49,7 @@ pub use frustum::Frustum;
 pub use height_field::HeightField;
 pub use isosurface::Isosurface;
 pub use julia_fractal::{Algebra, Function, JuliaFractal};
-use kernel::nearest;
+use kernel::nearest_hit;
 pub use kernel::{Crossing, End, HalfSpace, HalfSpaces, Hit, Hits, Kernel, TextureWeights};
 pub use lathe::Lathe;
 pub use mesh::{Face, Mesh, Mesh2, TriangleMesh};
@@ -89,13 +89,13 @@ pub trait Paints {
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    fn read(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool>;
+    fn read_embedded_texture(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool>;
 
     /// Reads one texture of a list, in which consecutive textures are not layers; `None` if no texture is next.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    fn read_one(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>>;
+    fn read_listed_texture(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>>;
 
     /// Adds the texture of a material in a mesh file, with its picture if that was found.
     ///
@@ -129,7 +129,7 @@ macro_rules! shapes {
             fn pov_bounds(&self, m: &Transform) -> Aabb { match self { $(Shape::$name(s) => s.pov_bounds(m)),* } }
             fn as_half_space(&self) -> Option<HalfSpace> { match self { $(Shape::$name(s) => s.as_half_space()),* } }
             fn half_spaces(&self) -> HalfSpaces { match self { $(Shape::$name(s) => s.half_spaces()),* } }
-            fn quadratic(&self) -> Option<Quadratic> { match self { $(Shape::$name(s) => s.quadratic()),* } }
+            fn bounding_quadratic(&self) -> Option<Quadratic> { match self { $(Shape::$name(s) => s.bounding_quadratic()),* } }
             fn solid_bounds(&self) -> Option<Aabb> { match self { $(Shape::$name(s) => s.solid_bounds()),* } }
             fn is_solid_unbounded(&self) -> bool { match self { $(Shape::$name(s) => s.is_solid_unbounded()),* } }
             fn inside(&self, p: DVec3) -> bool { match self { $(Shape::$name(s) => s.inside(p)),* } }

@@ -45,20 +45,20 @@ impl Plane {
     }
 
     /// Creates the plane A·x + B·y + C·z + D = 0, which is negative inside; `None` if the normal has no direction.
-    pub fn implicit(abcd: [f64; 4]) -> Option<Self> {
+    pub fn from_implicit(abcd: [f64; 4]) -> Option<Self> {
         let n = DVec3::new(abcd[0], abcd[1], abcd[2]);
         Self::new(n, -abcd[3] / n.length())
     }
 
     /// Creates the plane n·(x - q) = 0; `None` if the normal n has no direction.
-    pub fn through(point: DVec3, normal: DVec3) -> Option<Self> {
+    pub fn through_point(point: DVec3, normal: DVec3) -> Option<Self> {
         let plane = Self::new(normal, 0.0)?;
         Some(Self { distance: plane.normal.dot(point), ..plane })
     }
 
     /// Creates the plane q + u·i + v·j; `None` if i and j are parallel.
     pub fn spanned(point: DVec3, i: DVec3, j: DVec3) -> Option<Self> {
-        let plane = Self::through(point, i.normalize_or_zero().cross(j.normalize_or_zero()))?;
+        let plane = Self::through_point(point, i.normalize_or_zero().cross(j.normalize_or_zero()))?;
         Some(Self { span: Some(Box::new(Spanned { point, i, j })), ..plane })
     }
 }
@@ -104,7 +104,7 @@ impl Readable for Plane {
         let plane = if r.accept("implicit")? {
             let n = r.numbers(4)?;
             finite(start, &[], &n)?;
-            Self::implicit([n[0], n[1], n[2], n[3]])
+            Self::from_implicit([n[0], n[1], n[2], n[3]])
         } else if r.accept("point")? {
             read_point_form(start, r)?
         } else {
@@ -133,7 +133,7 @@ fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
     if r.accept("normal")? {
         let normal = r.vector()?;
         finite(start, &[point, normal], &[])?;
-        return Ok(Plane::through(point, normal));
+        return Ok(Plane::through_point(point, normal));
     }
     if r.next()? != Next::Word("span") {
         return Err(r.unexpected("`normal` or `span` after the `point` of a `plane`").into());
@@ -239,7 +239,7 @@ mod tests {
     #[test]
     fn implicit_plane() {
         // 2x + 3y - z + 4 = 0 from (1, 1, 1) along (0, -1, 0): 2 + 3(1 - t) - 1 + 4 = 0
-        let plane = Plane::implicit([2.0, 3.0, -1.0, 4.0]).unwrap();
+        let plane = Plane::from_implicit([2.0, 3.0, -1.0, 4.0]).unwrap();
         let ray = Ray::new(DVec3::ONE, -DVec3::Y);
         assert!((t(&plane, &ray).unwrap() - 8.0 / 3.0).abs() < 1e-14);
         assert!(!plane.inside(DVec3::ONE) && plane.inside(-DVec3::ONE * 9.0));
@@ -251,7 +251,7 @@ mod tests {
     fn point_and_normal() {
         // <n, q - p₀> / <n, v>
         let (q, n) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.0, 3.0, 4.0));
-        let plane = Plane::through(q, n).unwrap();
+        let plane = Plane::through_point(q, n).unwrap();
         let ray = Ray::new(DVec3::new(-2.0, 0.5, 0.0), DVec3::new(0.6, 0.0, 0.8));
         assert!((t(&plane, &ray).unwrap() - n.dot(q - ray.origin) / n.dot(ray.dir)).abs() < 1e-14);
         let along = Ray::new(q, DVec3::X);
@@ -292,8 +292,8 @@ mod tests {
             let (n, q, ray) = (DVec3::from(n), DVec3::from(q), Ray::new(o.into(), v.into()));
             prop_assume!(n.length() > 0.1 && n.normalize().dot(ray.dir).abs() > 1e-3);
             let (i, j) = n.normalize().any_orthonormal_pair();
-            let forms = [Plane::new(n, q.dot(n) / n.length()), Plane::implicit([n.x, n.y, n.z, -n.dot(q)]),
-                         Plane::through(q, n), Plane::spanned(q, i * 2.0, i + j)];
+            let forms = [Plane::new(n, q.dot(n) / n.length()), Plane::from_implicit([n.x, n.y, n.z, -n.dot(q)]),
+                         Plane::through_point(q, n), Plane::spanned(q, i * 2.0, i + j)];
             let want = n.dot(q - ray.origin) / n.dot(ray.dir);
             for plane in forms {
                 let hit = plane.as_ref().and_then(|p| p.closest(&ray, Range::ALL)).unwrap();

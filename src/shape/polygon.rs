@@ -173,7 +173,7 @@ impl Kernel for Polygon {
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        let points = self.outlines.iter().flatten().map(|p| m.point(*p));
+        let points = self.outlines.iter().flatten().map(|p| m.transform_point(*p));
         if self.fault.is_some() { Aabb::EMPTY } else { Aabb::from_points(points) }
     }
 

@@ -13,7 +13,7 @@ pub(super) const THIN: f64 = 0.001;
 /// Returns the box around a transformed box; an infinite box stays infinite.
 pub fn transformed_box(by: &Transform, b: &Aabb) -> Aabb {
     let endless = b.min.x <= HUGE.min.x && b.max.x >= HUGE.max.x;
-    if endless { HUGE } else { by.aabb(b) }
+    if endless { HUGE } else { by.transform_aabb(b) }
 }
 
 /// Returns the box that POV-Ray reports for a round shape under M; `b` is in the frame at `origin` whose z axis is

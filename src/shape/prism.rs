@@ -14,7 +14,7 @@
 //! ```
 
 use super::spline::{Curve, Interpolation, KINDS, closed_outlines, read_points, report_open};
-use super::{Hit, Hits, Kernel, Readable, finite, nearest, transformed_box};
+use super::{Hit, Hits, Kernel, Readable, finite, nearest_hit, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, bernstein_roots};
 use crate::source::Span;
@@ -237,7 +237,7 @@ impl Kernel for Prism {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(&all)
+        nearest_hit(&all)
     }
 
     fn inside(&self, p: DVec3) -> bool {

@@ -185,7 +185,7 @@ impl Kernel for Quadric {
         self.value_at(p) <= 0.0
     }
 
-    fn quadratic(&self) -> Option<Quadratic> {
+    fn bounding_quadratic(&self) -> Option<Quadratic> {
         let Centered { q, h, c, center, .. } = self.centered;
         Some(Quadratic { q, h, c, center })
     }
@@ -308,7 +308,7 @@ mod tests {
         let (mut known, mut rng) = ([0; 4], crate::math::rng::Stream::new(&[7]));
         for surface in surfaces.map(made) {
             for _ in 0..400 {
-                let mut any = || 3.0 * DVec3::from_array(std::array::from_fn(|_| rng.next() - 0.5));
+                let mut any = || 3.0 * DVec3::from_array(std::array::from_fn(|_| rng.next_random() - 0.5));
                 let ray = Ray::new(any(), any());
                 let holds: (usize, Box<dyn Fn(f64) -> bool>) = match surface.crossing(&ray) {
                     Crossing::Unknown => continue,

@@ -38,8 +38,8 @@ impl SmoothTriangle {
     /// True if the smooth triangle's normals point to both sides under the transform M, which can change their angles
     /// (quirk: `twisted_smooth_triangle`).
     fn is_twisted_under(&self, m: &Transform) -> bool {
-        let face = m.normal(self.flat.face_normal());
-        let sides = self.normals.map(|n| m.normal(n).dot(face));
+        let face = m.transform_normal(self.flat.face_normal());
+        let sides = self.normals.map(|n| m.transform_normal(n).dot(face));
         !(sides.iter().all(|s| *s > 0.0) || sides.iter().all(|s| *s < 0.0))
     }
 }
@@ -111,7 +111,7 @@ impl Kernel for SmoothTriangle {
     fn adapted_to_transform(&self, m: &Transform) -> Option<Self> {
         let normals = match self.is_twisted_under(m) {
             true => [DVec3::ZERO; 3],
-            false => self.normals.map(|n| n / m.normal(n).length().max(f64::MIN_POSITIVE)),
+            false => self.normals.map(|n| n / m.transform_normal(n).length().max(f64::MIN_POSITIVE)),
         };
         Some(Self { normals, ..self.clone() })
     }

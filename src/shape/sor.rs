@@ -12,7 +12,7 @@
 
 use super::spline::{Interpolation, evaluate_bernstein, read_points};
 use super::turned::{Walls, max_on_unit_interval};
-use super::{Hit, Hits, Kernel, Readable, nearest};
+use super::{Hit, Hits, Kernel, Readable, nearest_hit};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp};
 use crate::value::words::{Row, specs, word};
@@ -125,7 +125,7 @@ impl Kernel for Sor {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(&all)
+        nearest_hit(&all)
     }
 
     fn inside(&self, p: DVec3) -> bool {

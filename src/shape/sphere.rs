@@ -54,20 +54,20 @@ impl Kernel for Sphere {
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
         // The image of a ball extends r·|row i of M| along axis i.
-        let (x, y, z) = (m.vector(DVec3::X), m.vector(DVec3::Y), m.vector(DVec3::Z));
+        let (x, y, z) = (m.transform_vector(DVec3::X), m.transform_vector(DVec3::Y), m.transform_vector(DVec3::Z));
         let reach = (x * x + y * y + z * z).map(f64::sqrt) * self.radius;
-        let center = m.point(self.center);
+        let center = m.transform_point(self.center);
         Aabb { min: center - reach, max: center + reach }
     }
 
     /// Box that POV-Ray reports for the sphere: a sphere that stays a sphere keeps its width (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        let axes = DVec3::AXES.map(|axis| m.vector(axis));
+        let axes = DVec3::AXES.map(|axis| m.transform_vector(axis));
         let same = |a: DVec3, b: DVec3| {
             (a.length() - b.length()).abs() < 1e-9 * a.length() && a.dot(b).abs() < 1e-9 * a.length_squared()
         };
         if same(axes[0], axes[1]) && same(axes[1], axes[2]) && same(axes[0], axes[2]) {
-            let (center, r) = (m.point(self.center), DVec3::splat(self.radius * axes[0].length()));
+            let (center, r) = (m.transform_point(self.center), DVec3::splat(self.radius * axes[0].length()));
             return Aabb { min: center - r, max: center + r };
         }
         transformed_box(m, &self.bounds())

@@ -96,7 +96,7 @@ struct End {
 
 impl End {
     fn new(line: &Line, s: f64) -> Self {
-        let p = line.at(s).abs();
+        let p = line.point_at(s).abs();
         Self { s, p, ln: p.map(fp::ln) }
     }
 }
@@ -146,7 +146,7 @@ impl Superellipsoid {
         let toward = (to - from).signum();
         let mut s = from;
         for _ in 0..200 {
-            let (value, gradient) = self.gauge(line.at(s));
+            let (value, gradient) = self.gauge(line.point_at(s));
             let excess = value - 1.0;
             if excess <= 0.0 {
                 return Some(s);
@@ -243,7 +243,7 @@ impl Superellipsoid {
     fn root_between_inside_and_outside(&self, line: &Line, (mut inner, mut outer): (f64, f64)) -> f64 {
         let (mut s, mut last) = (0.5 * (inner + outer), (outer - inner).abs());
         for _ in 0..100 {
-            let (value, gradient) = self.gauge(line.at(s));
+            let (value, gradient) = self.gauge(line.point_at(s));
             if value <= 1.0 {
                 inner = s;
             } else {
@@ -266,7 +266,7 @@ impl Superellipsoid {
         let mut last = start;
         // Within the cube one evaluation decides whether a ray starts inside or moves away: most are shadow rays that
         // leave the surface.
-        let (value, gradient) = if start > lo { self.gauge(line.at(start)) } else { (f64::INFINITY, -line.v) };
+        let (value, gradient) = if start > lo { self.gauge(line.point_at(start)) } else { (f64::INFINITY, -line.v) };
         if value > 1.0 {
             if gradient.dot(line.v) >= 0.0 {
                 return;
@@ -319,7 +319,7 @@ struct Line {
 }
 
 impl Line {
-    fn at(&self, s: f64) -> DVec3 {
+    fn point_at(&self, s: f64) -> DVec3 {
         self.o + self.v * s
     }
 }

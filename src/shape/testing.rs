@@ -49,11 +49,11 @@ fn read_whole_shape<S: Readable>(r: &mut Words) -> Result<S> {
 struct NoPaints;
 
 impl Paints for NoPaints {
-    fn read(&mut self, _: &mut u32, _: Next, _: &mut dyn Reader) -> Result<bool> {
+    fn read_embedded_texture(&mut self, _: &mut u32, _: Next, _: &mut dyn Reader) -> Result<bool> {
         Ok(false)
     }
 
-    fn read_one(&mut self, _: Next, _: &mut dyn Reader) -> Result<Option<u32>> {
+    fn read_listed_texture(&mut self, _: Next, _: &mut dyn Reader) -> Result<Option<u32>> {
         Ok(None)
     }
 
@@ -121,7 +121,7 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn at_color(&mut self) -> Result<bool> {
+    fn is_at_color(&mut self) -> Result<bool> {
         unreachable!()
     }
 
@@ -155,7 +155,7 @@ impl Reader for Words {
         self.numbers(n)
     }
 
-    fn colon(&mut self) -> Result<()> {
+    fn read_colon(&mut self) -> Result<()> {
         Ok(())
     }
 
@@ -184,23 +184,23 @@ impl Reader for Words {
         }
     }
 
-    fn pigment(&mut self) -> Result<Arc<dyn Thing>> {
+    fn read_pigment_pattern(&mut self) -> Result<Arc<dyn Thing>> {
         Err(self.unexpected("no pigment").into())
     }
 
-    fn solid(&mut self) -> Result<Arc<dyn Solid>> {
+    fn read_solid(&mut self) -> Result<Arc<dyn Solid>> {
         Err(self.unexpected("no object").into())
     }
 
-    fn mesh_file(&mut self, _: crate::value::BuildMesh) -> Result<Arc<dyn Thing>> {
+    fn read_mesh_file(&mut self, _: crate::value::BuildMesh) -> Result<Arc<dyn Thing>> {
         Err(self.unexpected("no file").into())
     }
 
-    fn picture(&mut self) -> Result<Arc<crate::image_io::Picture>> {
+    fn read_picture(&mut self) -> Result<Arc<crate::image_io::Picture>> {
         Err(self.unexpected("no picture").into())
     }
 
-    fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
+    fn read_sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
         Ok(None)
     }
 
@@ -212,11 +212,11 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn font(&mut self, _: &str, _: Span) -> Result<Arc<crate::font::Font>> {
+    fn find_font(&mut self, _: &str, _: Span) -> Result<Arc<crate::font::Font>> {
         Ok(Arc::new(crate::font::Font::own()))
     }
 
-    fn skip_into(&mut self, _: &mut Vec<Unsupported>) -> Result<()> {
+    fn skip_unsupported(&mut self, _: &mut Vec<Unsupported>) -> Result<()> {
         unreachable!()
     }
 

@@ -159,7 +159,7 @@ impl Readable for Text {
         };
         let at = r.span();
         let name = name.map_or_else(|| r.text(), |name| Ok(name.to_string()))?;
-        let font = r.font(&name, at)?;
+        let font = r.find_font(&name, at)?;
         let string = r.text()?;
         let span = r.span();
         let (depth, offset) = (r.float()?, r.vector()?);
@@ -180,7 +180,7 @@ impl Readable for Text {
                 first += count;
             }
         }
-        let boxes = text.letters.iter().map(|letter| text.tilt.aabb(&text.letter_bounds(letter)));
+        let boxes = text.letters.iter().map(|letter| text.tilt.transform_aabb(&text.letter_bounds(letter)));
         text.bounds = boxes.fold(Aabb::EMPTY, Aabb::union);
         Ok(text)
     }
@@ -251,7 +251,7 @@ impl Kernel for Text {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        let ray = self.tilt.inverse_ray(ray);
+        let ray = self.tilt.inverse_transform_ray(ray);
         for letter in &self.letters {
             if self.letter_bounds(letter).slabs(&ray, range).is_some() {
                 self.add_letter_hits(letter, &ray, range, out);
@@ -260,7 +260,7 @@ impl Kernel for Text {
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        let p = self.tilt.inverse_point(p);
+        let p = self.tilt.inverse_transform_point(p);
         self.letters.iter().any(|letter| {
             let local = p - letter.at;
             local.z > 0.0 && local.z < self.depth && letter.shape.outline_contains(local.truncate())
@@ -281,7 +281,7 @@ impl Kernel for Text {
             }
         };
         // A rotation transforms normals as vectors.
-        self.tilt.vector(n)
+        self.tilt.transform_vector(n)
     }
 
     fn has_uv_mapping(&self) -> bool {

@@ -109,7 +109,7 @@ impl Kernel for Triangle {
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        let corners = [self.a, self.b, self.c].map(|p| m.point(p));
+        let corners = [self.a, self.b, self.c].map(|p| m.transform_point(p));
         if self.is_degenerate() { Aabb::EMPTY } else { Aabb::from_points(corners) }
     }
 

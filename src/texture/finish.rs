@@ -257,7 +257,7 @@ impl Reflection {
         let first = r.color()?.rgb;
         let mut out = Self { min: Rgb::ZERO, max: first, ..before.clone() };
         let mut said_fresnel = false;
-        let two = r.at_color()?;
+        let two = r.is_at_color()?;
         if two {
             (out.min, out.max) = (first, r.color()?.rgb);
         }

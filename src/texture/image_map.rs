@@ -35,7 +35,7 @@ pub struct Clearness {
 impl Clearness {
     /// Reads the words `filter all A` or `filter N, A` of an `image_map`.
     pub(super) fn read_filter(&mut self, r: &mut dyn Reader) -> Result<()> {
-        match read_amount(r)? {
+        match read_transparency(r)? {
             (None, amount) => self.filter = Some(amount),
             (Some(number), amount) => self.palette.push((number, Some(amount), None)),
         }
@@ -44,7 +44,7 @@ impl Clearness {
 
     /// Reads the words `transmit all A` or `transmit N, A` of an `image_map`.
     pub(super) fn read_transmit(&mut self, r: &mut dyn Reader) -> Result<()> {
-        match read_amount(r)? {
+        match read_transparency(r)? {
             (None, amount) => self.transmit = Some(amount),
             (Some(number), amount) => self.palette.push((number, None, Some(amount))),
         }
@@ -53,7 +53,7 @@ impl Clearness {
 }
 
 /// Reads the palette index, or `None` for `all`, and the amount after `filter` or `transmit`.
-fn read_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
+fn read_transparency(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
     if r.accept("all")? {
         return Ok((None, r.float()?));
     }
@@ -72,7 +72,7 @@ impl ImageMap {
             match r.next()? {
                 Next::End => break,
                 next if read_row(IMAGE_MAP_ROWS, &mut clearness, next, r)? => {}
-                next if bitmap.read_word(r, next)? => {}
+                next if bitmap.read_bitmap_word(r, next)? => {}
                 _ => {
                     let words: Vec<_> = bitmap::bitmap_word_names().chain(IMAGE_MAP.names()).collect();
                     return Err(r.unknown_word("image_map", &words).into());
@@ -84,7 +84,7 @@ impl ImageMap {
 
     /// Returns the `image_map`'s colour at a point; transparent beyond the edges of a picture with `once`.
     pub fn color_at(&self, p: DVec3) -> Color {
-        let Some(place) = self.mapping.project(p) else {
+        let Some(place) = self.mapping.project_to_picture(p) else {
             return Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
         };
         let pixels = self.mapping.weighted_pixels(place, self.texels.width(), self.texels.height());
@@ -93,7 +93,7 @@ impl ImageMap {
 
     /// True if the `image_map`'s picture covers the point.
     pub fn covers_point(&self, p: DVec3) -> bool {
-        self.mapping.project(p).is_some()
+        self.mapping.project_to_picture(p).is_some()
     }
 
     fn pixel_color(&self, i: usize) -> Color {

@@ -126,8 +126,8 @@ impl Normal {
     fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
         if self.pattern.read_element(next, r)? {
             self.stays |= next == Next::Word("uv_mapping") && self.pattern.uv;
-            if Pattern::is_named_by(next) {
-                self.read_amount(r)?;
+            if Pattern::begins_pattern(next) {
+                self.read_bump_amount(r)?;
             }
             // Cells without a list make bumps where their numbers jump.
             let listed = matches!(r.next()?, Next::Block(Self::BLOCK) | Next::Thing(Self::BLOCK));
@@ -176,7 +176,7 @@ impl Normal {
 
     /// Reads the amount of a normal's bumps after the pattern's name. (A map of the default or declared normal stays;
     /// quirk: `declared_slope_map_stays`.)
-    fn read_amount(&mut self, r: &mut dyn Reader) -> Result<()> {
+    fn read_bump_amount(&mut self, r: &mut dyn Reader) -> Result<()> {
         if let Some(amount) = r.optional_float()? {
             self.amount = amount;
         }

@@ -133,7 +133,7 @@ impl Pigment {
 
     /// Reads one element of a pigment: a word of its pattern, a map, a list, a colour.
     pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
-        if Pattern::is_named_by(next) && self.has_default_paint() {
+        if Pattern::begins_pattern(next) && self.has_default_paint() {
             self.paint = Paint::Solid(Color::BLACK);
         }
         if self.pattern.modify_if(|pattern| pattern.read_element(next, r))? {
@@ -180,7 +180,7 @@ impl Pigment {
                     Paint::Pigments(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.is_average())?)));
                 r.leave_block()
             }
-            Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
+            Next::Word(_) if !r.is_at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
             Next::Word(_) | Next::Value => {
                 let at = r.span();
                 let color = r.color()?.without_infinities();
@@ -305,7 +305,7 @@ impl Entry for Pigment {
     fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(match r.thing::<Pigment>()? {
             Some(pigment) => Some((*pigment).clone()),
-            None if r.at_color()? => Some(Self::solid(r.color()?)),
+            None if r.is_at_color()? => Some(Self::solid(r.color()?)),
             None => None,
         })
     }

@@ -106,7 +106,7 @@ impl PigmentProgram {
                     [(i, 1.0)] => self.node_color(*i as usize, &inner),
                     // Both neighbours are the same node.
                     [(i, _), (j, _)] if i == j && !pattern.is_average() => self.node_color(*i as usize, &inner),
-                    ref shares => self.sum(shares, &inner),
+                    ref shares => self.sum_colors(shares, &inner),
                 }
             }
         }
@@ -116,7 +116,7 @@ impl PigmentProgram {
 impl PigmentProgram {
     /// Returns the sum of the nodes' colours, each times its share. Nodes that follow each other and are the same one
     /// are evaluated once, so that nested averages of one pigment do not take exponential time.
-    fn sum(&self, shares: &[(&u32, f64)], inner: &TextureContext) -> Color {
+    fn sum_colors(&self, shares: &[(&u32, f64)], inner: &TextureContext) -> Color {
         let (mut sum, mut last) = (Color::BLACK, None);
         for &(&i, share) in shares {
             let color = match last {

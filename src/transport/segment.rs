@@ -40,9 +40,11 @@ impl Tracer<'_> {
         }
         let start = if span.from == 0.0 { *ray } else { Ray::new(ray.at(span.from), ray.dir) };
         let length = span.to - span.from;
-        let fogs = atmosphere::fogs(&world.fogs, &start, length, world.noise);
+        let fogs = atmosphere::combine_fogs(&world.fogs, &start, length, world.noise);
         let random = &mut self.random;
-        fogs.in_front_of(atmosphere::rainbows(&world.rainbows, &start, length, &mut || random.next(Purpose::Rainbow)))
+        fogs.in_front_of(atmosphere::combine_rainbows(&world.rainbows, &start, length, &mut || {
+            random.next(Purpose::Rainbow)
+        }))
     }
 
     /// True if the scene has fog or a rainbow, and the quality shows it.

@@ -188,12 +188,12 @@ impl<'w> Painter<'w, '_> {
     fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> Bumped {
         let within = frame.is_some() || bumps.framed;
         let place = self.placed.place.as_deref().filter(|_| within || !bumps.stays);
-        let local = place.map_or(ctx.normal, |m| m.inverse_normal(ctx.normal));
+        let local = place.map_or(ctx.normal, |m| m.inverse_transform_normal(ctx.normal));
         let local = frame.map_or(local, |frame| frame.inside(local));
         let local = if within { local.normalize_or(local) } else { local };
         let inner = bumps.perturb(&self.pattern_context(ctx), local);
         let outer = frame.map_or(inner, |frame| frame.outside(inner));
-        let lit = place.map_or(outer, |m| m.normal(outer));
+        let lit = place.map_or(outer, |m| m.transform_normal(outer));
         let seen = if within { inner } else { lit };
         Bumped { lit, seen: if bumps.keeps_length() { seen } else { seen.normalize_or(seen) } }
     }

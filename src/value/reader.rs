@@ -104,9 +104,9 @@ pub trait Reader {
     /// Consumes the declared thing announced by [`Next::Thing`], or the function announced by [`Next::Function`].
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)>;
     /// Reads an object, of which only the inside is used.
-    fn solid(&mut self) -> Result<Arc<dyn Solid>>;
+    fn read_solid(&mut self) -> Result<Arc<dyn Solid>>;
     /// Reads the inside of a pigment as a pattern: the pigment's brightness.
-    fn pigment(&mut self) -> Result<Arc<dyn Thing>>;
+    fn read_pigment_pattern(&mut self) -> Result<Arc<dyn Thing>>;
     /// Reads a number; a vector is an error.
     fn float(&mut self) -> Result<f64>;
     /// Reads a number, if an expression comes next.
@@ -120,19 +120,19 @@ pub trait Reader {
     /// Consumes up to `most` items of the scene's literal list, while each is a vector of `width` components that
     /// `take` accepts; returns the number consumed. The result can be 0 although vectors come next: the other methods
     /// read the first and last item of a list, and anything that is not a literal.
-    fn literals(&mut self, _width: usize, _most: usize, _take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
+    fn read_literals(&mut self, _width: usize, _most: usize, _take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
         0
     }
     /// Reads exactly `n` numbers in parentheses.
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>>;
     /// Consumes a `:` in the scene.
-    fn colon(&mut self) -> Result<()>;
+    fn read_colon(&mut self) -> Result<()>;
     /// Reads a colour, with or without the word `color` or `rgb` before it.
     fn color(&mut self) -> Result<Color>;
     /// Reads a number or a colour.
     fn float_or_color(&mut self) -> Result<FloatOrColor>;
     /// True if a colour can come next: one of its words, or an expression.
-    fn at_color(&mut self) -> Result<bool>;
+    fn is_at_color(&mut self) -> Result<bool>;
     /// Reads one `translate`, `rotate`, `scale`, `matrix`, `transform { … }` or declared transform, if one comes next.
     ///
     /// Boxed, because a transform is large and mostly passed on.
@@ -146,20 +146,20 @@ pub trait Reader {
     /// Reads a word or block that durer does not render yet, with its contents, and warns.
     fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported>;
     /// Reads the next token with its contents, and appends it to `row`.
-    fn skip_into(&mut self, row: &mut Vec<Unsupported>) -> Result<()>;
+    fn skip_unsupported(&mut self, row: &mut Vec<Unsupported>) -> Result<()>;
     /// Finds a file in the folders that a scene searches; `None` if it does not exist, an error if the scene may not
     /// read it. `at` is the span of the name.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
     /// Returns the file storage that the scene may read.
     fn files(&self) -> &dyn Files;
     /// Finds a font, or with a warning one with a similar design. `at` is the span of the name.
-    fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
+    fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
     /// Reads the name of a picture file, and decodes the file.
-    fn picture(&mut self) -> Result<Arc<Picture>>;
+    fn read_picture(&mut self) -> Result<Arc<Picture>>;
     /// Reads the name of a mesh file, and builds its shape with `build`. Each file is read once per run.
-    fn mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>>;
+    fn read_mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>>;
     /// Reads `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.
-    fn sized_function(&mut self) -> Result<Option<SizedFunction>>;
+    fn read_sized_function(&mut self) -> Result<Option<SizedFunction>>;
     /// Reports a diagnostic about the scene, and continues reading.
     fn report(&mut self, diagnostic: Diagnostic);
     /// Returns the error "expected …, found …" about the scene's next token.

@@ -35,7 +35,7 @@ impl<T> SharedDefault<T> {
     }
 
     /// Returns the value if one was set; `None` for the shared default. It may equal the default.
-    pub fn explicit(&self) -> Option<&Arc<T>> {
+    pub fn explicit_value(&self) -> Option<&Arc<T>> {
         self.0.as_ref()
     }
 }
@@ -127,12 +127,12 @@ mod tests {
         assert_eq!(size_of::<SharedDefault<Transform>>(), size_of::<usize>());
         let mut moved = SharedDefault::<Transform>::default();
         assert_eq!(*moved, Transform::IDENTITY);
-        assert!(moved.explicit().is_none());
+        assert!(moved.explicit_value().is_none());
         let before = moved.clone();
         *moved = moved.then(&Transform::translate(DVec3::X));
         let copy = moved.clone();
         *moved = moved.then(&Transform::translate(DVec3::X));
-        assert_eq!([&before, &copy, &moved].map(|m| m.point(DVec3::ZERO).x), [0.0, 1.0, 2.0]);
+        assert_eq!([&before, &copy, &moved].map(|m| m.transform_point(DVec3::ZERO).x), [0.0, 1.0, 2.0]);
         assert!(before == SharedDefault::new(Transform::IDENTITY) && before != copy);
     }
 }

@@ -62,7 +62,7 @@ impl Unsupported {
     ///
     /// # Errors
     /// The serializer's error.
-    pub fn print_row<S: Serializer>(row: &[Unsupported], s: S) -> Result<S::Ok, S::Error> {
+    pub fn serialize_row<S: Serializer>(row: &[Unsupported], s: S) -> Result<S::Ok, S::Error> {
         s.collect_seq(items(row))
     }
 
@@ -92,7 +92,7 @@ impl Serialize for Unsupported {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
         match self {
             Unsupported::Word(word) => s.serialize_str(word),
-            Unsupported::Numbers { .. } => Self::print_row(std::slice::from_ref(self), s),
+            Unsupported::Numbers { .. } => Self::serialize_row(std::slice::from_ref(self), s),
             Unsupported::Color(c) if c.filter == 0.0 && c.transmit == 0.0 => {
                 serialize_named(s, "rgb", &c.rgb.to_array())
             }
@@ -138,7 +138,7 @@ fn items(row: &[Unsupported]) -> impl Iterator<Item = Item<'_>> {
 
 impl Serialize for Row<'_> {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        Unsupported::print_row(self.0, s)
+        Unsupported::serialize_row(self.0, s)
     }
 }
 

@@ -58,7 +58,7 @@ impl Sky {
         if self.layers.is_empty() {
             return behind;
         }
-        let p = self.place.inverse_point(dir);
+        let p = self.place.inverse_transform_point(dir);
         let ctx = TextureContext { waves, world: dir, ray: dir, ..TextureContext::without_surface(p, noise) };
         let colors = self.layers.iter().rev().map(|layer| {
             match layer.quick.as_ref().filter(|_| quick).unwrap_or(&layer.color) {

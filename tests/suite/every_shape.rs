@@ -18,11 +18,11 @@ struct Dice {
 
 impl Dice {
     fn between(&mut self, lo: f64, hi: f64) -> f64 {
-        lo + (hi - lo) * self.stream.next()
+        lo + (hi - lo) * self.stream.next_random()
     }
 
     fn below(&mut self, n: usize) -> usize {
-        (self.stream.next() * n as f64) as usize
+        (self.stream.next_random() * n as f64) as usize
     }
 
     fn vector(&mut self, size: f64) -> DVec3 {
@@ -406,7 +406,7 @@ fn hits_follow_nested_transforms() {
         let node = SolidNode::leaf(Leaf::new(there, &m, 3), 3);
         let world = Geometry::new(vec![node.clone()]);
         for ray in rays(i as u64, 20) {
-            let moved = Ray::new(m.point(ray.origin), m.vector(ray.dir));
+            let moved = Ray::new(m.transform_point(ray.origin), m.transform_vector(ray.dir));
             let found = world.closest(&moved, Range::FORWARD, |_| true);
             let expected = shape.closest(&ray, Range::FORWARD).map(|hit| hit.t);
             assert_eq!(world.any(&moved, Range::FORWARD, |_| true), found.is_some(), "{name}");
@@ -423,7 +423,10 @@ fn hits_follow_nested_transforms() {
             }
             let local = shape.normal(ray.at(found.t()), &found.hit).normalize();
             for flat in <[DVec3; 2]>::from(local.any_orthonormal_pair()) {
-                assert!(m.vector(flat).normalize().dot(surface.normal).abs() < 1e-6, "{name} {shape:?} {surface:?}");
+                assert!(
+                    m.transform_vector(flat).normalize().dot(surface.normal).abs() < 1e-6,
+                    "{name} {shape:?} {surface:?}"
+                );
             }
         }
     }

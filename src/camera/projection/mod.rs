@@ -52,17 +52,26 @@ impl Projection {
 
     /// Returns the unit camera ray through a position of the picture, from -½ to ½ to the right and up, and the
     /// position for bumps; `None` where the projection has no ray, and for flat windows and faces. `axes` are the unit
-    /// vectors right, up and ahead, `lengths` are the width and height of the window and the length of the direction.
-    pub(super) fn ray(&self, position: DVec2, origin: DVec3, axes: [DVec3; 3], lengths: DVec3) -> Option<(Ray, DVec2)> {
+    /// vectors right, up and ahead, `window_lengths` are the width and height of the window and the length of the
+    /// direction.
+    pub(super) fn ray(
+        &self,
+        position: DVec2,
+        origin: DVec3,
+        axes: [DVec3; 3],
+        window_lengths: DVec3,
+    ) -> Option<(Ray, DVec2)> {
         let local = match self {
             // These have a window or faces.
             Projection::Perspective | Projection::Lecture { .. } | Projection::Mesh(_) => return None,
-            Projection::Orthographic => orthographic::orthographic_ray(position, lengths),
-            Projection::Fisheye(angle) => fisheye::fisheye_ray(position, lengths, *angle)?,
-            Projection::UltraWideAngle(angle) => ultra_wide_angle::ultra_wide_angle_ray(position, lengths, *angle),
-            Projection::Omnimax => omnimax::omnimax_ray(position, lengths)?,
-            Projection::Panoramic => panoramic::panoramic_ray(position, lengths),
-            Projection::Cylinder(kind, angle) => cylinder::cylindrical_ray(*kind, position, lengths, *angle),
+            Projection::Orthographic => orthographic::orthographic_ray(position, window_lengths),
+            Projection::Fisheye(angle) => fisheye::fisheye_ray(position, window_lengths, *angle)?,
+            Projection::UltraWideAngle(angle) => {
+                ultra_wide_angle::ultra_wide_angle_ray(position, window_lengths, *angle)
+            }
+            Projection::Omnimax => omnimax::omnimax_ray(position, window_lengths)?,
+            Projection::Panoramic => panoramic::panoramic_ray(position, window_lengths),
+            Projection::Cylinder(kind, angle) => cylinder::cylindrical_ray(*kind, position, window_lengths, *angle),
             Projection::Spherical(angles) => {
                 let (dir, place) = spherical::spherical_ray_direction(position, *angles, axes);
                 return Some((Ray::new(origin, dir.try_normalize()?), place));

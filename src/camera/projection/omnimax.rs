@@ -12,8 +12,8 @@ const ANGLE: [f64; 3] = [1.411_269, -0.094_390, 0.256_740];
 const WIDEST: f64 = 1.283_458;
 
 /// Returns the ray of an omnimax camera; `None` outside its disc.
-pub(super) fn omnimax_ray(position: DVec2, lengths: DVec3) -> Option<LocalRay> {
-    let p = picture_to_disc(position, lengths.x / lengths.y);
+pub(super) fn omnimax_ray(position: DVec2, window_lengths: DVec3) -> Option<LocalRay> {
+    let p = picture_to_disc(position, window_lengths.x / window_lengths.y);
     let r = p.length();
     if r > 1.0 {
         return None;

@@ -5,6 +5,6 @@ use super::LocalRay;
 use crate::math::{DVec2, DVec3};
 
 /// Returns the ray of an orthographic camera.
-pub(super) fn orthographic_ray(position: DVec2, lengths: DVec3) -> LocalRay {
-    LocalRay { origin: position * lengths.truncate(), dir: DVec3::Z, place: position }
+pub(super) fn orthographic_ray(position: DVec2, window_lengths: DVec3) -> LocalRay {
+    LocalRay { origin: position * window_lengths.truncate(), dir: DVec3::Z, place: position }
 }

@@ -29,7 +29,7 @@ fn offset_from_period_middle(x: f64, period: f64) -> f64 {
 
 /// Internal function `f_helix1`: The tube's cross section is spanned by the distance from the cylinder of the major
 /// radius, and by y. The distance never exceeds that to the cylinder's opposite side.
-pub fn helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [f64; 10]) -> f64 {
+pub fn f_helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [f64; 10]) -> f64 {
     let q = (x * x + z * z).sqrt();
     let pitch = TAU / (number * period);
     let along = offset_from_period_middle(y - fp::atan2(-z, x) / period, pitch);
@@ -40,7 +40,7 @@ pub fn helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [f6
 
 /// Internal function `f_helix2`: A cylinder whose horizontal cross section turns around the y axis together with its
 /// centre.
-pub fn helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 {
+pub fn f_helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 {
     let (sin, cos) = fp::sin_cos(period * y);
     let (a, b) = rotate_point(x - major * cos, z - major * sin, (-sin, cos));
     cross_section(a, b, kind) - minor
@@ -48,7 +48,7 @@ pub fn helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 
 
 /// Internal function `f_spiral`: Around the y axis, in the plane y = 0: the spiral of Archimedes r = winding · angle /
 /// 2π from the centre, cut by a sphere.
-pub fn spiral([x, y, z, winding, thickness, radius, _, _, kind]: [f64; 9]) -> f64 {
+pub fn f_spiral([x, y, z, winding, thickness, radius, _, _, kind]: [f64; 9]) -> f64 {
     let around = x * x + z * z;
     let r = (around + y * y).sqrt();
     let from_spiral = around.sqrt() - winding * fp::atan2(z, -x).rem_euclid(TAU) / TAU;
@@ -60,7 +60,7 @@ pub fn spiral([x, y, z, winding, thickness, radius, _, _, kind]: [f64; 9]) -> f6
 
 /// Internal function `f_helical_torus`: A torus of major radius P0; P1 windings around it that turn P2 times. P5 is the
 /// radius of the windings' centres.
-pub fn helical_torus(
+pub fn f_helical_torus(
     [x, y, z, major, loops, twist, fatness, threshold, minor, flatness, period, amplitude, phase]: [f64; 13],
 ) -> f64 {
     let q = (x * x + z * z).sqrt();

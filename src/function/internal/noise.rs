@@ -11,13 +11,13 @@ use crate::math::{DVec3, fp};
 const MOST_OCTAVES: f64 = 64.0;
 
 /// Internal function `f_noise3d`: Noise from 0 to 1 by the default generator.
-pub fn noise3d([x, y, z]: [f64; 3]) -> f64 {
+pub fn f_noise3d([x, y, z]: [f64; 3]) -> f64 {
     noise(DVec3::new(x, y, z), NoiseGenerator::default())
 }
 
 /// Noise from 0 to 1, by the generator with this number.
-pub fn noise_generator([x, y, z, generator]: [f64; 4]) -> f64 {
-    noise(DVec3::new(x, y, z), NoiseGenerator::from_number(generator))
+pub fn f_noise_generator([x, y, z, generator]: [f64; 4]) -> f64 {
+    noise(DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator))
 }
 
 /// Noise from -1 to 1 at a point.
@@ -27,8 +27,8 @@ fn signed_noise(p: DVec3, generator: NoiseGenerator) -> f64 {
 
 /// Internal function `f_hetero_mf`: Musgrave's `Hetero_Terrain`. The heterogeneity t, truncated, is the power of the
 /// altitude that scales the next octave.
-pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 9]) -> f64 {
-    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
+pub fn f_hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 9]) -> f64 {
+    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
     let mut value = offset + signed_noise(p, generator);
     let (mut i, mut frequency) = (1.0, 1.0_f64);
@@ -49,8 +49,8 @@ pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 
 }
 
 /// Internal function `f_ridged_mf`: Ridged multifractal noise, after Musgrave's `RidgedMultifractal`.
-pub fn ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f64; 9]) -> f64 {
-    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
+pub fn f_ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f64; 9]) -> f64 {
+    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator));
     let ridge = |p: DVec3| {
         let height = offset - signed_noise(p, generator).abs();
         height * height
@@ -70,8 +70,8 @@ pub fn ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f6
 
 /// Internal function `f_ridge`: The mean of octaves of |noise - ridge|, minus the offset; both differences are divided
 /// by the larger of the two parts into which the ridge divides the range from 0 to 1.
-pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 9]) -> f64 {
-    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
+pub fn f_ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 9]) -> f64 {
+    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
     let height = |p: DVec3| (noise(p, generator) - ridge).abs() / ridge.max(1.0 - ridge);
     let (mut sum, mut weights, mut weight) = (height(p), 1.0, 1.0);
@@ -96,13 +96,13 @@ pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 
 }
 
 /// Upper bound of the length of the gradient of noise, by the number of its generator.
-pub fn noise_steepest(generator: &[f64]) -> f64 {
-    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).max_gradient())
+pub fn max_noise_gradient(generator: &[f64]) -> f64 {
+    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_generator_number(*n).max_gradient())
 }
 
 /// Upper bound of the change of the gradient of noise per unit of length, by the number of its generator.
-pub fn noise_bend(generator: &[f64]) -> f64 {
-    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).max_gradient_change())
+pub fn max_noise_gradient_change(generator: &[f64]) -> f64 {
+    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_generator_number(*n).max_gradient_change())
 }
 
 /// Bounds of the internal functions of noise: 0 to 1.
@@ -136,7 +136,7 @@ impl Octaves {
         (p.is_finite() && radius.is_finite()).then(|| Self {
             p,
             radius,
-            generator: NoiseGenerator::from_number(generator),
+            generator: NoiseGenerator::from_generator_number(generator),
         })
     }
 
@@ -158,7 +158,7 @@ fn without_nan(bounds: Interval) -> Interval {
     if bounds.lo.is_nan() || bounds.hi.is_nan() { Interval::ALL } else { bounds.widened() }
 }
 
-/// Bounds of the internal function [`hetero_mf`] over a box of arguments.
+/// Bounds of the internal function [`f_hetero_mf`] over a box of arguments.
 pub fn hetero_bounds(a: &[Interval]) -> Interval {
     let Some([h, lacunarity, octaves, offset, t, generator]) = constant_parameters(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
@@ -178,7 +178,7 @@ pub fn hetero_bounds(a: &[Interval]) -> Interval {
     without_nan(if rest > 0.0 { value + Interval::point(rest) * increment() * value } else { value })
 }
 
-/// Bounds of the internal function [`ridged_mf`] over a box of arguments.
+/// Bounds of the internal function [`f_ridged_mf`] over a box of arguments.
 pub fn ridged_bounds(a: &[Interval]) -> Interval {
     let Some([h, lacunarity, octaves, offset, gain, generator]) = constant_parameters(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
@@ -196,7 +196,7 @@ pub fn ridged_bounds(a: &[Interval]) -> Interval {
     without_nan(sum)
 }
 
-/// Bounds of the internal function [`ridge`] over a box of arguments.
+/// Bounds of the internal function [`f_ridge`] over a box of arguments.
 pub fn ridge_bounds(a: &[Interval]) -> Interval {
     let Some([lambda, octaves, omega, offset, ridge, generator]) = constant_parameters(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };

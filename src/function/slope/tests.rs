@@ -53,8 +53,8 @@ proptest! {
         let at = |s: [f64; 3]| [0, 1, 2].map(|i: usize| f64::min(corner[i] + s[i] * size[i], boxes[i].hi));
         let (p, q) = (at(inner), at(other));
         let value = |p: &[f64; 3]| crate::function::program::evaluate_recursively(&graph, p);
-        let list = [0, 1, 2].map(|i| Slope::parameter(i, boxes[i]));
-        let slope = graph.slope(&list, &mut vec![]);
+        let list = [0, 1, 2].map(|i| Slope::slope_of_parameter(i, boxes[i]));
+        let slope = graph.slope_over_box(&list, &mut vec![]);
         let (a, b) = (value(&p), value(&q));
         let d = DVec3::from_array(q) - DVec3::from_array(p);
         let rise = slope.derivative_along(d);
@@ -100,7 +100,7 @@ fn local_bounds_of_noise_hold() {
         let callee = Callee::Internal(crate::function::internal::find_internal(78).unwrap());
         let at = |p: DVec3| callee.call(0, &[p.x, p.y, p.z, number]);
         let mut stream = crate::math::rng::Stream::new(&[number as u64]);
-        let mut vector = |size: f64| DVec3::from([(); 3].map(|()| (2.0 * stream.next() - 1.0) * size));
+        let mut vector = |size: f64| DVec3::from([(); 3].map(|()| (2.0 * stream.next_random() - 1.0) * size));
         let mut bent = 0;
         for k in 0..20_000 {
             let (p, radius) = (vector(50.0), 0.5f64.powi(k % 12));

@@ -1,7 +1,7 @@
 //! Calls of functions and splines in scripts.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::{Function, Gives, Spline, SplineKind};
+use crate::function::{Function, ResultType, Spline, SplineKind};
 use crate::interpreter::Interpreter;
 use crate::interpreter::evaluator::as_float;
 use crate::interpreter::stream::Token;
@@ -87,8 +87,8 @@ impl<'a> Interpreter<'a> {
 fn answer(function: &Function, numbers: &[f64]) -> Value {
     let c = function.call(numbers);
     match function.result_type() {
-        Gives::Number => Value::Float(c[0]),
-        Gives::Vector(len) => Value::Vector(VecN { c, len }),
-        Gives::Color => Value::Color(crate::color::Color::from_array(c)),
+        ResultType::Number => Value::Float(c[0]),
+        ResultType::Vector(len) => Value::Vector(VecN { c, len }),
+        ResultType::Color => Value::Color(crate::color::Color::from_array(c)),
     }
 }

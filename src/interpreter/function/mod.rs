@@ -9,7 +9,8 @@ use super::Interpreter;
 use super::evaluator::component_index;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{
-    self, Body, Callee, Function, Gives, Graph, Id, Operation, Program, Sampler, Spline, SplineKind, internal, numeric,
+    self, Body, Callee, Function, Graph, Id, Operation, Program, ResultType, Sampler, Spline, SplineKind, internal,
+    numeric,
 };
 use crate::pattern::PigmentPattern;
 use crate::source::Span;
@@ -306,7 +307,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The function or spline in a value, its result type and its number of parameters.
-    fn callee(&mut self, callee: &Value, span: Span) -> Result<(Callee, Gives, usize)> {
+    fn callee(&mut self, callee: &Value, span: Span) -> Result<(Callee, ResultType, usize)> {
         if let Value::Thing(thing) = callee {
             if let Some(f) = downcast::<Function>(thing) {
                 let (gives, arity) = (f.result_type(), f.arity());
@@ -317,7 +318,7 @@ impl<'a> Interpreter<'a> {
                 return Ok((callee, gives, arity));
             }
             if let Some(spline) = downcast::<Spline>(thing) {
-                let gives = Gives::Vector(spline.len);
+                let gives = ResultType::Vector(spline.len);
                 return Ok((Callee::Sampler(spline), gives, 1));
             }
         }
@@ -341,19 +342,21 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::WRONG_COUNT, called, message)
     }
 
-    fn select_component(&self, gives: Gives, component: Option<&Name>, span: Span) -> Result<Component> {
+    fn select_component(&self, gives: ResultType, component: Option<&Name>, span: Span) -> Result<Component> {
         let text = self.called_text(span);
         let Some(component) = component else {
             return match gives {
-                Gives::Number => Ok(Component::Of(0)),
-                Gives::Vector(_) => {
+                ResultType::Number => Ok(Component::Of(0)),
+                ResultType::Vector(_) => {
                     Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a vector"))
                         .help("`.x`, `.y` or `.z` after the call selects one of its components")
                         .into()
                 }
-                Gives::Color => Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a colour"))
-                    .help("`.red`, `.green`, `.blue` or `.gray` after the call selects one of its components")
-                    .into(),
+                ResultType::Color => {
+                    Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a colour"))
+                        .help("`.red`, `.green`, `.blue` or `.gray` after the call selects one of its components")
+                        .into()
+                }
             };
         };
         let weights = crate::color::GRAY_WEIGHTS;
@@ -361,10 +364,10 @@ impl<'a> Interpreter<'a> {
             return Ok(Component::Of(i as u8));
         }
         match (self.inputs.sources.snippet(component.span), gives) {
-            ("gray" | "grey", Gives::Color) => Ok(Component::Weighted(weights)),
+            ("gray" | "grey", ResultType::Color) => Ok(Component::Weighted(weights)),
             // The 16 bits of a height field: red is the upper byte, green the lower one
             // (quirk: `hf_component_weights`).
-            ("hf", Gives::Color) => Ok(Component::Weighted([0.996093, 0.003906, 0.0])),
+            ("hf", ResultType::Color) => Ok(Component::Weighted([0.996093, 0.003906, 0.0])),
             _ => {
                 let message = format!("`.{}` is no component of this", self.inputs.sources.snippet(component.span));
                 Diagnostic::err(codes::NO_COMPONENT, component.span, message)

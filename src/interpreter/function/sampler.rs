@@ -1,6 +1,6 @@
 //! Functions made from a pigment, a pattern or a transform.
 
-use crate::function::{Gives, LocalBounds, Sampler};
+use crate::function::{LocalBounds, ResultType, Sampler};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::pattern::TextureContext;
@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicU8, Ordering};
 pub(super) type SceneNoise = Arc<AtomicU8>;
 
 fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
-    let generator = NoiseGenerator::from_number(f64::from(noise.load(Ordering::Relaxed)));
+    let generator = NoiseGenerator::from_generator_number(f64::from(noise.load(Ordering::Relaxed)));
     TextureContext::without_surface(DVec3::new(p[0], p[1], p[2]), generator)
 }
 
@@ -25,8 +25,8 @@ impl Sampler for PigmentSampler {
         3
     }
 
-    fn result_type(&self) -> Gives {
-        Gives::Color
+    fn result_type(&self) -> ResultType {
+        ResultType::Color
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
@@ -47,8 +47,8 @@ impl Sampler for PatternSampler {
         3
     }
 
-    fn result_type(&self) -> Gives {
-        Gives::Number
+    fn result_type(&self) -> ResultType {
+        ResultType::Number
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
@@ -73,12 +73,12 @@ impl Sampler for TransformSampler {
         3
     }
 
-    fn result_type(&self) -> Gives {
-        Gives::Vector(3)
+    fn result_type(&self) -> ResultType {
+        ResultType::Vector(3)
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        let v = self.0.point(DVec3::new(p[0], p[1], p[2]));
+        let v = self.0.transform_point(DVec3::new(p[0], p[1], p[2]));
         [v.x, v.y, v.z, 0.0, 0.0]
     }
 }

@@ -175,7 +175,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
                 let mut around = Around::EMPTY;
                 self.add_items(number, &mut around);
                 let child = Child::items(self.items.len() - items as usize, items as usize);
-                self.bvh.nodes[node].set(slot, (around.lo, around.hi), child);
+                self.bvh.nodes[node].set_child(slot, (around.lo, around.hi), child);
                 all.join(&around);
             } else {
                 // Siblings are adjacent in memory, since they are visited together.
@@ -185,7 +185,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         }
         for (slot, child, number) in inner {
             let around = self.fill_node(child, number);
-            self.bvh.nodes[node].set(slot, (around.lo, around.hi), Child::node(child));
+            self.bvh.nodes[node].set_child(slot, (around.lo, around.hi), Child::node(child));
             all.join(&around);
         }
         all
@@ -225,8 +225,8 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
 fn split_boxes(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
     let cut = match prims.len() {
         _ if halve => None,
-        0..=32 => Cut::find_cheapest::<6>(prims, around),
-        _ => Cut::find_cheapest::<16>(prims, around),
+        0..=32 => Cut::find_cheapest_cut::<6>(prims, around),
+        _ => Cut::find_cheapest_cut::<16>(prims, around),
     };
     if let Some(cut) = cut {
         let (count, halves) = partition(prims, |prim| cut.is_left(prim));
@@ -338,7 +338,7 @@ struct Cut {
 
 impl Cut {
     /// Returns the cheapest split plane between bins along each axis; `None` if all are equally good.
-    fn find_cheapest<const BINS: usize>(prims: &[Prim], around: &Around) -> Option<Cut> {
+    fn find_cheapest_cut<const BINS: usize>(prims: &[Prim], around: &Around) -> Option<Cut> {
         let extent = around.last - around.first;
         if extent.max_element() <= 0.0 || !extent.is_finite() {
             return None;

@@ -110,7 +110,7 @@ impl Bvh {
             #[expect(unsafe_code, reason = "the compiler can't know the processor")]
             return unsafe { self.traverse_avx2(ray, range, visit) };
         }
-        self.traverse_plainly(ray, range, visit);
+        self.traverse_portably(ray, range, visit);
     }
 
     #[inline(always)]
@@ -118,7 +118,7 @@ impl Bvh {
         !self.nodes.is_empty() && ray.origin.is_finite() && ray.dir.is_finite()
     }
 
-    fn traverse_plainly(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
+    fn traverse_portably(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
         walk!(node::slabs, self, ray, range, |_| (), visit);
     }
 
@@ -337,7 +337,7 @@ mod tests {
                     found.push(i);
                     ControlFlow::Continue(max)
                 });
-                bvh.traverse_plainly(&ray, range, |i, max| {
+                bvh.traverse_portably(&ray, range, |i, max| {
                     plainly.push(i);
                     ControlFlow::Continue(max)
                 });
@@ -396,7 +396,7 @@ mod tests {
             let ray = Ray::new(DVec3::new(at(13), at(29), at(31)), DVec3::new(at(7) - 5.0, at(11) - 5.0, at(5) - 4.0));
             for range in [Range::ALL, Range::FORWARD] {
                 let (mut plain, mut wide) = (vec![], vec![]);
-                bvh.traverse_plainly(&ray, range, |i, max| {
+                bvh.traverse_portably(&ray, range, |i, max| {
                     plain.push(i);
                     ControlFlow::Continue(max)
                 });

@@ -60,7 +60,7 @@ impl Wide {
         self.planes.as_flattened().as_flattened().iter().map(|plane| used(*plane)).fold(0.0, f32::max)
     }
 
-    pub fn set(&mut self, slot: usize, (lo, hi): (Vec3A, Vec3A), child: Child) {
+    pub fn set_child(&mut self, slot: usize, (lo, hi): (Vec3A, Vec3A), child: Child) {
         for axis in 0..3 {
             self.planes[0][axis][slot / 4][slot % 4] = lo[axis];
             self.planes[1][axis][slot / 4][slot % 4] = hi[axis];

@@ -94,7 +94,7 @@ pub(super) fn signed_areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
             line.shear_corner(line.axes.map(|axis| pack.corners[axis % 3][number].into()))
         });
         let found = Sheared::signed_areas(a, b, c);
-        mask |= u32::from(Sheared::is_within(found)) << i;
+        mask |= u32::from(Sheared::have_equal_signs(found)) << i;
         (0..3).for_each(|k| (areas[k][i], depths[k][i]) = (found[k], [a, b, c][k].z));
     }
     Areas { mask: mask & pack.used_mask(half), areas, depths }

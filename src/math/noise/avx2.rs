@@ -73,10 +73,10 @@ fn corner_contributions(hashes: &[usize; 4], x: __m256d, y: __m256d, z: __m256d)
     add(add(add(v, gx, x), gy, y), gz, z)
 }
 
-/// Computes [`super::value::scalar`] with AVX2.
+/// Computes [`super::value::scalar_noise`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn scalar(p: DVec3) -> f64 {
+pub fn scalar_noise(p: DVec3) -> f64 {
     let (hashes, t) = cell_corner_hashes(p);
     let [tx, ty, tz] = broadcast_components(t);
     let (x, y) =
@@ -93,10 +93,10 @@ pub fn scalar(p: DVec3) -> f64 {
     _mm256_cvtsd_f64(along_z)
 }
 
-/// Computes [`super::value::vector`] with AVX2.
+/// Computes [`super::value::vector_noise`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn vector(p: DVec3) -> DVec3 {
+pub fn vector_noise(p: DVec3) -> DVec3 {
     let (hashes, t) = cell_corner_hashes(p);
     let (near, far) = (broadcast_components(t), broadcast_components(_mm256_sub_pd(t, _mm256_set1_pd(1.0))));
     let along = |axis: usize, i: usize| if i >> axis & 1 == 1 { far[axis] } else { near[axis] };

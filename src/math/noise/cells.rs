@@ -44,7 +44,7 @@ impl Cell {
 
     /// Calls `look` with the random points of the unit cube and of those around it. Each thread caches some of them,
     /// since neighbouring points need the same ones.
-    pub fn with_neighbourhood<T>(self, look: impl FnOnce(&Around) -> T) -> T {
+    pub fn with_neighbour_points<T>(self, look: impl FnOnce(&Around) -> T) -> T {
         let [x, y, z] = self.0;
         REMEMBERED.with_borrow_mut(|remembered| {
             let around = &mut remembered[x & 3 | (y & 3) << 2 | (z & 3) << 4];
@@ -213,7 +213,7 @@ mod tests {
     #[test]
     fn neighbours_match_single_cubes() {
         for corner in [[0; 3], [5, 4095, usize::MAX], [1, 2, 7], [4097, 2, 7]].map(Cell) {
-            corner.with_neighbourhood(|around| {
+            corner.with_neighbour_points(|around| {
                 for (n, step) in NEXT.iter().enumerate() {
                     let point = DVec3::from(step.map(|i| i as f64)) + corner.offset_by(*step).random_point();
                     assert_eq!(point, DVec3::from([0, 1, 2].map(|axis| around.points[axis][n])));

@@ -38,7 +38,7 @@ pub fn blend_corners(corners: [f64; 8], t: [f64; 3]) -> f64 {
 
 /// Returns the vector from corner i of a lattice cell to the point `t` of the cell.
 #[inline(always)]
-pub fn from_corner(i: usize, t: [f64; 3]) -> [f64; 3] {
+pub fn offset_from_corner(i: usize, t: [f64; 3]) -> [f64; 3] {
     let along = |axis: usize| if i >> axis & 1 == 1 { t[axis] - 1.0 } else { t[axis] };
     [along(0), along(1), along(2)]
 }

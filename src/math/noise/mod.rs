@@ -67,7 +67,7 @@ impl NoiseGenerator {
 
     /// Returns the noise generator for the last argument of `f_noise_generator`, which POV-Ray truncates to an integer
     /// of two bits; 0 counts as 1.
-    pub fn from_number(n: f64) -> Self {
+    pub fn from_generator_number(n: f64) -> Self {
         match (n as i64) & 3 {
             2 => Self::RangeCorrected,
             3 => Self::Perlin,
@@ -116,14 +116,14 @@ impl Turbulence {
 /// Noise of `f_noise_generator(x, y, z, generator)`: between 0 and 1, about 0.5 on average. `f_noise3d` is this
 /// function with the scene's generator, `f_snoise3d` is twice that minus 1.
 pub fn noise(p: DVec3, generator: NoiseGenerator) -> f64 {
-    let raw = if generator == NoiseGenerator::Perlin { perlin::scalar(p) } else { wide::scalar_at(p) };
+    let raw = if generator == NoiseGenerator::Perlin { perlin::scalar_noise(p) } else { wide::scalar_at(p) };
     to_generator_range(raw, generator)
 }
 
 /// Computes [`noise`] at several points.
-fn noises(points: &[DVec3], generator: NoiseGenerator, out: &mut [f64]) {
+fn noise_at_points(points: &[DVec3], generator: NoiseGenerator, out: &mut [f64]) {
     if generator == NoiseGenerator::Perlin {
-        points.iter().zip(&mut *out).for_each(|(p, out)| *out = perlin::scalar(*p));
+        points.iter().zip(&mut *out).for_each(|(p, out)| *out = perlin::scalar_noise(*p));
     } else {
         wide::scalars(points, out);
     }
@@ -156,7 +156,7 @@ pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -
         (points[i], weights[i]) = (p * frequency, weight);
     }
     let mut each = [0.0; MAX_OCTAVES];
-    noises(&points[..count], generator, &mut each[..count]);
+    noise_at_points(&points[..count], generator, &mut each[..count]);
     (0..count).map(|i| weights[i] * turbulence_octave(each[i], generator, i == 0)).sum()
 }
 
@@ -168,7 +168,7 @@ pub fn clamped_octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [
         points[i] = points[i - 1] * 2.0;
     }
     let mut out = [0.0; N];
-    noises(&points, generator, &mut out);
+    noise_at_points(&points, generator, &mut out);
     out.map(|noise| turbulence_octave(noise, generator, true))
 }
 
@@ -196,7 +196,7 @@ mod tests {
     fn numbers_choose_generators_as_in_pov_ray() {
         let numbers = [(0.0, Original), (1.9, Original), (2.7, RangeCorrected), (3.0, Perlin), (4.0, Original)];
         for (n, generator) in numbers.into_iter().chain([(-1.5, Perlin), (-2.0, RangeCorrected), (-0.5, Original)]) {
-            assert_eq!(NoiseGenerator::from_number(n), generator, "{n}");
+            assert_eq!(NoiseGenerator::from_generator_number(n), generator, "{n}");
         }
     }
 

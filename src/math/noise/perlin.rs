@@ -2,7 +2,7 @@
 //! permutation in Ebert et al., "Texturing and Modeling").
 
 use super::super::DVec3;
-use super::lattice::{blend_corners, from_corner, lattice_cell};
+use super::lattice::{blend_corners, lattice_cell, offset_from_corner};
 use super::tables::{GRADIENTS, PERMUTATION};
 
 /// Number that noise generator 3 adds to each coordinate: the lattice points are thus just below the integers, and
@@ -11,7 +11,7 @@ pub(super) const OFFSET: f64 = 10_000_000.023157213;
 
 /// Returns the noise of generator 3 before its range is mapped: about -0.76 to 0.76, and 0 at each lattice point.
 #[inline(always)]
-pub fn scalar(p: DVec3) -> f64 {
+pub fn scalar_noise(p: DVec3) -> f64 {
     let ((ix, tx), (iy, ty), (iz, tz)) =
         (lattice_cell(p.x + OFFSET), lattice_cell(p.y + OFFSET), lattice_cell(p.z + OFFSET));
     let t = [tx, ty, tz];
@@ -21,7 +21,8 @@ pub fn scalar(p: DVec3) -> f64 {
     let xy = [permuted(px + y), permuted(qx + y), permuted(px + y + 1), permuted(qx + y + 1)];
     let corner = |i: usize| {
         // The gradients of corners with neighbouring z are adjacent; the first follows the last.
-        let ([x, y, z], [gx, gy, gz]) = (from_corner(i, t), GRADIENTS[(xy[i & 3].wrapping_add(iz) & 0x7ff) + (i >> 2)]);
+        let ([x, y, z], [gx, gy, gz]) =
+            (offset_from_corner(i, t), GRADIENTS[(xy[i & 3].wrapping_add(iz) & 0x7ff) + (i >> 2)]);
         gx * x + gy * y + gz * z
     };
     blend_corners([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)

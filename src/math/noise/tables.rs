@@ -8,7 +8,7 @@
 struct Random(u32);
 
 impl Random {
-    const fn next(&mut self) -> usize {
+    const fn next_random(&mut self) -> usize {
         self.0 = self.0.wrapping_mul(1_812_433_253).wrapping_add(12_345);
         (self.0 >> 16 & 0x7fff) as usize
     }
@@ -41,7 +41,7 @@ const fn hash_table() -> [u16; 4096] {
     let mut random = Random(0);
     while i > 0 {
         i -= 1;
-        table.swap(i, random.next() & 0xfff);
+        table.swap(i, random.next_random() & 0xfff);
     }
     table
 }
@@ -83,9 +83,9 @@ const fn gradients(random: &mut Random) -> [[f64; 3]; 2049] {
     table
 }
 
-/// A random number in [-1, 1).
+/// Returns a random coordinate in [-1, 1).
 const fn random_coordinate(random: &mut Random) -> f64 {
-    (random.next() % 4096) as f64 / 2048.0 - 1.0
+    (random.next_random() % 4096) as f64 / 2048.0 - 1.0
 }
 
 /// Computes a square root by Newton's method, for numbers up to 1; the standard library's is not const.
@@ -107,7 +107,7 @@ const fn permutation(random: &mut Random) -> [u16; 2048] {
         i += 1;
     }
     while i > 0 {
-        places.swap(i, random.next() % 2048);
+        places.swap(i, random.next_random() % 2048);
         i -= 2;
     }
     let mut table = [0; 2048];

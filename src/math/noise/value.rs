@@ -1,7 +1,7 @@
 //! The noise of generators 1 and 2, and the vector noise: each lattice point has a value and a gradient.
 
 use super::super::DVec3;
-use super::lattice::{blend_corners, from_corner, lattice_cell, s_curve};
+use super::lattice::{blend_corners, lattice_cell, offset_from_corner, s_curve};
 use super::tables::{CORNERS, HASH, Row, table_entry};
 
 /// Number that POV-Ray adds to the index of a lattice cell before the lookup of its hash.
@@ -32,13 +32,13 @@ fn cell_corner_hashes(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
     (corner_hashes([ix, iy, iz]), [tx, ty, tz])
 }
 
-/// Returns the noise of generators 1 and 2 before its range is mapped: the first component of [`vector`], about -1.2 to
-/// 1.2.
+/// Returns the noise of generators 1 and 2 before its range is mapped: the first component of [`vector_noise`], about
+/// -1.2 to 1.2.
 #[inline(always)]
-pub fn scalar(p: DVec3) -> f64 {
+pub fn scalar_noise(p: DVec3) -> f64 {
     let (hashes, t) = cell_corner_hashes(p);
     let corner = |i: usize| {
-        let ([x, y, z], Row([v, gx, gy, gz])) = (from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
+        let ([x, y, z], Row([v, gx, gy, gz])) = (offset_from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
         v + gx * x + gy * y + gz * z
     };
     // Unrolled: `map` over eight corners takes twice the time.
@@ -53,7 +53,7 @@ fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
 }
 
-/// Table of noise with the entries of the three components of [`vector`] side by side; the last lane is unused. A
+/// Table of noise with the entries of the three components of [`vector_noise`] side by side; the last lane is unused. A
 /// lattice point's values are at its hash and are halved, its gradients' coordinates are at the next three entries. (A
 /// row for each lattice point would need four times the memory, and not fit into the first-level cache beside the other
 /// tables.)
@@ -72,10 +72,10 @@ const fn lane_table() -> [Row; 259] {
 
 /// Returns the vector noise at a point: three noises on the same lattice, computed at once.
 #[inline(always)]
-pub fn vector(p: DVec3) -> DVec3 {
+pub fn vector_noise(p: DVec3) -> DVec3 {
     let (hashes, t) = cell_corner_hashes(p);
     let corner = |i: usize| {
-        let ([x, y, z], at) = (from_corner(i, t), hashes[i >> 2][i & 3] & 0xff);
+        let ([x, y, z], at) = (offset_from_corner(i, t), hashes[i >> 2][i & 3] & 0xff);
         let add = |sum: Lanes, place: usize, x: f64| lanewise(sum, LANES[at + place].0, |sum, g| sum + g * x);
         add(add(add(LANES[at].0.map(|v| 0.5 * v), 1, x), 2, y), 3, z)
     };

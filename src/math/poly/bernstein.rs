@@ -270,7 +270,7 @@ fn search_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
     let exponent = |x: f64| (x.to_bits() >> 52 & 0x7ff) as i32;
     let unit = match degree - lowest {
         0 => 1.0,
-        n => exp2((exponent(c[lowest]) - exponent(c[degree])) / n as i32),
+        n => power_of_two((exponent(c[lowest]) - exponent(c[degree])) / n as i32),
     };
     let mut a = [0.0; N];
     let mut power = 1.0;
@@ -318,7 +318,7 @@ fn search_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
 }
 
 /// Returns 2ᵏ, limited to the range of `f64`.
-fn exp2(k: i32) -> f64 {
+fn power_of_two(k: i32) -> f64 {
     f64::from_bits(((k.clamp(-1000, 1000) + 1023) as u64) << 52)
 }
 
@@ -433,10 +433,10 @@ mod tests {
             size in -40i32..40,
         ) {
             // Any unit of length, and any factor.
-            let unit = exp2(size);
+            let unit = power_of_two(size);
             let mut roots: Vec<f64> = roots.iter().map(|r| r * unit).collect();
             roots.sort_by(f64::total_cmp);
-            let found = everywhere(&from_roots(exp2(-size), &roots));
+            let found = everywhere(&from_roots(power_of_two(-size), &roots));
             prop_assert!(found.is_sorted());
             prop_assert_eq!(found.len() % 2, roots.len() % 2, "{:?} {:?}", found, roots);
             for r in &roots {

@@ -30,14 +30,14 @@ pub fn solve_quadratic_with_discriminant(a: f64, half_b: f64, c: f64, quarter_di
 /// Real roots of c₀·x³ + c₁·x² + c₂·x + c₃.
 pub fn solve_cubic(c: [f64; 4]) -> Roots {
     let mut out = Roots::new();
-    solve_everywhere(&c, &mut out);
+    solve_polynomial(&c, &mut out);
     out
 }
 
 /// Real roots of c₀·x⁴ + … + c₄.
 pub fn solve_quartic(c: [f64; 5]) -> Roots {
     let mut out = Roots::new();
-    solve_everywhere(&c, &mut out);
+    solve_polynomial(&c, &mut out);
     out
 }
 
@@ -47,10 +47,10 @@ pub fn solve_quartic(c: [f64; 5]) -> Roots {
 /// change of sign decides: the derivative's roots (found recursively) split the line into brackets, and in each bracket
 /// Newton's step, guarded by bisection, can't fail. Where the polynomial touches zero without crossing it, to rounding,
 /// the derivative's root is a double root.
-pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
+pub fn solve_polynomial_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     match c {
         [] | [_] => {}
-        [0.0, rest @ ..] => solve_between(rest, lo, hi, out),
+        [0.0, rest @ ..] => solve_polynomial_between(rest, lo, hi, out),
         &[a, b] => out.extend(Some(-b / a).filter(|x| (lo..=hi).contains(x))),
         &[a, b, c] => {
             let (x1, x2) = match solve_quadratic(a, b, c) {
@@ -63,7 +63,7 @@ pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
         }
         // A last coefficient of 0 is a root at 0, which no relative tolerance would find.
         [rest @ .., 0.0] => {
-            solve_between(rest, lo, hi, out);
+            solve_polynomial_between(rest, lo, hi, out);
             if (lo..=hi).contains(&0.0) {
                 out.insert(out.partition_point(|x| *x < 0.0), 0.0);
             }
@@ -73,13 +73,17 @@ pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
 }
 
 /// Finds all real roots of a polynomial, within the bound on their size.
-fn solve_everywhere(c: &[f64], out: &mut Roots) {
+fn solve_polynomial(c: &[f64], out: &mut Roots) {
     match c {
         [] | [_] => {}
         [lead, rest @ ..] => {
             let bound = root_bound(*lead, rest);
             // A leading coefficient so small that its root is out of range is dropped.
-            if bound.is_finite() { solve_between(c, -bound, bound, out) } else { solve_everywhere(rest, out) }
+            if bound.is_finite() {
+                solve_polynomial_between(c, -bound, bound, out)
+            } else {
+                solve_polynomial(rest, out)
+            }
         }
     }
 }
@@ -95,7 +99,7 @@ fn solve_by_derivative(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     // p'(x)
     let derivative: SmallVec<[f64; 8]> = c[..degree].iter().enumerate().map(|(i, c)| c * (degree - i) as f64).collect();
     let mut nodes = Roots::new();
-    solve_between(&derivative, lo, hi, &mut nodes);
+    solve_polynomial_between(&derivative, lo, hi, &mut nodes);
     nodes.push(hi);
     // The last position with a known sign, and the positions since then where p is zero to rounding.
     let (mut at, mut sign) = (lo, evaluate_polynomial(c, lo).signum());

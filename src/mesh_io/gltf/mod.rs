@@ -74,7 +74,7 @@ fn split_glb_chunks(bytes: &[u8]) -> ReadResult<Parts<'_>> {
 fn read_uri(uri: &str, open: Open) -> ReadResult<Vec<u8>> {
     match uri.strip_prefix("data:") {
         Some(data) => match data.split_once(";base64,") {
-            Some((_, text)) => from_base64(text),
+            Some((_, text)) => decode_base64(text),
             None => Err("its bytes are not in base64".into()),
         },
         None => open(&decode_percent_encoding(uri)),
@@ -82,7 +82,7 @@ fn read_uri(uri: &str, open: Open) -> ReadResult<Vec<u8>> {
 }
 
 /// Decodes base64 text (RFC 4648), with or without padding.
-fn from_base64(text: &str) -> ReadResult<Vec<u8>> {
+fn decode_base64(text: &str) -> ReadResult<Vec<u8>> {
     use base64::engine::{DecodePaddingMode, Engine, general_purpose::*};
     let lenient = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
     let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, lenient.with_decode_allow_trailing_bits(true));

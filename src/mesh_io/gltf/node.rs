@@ -87,7 +87,7 @@ fn read_primitive(
     }
     for i in 0..normals.as_ref().map_or(0, |_| positions.count) {
         let n = normals.as_ref().map_or([0.0; 3], |rows| rows.row_numbers(i));
-        triangles.normals.push(unit_direction(m.map_or(DVec3::ZERO, |m| m.normal(n.into())).to_array()));
+        triangles.normals.push(unit_direction(m.map_or(DVec3::ZERO, |m| m.transform_normal(n.into())).to_array()));
     }
     // In glTF v = 0 is the top of a picture, in POV-Ray the bottom.
     for i in 0..uvs.as_ref().map_or(0, |_| positions.count) {

@@ -53,7 +53,7 @@ pub type Weighted = SmallVec<[(usize, f64); 4]>;
 
 impl Wrap {
     /// Returns the projection for the number after `map_type`; unknown numbers give the planar projection.
-    pub fn from_number(n: f64) -> Self {
+    pub fn from_map_type(n: f64) -> Self {
         match n as i64 {
             1 => Self::Spherical,
             2 => Self::Cylindrical,
@@ -65,7 +65,7 @@ impl Wrap {
 
 impl Between {
     /// Returns the interpolation for the number after `interpolate`; `None` for an unknown number.
-    pub fn from_number(n: f64) -> Option<Self> {
+    pub fn from_interpolate_number(n: f64) -> Option<Self> {
         Some(match n as i64 {
             0 => Self::Nearest,
             2 => Self::Bilinear,
@@ -79,7 +79,7 @@ impl Between {
 impl Mapping {
     /// Projects a point to a position on the bitmap's picture: (0, 0) is the lower left corner, (1, 1) the upper right
     /// one. `None` outside the picture.
-    pub fn project(&self, p: DVec3) -> Option<(f64, f64)> {
+    pub fn project_to_picture(&self, p: DVec3) -> Option<(f64, f64)> {
         let around = || fp::angle_in_turns(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;
         match self.wrap {
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn nearest_counts_from_the_top() {
         let flat = Mapping::default();
-        let at = |x, y| flat.project(DVec3::new(x, y, 0.0)).map(|uv| flat.weighted_pixels(uv, 4, 3)[0].0);
+        let at = |x, y| flat.project_to_picture(DVec3::new(x, y, 0.0)).map(|uv| flat.weighted_pixels(uv, 4, 3)[0].0);
         assert_eq!([at(0.1, 0.1), at(0.9, 0.9), at(1.3, -0.1)], [Some(8), Some(3), Some(1)]);
     }
 
@@ -207,7 +207,7 @@ mod tests {
     #[test]
     fn once_ends_at_the_edges() {
         let once = Mapping { once: true, between: Between::Bilinear, ..Mapping::default() };
-        assert_eq!(once.project(DVec3::new(1.01, 0.5, 0.0)), None);
+        assert_eq!(once.project_to_picture(DVec3::new(1.01, 0.5, 0.0)), None);
         assert!(once.weighted_pixels((0.01, 0.99), 4, 4).iter().all(|(number, _)| *number == 0));
     }
 }

@@ -13,7 +13,7 @@ pub use texels::{Texels, color_curve};
 
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::{Function, Gives};
+use crate::function::{Function, ResultType};
 use crate::image_io::{Picture, Pixels, Samples, Stored, wrap_to_u16};
 use crate::math::DVec3;
 use crate::value::words::{Row, read_row, set, specs, word};
@@ -31,7 +31,7 @@ const ROWS: &[Row<Bitmap>] = &[
     word("premultiplied", ValueKind::Flag, "", "the file's colours are multiplied with alpha already")
         .sets(|s, r| set(&mut s.premultiplied, r.flag())),
     word("map_type", ValueKind::Float, "0", "0 is flat, 1 around a sphere, 2 around a cylinder, 5 around a torus")
-        .sets(|s, r| set(&mut s.mapping.wrap, r.float().map(Wrap::from_number))),
+        .sets(|s, r| set(&mut s.mapping.wrap, r.float().map(Wrap::from_map_type))),
     word("once", ValueKind::Nothing, "", "it is there once, not again and again")
         .sets(|s, _| set(&mut s.mapping.once, Ok(true))),
     word("interpolate", ValueKind::Float, "0", "between pixels: 2 straight lines, 3 curves, 4 by distance")
@@ -88,7 +88,7 @@ impl Bitmap {
         }
         let picture = match r.next()? {
             Next::Function => read_function_picture(r)?,
-            _ => r.picture()?,
+            _ => r.read_picture()?,
         };
         Ok(Self { picture, gamma: None, premultiplied: false, mapping: Mapping::default() })
     }
@@ -97,7 +97,7 @@ impl Bitmap {
     ///
     /// # Errors
     /// A diagnostic at the item that is not understood.
-    pub fn read_word(&mut self, r: &mut dyn Reader, next: Next) -> Result<bool> {
+    pub fn read_bitmap_word(&mut self, r: &mut dyn Reader, next: Next) -> Result<bool> {
         read_row(ROWS, self, next, r)
     }
 
@@ -124,7 +124,7 @@ fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
 /// Reads the number after `interpolate` in a bitmap.
 fn read_interpolation(r: &mut dyn Reader) -> Result<Between> {
     let (at, n) = (r.span(), r.float()?);
-    Between::from_number(n).ok_or_else(|| {
+    Between::from_interpolate_number(n).ok_or_else(|| {
         let message = format!("`interpolate` takes 2, 3 or 4, found {n}");
         Diagnostic::new(codes::BAD_ARGUMENT, at, message).into()
     })
@@ -134,7 +134,7 @@ fn read_interpolation(r: &mut dyn Reader) -> Result<Between> {
 /// 1), with 16 bits per channel.
 fn read_function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let at = r.span();
-    let Some(([width, height], thing)) = r.sized_function()? else {
+    let Some(([width, height], thing)) = r.read_sized_function()? else {
         return Diagnostic::new(codes::WRONG_TYPE, at, "a function as a picture needs a size")
             .help("`function 200, 200 { … }`")
             .into();
@@ -142,7 +142,7 @@ fn read_function_picture(r: &mut dyn Reader) -> Result<Arc<Picture>> {
     let Some(function) = downcast::<Function>(&thing).filter(|f| f.arity() == 3) else {
         return Diagnostic::err(codes::WRONG_TYPE, at, "expected a function of x and y");
     };
-    let color = function.result_type() == Gives::Color;
+    let color = function.result_type() == ResultType::Color;
     let step = |i: usize, n: usize| i as f64 / (n.max(2) - 1) as f64;
     let points = (0..height).flat_map(|j| (0..width).map(move |i| DVec3::new(step(i, width), step(j, height), 0.0)));
     // Reserve all memory at once: a growing list would need twice as much.

@@ -52,7 +52,7 @@ impl Cells {
     }
 
     /// Plans of a pavement by number of cells in a tile, then by variant.
-    pub fn plans(self) -> &'static [&'static [&'static str]] {
+    pub fn tile_plans(self) -> &'static [&'static [&'static str]] {
         match self {
             Self::Triangles => plans::TRIANGLES,
             Self::Squares => plans::SQUARES,
@@ -61,7 +61,7 @@ impl Cells {
     }
 
     /// Distance from the centre of a pavement's cell to its corners.
-    pub fn radius(self) -> f64 {
+    pub fn corner_radius(self) -> f64 {
         match self {
             Self::Triangles => 0.5 / H,
             Self::Squares => FRAC_1_SQRT_2,
@@ -154,15 +154,15 @@ impl Cells {
 /// Joints among the edges that meet at a corner of a pavement's cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Corner {
-    /// True if the edge before the corner (against the clock) is a joint.
+    /// True if the edge of a pavement's cell before the corner (against the clock) is a joint.
     pub before: bool,
-    /// True if the edge after the corner is a joint.
+    /// True if the edge of a pavement's cell after the corner is a joint.
     pub after: bool,
-    /// True if the first other edge at the corner, next to `after`, is a joint.
+    /// True if the first edge outside the cell at the corner, next to `after`, is a pavement's joint.
     pub first: bool,
-    /// True if the last other edge at the corner, next to `before`, is a joint.
+    /// True if the last edge outside the cell at the corner, next to `before`, is a pavement's joint.
     pub last: bool,
-    /// True if any edge at the corner other than `before` and `after` is a joint.
+    /// True if any edge outside the cell at the corner is a pavement's joint.
     pub any: bool,
 }
 
@@ -235,7 +235,7 @@ mod tests {
     #[test]
     fn joints_match_from_both_sides() {
         for cells in [Cells::Triangles, Cells::Squares, Cells::Hexagons] {
-            for row in cells.plans().iter().copied().flatten() {
+            for row in cells.tile_plans().iter().copied().flatten() {
                 let plan = Plan::new(cells, row);
                 assert_eq!(
                     plan.joints.len() as i64,

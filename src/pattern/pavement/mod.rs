@@ -63,7 +63,7 @@ enum JointShape {
 
 impl JointShape {
     /// Returns the joint's shape for a number in the scene. POV-Ray keeps eight bits of the number, and wraps around.
-    fn from_number(n: f64, shapes: u8) -> Self {
+    fn joint_shape_of_number(n: f64, shapes: u8) -> Self {
         [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % shapes)]
     }
 }
@@ -150,8 +150,8 @@ impl Pavement {
         let Some(cells) = Cells::with_sides(params.number_of_sides) else {
             return fault(format!("the cells of a pavement have 3, 4 or 6 sides, found {}", params.number_of_sides));
         };
-        let Some(patterns) = nth_entry(cells.plans(), params.number_of_tiles) else {
-            let most = cells.plans().len();
+        let Some(patterns) = nth_entry(cells.tile_plans(), params.number_of_tiles) else {
+            let most = cells.tile_plans().len();
             let (sides, tiles) = (params.number_of_sides, params.number_of_tiles);
             return fault(format!("with {sides} sides, `number_of_tiles` is one of 1 to {most}, found {tiles}"));
         };
@@ -164,9 +164,9 @@ impl Pavement {
             cells,
             plan: Plan::new(cells, row),
             corners: cells.corner_directions(),
-            exterior: JointShape::from_number(params.exterior, 3),
-            interior: JointShape::from_number(params.interior, 3),
-            form: JointShape::from_number(params.form, if cells == Cells::Squares { 4 } else { 3 }),
+            exterior: JointShape::joint_shape_of_number(params.exterior, 3),
+            interior: JointShape::joint_shape_of_number(params.interior, 3),
+            form: JointShape::joint_shape_of_number(params.form, if cells == Cells::Squares { 4 } else { 3 }),
         };
         Ok(Self { params, layout: Arc::new(layout) })
     }
@@ -191,7 +191,7 @@ struct NearCorner {
 
 impl NearCorner {
     /// Distance from the point to the nearest corner of its pavement cell.
-    fn to_corner(self) -> f64 {
+    fn distance_to_corner(self) -> f64 {
         fp::hypot(self.along, self.across)
     }
 }
@@ -203,7 +203,7 @@ impl PavementLayout {
         let k = nearest_direction(directions, place);
         let direction = directions[k];
         let near = NearCorner {
-            along: self.cells.radius() - place.dot(direction),
+            along: self.cells.corner_radius() - place.dot(direction),
             across: direction.perp_dot(place),
             to_middle: place.length(),
         };
@@ -251,7 +251,7 @@ impl PavementLayout {
             (false, true) if corner.last => self.blunt_corner_height(bevels, near.along * H - near.across / 2.0, near),
             (false, false) if corner.any => match self.interior {
                 JointShape::Cut => 1.0 - 3.0 * (near.along * H + near.across.abs() / 2.0),
-                JointShape::Round => 1.0 - 3.0 * near.to_corner(),
+                JointShape::Round => 1.0 - 3.0 * near.distance_to_corner(),
                 _ => 1.0 - near.along / self.cells.bevel_width(),
             },
             _ => bevels[0].max(bevels[1]),
@@ -268,7 +268,7 @@ impl PavementLayout {
             _ if open > 0.0 && self.interior == JointShape::Cut => {
                 1.0 - 3.0 * near.along.max(near.along / 2.0 + H * open)
             }
-            _ if open > 0.0 && self.interior == JointShape::Round => 1.0 - 3.0 * near.to_corner(),
+            _ if open > 0.0 && self.interior == JointShape::Round => 1.0 - 3.0 * near.distance_to_corner(),
             _ => bevels[0].max(bevels[1]),
         }
     }
@@ -280,7 +280,7 @@ impl PavementLayout {
             JointShape::Cut => 2.0 - 4.0 * along,
             JointShape::Round => {
                 // the hexagon's centre is at distance 1 on the bisector
-                let from_corner = near.to_corner();
+                let from_corner = near.distance_to_corner();
                 let from_middle = (from_corner * from_corner + 1.0 - 2.0 * along).sqrt();
                 1.0 - (H - from_middle) / self.cells.bevel_width()
             }
@@ -295,7 +295,7 @@ impl PavementLayout {
             (false, false) if !corner.any => 0.0,
             (false, false) => match interior {
                 JointShape::Cut => 1.0 - 2.0 * SQRT_2 * near.along,
-                JointShape::Round => 1.0 - 2.0 * near.to_corner(),
+                JointShape::Round => 1.0 - 2.0 * near.distance_to_corner(),
                 _ => 1.0 - SQRT_2 * (near.along + near.across.abs()),
             },
             _ => bevels[0].max(bevels[1]),
@@ -376,7 +376,8 @@ mod tests {
     #[test]
     fn every_pavement_reaches_everywhere() {
         for (sides, cells) in [(3.0, Cells::Triangles), (4.0, Cells::Squares), (6.0, Cells::Hexagons)] {
-            let all = cells.plans().iter().enumerate().flat_map(|(n, rows)| (0..rows.len()).map(move |row| (n, row)));
+            let all =
+                cells.tile_plans().iter().enumerate().flat_map(|(n, rows)| (0..rows.len()).map(move |row| (n, row)));
             for (tiles, pattern) in all {
                 let joint = ((tiles + pattern) % 4) as f64;
                 let params = PavementWords {

@@ -132,8 +132,8 @@ impl Plan {
         centers.iter().fold(self, |plan, &(x, z)| plan.with_regular_polygon(kind, 3, DVec2::new(x, z), angle))
     }
 
-    /// Returns the periodic tiling of a number.
-    fn from_number(number: usize) -> Self {
+    /// Returns the periodic tiling with this number in a scene, 1 to 24.
+    fn tiling_plan(number: usize) -> Self {
         let center = |x, z| DVec2::new(x, z);
         match number {
             2 => Self::new([(1.5, H), (0.0, 2.0 * H)], 1, H).with_regular_polygon(0, 6, center(0.5, H), 0.0),
@@ -347,14 +347,14 @@ impl Readable for Tiling {
                 format!("there are tilings 1 to 27, but none with the number {number}"),
             );
         }
-        Ok(Self::from_number(number as usize))
+        Ok(Self::tiling_of_number(number as usize))
     }
 }
 
 impl Tiling {
-    fn from_number(number: usize) -> Self {
-        let periodic = || Tiles::Plan(Arc::new(Plan::from_number(number).with_copies()));
-        Self { number, tiles: Penrose::from_number(number).map_or_else(periodic, Tiles::Penrose) }
+    fn tiling_of_number(number: usize) -> Self {
+        let periodic = || Tiles::Plan(Arc::new(Plan::tiling_plan(number).with_copies()));
+        Self { number, tiles: Penrose::penrose_tiling(number).map_or_else(periodic, Tiles::Penrose) }
     }
 }
 
@@ -379,7 +379,7 @@ mod tests {
     #[test]
     fn every_tiling_reaches_everywhere() {
         for number in 1..=27 {
-            let tiling = Tiling::from_number(number);
+            let tiling = Tiling::tiling_of_number(number);
             for p in extreme_points() {
                 let value = tiling.value(&TextureContext::without_surface(p, Default::default()));
                 // (A seam may give a larger number.)
@@ -406,7 +406,7 @@ mod tests {
             (20, -0.04, 0.0, 2.0 / 3.0),
             (20, 5.01, 0.0, 2.0 / 3.0),
         ] {
-            let value = Tiling::from_number(number)
+            let value = Tiling::tiling_of_number(number)
                 .value(&TextureContext::without_surface(DVec3::new(x, 0.3, z), Default::default()));
             assert!((value - shown).abs() < 1e-4, "{number} <{x}, {z}>: {value} instead of {shown}");
         }
@@ -448,7 +448,7 @@ mod tests {
             ),
         ];
         for (number, shown) in SHOWN {
-            let tiling = Tiling::from_number(number);
+            let tiling = Tiling::tiling_of_number(number);
             for (i, shown) in shown.into_iter().enumerate() {
                 let p = DVec3::new((i / 4) as f64 / 2.0, 0.0, (i % 4) as f64 / 2.0);
                 let value = tiling.value(&TextureContext::without_surface(p, Default::default()));

@@ -69,7 +69,7 @@ impl Place {
     /// Locates a point in a Penrose tiling's triangles, given the legs of the smallest triangles and the least number
     /// of cuts, which grows by four until the first triangles reach far enough: after four cuts all positions repeat,
     /// scaled by φ⁻⁴.
-    fn locate(p: DVec2, leg: f64, cuts: i32) -> Self {
+    fn locate_in_triangle(p: DVec2, leg: f64, cuts: i32) -> Self {
         // By fivefold symmetry and a mirror, one of the ten triangles is enough, with B at 36° and C at 0°.
         let p = DVec2::new(p.x, p.y.abs());
         let (x, z) = along_and_across(p, nearest_direction(p, &[0, 2, 4]));
@@ -111,7 +111,7 @@ impl Place {
 
 impl Penrose {
     /// Returns the Penrose tiling of a number from 25 to 27.
-    pub fn from_number(number: usize) -> Option<Self> {
+    pub fn penrose_tiling(number: usize) -> Option<Self> {
         [Self::Pentagons, Self::Kites, Self::Rhombs].get(number.checked_sub(25)?).copied()
     }
 
@@ -126,11 +126,11 @@ impl Penrose {
     pub fn tile_at(self, p: DVec2) -> (usize, f64) {
         let (kind, within) = match self {
             Self::Pentagons => {
-                let (kind, distance) = pentagon_tile_at(Place::locate(p, LEG, 4));
+                let (kind, distance) = pentagon_tile_at(Place::locate_in_triangle(p, LEG, 4));
                 (kind, distance / DEPTH)
             }
-            Self::Kites => kite_at(Place::locate(p, 1.0, 2)),
-            Self::Rhombs => rhomb_at(Place::locate(p, 1.0, 3)),
+            Self::Kites => kite_at(Place::locate_in_triangle(p, 1.0, 2)),
+            Self::Rhombs => rhomb_at(Place::locate_in_triangle(p, 1.0, 3)),
         };
         let most = if kind == 0 { 1.0 } else { 1.0 - MARGIN * self.kind_count() as f64 };
         (kind, within.clamp(0.0, most))

@@ -70,7 +70,7 @@ impl Readable for BlackHole {
 
 impl BlackHole {
     /// Returns the centre of the black hole that may contain the point.
-    fn center_near(&self, p: DVec3) -> DVec3 {
+    fn nearest_hole_center(&self, p: DVec3) -> DVec3 {
         if self.repeat == DVec3::ZERO {
             return self.center;
         }
@@ -88,7 +88,7 @@ impl BlackHole {
 
 impl Bend for BlackHole {
     fn apply(&self, p: DVec3) -> DVec3 {
-        let out = p - self.center_near(p);
+        let out = p - self.nearest_hole_center(p);
         let distance = out.length();
         if distance >= self.radius {
             return p;
@@ -133,11 +133,11 @@ mod tests {
     #[test]
     fn turbulence_moves_each_hole_along_its_axes() {
         let holes = BlackHole { repeat: DVec3::X * 9.0, turbulence: DVec3::new(2.0, 0.0, -1.0), ..HOLE };
-        let [first, second] = [0.0, 9.0].map(|x| holes.center_near(DVec3::X * x) - DVec3::X * x - HOLE.center);
+        let [first, second] = [0.0, 9.0].map(|x| holes.nearest_hole_center(DVec3::X * x) - DVec3::X * x - HOLE.center);
         for moved in [first, second] {
             assert!(moved.x > 0.0 && moved.x < 2.0 && moved.y == 0.0 && moved.z > -1.0 && moved.z < 0.0, "{moved}");
         }
         assert_ne!(first, second);
-        assert_eq!(BlackHole { repeat: DVec3::ZERO, ..holes }.center_near(DVec3::ZERO), HOLE.center);
+        assert_eq!(BlackHole { repeat: DVec3::ZERO, ..holes }.nearest_hole_center(DVec3::ZERO), HOLE.center);
     }
 }

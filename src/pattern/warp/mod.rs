@@ -17,7 +17,7 @@ use crate::math::DVec3;
 use crate::value::{Next, Reader, Spec};
 use serde::Serialize;
 
-/// Function that every warp of a pattern computes.
+/// Interface of a warp, which displaces the points of a pattern.
 pub trait Bend {
     /// Maps the evaluated point to the point that the pattern receives.
     fn apply(&self, p: DVec3) -> DVec3;

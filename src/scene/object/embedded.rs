@@ -45,7 +45,7 @@ impl<'a> EmbeddedTextures<'a> {
 }
 
 impl Paints for EmbeddedTextures<'_> {
-    fn read(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool> {
+    fn read_embedded_texture(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool> {
         let texture = match next {
             Next::Block("texture") | Next::Thing("texture") => read_layers(r, self.defaults)?,
             _ => {
@@ -60,7 +60,7 @@ impl Paints for EmbeddedTextures<'_> {
         Ok(true)
     }
 
-    fn read_one(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>> {
+    fn read_listed_texture(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>> {
         let texture = match next {
             Next::Block("texture") => {
                 r.take_token()?;

@@ -257,7 +257,7 @@ impl Object {
         if let Some(painted) = &mut body.texture {
             painted.transform_by(step);
         }
-        if body.uncommon.explicit().is_some() {
+        if body.uncommon.explicit_value().is_some() {
             body.uncommon.transform_by(step);
         }
     }

@@ -113,7 +113,7 @@ impl Object {
                 return Ok(());
             }
             if !self.read_modifier(next, r, defaults)? {
-                r.skip_into(&mut vec![])?;
+                r.skip_unsupported(&mut vec![])?;
             }
         }
     }
@@ -346,7 +346,7 @@ fn invisible_warning(word: &str, fault: Diagnostic) -> Diagnostic {
 fn skip_color(next: Next, fault: Diagnostic, r: &mut dyn Reader) -> Result<()> {
     let at = r.span();
     let is_color = match next {
-        Next::Word(_) if r.at_color()? => r.color().is_ok(),
+        Next::Word(_) if r.is_at_color()? => r.color().is_ok(),
         Next::Value => matches!(r.value(), Ok((Value::Color(_), _))),
         _ => false,
     };

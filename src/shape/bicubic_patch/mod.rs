@@ -89,11 +89,12 @@ impl BicubicPatch {
         let mut known: FxHashMap<[u64; 5], u32> = FxHashMap::default();
         let (mut corners, mut cells): (Vec<Corner>, Vec<[u32; 4]>) = (vec![], vec![]);
         let still = m.is_identity();
-        let image = Net(self.points.map(|p| if still { p } else { m.point(p) }));
+        let image = Net(self.points.map(|p| if still { p } else { m.transform_point(p) }));
         image.subdivide(Steps { rows, columns, flatness: self.flatness }, &mut |leaf| {
             let cell = leaf.map(|mut corner| {
                 if !still {
-                    let (point, normal) = (m.inverse_point(corner.point), m.inverse_normal(corner.normal));
+                    let (point, normal) =
+                        (m.inverse_transform_point(corner.point), m.inverse_transform_normal(corner.normal));
                     corner = Corner { point, normal, ..corner };
                 }
                 // (Where an edge collapses to a point, neighbouring pieces can have different normals there.)
@@ -223,12 +224,12 @@ impl Kernel for BicubicPatch {
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        Aabb::from_points(self.cells.iter().flatten().map(|&i| m.point(self.corners[i as usize].point)))
+        Aabb::from_points(self.cells.iter().flatten().map(|&i| m.transform_point(self.corners[i as usize].point)))
     }
 
     /// Box of the bicubic patch's control points (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        Aabb::from_points(self.points.iter().map(|p| m.point(*p)))
+        Aabb::from_points(self.points.iter().map(|p| m.transform_point(*p)))
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -276,7 +277,7 @@ impl Kernel for BicubicPatch {
     }
 
     fn adapted_to_transform(&self, m: &Transform) -> Option<Self> {
-        let [x, y, z] = DVec3::AXES.map(|axis| m.vector(axis));
+        let [x, y, z] = DVec3::AXES.map(|axis| m.transform_vector(axis));
         let size = x.length_squared();
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * size;
         let even = near(y.length_squared(), size) && near(z.length_squared(), size);
@@ -321,7 +322,7 @@ mod tests {
         let patch = patch.adapted_to_transform(&far).unwrap();
         let ray = Ray::new(DVec3::new(1.1, 0.7, -50.0), DVec3::Z);
         let hit = patch.closest(&ray, Range::FORWARD).unwrap();
-        let n = far.normal(patch.normal(ray.at(hit.t), &hit)).normalize();
+        let n = far.transform_normal(patch.normal(ray.at(hit.t), &hit)).normalize();
         assert!((hit.t - 50.23).abs() < 1e-9 && n.distance(DVec3::new(0.058905, 0.594083, -0.802244)) < 1e-5, "{n}");
         assert!(patch.adapted_to_transform(&Transform::rotate(DVec3::splat(30.0))).is_none());
     }

@@ -46,12 +46,12 @@ impl Cube {
 
     /// Updates the cube around a blob's component for one of its transforms.
     fn apply_transform(&mut self, keyword: Next, step: &Transform) {
-        let scale = step.vector(DVec3::ONE);
+        let scale = step.transform_vector(DVec3::ONE);
         let even = scale.min_element() == scale.max_element();
         self.columns = match keyword {
             Next::Word("translate" | "rotate") if self.is_ball => return,
             Next::Word("scale") if self.is_ball && even => self.columns.map(|side| side * scale.x),
-            _ => self.columns.map(|side| step.vector(side)),
+            _ => self.columns.map(|side| step.transform_vector(side)),
         };
         self.is_ball &= even && keyword == Next::Word("scale");
     }
@@ -75,7 +75,7 @@ pub(super) type Stretches = SmallVec<[Stretch; 16]>;
 
 impl Component {
     fn to_component_space(&self, p: DVec3) -> DVec3 {
-        self.place.as_ref().map_or(p, |m| m.inverse_point(p))
+        self.place.as_ref().map_or(p, |m| m.inverse_transform_point(p))
     }
 
     /// Vector to `p` from the nearest point of the component's axis or centre, in radii.
@@ -99,7 +99,7 @@ impl Component {
             return DVec3::ZERO;
         }
         let local = d * (-4.0 * self.strength * u / self.radius);
-        self.place.as_ref().map_or(local, |m| m.normal(local))
+        self.place.as_ref().map_or(local, |m| m.transform_normal(local))
     }
 
     /// Bounding box of a blob's component: that of the spheres at both ends.
@@ -117,7 +117,7 @@ impl Component {
     /// cube; a cylinder without its ends is in a sphere too (quirk: `blob_component_boxes`).
     pub(super) fn pov_bounds(&self) -> Aabb {
         let cube = |center: DVec3, radius: f64| {
-            let center = self.place.as_ref().map_or(center, |m| m.point(center));
+            let center = self.place.as_ref().map_or(center, |m| m.transform_point(center));
             Aabb::from_corners(center, center).grown(radius * self.widening)
         };
         let half = self.axis / 2.0;
@@ -129,7 +129,7 @@ impl Component {
     /// Appends the stretches of a ray within reach of the blob's component, with the squared distance from its axis or
     /// centre.
     pub(super) fn add_stretches(&self, ray: &Ray, out: &mut Stretches) {
-        let local = self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray));
+        let local = self.place.as_ref().map_or(*ray, |m| m.inverse_transform_ray(ray));
         let (o, d) = ((local.origin - self.base) / self.radius, local.dir / self.radius);
         let mut push = |o: DVec3, d: DVec3, within: [f64; 2]| {
             let [a, b, c] = [d.length_squared(), 2.0 * o.dot(d), o.length_squared()];
@@ -186,7 +186,7 @@ impl Component {
                         self.place = Some(Box::new(place));
                     }
                 }
-                next if paints.read(&mut self.slot, next, r)? => {}
+                next if paints.read_embedded_texture(&mut self.slot, next, r)? => {}
                 _ => {
                     let words = ["texture", "pigment", "normal", "finish", "translate", "rotate", "scale", "matrix"];
                     return Err(r.unknown_word(kind, &words).into());

@@ -16,10 +16,10 @@ mod grid;
 mod heights;
 mod normals;
 
-use super::{Bounding, Hit, Hits, Kernel, Quirks, Readable, nearest};
+use super::{Bounding, Hit, Hits, Kernel, Quirks, Readable, nearest_hit};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::{Function, Gives};
+use crate::function::{Function, ResultType};
 use crate::image_io::{Picture, wrap_to_u16};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
@@ -98,18 +98,19 @@ impl HeightField {
     /// space.
     fn smooth_normal(&self, grid: &Grid, place: Place, rest: DVec2) -> DVec3 {
         let (m, scale) = (self.place.as_deref().unwrap_or(&Transform::IDENTITY), grid.grid_from_object_scale());
-        let corner =
-            |i: usize, k: usize| m.normal(grid.corner_normal(place.i + i, place.k + k) * scale).normalize_or_zero();
+        let corner = |i: usize, k: usize| {
+            m.transform_normal(grid.corner_normal(place.i + i, place.k + k) * scale).normalize_or_zero()
+        };
         let [n00, n10, n01, n11] = [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)];
         let n = n00.lerp(n10, rest.x).lerp(n01.lerp(n11, rest.x), rest.y);
-        m.inverse_normal(n)
+        m.inverse_transform_normal(n)
     }
 }
 
 /// Reads a height field from `function W, H { … }`, row by row from z = 0 on.
 fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
     let at = r.span();
-    let Some(([width, height], thing)) = r.sized_function()? else {
+    let Some(([width, height], thing)) = r.read_sized_function()? else {
         return Diagnostic::new(codes::WRONG_TYPE, at, "a function that gives heights needs a size")
             .help("`function 200, 200 { … }`")
             .into();
@@ -117,7 +118,7 @@ fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
     let Some(function) = downcast::<Function>(&thing).filter(|f| f.arity() == 3) else {
         return Diagnostic::err(codes::WRONG_TYPE, at, "expected a function of x and y");
     };
-    let colored = function.result_type() == Gives::Color;
+    let colored = function.result_type() == ResultType::Color;
     let step = |i: usize, n: usize| i as f64 / (n.max(2) - 1) as f64;
     let mut all = Vec::with_capacity(width * height);
     for j in (0..height).rev() {
@@ -167,7 +168,7 @@ impl Readable for HeightField {
         match r.next()? {
             Next::Function => read_function(r),
             _ => {
-                let picture = r.picture()?;
+                let picture = r.read_picture()?;
                 let is_pot = is_pot && picture.indices.is_some();
                 let width = picture.pixels.width / if is_pot { 2 } else { 1 };
                 let size = [width, picture.pixels.height];
@@ -225,7 +226,7 @@ impl Kernel for HeightField {
             all.push(hit);
             true
         });
-        nearest(&all)
+        nearest_hit(&all)
     }
 
     /// True if a point is below the height field's surface or the water; there is no bottom (quirk:

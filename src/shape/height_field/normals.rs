@@ -23,10 +23,10 @@ impl Normals {
         let kept = &self.0[row * (grid.across + 1) + column];
         let mut packed = kept.load(Ordering::Relaxed);
         if packed == 0 {
-            packed = KNOWN | pack(mean_normal(grid, column, row));
+            packed = KNOWN | pack_normal(mean_normal(grid, column, row));
             kept.store(packed, Ordering::Relaxed);
         }
-        unpack(packed)
+        unpack_normal(packed)
     }
 }
 
@@ -47,12 +47,12 @@ fn mean_normal(grid: &Grid, column: usize, row: usize) -> DVec3 {
     sum.normalize_or_zero()
 }
 
-fn pack(n: DVec3) -> u64 {
+fn pack_normal(n: DVec3) -> u64 {
     let [x, y, z] = (n * 32767.0).to_array().map(|c| u64::from((c as i16).cast_unsigned()));
     x | y << 16 | z << 32
 }
 
-fn unpack(packed: u64) -> DVec3 {
+fn unpack_normal(packed: u64) -> DVec3 {
     let at = |bits: u32| f64::from(((packed >> bits) as u16).cast_signed());
     DVec3::new(at(0), at(16), at(32))
 }
@@ -64,7 +64,7 @@ mod tests {
     #[test]
     fn coordinates_lose_what_is_behind_the_point() {
         let n = DVec3::new(-0.6, 0.0, 0.8);
-        assert_eq!(unpack(pack(n)), (n * 32767.0).trunc());
+        assert_eq!(unpack_normal(pack_normal(n)), (n * 32767.0).trunc());
     }
 
     #[test]

@@ -181,18 +181,18 @@ impl Rule {
     fn deviation_before(self, square: f64, next: Stray) -> Stray {
         let (length, Stray { least: e, most }) = (square.sqrt(), next);
         match self {
-            _ if e == 0.0 => Stray::exactly(0.0),
+            _ if e == 0.0 => Stray::exact_deviation(0.0),
             Rule::Cube if e <= square * length => {
                 let most = e / (3.0 * square);
-                Stray::exactly(e / (3.0 * square + most * (3.0 * length + most)))
+                Stray::exact_deviation(e / (3.0 * square + most * (3.0 * length + most)))
             }
-            Rule::Cube => Stray::exactly(fp::cbrt(square * length + e) - length),
+            Rule::Cube => Stray::exact_deviation(fp::cbrt(square * length + e) - length),
             // d = e / (2|h| + d) ≥ e / (2|h| + e / 2|h|) ≥ e / 2|h| (1 - e / 4|h|²)
             _ if most <= square => {
                 let half = 0.5 / length;
                 Stray { least: e * (half * (1.0 - most * (half * half))), most: most * half }
             }
-            _ => Stray::exactly((square + e).sqrt() - length),
+            _ => Stray::exact_deviation((square + e).sqrt() - length),
         }
     }
 
@@ -214,7 +214,7 @@ impl Rule {
     /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they stay in all
     /// iterations.
     fn deviation_while_staying<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
-        let mut e = [Stray::exactly(f64::INFINITY); N];
+        let mut e = [Stray::exact_deviation(f64::INFINITY); N];
         for squares in trail.iter().rev() {
             let gap = (radius - mean_square(*squares).sqrt()).max(0.0);
             e = from_fn(|i| self.deviation_before(squares[i], e[i]).min(gap));
@@ -225,12 +225,12 @@ impl Rule {
     /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they escape in one of
     /// the last iterations.
     fn deviation_while_escaping<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
-        let mut e = [Stray::exactly(0.0); N];
+        let mut e = [Stray::exact_deviation(0.0); N];
         for squares in trail.iter().rev() {
             e = from_fn(|i| self.deviation_before(squares[i], e[i]));
             if mean_square(*squares) > radius * radius {
                 let gap = mean_square(*squares).sqrt() - radius;
-                e = if gap > least_deviation(&e) { [Stray::exactly(gap); N] } else { e };
+                e = if gap > least_deviation(&e) { [Stray::exact_deviation(gap); N] } else { e };
             }
         }
         least_deviation(&e)
@@ -246,7 +246,7 @@ struct Stray {
 }
 
 impl Stray {
-    fn exactly(e: f64) -> Self {
+    fn exact_deviation(e: f64) -> Self {
         Self { least: e, most: e }
     }
 

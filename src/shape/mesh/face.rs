@@ -19,9 +19,9 @@ impl Face {
     /// Transforms the mesh's triangle: points by M and normals by M⁻ᵀ.
     pub fn transformed(self, m: &Transform) -> Self {
         Self {
-            corners: self.corners.map(|p| m.point(p)),
-            normal: m.normal(self.normal),
-            normals: self.normals.map(|normals| normals.map(|n| m.normal(n))),
+            corners: self.corners.map(|p| m.transform_point(p)),
+            normal: m.transform_normal(self.normal),
+            normals: self.normals.map(|normals| normals.map(|n| m.transform_normal(n))),
             uv: self.uv,
         }
     }

@@ -33,7 +33,7 @@ impl FileMesh {
     /// Reads the mesh file's name, and the file unless it was read before.
     pub fn read(r: &mut dyn Reader) -> Result<Arc<Self>> {
         let at = r.span();
-        let thing = r.mesh_file(|file: MeshFile, pictures| {
+        let thing = r.read_mesh_file(|file: MeshFile, pictures| {
             let materials = file.materials.into_iter().zip(pictures).collect();
             Arc::new(Self { triangles: Arc::new(Ordered::new(file.triangles)), materials })
         })?;

@@ -97,7 +97,7 @@ impl Ordered {
 
     /// Bounding box of the mesh under the transform M.
     pub fn bounds_under(&self, m: &Transform) -> Aabb {
-        Aabb::from_points(self.points().map(|p| m.point(p)))
+        Aabb::from_points(self.points().map(|p| m.transform_point(p)))
     }
 
     /// Calls `visit` with each hit of a ray on the mesh in the range; `visit` returns the distance up to which hits are

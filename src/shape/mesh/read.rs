@@ -112,7 +112,7 @@ impl Readable for Mesh {
                 r.leave_block()?;
                 Ok(true)
             }
-            _ => self.0.read_inside(next, r),
+            _ => self.0.read_inside_vector(next, r),
         }
     }
 
@@ -178,7 +178,7 @@ impl Mesh {
                     r.take_token()?;
                     for slot in &mut texture_weights {
                         let next = r.next()?;
-                        *slot = match paints.read_one(next, r)? {
+                        *slot = match paints.read_listed_texture(next, r)? {
                             Some(slot) => slot,
                             None => return Err(r.unexpected("a texture for each of the three corners").into()),
                         };
@@ -188,7 +188,7 @@ impl Mesh {
                 }
                 Next::Block("texture") | Next::Thing("texture") => {
                     let mut slot = 0;
-                    paints.read(&mut slot, next, r)?;
+                    paints.read_embedded_texture(&mut slot, next, r)?;
                     texture_weights = [slot; 3];
                 }
                 _ => return Err(r.unknown_word("triangle", &["uv_vectors", "texture", "texture_list"]).into()),
@@ -254,7 +254,7 @@ impl Readable for Mesh2 {
     }
 
     fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
-        let Next::Block(list) = next else { return self.0.read_inside(next, r) };
+        let Next::Block(list) = next else { return self.0.read_inside_vector(next, r) };
         let Lists { triangles: mesh, textures, faces, normals, uvs } = &mut self.1;
         let span = match list {
             "vertex_vectors" | "normal_vectors" | "uv_vectors" | "texture_list" | "face_indices" | "normal_indices"
@@ -268,7 +268,7 @@ impl Readable for Mesh2 {
             "texture_list" => {
                 *textures = read_list(r, |r| {
                     let next = r.next()?;
-                    paints.read_one(next, r)?.ok_or_else(|| r.unexpected("a texture").into())
+                    paints.read_listed_texture(next, r)?.ok_or_else(|| r.unexpected("a texture").into())
                 })?;
             }
             "face_indices" => {
@@ -338,7 +338,7 @@ fn read_vectors<T>(r: &mut dyn Reader, of: impl Fn(DVec3) -> T) -> Result<Vec<T>
             list.extend(v.is_finite().then(|| of(v)));
             v.is_finite()
         };
-        if r.literals(3, most, &mut literal) == 0 {
+        if r.read_literals(3, most, &mut literal) == 0 {
             list.push(of(r.vector()?));
         }
     }
@@ -360,7 +360,7 @@ fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
 
 /// Reads triples of indices from a long list of literals, up to the first invalid one; returns their number.
 fn literal_triples(r: &mut dyn Reader, most: usize, list: &mut Vec<[u32; 3]>) -> usize {
-    r.literals(3, most, &mut |found| {
+    r.read_literals(3, most, &mut |found| {
         let triple = to_indices(found);
         list.extend(triple);
         triple.is_some()
@@ -473,7 +473,7 @@ fn check_indices(
 }
 
 impl TriangleMesh {
-    fn read_inside(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+    fn read_inside_vector(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         if next != Next::Word("inside_vector") {
             return Ok(false);
         }

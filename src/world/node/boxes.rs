@@ -95,7 +95,7 @@ impl SolidNode {
             }
             for_each_enclosing_shape(&self.kind, &clip, &mut |leaf| {
                 if let Some(quadratic) = leaf.quadratic() {
-                    (surface, solid) = (quadratic.bounds_in(surface), quadratic.bounds_in(solid));
+                    (surface, solid) = (quadratic.bounds_within(surface), quadratic.bounds_within(solid));
                 }
             });
         }
