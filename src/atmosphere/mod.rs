@@ -47,7 +47,7 @@ impl Segment {
     }
 }
 
-/// Returns the transmittance `transmittance`, but at least the colour's `transmit`.
+/// Returns the larger of a transmittance and the colour's `transmit`.
 fn with_minimum_transmittance(color: &Color, transmittance: f64) -> f64 {
     transmittance.max(color.transmit)
 }

@@ -47,6 +47,9 @@ impl Tracer<'_> {
     ) -> Rgb {
         let [n, m] = area.size;
         let count = n as usize * m as usize;
+        if count > MAX_ARRAY && area.adaptive.is_none() {
+            return self.visibility_of_each(light, area, point, center, state);
+        }
         let known = match count <= MAX_ARRAY {
             true => Known::Array(vec![Rgb::NAN; count]),
             false => Known::Map(FxHashMap::default()),
@@ -54,6 +57,31 @@ impl Tracer<'_> {
         let random = self.random.sequence(Purpose::AreaLight);
         let mut grid = GridVisibility { light, area, point, center, state, random, known };
         self.piece(&mut grid, [0, 0], [n - 1, m - 1], 0)
+    }
+
+    /// The mean over a large grid that is not adaptive, without memory of the lights: the weights of
+    /// [`Tracer::area_visibility`] are products of those of columns and rows.
+    fn visibility_of_each(
+        &mut self,
+        light: &LightSource,
+        area: &Area,
+        point: DVec3,
+        center: &LightSample,
+        state: &RayState,
+    ) -> Rgb {
+        let random = self.random.sequence(Purpose::AreaLight);
+        let [columns, rows] = area.size.map(weights);
+        let mut sum = Rgb::ZERO;
+        for (row, row_weight) in (0..).zip(&rows) {
+            for (column, weight) in (0..).zip(&columns) {
+                if self.is_stopped_at_next_surface() {
+                    return sum;
+                }
+                let sample = light.emitter.sample(point, offset(area, [column, row], -center.from, random));
+                sum += self.point_visibility(light, point, &sample, state) * (row_weight * weight);
+            }
+        }
+        sum
     }
 
     /// The mean over a piece of the grid, from the light `low` to the light `high`, after `level` halvings.
@@ -97,6 +125,23 @@ impl Tracer<'_> {
     }
 }
 
+/// Returns the weights of the lights of one side of a grid, whose sum is 1: the side is halved down to pairs of lights,
+/// and the lights of a pair count alike.
+fn weights(n: u32) -> Vec<f64> {
+    let mut out = vec![0.0; n as usize];
+    let mut pieces = vec![(0, n - 1, 1.0)];
+    while let Some((low, high, weight)) = pieces.pop() {
+        let half = (high - low) / 2;
+        if high - low <= 1 {
+            out[low as usize] += 0.5 * weight;
+            out[high as usize] += 0.5 * weight;
+        } else {
+            pieces.extend([(low, low + half, 0.5 * weight), (high - half, high, 0.5 * weight)]);
+        }
+    }
+    out
+}
+
 /// Returns the offset of a light of the grid from the grid's centre, with jitter; `toward` is the direction from the
 /// light to the point.
 pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomSequence) -> DVec3 {
@@ -109,4 +154,26 @@ pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomS
 fn agree(corners: &[Rgb; 4], light: Rgb) -> bool {
     let apart = |a: Rgb, b: Rgb| ((a - b) * light).abs().element_sum() > MAX_DIFFERENCE;
     !(0..4).any(|i| (0..i).any(|j| apart(corners[i], corners[j])))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The weight of the light `at` in the mean over the piece from `low` to `high`, which is halved down to pairs.
+    fn weight(at: u32, low: u32, high: u32) -> f64 {
+        if high - low <= 1 {
+            return 0.5 * (f64::from(at == low) + f64::from(at == high));
+        }
+        let half = (high - low) / 2;
+        0.5 * (weight(at, low, low + half) + weight(at, high - half, high))
+    }
+
+    #[test]
+    fn weights_are_those_of_halving() {
+        for n in [1, 2, 3, 4, 5, 7, 8, 17, 100] {
+            let expected: Vec<f64> = (0..n).map(|at| weight(at, 0, n - 1)).collect();
+            assert_eq!(weights(n), expected, "{n}");
+        }
+    }
 }

@@ -18,6 +18,9 @@ pub struct Ordered {
     bvh: bvh::Triangles,
     #[serde(skip)]
     bounds: Option<Aabb>,
+    /// True if every vertex of the mesh's lists is a corner of a triangle.
+    #[serde(skip)]
+    uses_all_vertices: bool,
     /// Position of each triangle in the hierarchy's order, in the order written.
     #[serde(skip)]
     written: Vec<u32>,
@@ -42,6 +45,9 @@ impl Ordered {
                 *list = order.iter().map(|&i| list[i as usize]).collect();
             }
         }
+        let mut is_used = vec![false; all.lists.vertices.len()];
+        all.lists.corners.iter().flatten().for_each(|&i| is_used[i as usize] = true);
+        all.uses_all_vertices = is_used.iter().all(|used| *used);
         all.bounds = Some(Aabb::from_points(all.points()));
         all.bvh = bvh;
         all
@@ -52,8 +58,13 @@ impl Ordered {
         self.lists.corners.is_empty()
     }
 
+    /// Iterates over the vertices of all triangles of the mesh; those in use once each, if all are.
     fn points(&self) -> impl Iterator<Item = DVec3> {
-        self.lists.corners.iter().flatten().map(|&i| self.lists.vertices[i as usize].as_dvec3())
+        let Triangles { vertices, corners, .. } = &self.lists;
+        let (each, of_triangles) =
+            if self.uses_all_vertices { (&vertices[..], &[][..]) } else { (&[][..], &corners[..]) };
+        let corners = of_triangles.iter().flatten().map(|&i| &vertices[i as usize]);
+        each.iter().chain(corners).map(|p| p.as_dvec3())
     }
 
     fn is_usable(&self, face: usize) -> bool {
