@@ -59,6 +59,7 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
         Err(other) => return Err(other),
     };
     let options = session::reading_options(&scene, &input, session::timing(&scene, animation.as_ref())?);
+    session::enforce_memory_limit(scene.max_memory);
     let deadline = Deadline::start(scene.max_time, CancelToken::default(), Overrun::EndsProcess);
     let options = BuildOptions { cancel: deadline.token().clone(), ..options };
     let parsed = ParsedFiles::default();

@@ -15,6 +15,9 @@ use std::time::{Duration, Instant};
 /// Time that cancelled work has to end by itself.
 const GRACE: Duration = Duration::from_millis(350);
 
+/// Time for the cleanup at the end of the process.
+const CLEANUP_TIME: Duration = Duration::from_secs(2);
+
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 static DEFERRED: AtomicBool = AtomicBool::new(false);
 /// True as soon as cancelled work has noticed that it is to end: its last messages and writes then get the time they
@@ -59,11 +62,22 @@ pub fn set_cleanup(cleanup: Option<Box<dyn Fn() + Send>>) {
 }
 
 /// Ends the process in the middle of work, after the cleanup.
-fn end_process(exit: Exit, message: &str) -> ! {
-    if let Some(cleanup) = &*lock(&CLEANUP) {
-        cleanup();
+///
+/// The calling thread may hold any lock, so that cleanup and message are the work of another thread, which gets limited
+/// time.
+pub fn end_process(exit: Exit, message: &str) -> ! {
+    let message = message.to_string();
+    let (ended, end) = std::sync::mpsc::channel();
+    let work = move || {
+        if let Some(cleanup) = &*lock(&CLEANUP) {
+            cleanup();
+        }
+        print_message(&message);
+        let _ = ended.send(());
+    };
+    if std::thread::Builder::new().name("end".into()).spawn(work).is_ok() {
+        let _ = end.recv_timeout(CLEANUP_TIME);
     }
-    print_message(message);
     std::process::exit(exit as i32);
 }
 

@@ -4,6 +4,7 @@ use super::args::values::Size;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::render::{self, Region};
 use crate::source::Span;
+use std::path::Path;
 
 /// Largest number of pixels, which would take years.
 const MAX_PIXELS: u128 = 1 << 36;
@@ -60,9 +61,21 @@ fn address_space() -> Option<u64> {
     Some(limit.saturating_sub(kilobytes("/proc/self/status", "VmSize:")?))
 }
 
-/// Free memory in bytes; `None` if the system does not report it.
+/// Free memory in bytes, of the machine and of the process's control groups; `None` if the system does not report it.
 fn available() -> Option<u64> {
-    kilobytes("/proc/meminfo", "MemAvailable:")
+    let groups = std::fs::read_to_string("/proc/self/cgroup").unwrap_or_default();
+    let in_groups = groups.lines().filter_map(|line| line.strip_prefix("0::")).flat_map(|group| {
+        Path::new("/sys/fs/cgroup")
+            .join(group.trim_start_matches('/'))
+            .ancestors()
+            .map(Path::to_path_buf)
+            .collect::<Vec<_>>()
+    });
+    let limits = in_groups.filter_map(|group| {
+        let number = |name: &str| std::fs::read_to_string(group.join(name)).ok()?.trim().parse::<u64>().ok();
+        Some(number("memory.max")?.saturating_sub(number("memory.current")?))
+    });
+    limits.chain(kilobytes("/proc/meminfo", "MemAvailable:")).min()
 }
 
 /// Largest memory of this process so far, in bytes; `None` if the system does not report it.

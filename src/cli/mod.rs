@@ -1,5 +1,6 @@
 //! The command line: a file or a folder for each command. Only this module prints and ends the program.
 
+mod allocator;
 mod animation;
 mod args;
 mod check;
@@ -30,6 +31,7 @@ mod watch;
 
 use crate::diagnostic::Severity;
 use crate::source::Sources;
+pub use allocator::Metered;
 use args::Command;
 pub use args::{Cli, Common};
 use clap::{CommandFactory, Parser};

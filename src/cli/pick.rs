@@ -77,7 +77,7 @@ pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> 
     };
     let sources = Sources::default();
     let timing = session::timing(&merged.scene, animation.as_ref())?;
-    let text = session::within_time(&merged.scene, || {
+    let text = session::within_limits(&merged.scene, || {
         describe_pixel(console, args, &sources, &input, &merged.scene, timing, (x, y))
     })?;
     console.data(text).map(|()| Exit::Fine)

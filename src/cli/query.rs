@@ -79,7 +79,7 @@ pub fn run(console: &Console, args: &QueryArgs) -> Result {
     let scene = merged.scene;
     session::check_input(&input)?;
     let timing = session::timing(&scene, animation.as_ref())?;
-    let contents = session::within_time(&scene, || {
+    let contents = session::within_limits(&scene, || {
         let sources = Sources::default();
         let file = session::open_or_report(console, &sources, &input)?;
         let options = session::reading_options(&scene, &input, timing);

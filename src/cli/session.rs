@@ -1,7 +1,8 @@
 //! Steps that several commands share: find, read and evaluate a scene, and report its messages.
 
+use super::allocator::{self, MeteredHost};
 use super::animation::{self, Animation};
-use super::args::values::{Frames, Size};
+use super::args::values::{Bytes, Frames, Size};
 use super::args::{AaMethod, Library, LookArgs, SceneArgs};
 use super::console::{Console, print_message};
 use super::exit::{Exit, Failure, Result, usage};
@@ -11,7 +12,7 @@ use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::math::cancel::CancelToken;
 use crate::render::{SampleLayout, Sampling};
-use crate::source::{Disk, FileId, LocalHost, ReadError, Sandbox, SearchPath, Sources, Span};
+use crate::source::{Disk, FileId, ReadError, Sandbox, SearchPath, Sources, Span};
 use crate::syntax::Granularity;
 use crate::world::World;
 use crate::{Built, Keep, interpreter, render};
@@ -101,12 +102,17 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         max_steps: args.max_steps,
         max_time: args.max_time.map(|s| s.0),
         max_memory: args.max_memory.map(|b| b.0).or_else(memory::default_limit),
-        host: Arc::new(LocalHost::default()),
+        host: Arc::new(MeteredHost::default()),
         cancel: CancelToken::current(),
         granularity: if args.single_tokens { Granularity::Tokens } else { Granularity::Whole },
         record_origins: false,
         record_branches: false,
     }
+}
+
+/// Ends the process if it needs more than `--max-memory`, or by default more than is free.
+pub fn enforce_memory_limit(limit: Option<Bytes>) {
+    allocator::set_limit(limit.map(|bytes| bytes.0).or_else(memory::default_limit));
 }
 
 /// Default of the option `--aa`, the threshold of anti-aliasing.
@@ -144,11 +150,12 @@ fn sampling(look: &LookArgs) -> Sampling {
     }
 }
 
-/// Runs `work` on a scene within `--max-time`. The work polls the token of its thread, as [`reading_options`] does.
+/// Runs `work` on a scene within `--max-time` and `--max-memory`. The work polls the token of its thread, as [`reading_options`] does.
 ///
 /// # Errors
 /// Those of `work`, or that the time is over.
-pub fn within_time<T>(args: &SceneArgs, work: impl FnOnce() -> Result<T>) -> Result<T> {
+pub fn within_limits<T>(args: &SceneArgs, work: impl FnOnce() -> Result<T>) -> Result<T> {
+    enforce_memory_limit(args.max_memory);
     let deadline = Deadline::start(args.max_time, CancelToken::default(), Overrun::EndsProcess);
     let result = deadline.token().scope(work)?;
     let limit = interpreter::Options {

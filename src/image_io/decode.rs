@@ -3,7 +3,7 @@
 use super::{Frame, bmp, netpbm, radiance, tga, tiff_palette};
 use crate::color::transfer;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
-use crate::source::{Files, ReadError, Span};
+use crate::source::{Activity, Files, ReadError, Span};
 use exr::prelude::{ReadChannels, ReadLayers, ReadSpecificChannel};
 use image::{DynamicImage, ImageFormat, ImageReader};
 use std::io::Cursor;
@@ -60,6 +60,7 @@ pub fn decode_picture_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
 /// # Errors
 /// E0007 if it is not a picture.
 pub(super) fn decode_picture_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
+    let _activity = Activity::begin("while a picture was decoded");
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
     decode_any(bytes, ending).map_err(|reason| {
         let reason = reason.lines().next().unwrap_or_default();

@@ -16,6 +16,7 @@ mod stl;
 mod words;
 
 use crate::math::{DVec2, DVec3};
+use crate::source::Activity;
 use glam::Vec3;
 use serde::Serialize;
 
@@ -114,6 +115,7 @@ pub const ENDINGS: &[&str] = &["ply", "obj", "stl", "gltf", "glb"];
 /// # Errors
 /// The reason why the file is not understood, with the line or byte where it is known.
 pub fn read_mesh_file(bytes: &[u8], ending: &str, open: Open) -> ReadResult<MeshFile> {
+    let _activity = Activity::begin("while a mesh file was read");
     let mut file = match (bytes, ending.to_ascii_lowercase().as_str()) {
         ([b'p', b'l', b'y', b'\r' | b'\n', ..], _) | (_, "ply") => ply::read_ply(bytes),
         ([b'g', b'l', b'T', b'F', ..], _) | (_, "gltf" | "glb") => gltf::read_gltf(bytes, open),

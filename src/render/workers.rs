@@ -2,6 +2,7 @@
 
 use super::{Cancelled, Watch};
 use crate::math::cancel::CancelToken;
+use crate::source::Activity;
 use rayon::prelude::*;
 
 /// Stack of each thread in bytes. Solids that are nested 5000 deep, which is the parser's limit, need 17 MB; unused stack costs no memory.
@@ -34,7 +35,10 @@ impl<'a> Workers<'a> {
         work: impl Fn(&J) -> Result<T, Cancelled> + Sync,
         beside: impl FnOnce() -> B + Send,
     ) -> (Result<Vec<T>, Cancelled>, B) {
-        let work = |job: &J| self.token.scope(|| if self.is_cancelled() { Err(Cancelled) } else { work(job) });
+        let work = |job: &J| {
+            let _activity = Activity::begin("while the picture was rendered");
+            self.token.scope(|| if self.is_cancelled() { Err(Cancelled) } else { work(job) })
+        };
         match &self.pool {
             Some(pool) => {
                 let all = || jobs.par_iter().with_max_len(1).map(work).collect();

@@ -1,5 +1,6 @@
 //! The files of a scene: storage, texts, positions in texts, the search path and the sandbox.
 
+mod activity;
 mod disk;
 mod files;
 pub mod fonts;
@@ -13,6 +14,7 @@ mod search;
 mod sources;
 mod span;
 
+pub use activity::Activity;
 pub use disk::{Disk, Draft};
 pub use files::{Entry, FileKind, Files, Metadata, Stamp, WriteMode};
 pub use host::{Host, LocalHost};

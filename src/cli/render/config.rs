@@ -4,7 +4,7 @@
 use super::target::Target;
 use crate::advice::Circumstances;
 use crate::cli::animation::Animation;
-use crate::cli::args::values::{Seconds, Stats};
+use crate::cli::args::values::{Bytes, Seconds, Stats};
 use crate::cli::args::{Dump, RenderArgs, When};
 use crate::cli::exit::{Result, usage};
 use crate::cli::overlay::Invocation;
@@ -35,6 +35,8 @@ pub struct Config {
     pub keep_after: Duration,
     /// Limit of the rendering time, from text to picture.
     pub max_time: Option<Seconds>,
+    /// Limit of the process's memory (`--max-memory`).
+    pub max_memory: Option<Bytes>,
     /// When `durer render` displays its progress.
     pub progress: When,
     /// Destination of the render's times and counters.
@@ -92,6 +94,7 @@ impl Config {
             resume: args.resume,
             keep_after: Duration::from_secs_f64(args.keep_after.0),
             max_time: args.scene.max_time,
+            max_memory: args.scene.max_memory,
             progress: args.progress.unwrap_or(When::Auto),
             stats: args.stats,
             is_animated: args.frames.is_some() || animation.is_some(),

@@ -178,7 +178,10 @@ impl<'a> Job<'a> {
         }
         let (token, overrun) = match &config.cancel {
             Some(token) => (token.clone(), Overrun::Continues),
-            None => (CancelToken::default(), Overrun::EndsProcess),
+            None => {
+                session::enforce_memory_limit(config.max_memory);
+                (CancelToken::default(), Overrun::EndsProcess)
+            }
         };
         let deadline = Deadline::start(config.max_time, token, overrun);
         let token = deadline.token();

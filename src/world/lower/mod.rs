@@ -20,7 +20,7 @@ use crate::math::cancel;
 use crate::medium::Interior;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, PhotonSettings, Scene};
 use crate::shape::{Bounding, Kernel, Shape, transformed_box};
-use crate::source::Span;
+use crate::source::{Activity, Span};
 use crate::texture::{Texture, Uncommon};
 use crate::value::SharedDefault;
 use instances::Copies;
@@ -46,6 +46,7 @@ pub fn lower_away(mut scene: Scene) -> Result<World> {
 }
 
 fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result<World> {
+    let _activity = Activity::begin("while its objects were prepared for rendering");
     let mut lowering = Lowering::under(scene.settings.ambient_light);
     let mut builder = GeometryBuilder::default();
     for object in objects {

@@ -1,0 +1,115 @@
+//! The program's memory allocator: the system's, with a count of the bytes in use and a limit.
+//!
+//! A scene that needs more than `--max-memory` ends the process with a message before the memory is taken, wherever the
+//! request comes from.
+
+use super::exit::Exit;
+use super::interrupt;
+use crate::source::{Activity, Host, LocalHost};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::sync::atomic::{AtomicIsize, AtomicUsize, Ordering::Relaxed};
+use std::time::Duration;
+
+/// Bytes that a thread allocates or frees before it updates the common count, so that threads rarely touch it.
+const BATCH: isize = 16 << 10;
+
+static USED: AtomicIsize = AtomicIsize::new(0);
+static LIMIT: AtomicUsize = AtomicUsize::new(usize::MAX);
+
+thread_local! {
+    /// Bytes that this thread has allocated and not yet added to [`USED`]; negative if it freed more.
+    static UNCOUNTED: Cell<isize> = const { Cell::new(0) };
+}
+
+/// Allocator that counts.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Metered;
+
+/// Ends the process as soon as more than `bytes` are in use; `None` for no limit.
+pub fn set_limit(bytes: Option<u64>) {
+    LIMIT.store(bytes.and_then(|bytes| usize::try_from(bytes).ok()).unwrap_or(usize::MAX), Relaxed);
+}
+
+/// Number of allocated bytes of the process.
+fn used() -> usize {
+    USED.load(Relaxed).max(0) as usize
+}
+
+fn count(bytes: isize) {
+    // A thread that ends has no count any more; what it frees then is negligible.
+    let _ = UNCOUNTED.try_with(|uncounted| {
+        let sum = uncounted.get() + bytes;
+        if sum.abs() < BATCH {
+            return uncounted.set(sum);
+        }
+        uncounted.set(0);
+        let used = USED.fetch_add(sum, Relaxed) + sum;
+        if sum > 0 && used as usize > LIMIT.load(Relaxed) {
+            end_process();
+        }
+    });
+}
+
+/// Reports that the memory limit is reached, and ends the process.
+#[cold]
+fn end_process() -> ! {
+    let limit = LIMIT.swap(usize::MAX, Relaxed);
+    if limit == usize::MAX {
+        // Another thread is ending the process.
+        std::thread::sleep(Duration::from_secs(60));
+    }
+    let activity = Activity::current();
+    let text = format!(
+        "error[E0242]: the scene needs more than {} MiB of memory ({activity})\n  help: --max-memory SIZE allows more\n",
+        limit >> 20
+    );
+    interrupt::end_process(Exit::Limit, &text)
+}
+
+#[expect(unsafe_code, reason = "an allocator is unsafe by its nature")]
+// SAFETY: all methods pass their arguments to the system's allocator; counting does not touch the memory.
+unsafe impl GlobalAlloc for Metered {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count(layout.size() as isize);
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        count(layout.size() as isize);
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn dealloc(&self, memory: *mut u8, layout: Layout) {
+        count(-(layout.size() as isize));
+        unsafe { System.dealloc(memory, layout) }
+    }
+
+    unsafe fn realloc(&self, memory: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        // The system moves the pages of large lists that grow, and does not copy them.
+        count(size as isize - layout.size() as isize);
+        unsafe { System.realloc(memory, layout, size) }
+    }
+}
+
+/// The machine, with the memory count of [`Metered`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MeteredHost(LocalHost);
+
+impl Host for MeteredHost {
+    fn elapsed(&self) -> Duration {
+        self.0.elapsed()
+    }
+
+    fn since_1970(&self) -> Duration {
+        self.0.since_1970()
+    }
+
+    fn resident_bytes(&self) -> Option<u64> {
+        match used() {
+            // The program has another allocator.
+            0 => self.0.resident_bytes(),
+            used => Some(used as u64),
+        }
+    }
+}
