@@ -75,11 +75,9 @@ pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> 
     let (Some(x), Some(y)) = (inside(args.pixel.x, size.width), inside(args.pixel.y, size.height)) else {
         return Ok(outside(args, size)?);
     };
-    let sources = Sources::default();
     let timing = session::timing(&merged.scene, animation.as_ref())?;
-    let text = session::within_limits(&merged.scene, || {
-        describe_pixel(console, args, &sources, &input, &merged.scene, timing, (x, y))
-    })?;
+    let text =
+        session::within_limits(&merged.scene, || describe_pixel(console, args, &input, &merged.scene, timing, (x, y)))?;
     console.data(text).map(|()| Exit::Fine)
 }
 
@@ -87,12 +85,12 @@ pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> 
 fn describe_pixel(
     console: &Console,
     args: &PickArgs,
-    sources: &Sources,
     input: &Path,
     scene: &SceneArgs,
     timing: Timing,
     (x, y): (usize, usize),
 ) -> Result<String> {
+    let sources = &Sources::default();
     let size = scene.size();
     let file = session::open_or_report(console, sources, input)?;
     let options = session::reading_options(scene, input, timing);
