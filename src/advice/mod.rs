@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::render;
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
-use crate::value::format_decimal;
+use crate::value::{Family, format_decimal};
 use crate::world::{Intersection, PlacedSolid, World};
 use std::path::Path;
 

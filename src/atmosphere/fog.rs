@@ -12,7 +12,7 @@ use crate::math::{DVec3, Ray, Transform, fp};
 use crate::pattern::TurbulenceParams;
 use crate::value::ValueKind::{Float, Vector};
 use crate::value::words::{Row, joined, read_row, set, specs, word};
-use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary};
+use crate::value::{Next, Reader, ReaderExt, Spec, Thing};
 use serde::Serialize;
 
 /// Fog of a scene: attenuates light by distance and adds its colour.
@@ -73,13 +73,12 @@ const FOG_ROWS: &[Row<Fog>] = &[
 ];
 
 /// Words of a `fog { … }` block, without those of colours.
-pub const FOG: Vocabulary = Vocabulary {
-    block: "fog",
+pub const FOG: Spec = Spec {
+    name: "fog",
     summary: "colour that covers what is far; its `transmit` leaves so much clear, its `filter` colours what is behind",
     words: &joined::<{ FOG_ROWS.len() + TurbulenceParams::WORDS.len() }>(specs!(FOG_ROWS), TurbulenceParams::WORDS),
     has_transforms: true,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 impl Fog {
@@ -105,7 +104,7 @@ impl Fog {
                     }
                 }
                 Next::Word(_) | Next::Value if r.is_at_color()? => fog.color = r.color()?,
-                _ => return Err(r.unknown_word("fog", &FOG.names()).into()),
+                _ => return Err(r.unknown_word_in(&FOG)),
             }
         }
     }

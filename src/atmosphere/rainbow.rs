@@ -12,7 +12,7 @@ use crate::source::Span;
 use crate::texture::ColorMap;
 use crate::value::ValueKind::{Block, Float, Vector};
 use crate::value::words::{Row, joined, read_row, set, specs, word};
-use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary, WordSpec};
+use crate::value::{Next, Reader, ReaderExt, Spec, Thing, WordSpec};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -93,13 +93,11 @@ const RAINBOW_PARTS: &[WordSpec] = &[
 ];
 
 /// Words of a `rainbow { … }` block.
-pub const RAINBOW: Vocabulary = Vocabulary {
-    block: "rainbow",
+pub const RAINBOW: Spec = Spec {
+    name: "rainbow",
     summary: "an arc of colours about the direction of the sun",
     words: &joined::<{ RAINBOW_ROWS.len() + RAINBOW_PARTS.len() }>(specs!(RAINBOW_ROWS), RAINBOW_PARTS),
-    has_transforms: false,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 impl Rainbow {
@@ -124,7 +122,7 @@ impl Rainbow {
                     r.leave_block()?;
                 }
                 next if read_row(RAINBOW_ROWS, &mut rainbow, next, r)? => {}
-                _ => return Err(r.unknown_word("rainbow", &RAINBOW.names()).into()),
+                _ => return Err(r.unknown_word_in(&RAINBOW)),
             }
         }
         rainbow.check(source)?;

@@ -11,7 +11,7 @@ use crate::source::Span;
 use crate::texture::{Pigment, Texture};
 use crate::value::ValueKind::{Block, Color};
 use crate::value::words::word;
-use crate::value::{Next, Reader, ReaderExt, Thing, Vocabulary};
+use crate::value::{Next, Reader, ReaderExt, Spec, Thing};
 use serde::Serialize;
 
 /// Sky sphere: a background whose colour depends on the direction of the ray.
@@ -38,8 +38,8 @@ impl Thing for SkySphere {
 }
 
 /// Words of a `sky_sphere { … }` block.
-pub const SKY_SPHERE: Vocabulary = Vocabulary {
-    block: "sky_sphere",
+pub const SKY_SPHERE: Spec = Spec {
+    name: "sky_sphere",
     summary: "the sky: pigments that see directions, points at a distance of 1 from the origin, in place of places",
     words: &[
         word(
@@ -51,8 +51,7 @@ pub const SKY_SPHERE: Vocabulary = Vocabulary {
         word("emission", Color, "1", "a factor of its light, one number or one for each channel"),
     ],
     has_transforms: true,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 impl SkySphere {
@@ -90,7 +89,7 @@ impl SkySphere {
                         sky.transform = sky.transform.then(&step);
                     }
                 }
-                _ => return Err(r.unknown_word("sky_sphere", &SKY_SPHERE.names()).into()),
+                _ => return Err(r.unknown_word_in(&SKY_SPHERE)),
             }
         }
         if sky.pigments.is_empty() {

@@ -5,7 +5,7 @@ use super::lecture::{LectureCamera, read_field_of_view};
 use super::povray::{Kind, PovrayCamera};
 use crate::value::ValueKind::{Block, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
-use crate::value::{Vocabulary, WordSpec};
+use crate::value::{Spec, WordSpec};
 
 /// Words of POV-Ray's camera block, and how each is read.
 pub(super) const POVRAY_ROWS: &[Row<PovrayCamera>] = &[
@@ -86,17 +86,16 @@ const BLOCKS: &[WordSpec] = &[
 /// Words of focal blur, for the manual.
 pub const BLUR: &[WordSpec] = specs!(BLUR_ROWS);
 
-/// Vocabulary of POV-Ray's camera block.
-pub const POVRAY: Vocabulary = Vocabulary {
-    block: "camera",
+/// Description of POV-Ray's camera block.
+pub const POVRAY: Spec = Spec {
+    name: "camera",
     summary: "where the picture is taken from; x to the right, y up, z away from you",
     words: &joined::<{ POVRAY_ROWS.len() + BLOCKS.len() + KINDS.len() + BLUR.len() }>(
         &joined::<{ POVRAY_ROWS.len() + BLOCKS.len() }>(specs!(POVRAY_ROWS), BLOCKS),
         &joined::<{ KINDS.len() + BLUR.len() }>(KINDS, BLUR),
     ),
     has_transforms: true,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// Words of the lecture's camera, and how each is read.
@@ -111,20 +110,19 @@ pub(super) const LECTURE_ROWS: &[Row<LectureCamera>] = &[
         .sets(|s, r| set(&mut s.fov_y, read_field_of_view("fov_y", r))),
 ];
 
-/// Vocabulary of the lecture's camera, an addition of durer; right-handed.
-pub const LECTURE: Vocabulary = Vocabulary {
-    block: "camera",
+/// Description of the lecture's camera, an addition of durer; right-handed.
+pub const LECTURE: Spec = Spec {
+    name: "camera",
     summary: "durer's own camera, right-handed: x to the right, y up, z towards you; the word `eye` makes it this one",
     words: specs!(LECTURE_ROWS),
     has_transforms: true,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// Returns the words of both kinds of camera.
 pub(super) fn camera_words() -> Vec<&'static str> {
     let own = LECTURE.words.iter().map(|w| w.name).filter(|name| *name != "up");
-    let mut names = POVRAY.names();
+    let mut names = POVRAY.word_names();
     let at = names.len() - POVRAY.unsupported.len();
     names.splice(at..at, own);
     names

@@ -5,15 +5,16 @@ use super::{Interpreter, reporter::hints};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::scene::{Object, is_object, read_camera};
+use crate::shape::Shape;
 use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Operator, Sign};
 use crate::texture::warn_of_byte_color;
 use crate::value::words::word;
-use crate::value::{Next, Reader, ValueKind, Vocabulary};
+use crate::value::{Family, Next, Reader, Spec, ValueKind};
 
 /// Words of the outermost level, except shapes.
-pub const STATEMENTS: Vocabulary = Vocabulary {
-    block: "scene",
+pub const STATEMENTS: Spec = Spec {
+    name: "scene",
     summary: "what stands in a scene outside of all braces",
     words: &[
         word(
@@ -40,9 +41,9 @@ pub const STATEMENTS: Vocabulary = Vocabulary {
         word("include", ValueKind::Nothing, "", "`#include`, likewise"),
         word("max_trace_level", ValueKind::Float, "", "of old scenes: as in `global_settings`"),
     ],
-    has_transforms: false,
     ignored: &["max_intersections"],
     unsupported: &["media", "radiosity", "photons"],
+    ..Spec::EMPTY
 };
 
 impl Interpreter<'_> {
@@ -254,5 +255,5 @@ impl Interpreter<'_> {
 }
 
 fn statement_names() -> Vec<&'static str> {
-    STATEMENTS.names().into_iter().chain(crate::shape::SPECS.iter().map(|s| s.name)).collect()
+    STATEMENTS.word_names().into_iter().chain(Shape::SPECS.iter().map(|s| s.name)).collect()
 }

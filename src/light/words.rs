@@ -5,7 +5,7 @@ use super::beam::BEAM_ROWS;
 use super::{Light, read_finite};
 use crate::value::ValueKind::{Block, Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
-use crate::value::{Vocabulary, WordSpec};
+use crate::value::{Spec, WordSpec};
 
 /// Words of every light source, and how each is read.
 pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
@@ -38,15 +38,15 @@ const LIGHT_PARTS: &[WordSpec] = &[
 
 const OWN: usize = LIGHT_ROWS.len() + BEAM_ROWS.len();
 
-/// Vocabulary of `light_source { location, color … }`.
-pub const LIGHT: Vocabulary = Vocabulary {
-    block: "light_source",
+/// Description of `light_source { location, color … }`.
+pub const LIGHT: Spec = Spec {
+    name: "light_source",
     summary: "a light: `light_source { place, colour … }`; it is not seen itself",
     words: &joined::<{ OWN + AREA_ROWS.len() + LIGHT_PARTS.len() }>(
         &joined::<OWN>(specs!(LIGHT_ROWS), specs!(BEAM_ROWS)),
         &joined::<{ AREA_ROWS.len() + LIGHT_PARTS.len() }>(specs!(AREA_ROWS), LIGHT_PARTS),
     ),
     has_transforms: true,
-    ignored: &[],
     unsupported: &["photons"],
+    ..Spec::EMPTY
 };

@@ -4,90 +4,62 @@ use super::scan::{Scan, directive};
 use crate::function::numeric::{self, Kernel};
 use crate::interpreter;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
-use crate::reference::{BLOCKS, ELSEWHERE, FAMILIES};
+use crate::reference::{BLOCKS, ELSEWHERE, entries, members};
 use crate::scene::words::MODIFIERS;
-use crate::shape;
+use crate::shape::Shape;
 use crate::syntax::word::{CONSTANTS, GROUPS};
-use crate::value::words::TRANSFORMS;
-use crate::value::{Spec, ValueKind, WordSpec};
-
-/// A word that a block of the scene language accepts.
-pub struct WordInfo {
-    /// Spelling of the reserved word.
-    pub name: &'static str,
-    /// Kind of value that follows the reserved word.
-    pub kind: ValueKind,
-    /// Description of the reserved word in one line.
-    pub summary: &'static str,
-    /// Default value of the word; empty for a word without default.
-    pub default: &'static str,
-}
-
-impl From<&WordSpec> for WordInfo {
-    fn from(word: &WordSpec) -> Self {
-        Self { name: word.name, kind: word.kind, summary: word.summary, default: word.default }
-    }
-}
-
-impl From<&Spec> for WordInfo {
-    fn from(spec: &Spec) -> Self {
-        Self { name: spec.name, kind: ValueKind::Nothing, summary: spec.summary, default: "" }
-    }
-}
+use crate::value::words::{TRANSFORMS, word};
+use crate::value::{Family, Spec, ValueKind, WordSpec};
 
 /// Returns the table of words for a shape.
 pub fn shape(name: &str) -> Option<&'static Spec> {
-    shape::SPECS.iter().find(|spec| spec.name == name).copied()
+    Shape::spec_of(name)
 }
 
-fn add<'a, T: 'a>(out: &mut Vec<WordInfo>, more: impl IntoIterator<Item = &'a T>)
-where
-    WordInfo: From<&'a T>,
-{
-    for info in more.into_iter().map(WordInfo::from) {
-        if !out.iter().any(|other| other.name == info.name) {
-            out.push(info);
+fn add(out: &mut Vec<WordSpec>, more: impl IntoIterator<Item = WordSpec>) {
+    for word in more {
+        if !out.iter().any(|other| other.name == word.name) {
+            out.push(word);
         }
     }
+}
+
+/// The names of blocks as words without a value.
+fn names(specs: &[&Spec]) -> impl Iterator<Item = WordSpec> {
+    specs.iter().map(|spec| word(spec.name, ValueKind::Nothing, "", spec.summary))
 }
 
 /// The words that a block takes; the empty name is the scene outside of all blocks.
-pub fn of_block(block: &str) -> Vec<WordInfo> {
+pub fn of_block(block: &str) -> Vec<WordSpec> {
     let mut out = vec![];
     let holds_objects =
         block.is_empty() || GROUPS.contains(&block) || matches!(block, "clipped_by" | "bounded_by" | "light_group");
-    if let Some(spec) = shape(block) {
-        add(&mut out, spec.words);
-    }
-    let named = if block.is_empty() { interpreter::STATEMENTS.block } else { block };
-    for table in BLOCKS.iter().map(|block| block.words).filter(|table| table.block == named) {
-        add(&mut out, table.words);
-        if table.has_transforms {
-            add(&mut out, TRANSFORMS);
+    let named = if block.is_empty() { interpreter::STATEMENTS.name } else { block };
+    for entry in entries().filter(|entry| entry.has_braces && entry.spec.name == named) {
+        add(&mut out, entry.spec.words.iter().copied());
+        if entry.spec.has_transforms {
+            add(&mut out, TRANSFORMS.iter().copied());
         }
     }
     if holds_objects {
-        add(&mut out, shape::SPECS.iter().copied());
-        let groups = interpreter::STATEMENTS.words.iter().filter(|word| GROUPS.contains(&word.name));
-        add(&mut out, groups);
+        add(&mut out, names(Shape::SPECS));
+        add(&mut out, interpreter::STATEMENTS.words.iter().copied().filter(|word| GROUPS.contains(&word.name)));
     }
+    let mut tables: Vec<&[WordSpec]> = vec![];
     if !block.is_empty() && (holds_objects || shape(block).is_some()) {
-        add(&mut out, MODIFIERS.words);
-        add(&mut out, TRANSFORMS);
+        tables.extend([MODIFIERS.words, TRANSFORMS]);
     }
     if matches!(block, "pigment" | "normal" | "texture" | "density" | "pattern") {
-        add(&mut out, FieldPattern::SPECS.iter().copied());
-        add(&mut out, CellPattern::SPECS.iter().copied());
-        add(&mut out, Modifiers::WORDS);
-        add(&mut out, TurbulenceParams::WORDS);
-        add(&mut out, TRANSFORMS);
+        add(&mut out, names(FieldPattern::SPECS).chain(names(CellPattern::SPECS)));
+        tables.extend([Modifiers::WORDS, TurbulenceParams::WORDS, TRANSFORMS]);
     }
     match block {
-        "warp" => add(&mut out, Warp::SPECS.iter().copied()),
-        "image_map" | "bump_map" | "material_map" | "image_pattern" => add(&mut out, bitmap::WORDS),
-        "transform" => add(&mut out, TRANSFORMS),
+        "warp" => add(&mut out, names(Warp::SPECS)),
+        "image_map" | "bump_map" | "material_map" | "image_pattern" => tables.push(bitmap::WORDS),
+        "transform" => tables.push(TRANSFORMS),
         _ => {}
     }
+    add(&mut out, tables.into_iter().flatten().copied());
     out
 }
 
@@ -118,19 +90,20 @@ pub fn explain(word: &str, block: &str) -> Vec<String> {
         let place = if block.is_empty() { String::new() } else { format!("in `{block}`: ") };
         add(format!("{place}{}", describe(word_info)), true);
     }
-    if let Some(spec) = FAMILIES.iter().flat_map(|family| family.specs.iter()).find(|spec| spec.name == word) {
-        add(form(spec), false);
-    }
-    for table in BLOCKS.iter().map(|block| block.words) {
-        if table.block == word {
-            add(format!("`{word} {{ … }}`: {}", table.summary), false);
+    let member = members().find(|entry| entry.spec.name == word);
+    for entry in member.into_iter().chain(BLOCKS.iter().copied()) {
+        let spec = entry.spec;
+        if spec.name == word {
+            add(format!("`{}`: {}", entry.usage(), spec.summary), false);
         }
-        for row in table.words.iter().filter(|row| row.name == word && table.block != block) {
-            add(format!("in `{}`: {}", table.block, describe(&row.into())), false);
+        if entry.family.is_none() {
+            for row in spec.words.iter().filter(|row| row.name == word && spec.name != block) {
+                add(format!("in `{}`: {}", spec.name, describe(row)), false);
+            }
         }
     }
     for row in interpreter::COLOR_WORDS.iter().chain(TRANSFORMS).filter(|row| row.name == word) {
-        add(describe(&row.into()), false);
+        add(describe(row), false);
     }
     if let Some((usage, summary)) = function(word) {
         add(format!("`{usage}`: {summary}"), false);
@@ -164,23 +137,10 @@ fn plain(markdown: &str) -> String {
     text + rest
 }
 
-fn describe(info: &WordInfo) -> String {
+fn describe(info: &WordSpec) -> String {
     let takes = if info.kind == ValueKind::Nothing { String::new() } else { format!(" (takes {})", kind(info.kind)) };
     let default = if info.default.is_empty() { String::new() } else { format!(" Default: {}.", info.default) };
     format!("{}{takes}.{default}", info.summary)
-}
-
-/// Syntax of a shape, a pattern and the like: `box { corner_1, corner_2 … }`.
-pub fn form(spec: &Spec) -> String {
-    let params: Vec<_> = spec.params.iter().map(|param| param.name).collect();
-    let is_shape = shape(spec.name).is_some();
-    let usage = match (is_shape, params.is_empty()) {
-        (true, true) => format!("{} {{ … }}", spec.name),
-        (true, false) => format!("{} {{ {} … }}", spec.name, params.join(", ")),
-        (false, true) => spec.name.to_string(),
-        (false, false) => format!("{} {}", spec.name, params.join(", ")),
-    };
-    format!("`{usage}`: {}", spec.summary)
 }
 
 /// Returns the syntax and description of a built-in function.

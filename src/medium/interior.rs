@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::fp;
 use crate::value::ValueKind::{Color, Float};
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Next, Reader, ReaderExt, Thing, Unsupported, Vocabulary};
+use crate::value::{Next, Reader, ReaderExt, Spec, Thing, Unsupported};
 use serde::Serialize;
 
 /// Words of an `interior` block, and how each is read.
@@ -42,14 +42,14 @@ const INTERIOR_ROWS: &[Row<Interior>] = &[
         .sets(|s, r| set(&mut s.caustics, r.float())),
 ];
 
-/// Vocabulary of the block `interior { … }`.
-pub const INTERIOR: Vocabulary = Vocabulary {
-    block: "interior",
+/// Description of the block `interior { … }`.
+pub const INTERIOR: Spec = Spec {
+    name: "interior",
     summary: "what fills a shape",
     words: specs!(INTERIOR_ROWS),
-    has_transforms: false,
     ignored: &["refraction"],
     unsupported: &["media"],
+    ..Spec::EMPTY
 };
 
 /// Optical properties of the inside of a shape.
@@ -112,7 +112,7 @@ impl Interior {
                 Next::End => return Ok(out),
                 Next::Thing(_) => match r.thing::<Interior>()? {
                     Some(declared) => out = (*declared).clone(),
-                    None => return Err(r.unknown_word("interior", &INTERIOR.names()).into()),
+                    None => return Err(r.unknown_word_in(&INTERIOR)),
                 },
                 next if read_row(INTERIOR_ROWS, &mut out, next, r)? => {}
                 // `refraction N` switched bending on in POV-Ray 3.0; its number has no effect.
@@ -123,7 +123,7 @@ impl Interior {
                 Next::Word(word) | Next::Block(word) if INTERIOR.is_unsupported(word) => {
                     out.unsupported.push(r.read_unsupported(word)?);
                 }
-                _ => return Err(r.unknown_word("interior", &INTERIOR.names()).into()),
+                _ => return Err(r.unknown_word_in(&INTERIOR)),
             }
         }
     }

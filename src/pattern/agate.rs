@@ -4,12 +4,12 @@
 //! sphere { 0, 1 pigment { agate agate_turb 0.7 } }
 //! ```
 
-use super::{Field, FieldParams, Readable, TextureContext};
+use super::{Field, FieldParams, TextureContext};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{fp, noise};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Reader, Spec, ValueKind};
+use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -24,8 +24,8 @@ impl Readable for Agate {
     const SPEC: Spec = Spec {
         name: "agate",
         summary: "twisted bands; `octaves`, `lambda` and `omega` shape them too",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =

@@ -4,10 +4,10 @@
 //! sphere { 0, 1 pigment { aoi color_map { [0.5 color rgb <1, 0.5, 0>] [1 color rgb <0, 0, 0.5>] } } }
 //! ```
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::fp;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -19,8 +19,7 @@ impl Readable for Aoi {
     const SPEC: Spec = Spec {
         name: "aoi",
         summary: "the angle at which the ray meets the surface: 0.5 grazing, 1 head on",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

@@ -4,9 +4,9 @@
 //! box { <-1, -1, 0>, <1, 1, 1> pigment { boxed color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `boxed`: falls from 1 at the origin to 0 at the faces of a cube.
@@ -14,12 +14,8 @@ use serde::Serialize;
 pub struct Boxed {}
 
 impl Readable for Boxed {
-    const SPEC: Spec = Spec {
-        name: "boxed",
-        summary: "falls from 1 at the origin to 0 at the faces of a cube",
-        params: &[],
-        words: &[],
-    };
+    const SPEC: Spec =
+        Spec { name: "boxed", summary: "falls from 1 at the origin to 0 at the faces of a cube", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -4,11 +4,11 @@
 //! sphere { 0, 1 pigment { bozo turbulence 0.6 color_map { [0.4 color rgb <0.2, 0.4, 0.9>] [0.7 color rgb 1] } scale 0.5 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::noise;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `bozo`: smooth noise between 0 and 1.
@@ -16,7 +16,7 @@ use serde::Serialize;
 pub struct Bozo {}
 
 impl Readable for Bozo {
-    const SPEC: Spec = Spec { name: "bozo", summary: "smooth noise, as clouds are made of", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "bozo", summary: "smooth noise, as clouds are made of", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

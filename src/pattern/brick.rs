@@ -4,12 +4,12 @@
 //! box { 0, <4, 3, 1> pigment { brick color rgb 0.8, color rgb <0.6, 0.2, 0.1> brick_size <1, 0.4, 0.5> mortar 0.05 } }
 //! ```
 
-use super::{Cells, EDGE, Readable};
+use super::{Cells, EDGE};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Reader, Spec, ValueKind};
+use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Pattern `brick`: rows of bricks; every other row is shifted by half a brick.
@@ -25,8 +25,8 @@ impl Readable for Brick {
     const SPEC: Spec = Spec {
         name: "brick",
         summary: "bricks in mortar; the first colour is the mortar's",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

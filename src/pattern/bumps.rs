@@ -4,10 +4,10 @@
 //! sphere { 0, 1 pigment { bumps color_map { [0.5 color rgb <0.9, 0.7, 0.4>] [0.6 color rgb <0.4, 0.2, 0.1>] } scale 0.2 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `bumps`: smooth noise between 0 and 1.
@@ -16,7 +16,7 @@ pub struct Bumps {}
 
 impl Readable for Bumps {
     const SPEC: Spec =
-        Spec { name: "bumps", summary: "as `bozo`, but for its colours; in a normal, bumps", params: &[], words: &[] };
+        Spec { name: "bumps", summary: "as `bozo`, but for its colours; in a normal, bumps", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

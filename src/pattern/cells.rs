@@ -4,10 +4,10 @@
 //! box { 0, <4, 3, 2> pigment { cells color_map { [0 color rgb <0.2, 0.1, 0.6>] [1 color rgb <1, 0.9, 0.4>] } scale 0.999 } }
 //! ```
 
-use super::{EDGE, Field, Readable, TextureContext};
+use super::{EDGE, Field, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise::Cell;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `cells`: unit cubes with random numbers.
@@ -15,8 +15,7 @@ use serde::Serialize;
 pub struct RandomCells {}
 
 impl Readable for RandomCells {
-    const SPEC: Spec =
-        Spec { name: "cells", summary: "unit cubes, each with a random number", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "cells", summary: "unit cubes, each with a random number", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

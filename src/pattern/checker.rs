@@ -4,11 +4,11 @@
 //! plane { y, 0.1 pigment { checker color rgb 1, color rgb 0 } }
 //! ```
 
-use super::{Cells, EDGE, Readable};
+use super::{Cells, EDGE};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `checker`: unit cubes of two alternating kinds.
@@ -16,7 +16,7 @@ use serde::Serialize;
 pub struct Checker {}
 
 impl Readable for Checker {
-    const SPEC: Spec = Spec { name: "checker", summary: "cubes of two kinds in turns", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "checker", summary: "cubes of two kinds in turns", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -4,12 +4,12 @@
 //! sphere { 0, 1 pigment { crackle color_map { [0.05 color rgb 0.1] [0.1 color rgb <0.8, 0.6, 0.4>] } scale 0.3 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise::{self, Around, Cell};
 use crate::math::{DVec3, fp};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Reader, Spec, ValueKind};
+use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Pattern `crackle`: distances to the nearest of random sites; each unit cube holds one.
@@ -27,7 +27,7 @@ pub struct Crackle {
 
 impl Readable for Crackle {
     const SPEC: Spec =
-        Spec { name: "crackle", summary: "cells of random shape", params: &[], words: specs!(Self::WORDS) };
+        Spec { name: "crackle", summary: "cells of random shape", words: specs!(Self::WORDS), ..Spec::EMPTY };
 
     const WORDS: &'static [Row<Self>] = &[
         word(

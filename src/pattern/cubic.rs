@@ -4,11 +4,11 @@
 //! sphere { 0, 1 pigment { cubic color rgb x, color rgb y, color rgb z, color rgb 1, color rgb 0.5, color rgb 0 } rotate <30, 30, 0> }
 //! ```
 
-use super::{Cells, Readable, SIX_COLORS};
+use super::{Cells, SIX_COLORS};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `cubic`: the nearest of the six directions +x, +y, +z, -x, -y, -z.
@@ -16,12 +16,8 @@ use serde::Serialize;
 pub struct Cubic {}
 
 impl Readable for Cubic {
-    const SPEC: Spec = Spec {
-        name: "cubic",
-        summary: "six pyramids that meet at the origin: +x, +y, +z, -x, -y, -z",
-        params: &[],
-        words: &[],
-    };
+    const SPEC: Spec =
+        Spec { name: "cubic", summary: "six pyramids that meet at the origin: +x, +y, +z, -x, -y, -z", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

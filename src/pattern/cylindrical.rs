@@ -4,10 +4,10 @@
 //! box { <-1, -1, 0>, <1, 1, 1> pigment { cylindrical color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } rotate x*60 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::fp;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `cylindrical`: falls from 1 on the y axis to 0 one unit away.
@@ -16,7 +16,7 @@ pub struct Cylindrical {}
 
 impl Readable for Cylindrical {
     const SPEC: Spec =
-        Spec { name: "cylindrical", summary: "falls from 1 on the y axis to 0 one unit away", params: &[], words: &[] };
+        Spec { name: "cylindrical", summary: "falls from 1 on the y axis to 0 one unit away", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

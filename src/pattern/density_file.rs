@@ -1,11 +1,11 @@
 //! `density_file`: numbers from a file in the unit cube (manual, "Density File Pattern").
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Voxels;
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, ReaderExt, Spec, ValueKind};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -54,6 +54,7 @@ impl Readable for DensityFile {
             Param { name: "file", kind: ValueKind::Text, summary: "the file's name" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =

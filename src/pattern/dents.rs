@@ -4,10 +4,10 @@
 //! sphere { 0, 1 pigment { dents color_map { [0 color rgb 0.9] [0.5 color rgb <0.6, 0.1, 0>] } scale 0.2 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `dents`: noise to the third power.
@@ -15,8 +15,7 @@ use serde::Serialize;
 pub struct Dents {}
 
 impl Readable for Dents {
-    const SPEC: Spec =
-        Spec { name: "dents", summary: "noise to the third power; in a normal, dents", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "dents", summary: "noise to the third power; in a normal, dents", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -5,11 +5,11 @@
 //! ```
 
 use super::crackle::{lowest_site, nearest_sites};
-use super::{Field, FieldParams, Readable, TextureContext};
+use super::{Field, FieldParams, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Reader, Spec, ValueKind};
+use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Pattern `facets`: normals of a surface of flat pieces.
@@ -31,8 +31,8 @@ impl Readable for Facets {
     const SPEC: Spec = Spec {
         name: "facets",
         summary: "surfaces that are cut like a gem; for normals only",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

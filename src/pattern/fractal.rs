@@ -5,12 +5,12 @@
 //! plane { z, 0 pigment { mandel 50 interior 1, 1 color_map { [0 color rgb 0] [0.3 color rgb <1, 0.5, 0>] [1 color rgb 1] } scale 0.4 } }
 //! ```
 
-use super::{Field, GRAYS, Readable, SIX_COLORS, TextureContext};
+use super::{Field, GRAYS, SIX_COLORS, TextureContext};
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Complex, DVec2};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Next, Param, Reader, Spec, ValueKind, WordSpec};
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
 /// Property of a fractal's orbit that becomes the pattern's number, and its factor.
@@ -223,6 +223,7 @@ impl Readable for Mandel {
         summary: "the Mandelbrot set in the xy plane",
         params: &[ITERATIONS],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[
@@ -285,6 +286,7 @@ impl Readable for Julia {
         summary: "a Julia set in the xy plane",
         params: &[JULIA, ITERATIONS],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[
@@ -336,6 +338,7 @@ impl Readable for Magnet {
             ITERATIONS,
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

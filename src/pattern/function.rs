@@ -4,10 +4,10 @@
 //! sphere { 0, 1 pigment { function { abs(sin(8*x) * sin(8*y)) } color_map { [0 color rgb 0] [1 color rgb <1, 0.8, 0.2>] } } }
 //! ```
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Function;
-use crate::value::{Reader, Spec, downcast};
+use crate::value::{Readable, Reader, Spec, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -31,8 +31,7 @@ impl Readable for FunctionPattern {
     const SPEC: Spec = Spec {
         name: "function",
         summary: "a formula of x, y and z in braces, as in `#declare F = function { … }`",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -4,10 +4,10 @@
 //! sphere { 0, 1 pigment { gradient y color_map { [0 color rgb 0] [1 color rgb 1] } scale 2 translate -y } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Pattern `gradient`: a ramp along a direction.
@@ -26,7 +26,7 @@ impl Readable for Gradient {
             kind: ValueKind::Vector,
             summary: "the direction; its length does not matter",
         }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -4,10 +4,10 @@
 //! sphere { 0, 1 pigment { granite color_map { [0 color rgb <0.3, 0.2, 0.2>] [0.5 color rgb 0.9] } } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `granite`: the sum of six octaves of noise.
@@ -15,7 +15,7 @@ use serde::Serialize;
 pub struct Granite {}
 
 impl Readable for Granite {
-    const SPEC: Spec = Spec { name: "granite", summary: "grains of all sizes", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "granite", summary: "grains of all sizes", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

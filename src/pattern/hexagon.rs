@@ -4,11 +4,11 @@
 //! plane { y, 0.1 pigment { hexagon color rgb x, color rgb y, color rgb z } }
 //! ```
 
-use super::{Cells, EDGE, Readable};
+use super::{Cells, EDGE};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `hexagon`: a honeycomb in the xz plane.
@@ -16,7 +16,7 @@ use serde::Serialize;
 pub struct Hexagon {}
 
 impl Readable for Hexagon {
-    const SPEC: Spec = Spec { name: "hexagon", summary: "six-sided prisms of three kinds", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "hexagon", summary: "six-sided prisms of three kinds", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

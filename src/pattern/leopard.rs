@@ -4,10 +4,10 @@
 //! box { -1, 1 pigment { leopard color_map { [0.1 color rgb <0.9, 0.7, 0.3>] [0.4 color rgb <0.2, 0.1, 0>] } scale 0.1 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::fp;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `leopard`: the square of the mean of three sines.
@@ -15,7 +15,7 @@ use serde::Serialize;
 pub struct Leopard {}
 
 impl Readable for Leopard {
-    const SPEC: Spec = Spec { name: "leopard", summary: "round spots in rows", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "leopard", summary: "round spots in rows", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -4,12 +4,12 @@
 //! sphere { 0, 1 pigment { marble turbulence 0.8 scale 0.4 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext, Wave};
+use super::{Field, FieldParams, LocalBounds, TextureContext, Wave};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::math::noise;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `marble`: bands along x.
@@ -20,8 +20,7 @@ impl Readable for Marble {
     const SPEC: Spec = Spec {
         name: "marble",
         summary: "bands across x, back and forth; of `turbulence` only the first number counts",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

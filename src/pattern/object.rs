@@ -4,11 +4,11 @@
 //! plane { z, 0 pigment { object { sphere { 0, 1 } color rgb 1, color rgb <1, 0, 0> } } rotate 30*x }
 //! ```
 
-use super::{Cells, Readable};
+use super::Cells;
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Param, Reader, Solid, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Solid, Spec, ValueKind};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -33,7 +33,7 @@ impl Readable for ObjectPattern {
         name: "object",
         summary: "inside and outside of an object; both in its braces, `object { Thing color A, color B }`, A is outside",
         params: &[Param { name: "object", kind: ValueKind::Block, summary: "any object with an inside" }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -4,9 +4,9 @@
 //! box { <-1, -1, 0>, 1 pigment { onion color_map { [0 color rgb <0.5, 0.2, 0.4>] [1 color rgb <1, 0.9, 0.9>] } scale 0.3 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `onion`: spherical shells around the origin.
@@ -14,8 +14,7 @@ use serde::Serialize;
 pub struct Onion {}
 
 impl Readable for Onion {
-    const SPEC: Spec =
-        Spec { name: "onion", summary: "shells around the origin, one in each unit", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "onion", summary: "shells around the origin, one in each unit", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

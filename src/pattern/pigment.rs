@@ -5,9 +5,9 @@
 //!   color_map { [0 color rgb <0, 0, 0.5>] [1 color rgb <1, 1, 0>] } } }
 //! ```
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::value::{Param, Reader, Spec, Thing, ValueKind, downcast};
+use crate::value::{Param, Readable, Reader, Spec, Thing, ValueKind, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -59,7 +59,7 @@ impl Readable for PigmentPattern {
         name: "pigment_pattern",
         summary: "the brightness of a pigment in braces",
         params: &[Param { name: "pigment", kind: ValueKind::Block, summary: "any pigment" }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -5,11 +5,11 @@
 //!   color_map { [0 color rgb <1, 0.9, 0.8>] [0.6 color rgb <0.4, 0, 0.2>] } scale 0.5 } }
 //! ```
 
-use super::{Field, FieldParams, Readable, TextureContext};
+use super::{Field, FieldParams, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Reader, Spec, ValueKind};
+use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Pattern `quilted`: unit cubes with rounded edges; the number falls towards the seams.
@@ -26,7 +26,7 @@ const PART: f64 = 0.577350269;
 
 impl Readable for Quilted {
     const SPEC: Spec =
-        Spec { name: "quilted", summary: "unit cubes with soft seams", params: &[], words: specs!(Self::WORDS) };
+        Spec { name: "quilted", summary: "unit cubes with soft seams", words: specs!(Self::WORDS), ..Spec::EMPTY };
 
     const WORDS: &'static [Row<Self>] = &[
         word("control0", ValueKind::Float, "1", "the slope in the middle, 0 to 1")

@@ -4,11 +4,11 @@
 //! cylinder { 0, y, 1 pigment { radial frequency 6 color_map { [0.5 color rgb <1, 0.2, 0.2>] [0.5 color rgb 1] } } }
 //! ```
 
-use super::{Field, Readable, SIX_COLORS, TextureContext};
+use super::{Field, SIX_COLORS, TextureContext};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::fp;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -17,8 +17,7 @@ use std::f64::consts::TAU;
 pub struct Radial {}
 
 impl Readable for Radial {
-    const SPEC: Spec =
-        Spec { name: "radial", summary: "once around the y axis, from +x over -z", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "radial", summary: "once around the y axis, from +x over -z", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

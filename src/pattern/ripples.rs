@@ -5,10 +5,10 @@
 //! ```
 
 use super::waves::{Source, wave_sources};
-use super::{Field, FieldParams, Readable, TextureContext};
+use super::{Field, FieldParams, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -20,8 +20,7 @@ impl Readable for Ripples {
     const SPEC: Spec = Spec {
         name: "ripples",
         summary: "rings of equal waves; `frequency` makes them shorter and `phase` moves them",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

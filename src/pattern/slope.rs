@@ -5,10 +5,10 @@
 //! sphere { 0, 1 pigment { slope { -y, 0.3, 0.7 } color_map { [0 color rgb 1] [1 color rgb <0.3, 0.5, 0.2>] } } }
 //! ```
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, fp};
-use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, ReaderExt, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -56,7 +56,7 @@ impl Readable for Slope {
             },
             Param { name: "low, high", kind: ValueKind::Float, summary: "which slopes give 0 and 1" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -4,9 +4,9 @@
 //! box { <-1, -1, 0>, <1, 1, 1> pigment { spherical color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `spherical`: falls from 1 at the origin to 0 one unit away.
@@ -15,7 +15,7 @@ pub struct Spherical {}
 
 impl Readable for Spherical {
     const SPEC: Spec =
-        Spec { name: "spherical", summary: "falls from 1 at the origin to 0 one unit away", params: &[], words: &[] };
+        Spec { name: "spherical", summary: "falls from 1 at the origin to 0 one unit away", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

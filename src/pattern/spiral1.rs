@@ -4,10 +4,10 @@
 //! cylinder { 0, 0.2*z, 1 pigment { spiral1 5 color_map { [0.5 color rgb <0.1, 0.2, 0.5>] [0.5 color rgb 1] } scale 0.6 } }
 //! ```
 
-use super::{Field, FieldParams, Readable, TextureContext, Wave};
+use super::{Field, FieldParams, TextureContext, Wave};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -27,7 +27,7 @@ pub struct Spiral1 {
 
 impl Readable for Spiral1 {
     const SPEC: Spec =
-        Spec { name: "spiral1", summary: "arms of a spiral around the z axis", params: ARMS, words: &[] };
+        Spec { name: "spiral1", summary: "arms of a spiral around the z axis", params: ARMS, ..Spec::EMPTY };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         Ok(Self { arms: r.float()?.trunc() })

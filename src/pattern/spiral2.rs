@@ -5,10 +5,10 @@
 //! ```
 
 use super::spiral1::{ARMS, spiral_number, turbulence_shift};
-use super::{Field, FieldParams, Readable, TextureContext, Wave};
+use super::{Field, FieldParams, TextureContext, Wave};
 use crate::diagnostic::Result;
 use crate::math::fp;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `spiral2`: a spiral over rings.
@@ -20,7 +20,7 @@ pub struct Spiral2 {
 
 impl Readable for Spiral2 {
     const SPEC: Spec =
-        Spec { name: "spiral2", summary: "crossed arms of spirals around the z axis", params: ARMS, words: &[] };
+        Spec { name: "spiral2", summary: "crossed arms of spirals around the z axis", params: ARMS, ..Spec::EMPTY };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         Ok(Self { arms: r.float()?.trunc() })

@@ -4,10 +4,10 @@
 //! sphere { 0, 1 pigment { spotted color_map { [0.5 color rgb <0.9, 0.7, 0.4>] [0.6 color rgb <0.4, 0.2, 0.1>] } scale 0.2 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::noise;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `spotted`: smooth noise between 0 and 1.
@@ -15,7 +15,7 @@ use serde::Serialize;
 pub struct Spotted {}
 
 impl Readable for Spotted {
-    const SPEC: Spec = Spec { name: "spotted", summary: "as `bozo`, but for its colours", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "spotted", summary: "as `bozo`, but for its colours", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

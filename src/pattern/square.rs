@@ -4,11 +4,11 @@
 //! plane { y, 0.1 pigment { square color rgb 1, color rgb x, color rgb y, color rgb z } }
 //! ```
 
-use super::{Cells, Readable, SIX_COLORS};
+use super::{Cells, SIX_COLORS};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `square`: squares of length 1 in the xz plane.
@@ -16,8 +16,7 @@ use serde::Serialize;
 pub struct Square {}
 
 impl Readable for Square {
-    const SPEC: Spec =
-        Spec { name: "square", summary: "rods with square ends, of four kinds", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "square", summary: "rods with square ends, of four kinds", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -4,11 +4,11 @@
 //! plane { y, 0.1 pigment { triangular color rgb 1, color rgb 0.8, color rgb 0.6, color rgb 0.4, color rgb 0.2, color rgb 0 } }
 //! ```
 
-use super::{Cells, Readable, SIX_COLORS};
+use super::{Cells, SIX_COLORS};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `triangular`: triangles with sides of length 1 in the xz plane, in rows along x.
@@ -16,8 +16,7 @@ use serde::Serialize;
 pub struct Triangular {}
 
 impl Readable for Triangular {
-    const SPEC: Spec =
-        Spec { name: "triangular", summary: "rods with triangular ends, of six kinds", params: &[], words: &[] };
+    const SPEC: Spec = Spec { name: "triangular", summary: "rods with triangular ends, of six kinds", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

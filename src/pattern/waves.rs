@@ -4,10 +4,10 @@
 //! plane { y, 0.1 pigment { waves color_map { [0.3 color rgb <0, 0.1, 0.3>] [0.7 color rgb <0.6, 0.9, 1>] } scale 0.7 } }
 //! ```
 
-use super::{Field, FieldParams, Readable, TextureContext};
+use super::{Field, FieldParams, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp, noise};
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
@@ -20,8 +20,7 @@ impl Readable for Waves {
     const SPEC: Spec = Spec {
         name: "waves",
         summary: "waves of many lengths; `frequency` makes them shorter and `phase` moves them",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

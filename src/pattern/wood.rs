@@ -4,11 +4,11 @@
 //! box { -1, 1 pigment { wood turbulence 0.1 scale 0.2 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext, Wave};
+use super::{Field, FieldParams, LocalBounds, TextureContext, Wave};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::{DVec2, DVec3, fp, noise};
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ pub struct Wood {}
 
 impl Readable for Wood {
     const SPEC: Spec =
-        Spec { name: "wood", summary: "rings around the z axis, back and forth in each unit", params: &[], words: &[] };
+        Spec { name: "wood", summary: "rings around the z axis, back and forth in each unit", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

@@ -4,10 +4,10 @@
 //! sphere { 0, 1 pigment { wrinkles color_map { [0.2 color rgb <0.2, 0.3, 0.1>] [0.8 color rgb <0.9, 1, 0.6>] } scale 0.3 } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, Readable, TextureContext};
+use super::{Field, FieldParams, LocalBounds, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
-use crate::value::{Reader, Spec};
+use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
 /// Pattern `wrinkles`: the sum of ten octaves of noise.
@@ -16,7 +16,7 @@ pub struct Wrinkles {}
 
 impl Readable for Wrinkles {
     const SPEC: Spec =
-        Spec { name: "wrinkles", summary: "noise of all sizes; in a normal, crumpled foil", params: &[], words: &[] };
+        Spec { name: "wrinkles", summary: "noise of all sizes; in a normal, crumpled foil", ..Spec::EMPTY };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self {})

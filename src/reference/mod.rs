@@ -6,66 +6,83 @@ pub use sorts::{Sorts, sorts};
 
 use crate::medium::INTERIOR;
 use crate::pattern::{CellPattern, FieldPattern, Warp};
+use crate::shape::Shape;
 use crate::texture::words::{FINISH, IMAGE_MAP, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
-use crate::value::{Spec, Vocabulary};
-use crate::{atmosphere, camera, interpreter, light, scene, shape};
+use crate::value::{Family, Spec};
+use crate::{atmosphere, camera, interpreter, light, scene};
 
-/// A block and its page in the manual's reference.
-#[derive(Debug)]
-pub struct Block {
-    /// Words of the documented block.
-    pub words: &'static Vocabulary,
-    /// Name of the documented block in Markdown.
-    pub name: &'static str,
+/// A block of the language with its section in the manual's reference.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Parameters and words of the documented block.
+    pub spec: &'static Spec,
+    /// Name of the family to which the documented block belongs; `None` outside of the families.
+    pub family: Option<&'static str>,
+    /// True if the block's parameters and words are written in braces.
+    pub has_braces: bool,
+    /// Name of the documented block in Markdown; empty for a member of a family.
+    title: &'static str,
     /// Page of the block in `docs/src/reference/`.
     pub page: &'static str,
 }
 
-/// Shapes, patterns or warps, each with its own table.
-#[derive(Debug)]
-pub struct Family {
-    /// Word tables of the family's members.
-    pub specs: &'static [&'static Spec],
-    /// Name for the kind of the family's members.
-    pub kind: &'static str,
-    /// Page of the family in `docs/src/reference/`.
-    pub page: &'static str,
-}
+impl Entry {
+    const fn block(spec: &'static Spec, title: &'static str, page: &'static str) -> Self {
+        Self { spec, family: None, has_braces: true, title, page }
+    }
 
-const fn block(words: &'static Vocabulary, name: &'static str, page: &'static str) -> Block {
-    Block { words, name, page }
+    /// Returns the link in Markdown from another page of the reference to the block's section.
+    pub fn link(&self) -> String {
+        let Self { spec, title, page, .. } = self;
+        if self.family.is_some() { format!("[`{0}`]({page}#{0})", spec.name) } else { format!("[{title}]({page})") }
+    }
+
+    /// Returns the syntax of the block.
+    pub fn usage(&self) -> String {
+        if self.has_braces { self.spec.block_usage() } else { self.spec.usage() }
+    }
 }
 
 /// Documented blocks outside of the families.
-pub const BLOCKS: &[Block] = &[
-    block(&interpreter::STATEMENTS, "the scene", "scene.md"),
-    block(&scene::words::MODIFIERS, "objects", "objects.md"),
-    block(&scene::PHOTONS, "`photons` of objects", "objects.md#photons"),
-    block(&camera::words::POVRAY, "`camera`", "cameras.md"),
-    block(&camera::words::LECTURE, "durer's own `camera`", "cameras.md"),
-    block(&light::words::LIGHT, "`light_source`", "lights.md"),
-    block(&scene::LIGHT_GROUP, "`light_group`", "lights.md#light_group"),
-    block(&atmosphere::SKY_SPHERE, "`sky_sphere`", "atmosphere.md"),
-    block(&atmosphere::FOG, "`fog`", "atmosphere.md"),
-    block(&atmosphere::RAINBOW, "`rainbow`", "atmosphere.md"),
-    block(&PIGMENT, "`pigment`", "pigments.md"),
-    block(&IMAGE_MAP, "`image_map`", "pigments.md#image_map"),
-    block(&TEXTURE, "`texture`", "finishes.md"),
-    block(&NORMAL, "`normal`", "finishes.md"),
-    block(&FINISH, "`finish`", "finishes.md"),
-    block(&REFLECTION, "`reflection`", "finishes.md"),
-    block(&IRID, "`irid`", "finishes.md"),
-    block(&INTERIOR, "`interior`", "finishes.md"),
-    block(&scene::words::SETTINGS, "`global_settings`", "settings.md"),
+pub const BLOCKS: &[Entry] = &[
+    Entry::block(&interpreter::STATEMENTS, "the scene", "scene.md"),
+    Entry::block(&scene::words::MODIFIERS, "objects", "objects.md"),
+    Entry::block(&scene::PHOTONS, "`photons` of objects", "objects.md#photons"),
+    Entry::block(&camera::words::POVRAY, "`camera`", "cameras.md"),
+    Entry::block(&camera::words::LECTURE, "durer's own `camera`", "cameras.md"),
+    Entry::block(&light::words::LIGHT, "`light_source`", "lights.md"),
+    Entry::block(&scene::LIGHT_GROUP, "`light_group`", "lights.md#light_group"),
+    Entry::block(&atmosphere::SKY_SPHERE, "`sky_sphere`", "atmosphere.md"),
+    Entry::block(&atmosphere::FOG, "`fog`", "atmosphere.md"),
+    Entry::block(&atmosphere::RAINBOW, "`rainbow`", "atmosphere.md"),
+    Entry::block(&PIGMENT, "`pigment`", "pigments.md"),
+    Entry::block(&IMAGE_MAP, "`image_map`", "pigments.md#image_map"),
+    Entry::block(&TEXTURE, "`texture`", "finishes.md"),
+    Entry::block(&NORMAL, "`normal`", "finishes.md"),
+    Entry::block(&FINISH, "`finish`", "finishes.md"),
+    Entry::block(&REFLECTION, "`reflection`", "finishes.md"),
+    Entry::block(&IRID, "`irid`", "finishes.md"),
+    Entry::block(&INTERIOR, "`interior`", "finishes.md"),
+    Entry::block(&scene::words::SETTINGS, "`global_settings`", "settings.md"),
 ];
 
-/// All documented families of blocks, such as shapes.
-pub const FAMILIES: &[Family] = &[
-    Family { specs: shape::SPECS, kind: "shape", page: "shapes.md" },
-    Family { specs: CellPattern::SPECS, kind: "pattern", page: "pigments.md" },
-    Family { specs: FieldPattern::SPECS, kind: "pattern", page: "pigments.md" },
-    Family { specs: Warp::SPECS, kind: "warp", page: "pigments.md" },
-];
+/// Documented shapes, patterns and warps.
+pub fn members() -> impl Iterator<Item = Entry> {
+    let families = [
+        ("shape", true, "shapes.md", Shape::SPECS),
+        ("pattern", false, "pigments.md", CellPattern::SPECS),
+        ("pattern", false, "pigments.md", FieldPattern::SPECS),
+        ("warp", false, "pigments.md", Warp::SPECS),
+    ];
+    families.into_iter().flat_map(|(family, has_braces, page, specs)| {
+        specs.iter().map(move |&spec| Entry { spec, family: Some(family), has_braces, title: "", page })
+    })
+}
+
+/// All documented blocks: those of [`BLOCKS`], then the members of families.
+pub fn entries() -> impl Iterator<Item = Entry> {
+    BLOCKS.iter().copied().chain(members())
+}
 
 /// Words that are in no table of a block, and the chapters about them.
 pub const ELSEWHERE: &[(&str, &str)] = &[

@@ -1,13 +1,13 @@
 //! All words of the language by kind, for the grammars of editors, which `tests/suite/editors.rs` generates.
 
-use super::{BLOCKS, FAMILIES};
+use super::{BLOCKS, entries};
 use crate::interpreter::{UNSUPPORTED_BLOCKS, directives};
 use crate::pattern::Modifiers;
-use crate::shape;
+use crate::shape::Shape;
 use crate::syntax::word::{CONSTANTS, FUNCTIONS, GROUPS, KEYWORDS};
 use crate::syntax::{continues, opens};
-use crate::value::ValueKind;
 use crate::value::words::TRANSFORMS;
+use crate::value::{Family, ValueKind};
 
 /// Words by kind, each list in alphabetical order. No word is in two of the first five lists.
 #[derive(Debug)]
@@ -32,13 +32,9 @@ pub struct Sorts {
 
 /// Sorts all words of the language by kind.
 pub fn sorts() -> Sorts {
-    let rows = || {
-        let tables = BLOCKS.iter().map(|block| block.words.words);
-        let tables = tables.chain(FAMILIES.iter().flat_map(|family| family.specs).map(|spec| spec.words));
-        tables.chain([TRANSFORMS, Modifiers::WORDS]).flatten()
-    };
-    let objects = sorted(shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
-    let named = BLOCKS.iter().flat_map(|block| block.words.unsupported.iter().copied().chain([block.words.block]));
+    let rows = || entries().map(|entry| entry.spec.words).chain([TRANSFORMS, Modifiers::WORDS]).flatten();
+    let objects = sorted(Shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
+    let named = BLOCKS.iter().flat_map(|block| block.spec.unsupported.iter().copied().chain([block.spec.name]));
     // `function` is part of the grammar itself.
     let named = named.chain(UNSUPPORTED_BLOCKS.iter().copied()).chain(["function"]);
     let with_braces = rows().filter(|row| row.kind == ValueKind::Block).map(|row| row.name);

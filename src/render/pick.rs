@@ -2,6 +2,7 @@
 
 use super::{Options, Picked};
 use crate::math::Range;
+use crate::value::Family;
 use crate::world::World;
 
 /// Returns the closest visible hit through the centre of pixel (x, y), counted from the top left; `None` where nothing is hit.

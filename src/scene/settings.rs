@@ -74,7 +74,7 @@ impl Settings {
                 Next::Word(word) | Next::Block(word) if SETTINGS.is_unsupported(word) => {
                     self.unsupported.push(r.read_unsupported(word)?);
                 }
-                _ => return Err(r.unknown_word("global_settings", &SETTINGS.names()).into()),
+                _ => return Err(r.unknown_word_in(&SETTINGS)),
             }
         }
     }

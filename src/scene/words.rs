@@ -5,7 +5,7 @@ use super::settings::{Settings, read_gamma};
 use crate::pattern::read_noise_generator;
 use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
-use crate::value::{Vocabulary, WordSpec};
+use crate::value::{Spec, WordSpec};
 
 /// Blocks inside objects.
 const PARTS: &[WordSpec] = &[
@@ -42,13 +42,13 @@ pub(super) const FLAGS: &[Row<Flags>] = &[
 ];
 
 /// Words of any object, after those of its shape.
-pub const MODIFIERS: Vocabulary = Vocabulary {
-    block: "object",
+pub const MODIFIERS: Spec = Spec {
+    name: "object",
     summary: "what any object takes behind the words of its own",
     words: &joined::<{ PARTS.len() + FLAGS.len() }>(PARTS, specs!(FLAGS)),
     has_transforms: true,
     ignored: &["sturm", "hierarchy", "split_union", "all_intersections"],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// Rows of [`SETTINGS`].
@@ -80,11 +80,11 @@ pub(super) const SETTINGS_ROWS: &[Row<Settings>] = &[
 ];
 
 /// Words of `global_settings`.
-pub const SETTINGS: Vocabulary = Vocabulary {
-    block: "global_settings",
+pub const SETTINGS: Spec = Spec {
+    name: "global_settings",
     summary: "what holds for the whole scene",
     words: specs!(SETTINGS_ROWS),
-    has_transforms: false,
     ignored: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit"],
     unsupported: &["photons", "radiosity", "subsurface"],
+    ..Spec::EMPTY
 };

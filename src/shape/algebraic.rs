@@ -12,12 +12,12 @@
 //! }
 //! ```
 
-use super::{Bounding, HUGE, Hit, Hits, Kernel, Quirks, Readable};
+use super::{Bounding, HUGE, Hit, Hits, Kernel, Quirks};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, MAX_DEGREE, Range, Ray, Transform, roots_on_line, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, word};
-use crate::value::{Param, Reader, Spec, ValueKind, WordSpec};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
 /// Algebraic surface `cubic { <…> }`.
@@ -254,6 +254,7 @@ impl<const FORM: usize> Readable for Algebraic<FORM> {
         ][FORM],
         params: [&[COEFFICIENTS] as &[Param], &[COEFFICIENTS], &[ORDER, COEFFICIENTS], &[ORDER]][FORM],
         words: if FORM == 3 { &[TERM, STURM] } else { &[STURM] },
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = if FORM == 3 { Self::TERMS } else { Self::STURM };

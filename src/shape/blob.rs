@@ -13,13 +13,13 @@ mod component;
 pub use component::Component;
 
 use super::pov_bounds::NOTHING;
-use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, Readable, TextureWeights, transformed_box};
+use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, TextureWeights, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, cancel, solve_polynomial_between, tolerance};
 use crate::source::Span;
 use crate::value::words::word;
-use crate::value::{Next, Reader, ReaderExt, Spec, ValueKind};
+use crate::value::{Next, Readable, Reader, ReaderExt, Spec, ValueKind};
 use component::{Stretch, Stretches};
 use serde::Serialize;
 use smallvec::SmallVec;
@@ -206,7 +206,6 @@ impl Readable for Blob {
     const SPEC: Spec = Spec {
         name: "blob",
         summary: "fields of balls and rods that flow into each other",
-        params: &[],
         words: &[
             word("threshold", ValueKind::Float, "1", "how strong the field is on the surface"),
             word(
@@ -218,13 +217,14 @@ impl Readable for Blob {
             word("cylinder", ValueKind::Block, "", "a rod with round ends: both ends, radius and strength"),
             word("component", ValueKind::Float, "", "an older way to write a ball: strength, radius, centre"),
         ],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self { threshold: 1.0, components: vec![], textured: false, bvh: Bvh::default(), bounds: Aabb::EMPTY })
     }
 
-    fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
             Next::Word("threshold") => {
                 r.take_token()?;
@@ -234,19 +234,6 @@ impl Readable for Blob {
                 let span = r.take_token()?;
                 let (strength, radius, base) = (r.float()?, r.float()?, r.vector()?);
                 self.components.push(Component::new(span, base, DVec3::ZERO, radius, strength)?);
-            }
-            Next::Block(kind @ ("sphere" | "cylinder")) => {
-                let span = r.take_token()?;
-                let base = r.vector()?;
-                let axis = if kind == "cylinder" { r.vector()? - base } else { DVec3::ZERO };
-                let radius = r.float()?;
-                r.accept("strength")?;
-                let strength = r.float()?;
-                let mut component = Component::new(span, base, axis, radius, strength)?;
-                component.read_modifiers(kind, r, paints)?;
-                r.leave_block()?;
-                self.textured |= component.slot != 0;
-                self.components.push(component);
             }
             _ => return Ok(false),
         }
@@ -319,6 +306,22 @@ impl Kernel for Blob {
         let mut sum = DVec3::ZERO;
         self.visit_components_near(p, &mut |component| sum -= component.field_gradient(p));
         if sum == DVec3::ZERO { DVec3::Y } else { sum }
+    }
+
+    fn read_textured(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
+        let Next::Block(kind @ ("sphere" | "cylinder")) = next else { return Ok(false) };
+        let span = r.take_token()?;
+        let base = r.vector()?;
+        let axis = if kind == "cylinder" { r.vector()? - base } else { DVec3::ZERO };
+        let radius = r.float()?;
+        r.accept("strength")?;
+        let strength = r.float()?;
+        let mut component = Component::new(span, base, axis, radius, strength)?;
+        component.read_modifiers(kind, r, paints)?;
+        r.leave_block()?;
+        self.textured |= component.slot != 0;
+        self.components.push(component);
+        Ok(true)
     }
 
     fn texture_weights(&self, p: DVec3, _: &Hit) -> TextureWeights {

@@ -8,12 +8,12 @@
 //! ```
 
 use super::frustum::{Frustum, OPEN, frustum_kernel};
-use super::{Hit, Hits, Readable, finite};
+use super::{Hit, Hits, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
 use crate::value::words::{Row, set, specs};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Cone or frustum of a cone.
@@ -43,6 +43,7 @@ impl Readable for Cone {
             Param { name: "cap_radius", kind: ValueKind::Float, summary: "the radius there; 0 makes a tip" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[OPEN.sets(|s, _| set(&mut s.0.open, Ok(true)))];

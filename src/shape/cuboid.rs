@@ -6,10 +6,10 @@
 //! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Readable, Shape, finite};
+use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Shape, finite};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Axis-aligned box of the scene language (`Box` is a type of Rust).
@@ -63,7 +63,7 @@ impl Readable for Cuboid {
             Param { name: "corner_1", kind: ValueKind::Vector, summary: "any corner" },
             Param { name: "corner_2", kind: ValueKind::Vector, summary: "the corner opposite to it" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -7,12 +7,12 @@
 //! ```
 
 use super::frustum::{Frustum, OPEN, frustum_kernel};
-use super::{Hit, Hits, Readable, finite};
+use super::{Hit, Hits, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
 use crate::value::words::{Row, set, specs};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Cylinder, open or closed.
@@ -37,6 +37,7 @@ impl Readable for Cylinder {
             Param { name: "radius", kind: ValueKind::Float, summary: "its sign does not matter" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[OPEN.sets(|s, _| set(&mut s.0.open, Ok(true)))];

@@ -6,11 +6,11 @@
 //! disc { <0, 1, 0>, <0, 1, 0>, 1, 0.5 pigment { color rgb <0.8, 0.8, 0.2> } }
 //! ```
 
-use super::{HalfSpaces, Hit, Hits, Kernel, Readable, finite, pov_bounds};
+use super::{HalfSpaces, Hit, Hits, Kernel, finite, pov_bounds};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
-use crate::value::{Next, Param, Reader, Spec, ValueKind};
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A flat disc, with a concentric round hole if `hole` is above 0.
@@ -51,7 +51,7 @@ impl Readable for Disc {
                 summary: "of the hole in its middle; may be left out",
             },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

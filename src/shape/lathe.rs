@@ -13,11 +13,11 @@
 
 use super::spline::{Curve, Interpolation, KINDS, bernstein_product, read_points, single_outline};
 use super::turned::Walls;
-use super::{Hit, Hits, Kernel, Readable, nearest_hit, transformed_box};
+use super::{Hit, Hits, Kernel, nearest_hit, transformed_box};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::value::words::{Row, joined, specs};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Lathe: a curve that is rotated about the y axis.
@@ -59,6 +59,7 @@ impl Readable for Lathe {
             Param { name: "points", kind: ValueKind::Vectors, summary: "distance from the axis, and height" },
         ],
         words: &joined::<5>(&KINDS, specs!(Self::WORDS)),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[super::algebraic::STURM.sets(|_, r| r.flag().map(drop))];

@@ -8,12 +8,12 @@
 //! ovus { 1, 0.6 translate y pigment { color rgb <0.9, 0.8, 0.6> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, Sphere, Torus, finite, transformed_box};
+use super::{Hit, Hits, Kernel, Sphere, Torus, finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
 use crate::value::words::{Row, specs};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Part numbers of an ovus: lower ball, upper ball, band.
@@ -117,6 +117,7 @@ impl Readable for Ovus {
             Param { name: "top_radius", kind: ValueKind::Float, summary: "of the ball around the top of that one" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[super::algebraic::STURM.sets(|_, r| r.flag().map(drop))];

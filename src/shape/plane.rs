@@ -8,12 +8,12 @@
 //! plane { <0, 1, 0>, 0.1 pigment { checker color rgb 1 color rgb 0 } }
 //! ```
 
-use super::{Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, Quirks, Readable, finite};
+use super::{Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, Quirks, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
-use crate::value::{Next, Param, Reader, ReaderExt, Spec, ValueKind};
+use crate::value::{Next, Param, Readable, Reader, ReaderExt, Spec, ValueKind};
 use serde::Serialize;
 
 /// Plane: a half-space that the plane bounds.
@@ -80,6 +80,7 @@ impl Readable for Plane {
             Param { name: "distance", kind: ValueKind::Float, summary: "from the origin along the normal" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

@@ -7,11 +7,11 @@
 //! polygon { 10, <0,0> <4,0> <4,4> <0,4> <0,0>  <1,1> <3,1> <3,3> <1,3> <1,1> pigment { color rgb 1 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite, pov_bounds, transformed_box};
+use super::{Hit, Hits, Kernel, finite, pov_bounds, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
-use crate::value::{Param, Reader, Spec, Value, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, Value, ValueKind};
 use serde::Serialize;
 
 /// Polygon: one or more outlines in a plane.
@@ -137,7 +137,7 @@ impl Readable for Polygon {
             Param { name: "number_of_points", kind: ValueKind::Float, summary: "how many follow, at least three" },
             Param { name: "points", kind: ValueKind::Vectors, summary: "repeating the first one closes an outline" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

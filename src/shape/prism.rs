@@ -14,12 +14,12 @@
 //! ```
 
 use super::spline::{Curve, Interpolation, KINDS, closed_outlines, read_points, report_open};
-use super::{Hit, Hits, Kernel, Readable, finite, nearest_hit, transformed_box};
+use super::{Hit, Hits, Kernel, finite, nearest_hit, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, bernstein_roots};
 use crate::source::Span;
 use crate::value::words::{Row, joined, specs, word};
-use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind, WordSpec};
+use crate::value::{Param, Readable, Reader, ReaderExt, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
 /// Part number of a prism's lid; other parts are segments of the outline.
@@ -169,6 +169,7 @@ impl Readable for Prism {
             },
         ],
         words: &joined::<8>(&joined::<6>(&KINDS, &SWEEPS), specs!(Self::WORDS)),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

@@ -7,11 +7,11 @@
 //! quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 clipped_by { plane { y, 1.6 } } pigment { color rgb <0.9, 0.6, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, Readable, finite, transformed_box};
+use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, solve_quadratic_with_discriminant};
 use crate::source::Span;
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Curvature of a quadric along a line, relative to its maximum, below which the line is left to `hits` and `inside`.
@@ -133,7 +133,7 @@ impl Readable for Quadric {
             Param { name: "<G, H, I>", kind: ValueKind::Vector, summary: "of x, y and z" },
             Param { name: "J", kind: ValueKind::Float, summary: "added to all that; it is negative inside" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

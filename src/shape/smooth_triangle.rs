@@ -7,11 +7,11 @@
 //! smooth_triangle { <0, 0, 0>, <-1, 0, -2>, <1, 0, 0>, <1, 0, -2>, <0, 1, 0>, <0, 1, -2> pigment { color rgb 1 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, Triangle, finite};
+use super::{Hit, Hits, Kernel, Shape, Triangle, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Smooth triangle, with a normal at each corner.
@@ -56,7 +56,7 @@ impl Readable for SmoothTriangle {
             Param { name: "corner_3", kind: ValueKind::Vector, summary: "third corner" },
             Param { name: "normal_3", kind: ValueKind::Vector, summary: "the surface's direction there" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -108,12 +108,12 @@ impl Kernel for SmoothTriangle {
 
     /// Returns the smooth triangle with normals of length 1 under M, so that interpolation weighs them equally (quirk:
     /// `smooth_triangle_normals`).
-    fn adapted_to_transform(&self, m: &Transform) -> Option<Self> {
+    fn adapted_to_transform(&self, m: &Transform) -> Option<Shape> {
         let normals = match self.is_twisted_under(m) {
             true => [DVec3::ZERO; 3],
             false => self.normals.map(|n| n / m.transform_normal(n).length().max(f64::MIN_POSITIVE)),
         };
-        Some(Self { normals, ..self.clone() })
+        Some(Self { normals, ..self.clone() }.into())
     }
 
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {

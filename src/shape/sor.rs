@@ -12,11 +12,11 @@
 
 use super::spline::{Interpolation, evaluate_bernstein, read_points};
 use super::turned::{Walls, max_on_unit_interval};
-use super::{Hit, Hits, Kernel, Readable, nearest_hit};
+use super::{Hit, Hits, Kernel, nearest_hit};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp};
 use crate::value::words::{Row, specs, word};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 use smallvec::smallvec;
 
@@ -76,6 +76,7 @@ impl Readable for Sor {
             },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

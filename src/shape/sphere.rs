@@ -4,11 +4,11 @@
 //! sphere { <0, 1, 0>, 1 pigment { color rgb <1, 0.5, 0> } }
 //! ```
 
-use super::{Crossing, End, Hit, Hits, Kernel, Readable, finite, transformed_box};
+use super::{Crossing, End, Hit, Hits, Kernel, finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, solve_quadratic_with_discriminant};
 use crate::source::Span;
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -29,7 +29,7 @@ impl Readable for Sphere {
             Param { name: "center", kind: ValueKind::Vector, summary: "its middle" },
             Param { name: "radius", kind: ValueKind::Float, summary: "the distance; its sign does not matter" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

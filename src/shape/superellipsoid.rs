@@ -9,11 +9,11 @@
 //! superellipsoid { <0.3, 0.5> rotate x*30 translate y pigment { color rgb <0.9, 0.4, 0.2> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite, transformed_box};
+use super::{Hit, Hits, Kernel, finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, Range, Ray, Transform, fp, tolerance};
 use crate::source::Span;
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
@@ -333,7 +333,7 @@ impl Readable for Superellipsoid {
             kind: ValueKind::Vector2,
             summary: "how round: near 0 square, 1 round, 2 pointed; around z, and towards z",
         }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

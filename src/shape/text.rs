@@ -7,12 +7,12 @@
 //! text { ttf "timrom.ttf" "durer" 0.2, 0 pigment { color rgb <0.8, 0.3, 0.1> } scale 1.6 translate -1.6*x }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite};
+use super::{Hit, Hits, Kernel, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::font::{Curve, Outline};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, solve_quadratic};
 use crate::source::Span;
-use crate::value::{Next, Param, Reader, Spec, ValueKind};
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
 use rustc_hash::FxHashMap;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -141,7 +141,7 @@ impl Readable for Text {
             Param { name: "depth", kind: ValueKind::Float, summary: "how far the letters reach along z" },
             Param { name: "offset", kind: ValueKind::Vector, summary: "added between one letter and the next" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

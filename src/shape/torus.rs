@@ -8,12 +8,12 @@
 //! torus { 1, 0.25 pigment { color rgb <0.9, 0.2, 0.2> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite};
+use super::{Hit, Hits, Kernel, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, bernstein_roots, fp, solve_quadratic_with_discriminant, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -133,6 +133,7 @@ impl Readable for Torus {
             Param { name: "minor", kind: ValueKind::Float, summary: "the radius of the rim" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =

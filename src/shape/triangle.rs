@@ -4,11 +4,11 @@
 //! triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> pigment { color rgb <0.3, 0.7, 0.3> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Readable, finite};
+use super::{Hit, Hits, Kernel, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// A flat triangle.
@@ -85,7 +85,7 @@ impl Readable for Triangle {
             Param { name: "corner_2", kind: ValueKind::Vector, summary: "second corner" },
             Param { name: "corner_3", kind: ValueKind::Vector, summary: "third corner" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -6,7 +6,7 @@ use super::doubts::warn_of_descending_map;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::cancel;
 use crate::pattern::{CellPattern, Cells, Pattern, PatternKind};
-use crate::value::{Next, Reader, ReaderExt, Thing};
+use crate::value::{Family, Next, Reader, ReaderExt, Thing};
 use serde::Serialize;
 use smallvec::SmallVec;
 use std::sync::Arc;

@@ -147,7 +147,7 @@ impl Finish {
                 Next::End => return Ok(f),
                 Next::Thing(_) => match r.thing::<Finish>()? {
                     Some(declared) => f = declared.without_albedo(),
-                    None => return Err(r.unknown_word("finish", &FINISH.names()).into()),
+                    None => return Err(r.unknown_word_in(&FINISH)),
                 },
                 Next::Block("reflection") => {
                     r.take_token()?;
@@ -163,7 +163,7 @@ impl Finish {
                     f.uncommon.unsupported.push(r.read_unsupported(word)?)
                 }
                 next if f.read_word(next, r)? => {}
-                _ => return Err(r.unknown_word("finish", &FINISH.names()).into()),
+                _ => return Err(r.unknown_word_in(&FINISH)),
             }
         }
     }
@@ -223,7 +223,7 @@ impl Irid {
             match r.next()? {
                 Next::End => return Ok(out),
                 next if read_row(IRID_ROWS, &mut out, next, r)? => {}
-                _ => return Err(r.unknown_word("irid", &IRID.names()).into()),
+                _ => return Err(r.unknown_word_in(&IRID)),
             }
         }
     }
@@ -265,7 +265,7 @@ impl Reflection {
             match r.next()? {
                 Next::End => break,
                 next if read_row(REFLECTION_ROWS, &mut out, next, r)? => said_fresnel |= next == Next::Word("fresnel"),
-                _ => return Err(r.unknown_word("reflection", &REFLECTION.names()).into()),
+                _ => return Err(r.unknown_word_in(&REFLECTION)),
             }
         }
         // One colour is the same at every angle; with `fresnel` in the same block it begins at 0 instead.

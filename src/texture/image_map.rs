@@ -74,7 +74,7 @@ impl ImageMap {
                 next if read_row(IMAGE_MAP_ROWS, &mut clearness, next, r)? => {}
                 next if bitmap.read_bitmap_word(r, next)? => {}
                 _ => {
-                    let words: Vec<_> = bitmap::bitmap_word_names().chain(IMAGE_MAP.names()).collect();
+                    let words: Vec<_> = bitmap::bitmap_word_names().chain(IMAGE_MAP.word_names()).collect();
                     return Err(r.unknown_word("image_map", &words).into());
                 }
             }

@@ -6,8 +6,8 @@ use super::words::{FINISH, TEXTURE};
 use super::{Finish, Normal, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
-use crate::pattern::{CellPattern, MaterialMap, Pattern, PatternKind, Readable};
-use crate::value::{Next, Reader, ReaderExt};
+use crate::pattern::{CellPattern, MaterialMap, Pattern, PatternKind};
+use crate::value::{Next, Readable, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -156,7 +156,7 @@ impl Texture {
                     draft.parts = Some(list);
                 }
             }
-            _ => return Err(r.unknown_word("texture", &TEXTURE.names()).into()),
+            _ => return Err(r.unknown_word_in(&TEXTURE)),
         }
         Ok(())
     }

@@ -169,7 +169,7 @@ impl Normal {
                     Relief::Normals(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.is_average())?)));
                 r.leave_block()?;
             }
-            _ => return Err(r.unknown_word("normal", &NORMAL.names()).into()),
+            _ => return Err(r.unknown_word_in(&NORMAL)),
         }
         Ok(())
     }

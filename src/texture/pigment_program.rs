@@ -37,7 +37,7 @@ enum Shows {
 }
 
 impl PigmentProgram {
-    /// Lowers a pigment to the form that is evaluated.
+    /// Lowers a pigment whose brightness a pattern uses.
     pub fn new(pigment: &Pigment) -> Self {
         let mut nodes = vec![];
         push_nodes(pigment, &mut nodes);

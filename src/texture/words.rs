@@ -7,7 +7,7 @@ use super::pigment::Pigment;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers};
 use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
-use crate::value::{ReaderExt, Spec, Vocabulary, WordSpec};
+use crate::value::{Family, ReaderExt, Spec, WordSpec};
 
 /// Parts of a `pigment` block that have braces of their own.
 const PIGMENT_PARTS: &[WordSpec] = &[
@@ -30,14 +30,14 @@ pub(super) const PIGMENT_ROWS: &[Row<Pigment>] = &[
         .sets(|s, r| set(&mut s.quick_color, r.color().map(|c| Some(Box::new(c))))),
 ];
 
-/// Vocabulary of `pigment { … }`, except colours, patterns and [`Modifiers::WORDS`].
-pub const PIGMENT: Vocabulary = Vocabulary {
-    block: "pigment",
+/// Description of `pigment { … }`, except colours, patterns and [`Modifiers::WORDS`].
+pub const PIGMENT: Spec = Spec {
+    name: "pigment",
     summary: "the colour of every point: one colour, or a pattern with its colours",
     words: &joined::<{ PIGMENT_PARTS.len() + PIGMENT_ROWS.len() }>(PIGMENT_PARTS, specs!(PIGMENT_ROWS)),
     has_transforms: true,
     ignored: &["no_bump_scale"],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// Words of an `image_map` block, and how each is read.
@@ -48,15 +48,13 @@ pub(super) const IMAGE_MAP_ROWS: &[Row<Clearness>] = &[
         .sets(Clearness::read_transmit),
 ];
 
-/// Vocabulary of `image_map { … }`, except the words of all pictures
+/// Description of `image_map { … }`, except the words of all pictures
 /// ([`bitmap::WORDS`](crate::pattern::bitmap::WORDS)).
-pub const IMAGE_MAP: Vocabulary = Vocabulary {
-    block: "image_map",
+pub const IMAGE_MAP: Spec = Spec {
+    name: "image_map",
     summary: "a picture as the colours of a surface",
     words: specs!(IMAGE_MAP_ROWS),
-    has_transforms: false,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// All words of a pigment, including those of colours and patterns.
@@ -65,12 +63,12 @@ pub fn pigment_names() -> Vec<&'static str> {
     let specs = || CellPattern::SPECS.iter().chain(FieldPattern::SPECS);
     let patterns = specs().map(|s| s.name).chain(Modifiers::WORDS.iter().map(|w| w.name));
     let own = specs().flat_map(|s: &&Spec| s.word_names());
-    colors.into_iter().chain(patterns).chain(PIGMENT.names()).chain(own).collect()
+    colors.into_iter().chain(patterns).chain(PIGMENT.word_names()).chain(own).collect()
 }
 
-/// Vocabulary of `texture { … }`.
-pub const TEXTURE: Vocabulary = Vocabulary {
-    block: "texture",
+/// Description of `texture { … }`.
+pub const TEXTURE: Spec = Spec {
+    name: "texture",
     summary: "what a surface looks like; several in a row are layers, the last on top",
     words: &[
         word("pigment", Block, "black", "its colour"),
@@ -83,8 +81,7 @@ pub const TEXTURE: Vocabulary = Vocabulary {
         word("tiles", Block, "", "of old scenes: a checker of two textures, `tiles { texture … tile2 texture … }`"),
     ],
     has_transforms: true,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// Parts of a `normal` block that have braces of their own.
@@ -109,14 +106,13 @@ pub(super) const NORMAL_ROWS: &[Row<Normal>] = &[
         .sets(|s, r| set(&mut s.bump_scale, r.flag().map(|on| !on))),
 ];
 
-/// Vocabulary of `normal { … }`, except patterns and their words.
-pub const NORMAL: Vocabulary = Vocabulary {
-    block: "normal",
+/// Description of `normal { … }`, except patterns and their words.
+pub const NORMAL: Spec = Spec {
+    name: "normal",
     summary: "bumps that only light sees: a pattern and how deep it seems, `normal { bumps 0.5 }`",
     words: &joined::<{ NORMAL_PARTS.len() + NORMAL_ROWS.len() }>(NORMAL_PARTS, specs!(NORMAL_ROWS)),
     has_transforms: true,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// Words of a `finish` block, and how each is read.
@@ -176,14 +172,14 @@ pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
     .sets(|s, r| set(&mut s.uncommon.refraction, r.float())),
 ];
 
-/// Vocabulary of `finish { … }`.
-pub const FINISH: Vocabulary = Vocabulary {
-    block: "finish",
+/// Description of `finish { … }`.
+pub const FINISH: Spec = Spec {
+    name: "finish",
     summary: "how a surface answers to light",
     words: specs!(FINISH_ROWS),
-    has_transforms: false,
     ignored: &["fade_distance", "fade_power"],
     unsupported: &["subsurface"],
+    ..Spec::EMPTY
 };
 
 /// Words of a finish's `irid` block, and how each is read.
@@ -193,14 +189,12 @@ pub(super) const IRID_ROWS: &[Row<Irid>] = &[
     word("turbulence", Float, "0", "how much the thickness varies").sets(|s, r| set(&mut s.turbulence, r.float())),
 ];
 
-/// Vocabulary of `finish { irid { … } }`.
-pub const IRID: Vocabulary = Vocabulary {
-    block: "irid",
+/// Description of `finish { irid { … } }`.
+pub const IRID: Spec = Spec {
+    name: "irid",
     summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
     words: specs!(IRID_ROWS),
-    has_transforms: false,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 /// Words of a finish's `reflection` block, and how each is read.
@@ -213,12 +207,10 @@ pub(super) const REFLECTION_ROWS: &[Row<Reflection>] = &[
         .sets(|s, r| set(&mut s.metallic, r.optional_float().map(|x| x.unwrap_or(1.0)))),
 ];
 
-/// Vocabulary of `finish { reflection { … } }`.
-pub const REFLECTION: Vocabulary = Vocabulary {
-    block: "reflection",
+/// Description of `finish { reflection { … } }`.
+pub const REFLECTION: Spec = Spec {
+    name: "reflection",
     summary: "a mirror: `{ colour }`, or `{ colour seen straight on, colour seen at a slant }`",
     words: specs!(REFLECTION_ROWS),
-    has_transforms: false,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };

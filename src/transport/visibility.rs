@@ -8,6 +8,7 @@ use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::light::LightSample;
 use crate::math::{DVec3, Range, Ray};
+use crate::shape::Kernel;
 use crate::world::{Intersection, LightSource, World};
 use std::ops::ControlFlow;
 

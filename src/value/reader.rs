@@ -1,9 +1,9 @@
 //! The trait through which a family of blocks reads its words. The interpreter implements it, so that directives and
 //! macro calls before a token have run.
 
-use super::{Thing, Unsupported, Value, downcast};
+use super::{Spec, Thing, Unsupported, Value, downcast};
 use crate::color::{Color, Gamma};
-use crate::diagnostic::{Diagnostic, Result};
+use crate::diagnostic::{Diagnostic, Fault, Result};
 use crate::font::Font;
 use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Transform};
@@ -175,6 +175,8 @@ pub trait ReaderExt: Reader {
     fn accept(&mut self, word: &str) -> Result<bool>;
     /// Consumes a declared thing of type `T`, if a thing comes next.
     fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>>;
+    /// The error for the next word, which the block does not take; see [`Reader::unknown_word`].
+    fn unknown_word_in(&mut self, block: &Spec) -> Fault;
 }
 
 impl<R: Reader + ?Sized> ReaderExt for R {
@@ -198,5 +200,9 @@ impl<R: Reader + ?Sized> ReaderExt for R {
                 format!("{} is not allowed here", Value::Thing(thing).describe()),
             ),
         }
+    }
+
+    fn unknown_word_in(&mut self, block: &Spec) -> Fault {
+        self.unknown_word(block.name, &block.word_names()).into()
     }
 }

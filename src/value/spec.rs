@@ -1,7 +1,9 @@
-//! Table rows of blocks: one per shape, pattern, camera. They feed the reader, the messages, the manual, hover and
-//! completion.
+//! Descriptions of the blocks of the language: one per shape, pattern, `finish`, camera. They feed the reader, the
+//! messages, the manual, hover and completion.
 
-/// Description of a block of the scene language: its words and parameters.
+use super::words::TRANSFORMS;
+
+/// Description of a block of the scene language, such as a shape, a pattern or `finish`: its parameters and words.
 #[derive(Debug)]
 pub struct Spec {
     /// The word before the block's opening brace.
@@ -10,8 +12,14 @@ pub struct Spec {
     pub summary: &'static str,
     /// Positional parameters of the block, in order.
     pub params: &'static [Param],
-    /// Words of this block beyond those of its family.
+    /// Words that have an effect in the block, beyond those of its family.
     pub words: &'static [WordSpec],
+    /// True if the block takes the transforms [`TRANSFORMS`], too.
+    pub has_transforms: bool,
+    /// Words that are read without effect.
+    pub ignored: &'static [&'static str],
+    /// Words that are read with a warning, because durer does not render them yet.
+    pub unsupported: &'static [&'static str],
 }
 
 /// A positional parameter of a block.
@@ -62,8 +70,58 @@ pub enum ValueKind {
 }
 
 impl Spec {
-    /// Returns the names of the words allowed in the block.
-    pub fn word_names(&self) -> impl Iterator<Item = &'static str> {
-        self.words.iter().map(|w| w.name)
+    /// The description of a block without parameters and words, for struct updates.
+    pub const EMPTY: Self =
+        Self { name: "", summary: "", params: &[], words: &[], has_transforms: false, ignored: &[], unsupported: &[] };
+
+    /// True if the word has an effect in the block.
+    pub fn has_effect(&self, word: &str) -> bool {
+        self.words.iter().any(|w| w.name == word)
+    }
+
+    /// True if the block reads the word without effect.
+    pub fn ignores(&self, word: &str) -> bool {
+        self.ignored.contains(&word)
+    }
+
+    /// True if the block reads the word with a warning.
+    pub fn is_unsupported(&self, word: &str) -> bool {
+        self.unsupported.contains(&word)
+    }
+
+    /// All words, in the order in which messages list them. Messages show a dozen, so that transforms come early.
+    pub fn word_names(&self) -> Vec<&'static str> {
+        let (first, rest) = self.words.split_at(self.words.len().min(6));
+        let transforms = TRANSFORMS.iter().filter(|_| self.has_transforms);
+        let words = first.iter().chain(transforms).chain(rest).map(|w| w.name);
+        words.chain(self.ignored.iter().copied()).chain(self.unsupported.iter().copied()).collect()
+    }
+
+    /// Returns the syntax of a form without braces, such as `gradient orientation`.
+    pub fn usage(&self) -> String {
+        self.params.iter().fold(self.name.to_string(), |usage, param| usage + " " + param.name)
+    }
+
+    /// Returns the syntax of a form with braces, such as `box { corner_1, corner_2 … }`.
+    pub fn block_usage(&self) -> String {
+        let params: Vec<_> = self.params.iter().map(|p| p.name).collect();
+        let space = if params.is_empty() { "" } else { " " };
+        format!("{} {{ {}{space}… }}", self.name, params.join(", "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::value::words::word;
+
+    #[test]
+    fn names_are_in_the_order_of_the_table() {
+        const WORDS: &[WordSpec] = &[word("radius", ValueKind::Float, "1", "")];
+        let block =
+            Spec { words: WORDS, has_transforms: true, ignored: &["old"], unsupported: &["new"], ..Spec::EMPTY };
+        assert_eq!(block.word_names(), ["radius", "translate", "rotate", "scale", "matrix", "transform", "old", "new"]);
+        assert!(block.has_effect("radius") && !block.has_effect("new"));
+        assert!(block.is_unsupported("new") && block.ignores("old"));
     }
 }

@@ -1,50 +1,7 @@
-//! Tables of the words of blocks that belong to no family: `finish`, `camera`, `light_source`. They feed the reader,
-//! the messages and the manual.
+//! Tables of the words of blocks, with the functions that read their values.
 
 use super::{Next, Reader, ValueKind, WordSpec};
 use crate::diagnostic::Result;
-
-/// Words that a block of the scene language accepts.
-#[derive(Debug)]
-pub struct Vocabulary {
-    /// The word before the block's opening brace.
-    pub block: &'static str,
-    /// Summary of the block for the manual.
-    pub summary: &'static str,
-    /// Words of the block that have an effect in durer.
-    pub words: &'static [WordSpec],
-    /// True if the block takes the transforms [`TRANSFORMS`], too.
-    pub has_transforms: bool,
-    /// Words that are read without effect.
-    pub ignored: &'static [&'static str],
-    /// Words that are read with a warning, because durer does not render them yet.
-    pub unsupported: &'static [&'static str],
-}
-
-impl Vocabulary {
-    /// True if the word has an effect in the block.
-    pub fn has_effect(&self, word: &str) -> bool {
-        self.words.iter().any(|w| w.name == word)
-    }
-
-    /// True if the block reads the word without effect.
-    pub fn ignores(&self, word: &str) -> bool {
-        self.ignored.contains(&word)
-    }
-
-    /// True if the block reads the word with a warning.
-    pub fn is_unsupported(&self, word: &str) -> bool {
-        self.unsupported.contains(&word)
-    }
-
-    /// All words, in the order in which messages list them. Messages show a dozen, so that transforms come early.
-    pub fn names(&self) -> Vec<&'static str> {
-        let (first, rest) = self.words.split_at(self.words.len().min(6));
-        let transforms = TRANSFORMS.iter().filter(|_| self.has_transforms);
-        let words = first.iter().chain(transforms).chain(rest).map(|w| w.name);
-        words.chain(self.ignored.iter().copied()).chain(self.unsupported.iter().copied()).collect()
-    }
-}
 
 /// Creates a row of a block's table of words.
 pub const fn word(name: &'static str, kind: ValueKind, default: &'static str, summary: &'static str) -> WordSpec {
@@ -147,28 +104,3 @@ pub const TRANSFORMS: &[WordSpec] = &[
         "several of these in braces, or a declared one; `inverse` among them undoes those before it",
     ),
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_in_the_order_of_the_table() {
-        const WORDS: &[WordSpec] = &[word("radius", ValueKind::Float, "1", "")];
-        let table = Vocabulary {
-            block: "thing",
-            summary: "",
-            words: WORDS,
-            has_transforms: true,
-            ignored: &["old"],
-            unsupported: &["new"],
-        };
-        assert_eq!(table.names(), ["radius", "translate", "rotate", "scale", "matrix", "transform", "old", "new"]);
-        assert!(
-            table.has_effect("radius")
-                && !table.has_effect("new")
-                && table.is_unsupported("new")
-                && table.ignores("old")
-        );
-    }
-}

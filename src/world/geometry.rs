@@ -5,6 +5,7 @@ use super::leaf::{Intersection, Intersections, Leaf};
 use super::node::{NodeParts, SolidKind, SolidNode};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec3, Range, Ray};
+use crate::value::Family;
 use serde::Serialize;
 use std::ops::ControlFlow;
 

@@ -25,6 +25,7 @@ use durer::render;
 use durer::snapshot::{Tolerance, Verdict, compare};
 use durer::source::{Sandbox, SearchPath, Sources};
 use durer::syntax::word;
+use durer::value::Family;
 use durer::world::World;
 use libtest_mimic::{Failed, Trial};
 use std::path::{Path, PathBuf};
@@ -82,7 +83,7 @@ fn readme(text: &str) -> Result<(), Failed> {
     let drawn = text.split("## What is drawn today").nth(1).and_then(|rest| rest.split("\n## ").next()).unwrap_or("");
     let listed = drawn.split('`').nth(1).ok_or("README.md lists no shapes")?;
     let mut listed: Vec<&str> = listed.split_whitespace().collect();
-    let mut shapes: Vec<&str> = durer::shape::SPECS.iter().map(|spec| spec.name).collect();
+    let mut shapes: Vec<&str> = durer::shape::Shape::SPECS.iter().map(|spec| spec.name).collect();
     listed.sort_unstable();
     shapes.sort_unstable();
     if listed != shapes {

@@ -165,7 +165,7 @@ fn heads(rest: &str) -> Vec<String> {
 fn shapes() -> &'static [String] {
     static SHAPES: std::sync::LazyLock<Vec<String>> = std::sync::LazyLock::new(|| {
         let table = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/shape/mod.rs")).unwrap();
-        let row = table.split("shapes! {").nth(1).unwrap().split('}').next().unwrap();
+        let row = table.split("pub enum Shape in Arc {").nth(1).unwrap().split('}').next().unwrap();
         row.split_whitespace().map(String::from).collect()
     });
     &SHAPES

@@ -2,7 +2,8 @@
 //! here fails the tests.
 
 use durer::math::{DVec3, Range, Ray, Transform, rng::Stream};
-use durer::shape::{Hit, Hits, Kernel, SPECS, Shape};
+use durer::shape::{Hit, Hits, Kernel, Shape};
+use durer::value::Family;
 use durer::world::{Geometry, Leaf, SolidKind, SolidNode};
 use durer::{interpreter, render, source};
 use std::fmt::Write;
@@ -286,10 +287,10 @@ fn hits(shape: &Shape, ray: &Ray, range: Range) -> Vec<Hit> {
 #[test]
 fn every_shape_has_a_writer() {
     let names: Vec<&str> = WRITERS.iter().map(|row| row.0).collect();
-    for spec in SPECS {
+    for spec in Shape::SPECS {
         assert!(names.contains(&spec.name), "`{}` has no writer in tests/suite/every_shape.rs", spec.name);
     }
-    assert_eq!(names.len(), SPECS.len());
+    assert_eq!(names.len(), Shape::SPECS.len());
 }
 
 #[test]

@@ -11,6 +11,7 @@ use durer::scene::{CsgOp, Defaults, Object, ObjectKind, Painted, Scene};
 use durer::shape::{Cuboid, Disc, Plane, Shape, Sphere};
 use durer::source::Span;
 use durer::texture::{Finish, Layer, Pigment, Texture};
+use durer::value::Family;
 use durer::world::lower;
 use std::sync::Arc;
 

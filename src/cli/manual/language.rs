@@ -2,26 +2,25 @@
 
 use super::{code, kind, list, section, table, word_table};
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
+use crate::shape::Shape;
 use crate::syntax::word::contextual;
-use crate::value::Spec;
 use crate::value::words::TRANSFORMS;
-use crate::{atmosphere, camera, interpreter, light, scene, shape, texture};
+use crate::value::{Family, Spec};
+use crate::{atmosphere, camera, interpreter, light, scene, texture};
 
 pub(super) fn scene() -> String {
-    let shapes = list(shape::SPECS.iter().map(|s| s.name));
+    let shapes = list(Shape::SPECS.iter().map(|s| s.name));
     section(&interpreter::STATEMENTS, "Outside of all braces", &[]) + &format!("[Shapes](shapes.md): {shapes}.\n")
 }
 
 pub(super) fn shapes() -> String {
     let intro = "Behind what is listed here, every shape takes what [any object](objects.md) takes.\n\n";
-    let each = shape::SPECS.iter().map(|spec| shape_section(spec)).collect::<String>();
+    let each = Shape::SPECS.iter().map(|spec| shape_section(spec)).collect::<String>();
     intro.to_string() + &each
 }
 
 fn shape_section(spec: &Spec) -> String {
-    let params = spec.params.iter().map(|p| p.name).collect::<Vec<_>>().join(", ");
-    let mut text =
-        format!("## {}\n\n`{} {{ {params} … }}`: {}.\n\n", spec.name, spec.name, spec.summary.trim_end_matches('.'));
+    let mut text = format!("## {}\n\n`{}`: {}.\n\n", spec.name, spec.block_usage(), spec.summary.trim_end_matches('.'));
     if !spec.params.is_empty() {
         let row = |p: &crate::value::Param| [p.name.to_string(), kind(p.kind).into(), p.summary.into()];
         text += &table(["in this order", "is a", ""], spec.params.iter().map(row));
@@ -157,9 +156,7 @@ fn pictures() -> String {
 }
 
 fn pattern_section(spec: &Spec) -> String {
-    let params = spec.params.iter().map(|p| format!(" {}", p.name)).collect::<String>();
-    let summary = spec.summary;
-    let mut text = format!("## {}\n\n{}: {summary}.\n\n", spec.name, code(&format!("{}{params}", spec.name)));
+    let mut text = format!("## {}\n\n{}: {}.\n\n", spec.name, code(&spec.usage()), spec.summary);
     if !spec.words.is_empty() {
         text += &word_table(spec.words, &[]);
     }
@@ -170,7 +167,7 @@ pub(super) fn finishes() -> String {
     use crate::medium::INTERIOR;
     use texture::words::{FINISH, IRID, NORMAL, REFLECTION, TEXTURE};
     let blocks = [&TEXTURE, &NORMAL, &FINISH, &REFLECTION, &IRID, &INTERIOR];
-    blocks.map(|block| section(block, block.block, &[])).concat()
+    blocks.map(|block| section(block, block.name, &[])).concat()
 }
 
 pub(super) fn settings() -> String {

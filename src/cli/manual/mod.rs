@@ -7,7 +7,7 @@ mod language;
 mod quirks;
 mod words;
 
-use crate::value::{ValueKind, Vocabulary, WordSpec};
+use crate::value::{Spec, ValueKind, WordSpec};
 
 /// A generated page of the manual.
 #[derive(Debug)]
@@ -90,7 +90,7 @@ fn word_table(words: &[WordSpec], own: &[&str]) -> String {
 }
 
 /// Formats the section about a block.
-fn section(block: &Vocabulary, title: &str, own: &[&str]) -> String {
+fn section(block: &Spec, title: &str, own: &[&str]) -> String {
     let mut text = format!("## {title}\n\n{}.\n\n{}", sentence(block.summary), word_table(block.words, own));
     if block.has_transforms {
         text += "It takes the [transforms](objects.md#transforms) too.\n\n";

@@ -2,10 +2,10 @@
 
 use super::{code, list, table};
 use crate::pattern::{Modifiers, TurbulenceParams, bitmap};
-use crate::reference::{BLOCKS, Block, ELSEWHERE, FAMILIES};
+use crate::reference::{ELSEWHERE, entries};
 use crate::syntax::word::{CONSTANTS, CONTEXTUAL, FUNCTIONS, KEYWORDS};
+use crate::value::WordSpec;
 use crate::value::words::TRANSFORMS;
-use crate::value::{Spec, WordSpec};
 use crate::{function, interpreter};
 use std::collections::BTreeMap;
 
@@ -14,7 +14,6 @@ type Index = BTreeMap<&'static str, Vec<String>>;
 pub(super) fn index() -> String {
     let mut index = Index::new();
     blocks(&mut index);
-    families(&mut index);
     values(&mut index);
     let all = KEYWORDS.iter().chain(FUNCTIONS).copied().chain(CONSTANTS.iter().map(|c| c.0));
     let mut all: Vec<_> = all.chain(CONTEXTUAL.iter().flat_map(|(_, words)| words.iter().copied())).collect();
@@ -44,31 +43,17 @@ fn add_words(index: &mut Index, words: &'static [WordSpec], place: &str) {
 }
 
 fn blocks(index: &mut Index) {
-    for Block { words: block, name, page } in BLOCKS {
-        let place = format!("[{name}]({page})");
-        add_words(index, block.words, &place);
-        block.ignored.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
-        block.unsupported.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
-    }
-    for (inner, page) in [
-        ("finish", "finishes.md"),
-        ("normal", "finishes.md"),
-        ("interior", "finishes.md"),
-        ("reflection", "finishes.md"),
-    ] {
-        add(index, inner, &format!("[a block]({page})"));
-    }
-}
-
-fn families(index: &mut Index) {
-    let mut family = |specs: &'static [&'static Spec], kind: &str, page: &str| {
-        for spec in specs {
-            add(index, spec.name, &format!("[a {kind}]({page}#{})", spec.name));
-            add_words(index, spec.words, &format!("[`{}`]({page}#{})", spec.name, spec.name));
+    for entry in entries() {
+        let (spec, place) = (entry.spec, entry.link());
+        if let Some(family) = entry.family {
+            add(index, spec.name, &format!("[a {family}]({}#{})", entry.page, spec.name));
         }
-    };
-    for one in FAMILIES {
-        family(one.specs, one.kind, one.page);
+        add_words(index, spec.words, &place);
+        spec.ignored.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
+        spec.unsupported.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
+    }
+    for inner in ["finish", "normal", "interior", "reflection"] {
+        add(index, inner, "[a block](finishes.md)");
     }
     add_words(index, bitmap::WORDS, "[pictures](pigments.md#pictures)");
     add_words(index, bitmap::CHANNELS, "[`image_pattern`, `bump_map`](pigments.md#what-counts-of-a-pixel)");

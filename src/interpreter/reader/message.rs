@@ -9,14 +9,14 @@ use crate::light::words::LIGHT;
 use crate::medium::INTERIOR;
 use crate::scene::is_object;
 use crate::scene::words::{MODIFIERS, SETTINGS};
-use crate::shape::SPECS;
+use crate::shape::Shape;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::fault;
 use crate::syntax::word::lookup;
 use crate::texture::words::{FINISH, NORMAL, PIGMENT, TEXTURE};
 use crate::value::words::TRANSFORMS;
-use crate::value::{Next, Reader, ValueKind};
+use crate::value::{Family, Next, Reader, ValueKind};
 
 impl Interpreter<'_> {
     /// The error "expected …, found …" about the next token.
@@ -207,8 +207,8 @@ impl Interpreter<'_> {
         };
         let d = refused(&word, span, block, takes);
         let near = did_you_mean(&word, takes.iter().copied());
-        if let Some(spec) = SPECS.iter().find(|spec| spec.name == block && spec.params.iter().any(|p| p.name == word)) {
-            let help = format!("it is written `{}`, and takes {}", block_usage(spec.name), list(takes));
+        if let Some(spec) = Shape::spec_of(block).filter(|spec| spec.params.iter().any(|p| p.name == word)) {
+            let help = format!("it is written `{}`, and takes {}", spec.block_usage(), list(takes));
             return d.help(help);
         }
         let home =
@@ -297,11 +297,8 @@ fn value_after(word: &str) -> (String, String) {
 
 /// Returns the syntax of the block `word` for a message.
 fn block_usage(word: &str) -> String {
-    match SPECS.iter().find(|spec| spec.name == word) {
-        Some(spec) => {
-            let names: Vec<&str> = spec.params.iter().map(|p| p.name).collect();
-            format!("{word} {{ {} … }}", names.join(", "))
-        }
+    match Shape::spec_of(word) {
+        Some(spec) => spec.block_usage(),
         None if word == "pigment" => "pigment { rgb <r, g, b> }".into(),
         None => format!("{word} {{ … }}"),
     }
@@ -310,7 +307,7 @@ fn block_usage(word: &str) -> String {
 /// The block that takes a word; the most likely one of several.
 fn home_of(word: &str) -> Option<&'static str> {
     let homes = [&INTERIOR, &FINISH, &PIGMENT, &POVRAY, &SETTINGS, &LIGHT];
-    homes.into_iter().find(|table| table.has_effect(word)).map(|table| table.block)
+    homes.into_iter().find(|table| table.has_effect(word)).map(|table| table.name)
 }
 
 /// Lists the first twelve words in backticks.

@@ -9,7 +9,7 @@ use crate::lsp::scan::{Declaration, DeclarationKind, TokenKind};
 use crate::lsp::server::{Client, Server};
 use crate::lsp::words;
 use crate::syntax::word::CONSTANTS;
-use crate::value::ValueKind;
+use crate::value::{ValueKind, WordSpec};
 use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionList, CompletionParams, CompletionResponse, Documentation,
     InsertTextFormat, MarkupContent, MarkupKind,
@@ -68,7 +68,7 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
         let constant = CompletionItem { kind: Some(CompletionItemKind::CONSTANT), ..item(name, String::new(), what) };
         out.push(CompletionItem { sort_text: Some(format!("3{name}")), ..constant });
     }
-    let colors = interpreter::COLOR_WORDS.iter().map(|row| item_of_word(&row.into()));
+    let colors = interpreter::COLOR_WORDS.iter().map(item_of_word);
     out.extend(colors.map(|word| CompletionItem { sort_text: Some(format!("2{}", word.label)), ..word }));
     out.extend(names(reached, document.scan.macro_at(offset)));
     if typed.len() >= MIN_LETTERS {
@@ -88,7 +88,7 @@ fn item(label: &str, detail: String, about: &str) -> CompletionItem {
 }
 
 /// A word of the block; shapes and blocks are completed with their braces.
-fn item_of_word(taken: &words::WordInfo) -> CompletionItem {
+fn item_of_word(taken: &WordSpec) -> CompletionItem {
     let shape = words::shape(taken.name);
     let snippet = match shape {
         Some(spec) if !spec.params.is_empty() => {

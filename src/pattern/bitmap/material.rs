@@ -4,8 +4,8 @@ use super::{Bitmap, Mapping, Texels, bitmap_word_names};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
-use crate::pattern::{Cells, Readable};
-use crate::value::{Next, Param, Reader, Spec, ValueKind};
+use crate::pattern::Cells;
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Picture of a `material_map`, whose palette indices choose textures.
@@ -24,7 +24,7 @@ impl Readable for MaterialMap {
         name: "material_map",
         summary: "the numbers of a picture's palette choose among textures; all stand in its braces",
         params: &[Param { name: "file", kind: ValueKind::Text, summary: "a picture file's name" }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     /// Reads a `material_map` up to its first texture; the block stays open.

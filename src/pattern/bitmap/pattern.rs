@@ -4,9 +4,9 @@ use super::{Bitmap, Mapping, Texels, bitmap_word_names};
 use crate::color::{Rgb, gray};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
-use crate::pattern::{Field, FieldParams, Readable, TextureContext};
+use crate::pattern::{Field, FieldParams, TextureContext};
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Next, Param, Reader, Spec, ValueKind, WordSpec};
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
 /// Pattern `image_pattern` or `bump_map`: a picture's brightness, alpha or palette index.
@@ -57,7 +57,7 @@ impl Readable for ImagePattern {
         name: "image_pattern",
         summary: "the brightness of a picture; file and words stand in braces",
         params: &[Param { name: "file", kind: ValueKind::Text, summary: "a picture file's name" }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

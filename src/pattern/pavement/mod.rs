@@ -9,12 +9,12 @@
 mod grid;
 mod plans;
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Next, Reader, Spec, ValueKind};
+use crate::value::{Next, Readable, Reader, Spec, ValueKind};
 use grid::{Cells, Corner, H, Plan};
 use serde::Serialize;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
@@ -84,8 +84,8 @@ impl Readable for Pavement {
     const SPEC: Spec = Spec {
         name: "pavement",
         summary: "tiles of several triangles, squares or hexagons, with numbers up to 1 at the joints",
-        params: &[],
         words: specs!(PavementWords::ROWS),
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

@@ -8,10 +8,10 @@
 mod penrose;
 mod seams;
 
-use super::{Field, Readable, TextureContext};
+use super::{Field, TextureContext};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, fp};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use penrose::Penrose;
 use seams::value_on_seam;
 use serde::Serialize;
@@ -335,7 +335,7 @@ impl Readable for Tiling {
         name: "tiling",
         summary: "ways to tile the xz plane; a tile of kind i of n has numbers from i/n in its middle to (i + 1)/n at its edges",
         params: &[Param { name: "number", kind: ValueKind::Float, summary: "which tiling, 1 to 27" }],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

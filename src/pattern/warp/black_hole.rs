@@ -4,13 +4,12 @@
 //! box { <-1, -1, 0>, 1 pigment { gradient x scale 0.2 warp { black_hole <0.1, 0, 0>, 0.8 falloff 1 strength 0.9 inverse } } }
 //! ```
 
-use super::super::Readable;
 use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::noise::Cell;
 use crate::math::{DVec3, fp};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Warp `black_hole`: moves points within a sphere along its radii.
@@ -41,6 +40,7 @@ impl Readable for BlackHole {
             Param { name: "radius", kind: ValueKind::Float, summary: "how far it reaches" },
         ],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

@@ -5,12 +5,12 @@
 //! sphere { 0, 1 pigment { checker color rgb 1, color rgb <0.6, 0, 0> scale 1/8 warp { spherical } } }
 //! ```
 
-use super::super::{Cells, Cubic, Readable};
+use super::super::{Cells, Cubic};
 use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Next, Param, Reader, Spec, ValueKind, WordSpec};
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
@@ -61,8 +61,8 @@ impl Readable for CylindricalWarp {
     const SPEC: Spec = Spec {
         name: "cylindrical",
         summary: "lays the pattern's xy plane around the y axis",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =
@@ -91,8 +91,8 @@ impl Readable for SphericalWarp {
     const SPEC: Spec = Spec {
         name: "spherical",
         summary: "lays the unit square of the pattern's xy plane around the origin",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =
@@ -128,8 +128,8 @@ impl Readable for ToroidalWarp {
     const SPEC: Spec = Spec {
         name: "toroidal",
         summary: "lays the unit square of the pattern's xy plane around a ring",
-        params: &[],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[
@@ -178,7 +178,7 @@ impl Readable for PlanarWarp {
             },
             Param { name: "distance", kind: ValueKind::Float, summary: "how far from the origin the plane lies" },
         ],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -205,8 +205,7 @@ impl Readable for CubicWarp {
     const SPEC: Spec = Spec {
         name: "cubic",
         summary: "lays the unit square of the pattern's xy plane around a cube about the origin",
-        params: &[],
-        words: &[],
+        ..Spec::EMPTY
     };
 
     fn read(_: &mut dyn Reader) -> Result<Self> {

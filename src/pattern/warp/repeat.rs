@@ -4,12 +4,11 @@
 //! box { -1, 1 pigment { planar warp { repeat 0.5*y flip y offset x } } }
 //! ```
 
-use super::super::Readable;
 use super::Bend;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Param, Reader, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Warp `repeat`: slices of the pattern side by side.
@@ -35,6 +34,7 @@ impl Readable for Repeat {
             summary: "from one slice to the next; only one of its three numbers may differ from 0",
         }],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[

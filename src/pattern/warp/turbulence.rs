@@ -4,12 +4,12 @@
 //! sphere { 0, 1 pigment { gradient x warp { turbulence 0.5 octaves 3 } scale 0.25 } }
 //! ```
 
-use super::super::{Readable, TurbulenceParams};
+use super::super::TurbulenceParams;
 use super::Bend;
 use crate::diagnostic::Result;
 use crate::math::DVec3;
 use crate::value::words::read_row;
-use crate::value::{Next, Param, Reader, Spec, ValueKind};
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Warp `turbulence`: displaces points at random.
@@ -22,6 +22,7 @@ impl Readable for TurbulenceWarp {
         summary: "displaces points at random",
         params: &[Param { name: "amount", kind: ValueKind::Vector, summary: "how far points are displaced" }],
         words: TurbulenceParams::WORDS,
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {

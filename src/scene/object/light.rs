@@ -9,7 +9,7 @@ use crate::math::Transform;
 use crate::scene::Defaults;
 use crate::source::Span;
 use crate::value::words::word;
-use crate::value::{Next, Reader, ValueKind, Vocabulary};
+use crate::value::{Next, Reader, ReaderExt, Spec, ValueKind};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -34,13 +34,12 @@ impl From<Light> for LightSource {
 }
 
 /// Words of `light_group`.
-pub const LIGHT_GROUP: Vocabulary = Vocabulary {
-    block: "light_group",
+pub const LIGHT_GROUP: Spec = Spec {
+    name: "light_group",
     summary: "lights and objects: those lights shine on these objects alone, and other lights do not",
     words: &[word("global_lights", ValueKind::Flag, "off", "lights outside of the group shine on its objects too")],
     has_transforms: true,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 impl LightSource {
@@ -62,7 +61,7 @@ impl LightSource {
                         lit.transform(&step);
                     }
                 }
-                _ => return Err(r.unknown_word("light_source", &LIGHT.names()).into()),
+                _ => return Err(r.unknown_word_in(&LIGHT)),
             }
         }
         lit.light.check()?;
@@ -98,7 +97,7 @@ impl Object {
                     global = r.flag()?;
                 }
                 next if next.is_transform() => steps.extend(r.transform()?),
-                _ => return Err(r.unknown_word("light_group", &LIGHT_GROUP.names()).into()),
+                _ => return Err(r.unknown_word_in(&LIGHT_GROUP)),
             }
         }
         let pov_bounds = Self::parts_box(CsgOp::Union, &parts);

@@ -5,7 +5,7 @@ use crate::diagnostic::Result;
 use crate::value::ValueKind::{Flag, Float};
 use crate::value::unsupported_warning;
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Next, Reader, Vocabulary};
+use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
 
 /// Interaction of an object with photons.
@@ -38,13 +38,11 @@ const PHOTON_ROWS: &[Row<PhotonSettings>] = &[
 ];
 
 /// `photons { … }` of an object.
-pub const PHOTONS: Vocabulary = Vocabulary {
-    block: "photons",
+pub const PHOTONS: Spec = Spec {
+    name: "photons",
     summary: "interaction of an object with photons; durer does not render photons yet",
     words: specs!(PHOTON_ROWS),
-    has_transforms: false,
-    ignored: &[],
-    unsupported: &[],
+    ..Spec::EMPTY
 };
 
 impl PhotonSettings {
@@ -60,7 +58,7 @@ impl PhotonSettings {
             match r.next()? {
                 Next::End => return r.leave_block().map(drop),
                 next if read_row(PHOTON_ROWS, self, next, r)? => {}
-                _ => return Err(r.unknown_word("photons", &PHOTONS.names()).into()),
+                _ => return Err(r.unknown_word_in(&PHOTONS)),
             }
         }
     }

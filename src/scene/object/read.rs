@@ -7,11 +7,11 @@ use crate::math::Transform;
 use crate::medium::Interior;
 use crate::scene::words::{FLAGS, MODIFIERS};
 use crate::scene::{Defaults, Material, Painted, Weight, read_layers, read_material};
-use crate::shape::{self, Shape};
+use crate::shape::{Kernel, Shape};
 use crate::source::Span;
 use crate::texture::Texture;
 use crate::value::words::{is_row, read_row};
-use crate::value::{Next, Reader, ReaderExt, Value};
+use crate::value::{Family, Next, Reader, ReaderExt, Value};
 use std::sync::Arc;
 
 /// CSG operation of a block's word.
@@ -28,9 +28,7 @@ fn csg_op(word: &str) -> Option<CsgOp> {
 
 /// True if a block of this name is an object.
 pub fn is_object(word: &str) -> bool {
-    matches!(word, "object" | "light_source" | "light_group")
-        || csg_op(word).is_some()
-        || shape::SPECS.iter().any(|s| s.name == word)
+    matches!(word, "object" | "light_source" | "light_group") || csg_op(word).is_some() || Shape::is_name(word)
 }
 
 impl Object {
@@ -80,7 +78,7 @@ impl Object {
             object.read_modifiers(None, r, defaults)?;
             return Ok(object);
         }
-        let Some(shape) = shape::read(word, r) else { return Err(r.unexpected("an object").into()) };
+        let Some(shape) = Shape::read(word, r) else { return Err(r.unexpected("an object").into()) };
         let mut object = Box::new(Self::unfinished(word, source, defaults));
         let mut shape = match shape {
             Err(fault) if fault.code == codes::NOT_FINITE => {
@@ -164,7 +162,7 @@ impl Object {
                 return Ok(is_finite);
             }
             if let Some(shape) = shape.as_deref_mut()
-                && shape.read_own(next, r, &mut embedded)?
+                && (shape.read_own(next, r)? || shape.read_textured(next, r, &mut embedded)?)
             {
                 continue;
             }
@@ -181,8 +179,8 @@ impl Object {
                 read => read?,
             };
             if !read {
-                let own = shape.as_deref().map(|s| s.spec().word_names().collect::<Vec<_>>()).unwrap_or_default();
-                let words: Vec<&'static str> = own.into_iter().chain(MODIFIERS.names()).collect();
+                let own = shape.as_deref().map(|s| s.spec().word_names()).unwrap_or_default();
+                let words = [own, MODIFIERS.word_names()].concat();
                 let fault = r.unknown_word(self.word, &words);
                 skip_color(next, fault, r)?;
             }

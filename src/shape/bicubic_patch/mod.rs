@@ -15,13 +15,13 @@
 
 mod net;
 
-use super::{Hit, Hits, Kernel, Quirks, Readable, Triangle, finite};
+use super::{Hit, Hits, Kernel, Quirks, Shape, Triangle, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Sheared, Transform};
 use crate::source::Span;
 use crate::value::words::word;
-use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind};
+use crate::value::{Param, Readable, Reader, ReaderExt, Spec, ValueKind};
 use net::{Corner, Net, Steps};
 use rustc_hash::FxHashMap;
 use serde::Serialize;
@@ -158,6 +158,7 @@ impl Readable for BicubicPatch {
             word("flatness", ValueKind::Float, "0", "pieces are not halved that no point pulls further than this"),
             word("uv_vectors", ValueKind::Vectors, "", "surface coordinates of the four corners, for `uv_mapping`"),
         ],
+        ..Spec::EMPTY
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -276,7 +277,7 @@ impl Kernel for BicubicPatch {
         true
     }
 
-    fn adapted_to_transform(&self, m: &Transform) -> Option<Self> {
+    fn adapted_to_transform(&self, m: &Transform) -> Option<Shape> {
         let [x, y, z] = DVec3::AXES.map(|axis| m.transform_vector(axis));
         let size = x.length_squared();
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * size;
@@ -284,7 +285,7 @@ impl Kernel for BicubicPatch {
         let straight = near(x.dot(y), 0.0) && near(y.dot(z), 0.0) && near(z.dot(x), 0.0);
         // A similarity transform leaves the subdivision unchanged.
         let alike = even && straight && x.cross(y).dot(z) > 0.0 && (self.flatness <= 0.0 || near(size, 1.0));
-        (!alike).then(|| self.clone().subdivided_under(m))
+        (!alike).then(|| self.clone().subdivided_under(m).into())
     }
 }
 

@@ -16,7 +16,7 @@ mod grid;
 mod heights;
 mod normals;
 
-use super::{Bounding, Hit, Hits, Kernel, Quirks, Readable, nearest_hit};
+use super::{Bounding, Hit, Hits, Kernel, Quirks, Shape, nearest_hit};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, ResultType};
@@ -24,7 +24,7 @@ use crate::image_io::{Picture, wrap_to_u16};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::words::{Row, set, specs, word};
-use crate::value::{Next, Param, Reader, ReaderExt, Spec, ValueKind, downcast};
+use crate::value::{Next, Param, Readable, Reader, ReaderExt, Spec, ValueKind, downcast};
 use grid::{Grid, Place, STEPS};
 use serde::Serialize;
 use std::sync::Arc;
@@ -142,6 +142,7 @@ impl Readable for HeightField {
             summary: "a picture file's name, or `function W, H { … }` with the numbers of heights across and deep",
         }],
         words: specs!(Self::WORDS),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[
@@ -250,8 +251,8 @@ impl Kernel for HeightField {
     }
 
     /// Returns the height field with normals that are averaged in world space, as in POV-Ray.
-    fn adapted_to_transform(&self, m: &Transform) -> Option<Self> {
-        self.smooth.then(|| Self { place: Some(Box::new(*m)), ..self.clone() })
+    fn adapted_to_transform(&self, m: &Transform) -> Option<Shape> {
+        self.smooth.then(|| Self { place: Some(Box::new(*m)), ..self.clone() }.into())
     }
 
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {

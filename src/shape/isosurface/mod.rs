@@ -17,13 +17,13 @@ mod search;
 mod walk;
 
 use super::formula::{self, Container, Formula};
-use super::{Hit, Hits, Kernel, Paints, Readable, finite};
+use super::{Hit, Hits, Kernel, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Interval;
 use crate::math::{Aabb, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Next, Param, Reader, Spec, ValueKind};
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
 use cells::Cells;
 use search::Search;
 use serde::Serialize;
@@ -233,6 +233,7 @@ impl Readable for Isosurface {
             &[word("contained_by", ValueKind::Block, "box { -1, 1 }", "a box or a sphere in braces, at which it ends")],
             specs!(Self::WORDS),
         ),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[
@@ -271,7 +272,7 @@ impl Readable for Isosurface {
         Formula::read(r, "x, y and z").map(Self::new)
     }
 
-    fn read_own(&mut self, next: Next, r: &mut dyn Reader, _: &mut dyn Paints) -> Result<bool> {
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         if next == Next::Block("contained_by") {
             self.container = Container::read(r)?;
             return Ok(true);

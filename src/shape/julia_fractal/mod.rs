@@ -18,12 +18,12 @@ mod orbit;
 
 pub use function::Function;
 
-use super::{Bounding, Hit, Hits, Kernel, Paints, Quirks, Readable, finite, transformed_box};
+use super::{Bounding, Hit, Hits, Kernel, Quirks, finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, Range, Ray, Transform, root_between};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs_of, word};
-use crate::value::{Next, Param, Reader, Spec, Value, ValueKind, WordSpec};
+use crate::value::{Next, Param, Readable, Reader, Spec, Value, ValueKind, WordSpec};
 use function::{FUNCTIONS, WORDS};
 use orbit::{Four, Rule, Trail, mean_square};
 use serde::Serialize;
@@ -252,6 +252,7 @@ impl Readable for JuliaFractal {
             }
             words
         },
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[
@@ -283,7 +284,7 @@ impl Readable for JuliaFractal {
         Ok(Self::new(read_four(r)?))
     }
 
-    fn read_own(&mut self, next: Next, r: &mut dyn Reader, _: &mut dyn Paints) -> Result<bool> {
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         let Next::Word(name) = next else { return Ok(false) };
         if name == "pwr" {
             let span = r.take_token()?;

@@ -98,6 +98,10 @@ macro_rules! mesh_kernel {
                 self.0.triangles.faces()
             }
 
+            fn read_textured(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
+                self.read_geometry(next, r, paints)
+            }
+
             fn texture_weights(&self, _: DVec3, hit: &Hit) -> TextureWeights {
                 self.0.texture_weights(hit)
             }

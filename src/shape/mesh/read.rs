@@ -15,10 +15,10 @@ use super::{TriangleMesh, mesh_kernel};
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::mesh_io::{NONE, Triangles};
-use crate::shape::{Hit, Hits, Paints, Readable, TextureWeights, Triangle};
+use crate::shape::{Hit, Hits, Paints, TextureWeights, Triangle};
 use crate::source::Span;
-use crate::value::words::word;
-use crate::value::{Next, Reader, Spec, Value, ValueKind, WordSpec};
+use crate::value::words::{Row, word};
+use crate::value::{Next, Readable, Reader, Spec, Value, ValueKind, WordSpec};
 use glam::Vec3;
 use rustc_hash::FxHashMap;
 use serde::Serialize;
@@ -77,7 +77,6 @@ impl Readable for Mesh {
     const SPEC: Spec = Spec {
         name: "mesh",
         summary: "triangles that are one object",
-        params: &[],
         words: &[
             word(
                 "triangle",
@@ -89,31 +88,13 @@ impl Readable for Mesh {
             FILE,
             INSIDE_VECTOR,
         ],
+        ..Spec::EMPTY
     };
+
+    const WORDS: &'static [Row<Self>] = &[INSIDE_VECTOR.sets(|mesh, r| mesh.0.read_inside(r))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self::default())
-    }
-
-    fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
-        match next {
-            Next::Word("file") => {
-                let at = r.take_token()?;
-                self.1.must_be_empty(at)?;
-                let file = FileMesh::read(r)?;
-                self.0.texture_weights = file.texture_weights(paints, r)?;
-                self.1.file = Some(file);
-                Ok(true)
-            }
-            Next::Block(kind @ ("triangle" | "smooth_triangle")) => {
-                let span = r.take_token()?;
-                self.1.must_have_no_file(span)?;
-                self.read_triangle(kind == "smooth_triangle", span, r, paints)?;
-                r.leave_block()?;
-                Ok(true)
-            }
-            _ => self.0.read_inside_vector(next, r),
-        }
     }
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
@@ -149,6 +130,28 @@ impl Mesh {
     /// Creates a mesh of existing triangles.
     pub fn from_triangles(triangles: Triangles) -> Self {
         Self(TriangleMesh { triangles: Arc::new(Ordered::new(triangles)), ..TriangleMesh::default() }, Draft::default())
+    }
+
+    /// Reads a triangle or `file`, if it is next; returns false otherwise.
+    fn read_geometry(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
+        match next {
+            Next::Word("file") => {
+                let at = r.take_token()?;
+                self.1.must_be_empty(at)?;
+                let file = FileMesh::read(r)?;
+                self.0.texture_weights = file.texture_weights(paints, r)?;
+                self.1.file = Some(file);
+                Ok(true)
+            }
+            Next::Block(kind @ ("triangle" | "smooth_triangle")) => {
+                let span = r.take_token()?;
+                self.1.must_have_no_file(span)?;
+                self.read_triangle(kind == "smooth_triangle", span, r, paints)?;
+                r.leave_block()?;
+                Ok(true)
+            }
+            _ => Ok(false),
+        }
     }
 
     fn read_triangle(&mut self, smooth: bool, span: Span, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
@@ -216,7 +219,6 @@ impl Readable for Mesh2 {
     const SPEC: Spec = Spec {
         name: "mesh2",
         summary: "triangles that are one object, written as lists",
-        params: &[],
         words: &[
             word("vertex_vectors", ValueKind::Block, "", "how many, and the corners"),
             word(
@@ -247,14 +249,39 @@ impl Readable for Mesh2 {
             ),
             INSIDE_VECTOR,
         ],
+        ..Spec::EMPTY
     };
+
+    const WORDS: &'static [Row<Self>] = &[INSIDE_VECTOR.sets(|mesh, r| mesh.0.read_inside(r))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self::default())
     }
 
-    fn read_own(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
-        let Next::Block(list) = next else { return self.0.read_inside_vector(next, r) };
+    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
+        let lists = std::mem::take(&mut self.1);
+        let mut mesh = lists.triangles;
+        let faces = mesh.corners.len();
+        if mesh.smooth.is_empty() && !mesh.normals.is_empty() {
+            mesh.smooth = mesh.corners.clone();
+        }
+        if mesh.mapped.is_empty() && !mesh.uvs.is_empty() {
+            mesh.mapped = mesh.corners.clone();
+        }
+        let at = |own: Option<Span>| own.or(lists.faces).unwrap_or(span);
+        check_indices(&mesh.corners, mesh.vertices.len(), faces, ("corner", "vertex_vectors"), at(lists.faces))?;
+        check_indices(&mesh.smooth, mesh.normals.len(), faces, ("normal", "normal_vectors"), at(lists.normals))?;
+        check_indices(&mesh.mapped, mesh.uvs.len(), faces, ("pair of coordinates", "uv_vectors"), at(lists.uvs))?;
+        self.0.triangles = Arc::new(Ordered::new(mesh));
+        self.0.warn_if_empty("mesh2", span, r);
+        Ok(())
+    }
+}
+
+impl Mesh2 {
+    /// Reads one of the lists, if it is next; returns false otherwise.
+    fn read_geometry(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
+        let Next::Block(list) = next else { return Ok(false) };
         let Lists { triangles: mesh, textures, faces, normals, uvs } = &mut self.1;
         let span = match list {
             "vertex_vectors" | "normal_vectors" | "uv_vectors" | "texture_list" | "face_indices" | "normal_indices"
@@ -286,25 +313,6 @@ impl Readable for Mesh2 {
         }
         r.leave_block()?;
         Ok(true)
-    }
-
-    fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
-        let lists = std::mem::take(&mut self.1);
-        let mut mesh = lists.triangles;
-        let faces = mesh.corners.len();
-        if mesh.smooth.is_empty() && !mesh.normals.is_empty() {
-            mesh.smooth = mesh.corners.clone();
-        }
-        if mesh.mapped.is_empty() && !mesh.uvs.is_empty() {
-            mesh.mapped = mesh.corners.clone();
-        }
-        let at = |own: Option<Span>| own.or(lists.faces).unwrap_or(span);
-        check_indices(&mesh.corners, mesh.vertices.len(), faces, ("corner", "vertex_vectors"), at(lists.faces))?;
-        check_indices(&mesh.smooth, mesh.normals.len(), faces, ("normal", "normal_vectors"), at(lists.normals))?;
-        check_indices(&mesh.mapped, mesh.uvs.len(), faces, ("pair of coordinates", "uv_vectors"), at(lists.uvs))?;
-        self.0.triangles = Arc::new(Ordered::new(mesh));
-        self.0.warn_if_empty("mesh2", span, r);
-        Ok(())
     }
 }
 
@@ -473,13 +481,9 @@ fn check_indices(
 }
 
 impl TriangleMesh {
-    fn read_inside_vector(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
-        if next != Next::Word("inside_vector") {
-            return Ok(false);
-        }
-        r.take_token()?;
+    fn read_inside(&mut self, r: &mut dyn Reader) -> Result<()> {
         self.inside_vector = Some(r.vector()?).filter(|dir| *dir != DVec3::ZERO);
-        Ok(true)
+        Ok(())
     }
 
     fn warn_if_empty(&self, word: &str, span: Span, r: &mut dyn Reader) {

@@ -13,12 +13,12 @@
 mod patches;
 
 use super::formula::{Container, Formula};
-use super::{Hit, Hits, Kernel, Paints, Readable, finite};
+use super::{Hit, Hits, Kernel, finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Next, Param, Reader, Spec, ValueKind};
+use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
 use patches::Patches;
 use serde::Serialize;
 use std::sync::{Arc, OnceLock};
@@ -119,6 +119,7 @@ impl Readable for Parametric {
             ],
             specs!(Self::WORDS),
         ),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] = &[
@@ -137,7 +138,7 @@ impl Readable for Parametric {
         Ok(Self::new(functions, a, b))
     }
 
-    fn read_own(&mut self, next: Next, r: &mut dyn Reader, _: &mut dyn Paints) -> Result<bool> {
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
             Next::Block("contained_by") => self.container = Container::read(r)?,
             Next::Word("precompute") => {

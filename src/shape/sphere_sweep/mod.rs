@@ -15,13 +15,13 @@ mod piece;
 
 pub use piece::Piece;
 
-use super::{Hit, Hits, Kernel, Readable, finite, transformed_box};
+use super::{Hit, Hits, Kernel, finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::words::{Row, joined, specs, word};
-use crate::value::{Param, Reader, ReaderExt, Spec, ValueKind, WordSpec};
+use crate::value::{Param, Readable, Reader, ReaderExt, Spec, ValueKind, WordSpec};
 use piece::Line;
 use serde::Serialize;
 use smallvec::SmallVec;
@@ -156,6 +156,7 @@ impl Readable for SphereSweep {
             },
         ],
         words: &joined::<4>(&KINDS, specs!(Self::WORDS)),
+        ..Spec::EMPTY
     };
 
     const WORDS: &'static [Row<Self>] =

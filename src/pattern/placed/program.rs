@@ -1,11 +1,11 @@
 //! Patterns in the form that rays evaluate: the transform from the outer space to the pattern's own is precomputed.
 
-use super::{
-    CellPattern, Cells, Field, FieldParams, FieldPattern, LocalBounds, Modifiers, Pattern, PatternKind, Step,
-    TextureContext, TurbulenceParams, Warp, local_bounds::max_stretch,
-};
+use super::local_bounds::max_stretch;
+use super::{Modifiers, Pattern, PatternKind, Step, TurbulenceParams};
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator, Turbulence};
+use crate::pattern::warp::Bend;
+use crate::pattern::{CellPattern, Cells, Field, FieldParams, FieldPattern, LocalBounds, TextureContext, Warp};
 use glam::DAffine3;
 use serde::Serialize;
 

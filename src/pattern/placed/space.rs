@@ -1,8 +1,9 @@
 //! The space of a pattern: transforms and warps in the order in which they are written, then `turbulence` (manual,
 //! "Pattern Modifiers").
 
-use super::{TurbulenceParams, Warp};
+use super::TurbulenceParams;
 use crate::math::{DVec3, Transform};
+use crate::pattern::Warp;
 use crate::value::SharedDefault;
 use serde::Serialize;
 

@@ -1,8 +1,8 @@
 //! Surfaces of revolution about the y axis: the walls of `lathe` and `sor`.
 
 use super::spline::{bernstein_derivative_at, bernstein_product, derivative_roots, evaluate_bernstein};
-use super::{Hit, Hits};
 use crate::math::{DVec2, DVec3, Range, Ray, bernstein_roots, fp, solve_quadratic_with_discriminant};
+use crate::shape::{Hit, Hits};
 use smallvec::SmallVec;
 
 /// Slope below which a ray counts as level for a surface of revolution: its hits are all found at one height.

@@ -1,11 +1,22 @@
 //! A pattern with its space and parameters: the common part of pigments, normals and textures.
 
-use super::{CellPattern, Field, FieldPattern, FunctionPattern, Modifiers, Readable, Space, TurbulenceParams, Warp};
+mod local_bounds;
+mod modifiers;
+mod program;
+mod space;
+mod turbulence;
+
+pub use modifiers::{Modifiers, Wave};
+pub use program::PatternProgram;
+pub use space::{Space, Step};
+pub use turbulence::TurbulenceParams;
+
+use super::{CellPattern, Field, FieldPattern, FunctionPattern, Warp};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::math::noise::NoiseGenerator;
 use crate::value::words::{is_row, read_row};
-use crate::value::{Next, Reader, SharedDefault, StaticDefault};
+use crate::value::{Family, Next, Readable, Reader, SharedDefault, StaticDefault};
 use serde::Serialize;
 
 /// Choice of a pattern: function from points to the entry or number that is shown.
@@ -107,8 +118,8 @@ impl Pattern {
                 self.uv = r.flag()?;
             }
             Next::Block("warp") => {
-                r.take_token()?;
-                let warp = Warp::read(r)?;
+                let span = r.take_token()?;
+                let warp = Warp::read(span, r)?;
                 r.leave_block()?;
                 self.space.append_warp(warp);
             }
@@ -117,31 +128,22 @@ impl Pattern {
                 self.kind = PatternKind::Average;
             }
             Next::Function => self.kind = PatternKind::Field(FieldPattern::FunctionPattern(FunctionPattern::read(r)?)),
-            Next::Word(word) | Next::Block(word) => return self.read_name(word, r),
-            _ => return Ok(false),
+            _ => return self.read_name(next, r),
         }
         Ok(true)
     }
 
-    /// Reads the rest of a pattern after its name; returns false if the word is not a pattern.
-    fn read_name(&mut self, word: &'static str, r: &mut dyn Reader) -> Result<bool> {
-        let block = matches!(r.next()?, Next::Block(_));
-        if FieldPattern::is_name(word) {
-            r.take_token()?;
-            if let Some(pattern) = FieldPattern::read(word, block, r) {
-                let pattern = pattern?;
-                self.modifiers.wave = pattern.default_wave().unwrap_or(self.modifiers.wave);
-                if pattern.starts_with_zero_frequency() {
-                    self.modifiers.frequency = Some(0.0);
-                }
-                self.kind = PatternKind::Field(pattern);
-            }
-        } else if CellPattern::is_name(word) {
-            r.take_token()?;
-            if let Some(pattern) = CellPattern::read(word, block, r) {
-                self.kind = PatternKind::Cells(pattern?);
+    /// Reads a pattern's name and parameters; false if `next` names no pattern.
+    fn read_name(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        if let Some(pattern) = FieldPattern::read_named(next, r)? {
+            self.modifiers.wave = pattern.default_wave().unwrap_or(self.modifiers.wave);
+            if pattern.starts_with_zero_frequency() {
                 self.modifiers.frequency = Some(0.0);
             }
+            self.kind = PatternKind::Field(pattern);
+        } else if let Some(pattern) = CellPattern::read_named(next, r)? {
+            self.kind = PatternKind::Cells(pattern);
+            self.modifiers.frequency = Some(0.0);
         } else {
             return Ok(false);
         }

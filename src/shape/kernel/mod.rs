@@ -1,7 +1,17 @@
 //! The interface of all shapes, in object space: bounds, hits, inside, normal, uv.
 
-use super::{Face, Quirks, transformed_box};
+pub mod pov_bounds;
+mod quirks;
+#[cfg(test)]
+pub mod testing;
+
+pub use pov_bounds::{HUGE, transformed_box};
+pub use quirks::{Bounding, Quirks};
+
+use super::{Face, Paints, Shape};
+use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform};
+use crate::value::{Next, Reader};
 
 /// A point where a ray hits a surface, in object space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,8 +39,8 @@ impl Hit {
 /// All hits of a ray on one shape.
 pub type Hits = smallvec::SmallVec<[Hit; 4]>;
 
-/// Returns the hit with the smallest ray parameter `t`.
-pub(super) fn nearest_hit(hits: &Hits) -> Option<Hit> {
+/// Returns the hit with the smallest `t`.
+pub fn nearest_hit(hits: &Hits) -> Option<Hit> {
     hits.iter().min_by(|a, b| a.t.total_cmp(&b.t)).copied()
 }
 
@@ -90,6 +100,11 @@ pub type HalfSpaces = smallvec::SmallVec<[HalfSpace; 10]>;
 pub trait Kernel {
     /// Departures of POV-Ray's shape from this shape's model.
     const QUIRKS: Quirks = Quirks::NONE;
+
+    /// Departures of POV-Ray's shape from this model, [`Kernel::QUIRKS`].
+    fn quirks(&self) -> &'static Quirks {
+        &Self::QUIRKS
+    }
 
     /// Bounding box of the shape; infinite for an infinite shape.
     fn bounds(&self) -> Aabb;
@@ -188,16 +203,22 @@ pub trait Kernel {
         true
     }
 
+    /// Reads one of the shape's own words that can embed textures, such as a blob's component, if it is next; returns
+    /// false otherwise. All other words belong to [`Readable::read_own`](crate::value::Readable::read_own).
+    ///
+    /// # Errors
+    /// A diagnostic at the first item that is not understood.
+    fn read_textured(&mut self, _next: Next, _r: &mut dyn Reader, _paints: &mut dyn Paints) -> Result<bool> {
+        Ok(false)
+    }
+
     /// Embedded textures of the shape at a point, with their weights.
     fn texture_weights(&self, _p: DVec3, _hit: &Hit) -> TextureWeights {
         smallvec::smallvec![(0, 1.0)]
     }
 
     /// Returns the shape to use under the transform M; `None` for a shape that does not depend on its transform.
-    fn adapted_to_transform(&self, _m: &Transform) -> Option<Self>
-    where
-        Self: Sized,
-    {
+    fn adapted_to_transform(&self, _m: &Transform) -> Option<Shape> {
         None
     }
 

@@ -1,7 +1,7 @@
 //! Common part of `cylinder` and `cone`: a wall around an axis with a linear radius, and two end discs.
 
-use super::{Crossing, End, HalfSpaces, Hit, Hits, nearest_hit, pov_bounds};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, solve_quadratic_with_discriminant, tolerance};
+use crate::shape::{Crossing, End, HalfSpaces, Hit, Hits, nearest_hit, pov_bounds};
 use crate::value::words::word;
 use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
@@ -174,8 +174,7 @@ impl Frustum {
         }
     }
 
-    /// Box that POV-Ray reports for the frustum, see [`super::Kernel::pov_bounds`]: the box of a cylinder about the
-    /// same axis (quirk: `extent_boxes`).
+    /// See [`crate::shape::Kernel::pov_bounds`]: the box of a cylinder about the same axis (quirk: `extent_boxes`).
     pub fn pov_bounds(&self, m: &Transform) -> Aabb {
         let (r, axis) = (self.base_radius.max(self.cap_radius), self.cap - self.base);
         let b = Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, axis.length()) };
@@ -292,10 +291,10 @@ impl Frustum {
     }
 }
 
-/// The word `open` of a cone or cylinder: without end discs.
-pub(super) const OPEN: WordSpec = word("open", ValueKind::Nothing, "", "takes the discs at the ends away");
+/// `open`: without end discs.
+pub const OPEN: WordSpec = word("open", ValueKind::Nothing, "", "takes the discs at the ends away");
 
-/// Implements [`super::Kernel`] for a shape that wraps a frustum.
+/// Implements [`crate::shape::Kernel`] for a shape that wraps a frustum.
 macro_rules! frustum_kernel {
     ($shape:ident) => {
         impl $crate::shape::Kernel for $shape {
@@ -345,4 +344,4 @@ macro_rules! frustum_kernel {
         }
     };
 }
-pub(super) use frustum_kernel;
+pub(crate) use frustum_kernel;

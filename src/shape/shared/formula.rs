@@ -1,10 +1,10 @@
 //! Functions of isosurfaces and parametric surfaces, and the container that bounds them.
 
-use super::{Cuboid, Kernel, Readable, Sphere};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{Function, Interval, ResultType, Slope};
 use crate::math::{Aabb, DVec3, Range, Ray};
-use crate::value::{Next, Reader, downcast};
+use crate::shape::{Cuboid, Kernel, Sphere};
+use crate::value::{Next, Readable, Reader, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 

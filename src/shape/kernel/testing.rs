@@ -1,13 +1,13 @@
 //! For tests of shapes: all hits in order, and a reader of numbers and words without an interpreter.
 
-use super::{Hit, Hits, Kernel, Paints, Readable};
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::image_io::Picture;
 use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use crate::mesh_io::MeshMaterial;
+use crate::shape::{Hit, Hits, Kernel, Paints};
 use crate::source::Span;
-use crate::value::{FloatOrColor, Language, Next, Reader, Solid, Thing, Unsupported, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, Readable, Reader, Solid, Thing, Unsupported, Value, VecN};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -26,17 +26,17 @@ pub fn assert_hits(found: &[Hit], want: &[(f64, u32)]) {
 }
 
 /// Reads a shape from words separated by blanks; returns the diagnostics too.
-pub fn read_shape<S: Readable>(text: &str) -> (Result<S>, Vec<Diagnostic>) {
+pub fn read_shape<S: Readable + Kernel>(text: &str) -> (Result<S>, Vec<Diagnostic>) {
     let mut r = Words { left: text.split_whitespace().map(String::from).collect(), reports: vec![] };
     let shape = read_whole_shape::<S>(&mut r);
     (shape, r.reports)
 }
 
-fn read_whole_shape<S: Readable>(r: &mut Words) -> Result<S> {
+fn read_whole_shape<S: Readable + Kernel>(r: &mut Words) -> Result<S> {
     let mut shape = S::read(r)?;
     loop {
         let next = r.next()?;
-        if !shape.read_own(next, r, &mut NoPaints)? {
+        if !shape.read_own(next, r)? && !shape.read_textured(next, r, &mut NoPaints)? {
             break;
         }
     }

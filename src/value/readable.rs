@@ -1,0 +1,56 @@
+//! Blocks that read themselves by their descriptions.
+
+use super::words::{Row, read_row};
+use super::{Next, Reader, Spec};
+use crate::diagnostic::Result;
+use crate::source::Span;
+
+/// A block of the scene language that a table describes, such as a shape, a pattern or a warp.
+pub trait Readable: Sized + 'static {
+    /// Name, parameters and words of the block.
+    const SPEC: Spec;
+
+    /// The words in `SPEC`, and how each is read.
+    const WORDS: &'static [Row<Self>] = &[];
+
+    /// Reads the positional parameters, after the block's name or after its opening brace.
+    ///
+    /// # Errors
+    /// A diagnostic at the first item that is not understood.
+    fn read(r: &mut dyn Reader) -> Result<Self>;
+
+    /// Reads the form with braces of a pattern that has forms with and without, after the opening brace.
+    ///
+    /// # Errors
+    /// A diagnostic at the first item that is not understood.
+    fn read_block(r: &mut dyn Reader) -> Result<Self> {
+        Self::read(r)
+    }
+
+    /// Reads the positional parameters, if `next` names the block. The name has been consumed, with the opening brace of a
+    /// `Next::Block`.
+    fn read_params(next: Next, r: &mut dyn Reader) -> Option<Result<Self>> {
+        match next {
+            Next::Word(name) if name == Self::SPEC.name => Some(Self::read(r)),
+            Next::Block(name) if name == Self::SPEC.name => Some(Self::read_block(r)),
+            _ => None,
+        }
+    }
+
+    /// Reads one of [`Self::WORDS`] and its value, if it is next; returns false otherwise.
+    ///
+    /// # Errors
+    /// A diagnostic at the first item that is not understood.
+    fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
+        read_row(Self::WORDS, self, next, r)
+    }
+
+    /// Checks the complete block of a shape or warp; `span` is the block's name. Patterns have no end of their own: their
+    /// words may follow anywhere in the block around them.
+    ///
+    /// # Errors
+    /// A diagnostic for a block that is complete but invalid.
+    fn finish(&mut self, _span: Span, _r: &mut dyn Reader) -> Result<()> {
+        Ok(())
+    }
+}
