@@ -8,7 +8,7 @@
 //! ```
 
 use super::frustum::{Frustum, OPEN, frustum_kernel};
-use super::{Hit, Hits, finite};
+use super::{Hit, Hits, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
@@ -53,8 +53,8 @@ impl Readable for Cone {
         let (base, base_radius, cap) = (r.vector()?, r.float()?, r.vector()?);
         let span = span.to(r.span());
         let cap_radius = r.float()?;
-        finite(span, &[base, cap], &[base_radius, cap_radius])?;
-        super::frustum_ends(span, base, cap)?;
+        check_finite(span, &[base, cap], &[base_radius, cap_radius])?;
+        super::check_frustum_ends(span, base, cap)?;
         Ok(Self::new(base, base_radius, cap, cap_radius, false))
     }
 

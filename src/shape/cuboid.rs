@@ -6,7 +6,7 @@
 //! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Shape, finite};
+use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Shape, check_finite};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
@@ -69,7 +69,7 @@ impl Readable for Cuboid {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (a, b) = (r.vector()?, r.vector()?);
-        finite(span, &[a, b], &[])?;
+        check_finite(span, &[a, b], &[])?;
         Ok(Self::new(a, b))
     }
 }

@@ -7,7 +7,7 @@
 //! ```
 
 use super::frustum::{Frustum, OPEN, frustum_kernel};
-use super::{Hit, Hits, finite};
+use super::{Hit, Hits, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
@@ -47,8 +47,8 @@ impl Readable for Cylinder {
         let (base, cap) = (r.vector()?, r.vector()?);
         let span = span.to(r.span());
         let radius = r.float()?;
-        finite(span, &[base, cap], &[radius])?;
-        super::frustum_ends(span, base, cap)?;
+        check_finite(span, &[base, cap], &[radius])?;
+        super::check_frustum_ends(span, base, cap)?;
         Ok(Self::new(base, cap, radius, false))
     }
 

@@ -6,7 +6,7 @@
 //! disc { <0, 1, 0>, <0, 1, 0>, 1, 0.5 pigment { color rgb <0.8, 0.8, 0.2> } }
 //! ```
 
-use super::{HalfSpaces, Hit, Hits, Kernel, finite, pov_bounds};
+use super::{HalfSpaces, Hit, Hits, Kernel, check_finite, pov_bounds};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
@@ -58,7 +58,7 @@ impl Readable for Disc {
         let span = r.span();
         let (center, normal, radius) = (r.vector()?, r.vector()?, r.float()?);
         let hole = if r.next()? == Next::Value { r.float()? } else { 0.0 };
-        finite(span, &[center, normal], &[radius, hole])?;
+        check_finite(span, &[center, normal], &[radius, hole])?;
         Ok(Self::new(center, normal, radius, hole))
     }
 

@@ -8,7 +8,7 @@
 //! ovus { 1, 0.6 translate y pigment { color rgb <0.9, 0.8, 0.6> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Sphere, Torus, finite, transformed_box};
+use super::{Hit, Hits, Kernel, Sphere, Torus, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
@@ -125,7 +125,7 @@ impl Readable for Ovus {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (bottom, top) = (r.float()?, r.float()?);
-        finite(span, &[], &[bottom, top])?;
+        check_finite(span, &[], &[bottom, top])?;
         if bottom < 0.0 || top < 0.0 {
             return Diagnostic::err(codes::BAD_ARGUMENT, span, "the radii of an `ovus` can't be negative");
         }

@@ -8,7 +8,7 @@
 //! plane { <0, 1, 0>, 0.1 pigment { checker color rgb 1 color rgb 0 } }
 //! ```
 
-use super::{Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, Quirks, finite};
+use super::{Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, Quirks, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
@@ -104,13 +104,13 @@ impl Readable for Plane {
         let start = r.span();
         let plane = if r.accept("implicit")? {
             let n = r.numbers(4)?;
-            finite(start, &[], &n)?;
+            check_finite(start, &[], &n)?;
             Self::from_implicit([n[0], n[1], n[2], n[3]])
         } else if r.accept("point")? {
             read_point_form(start, r)?
         } else {
             let (normal, distance) = (r.vector()?, r.float()?);
-            finite(start, &[normal], &[distance])?;
+            check_finite(start, &[normal], &[distance])?;
             Self::new(normal, distance)
         };
         plane.ok_or_else(|| {
@@ -133,7 +133,7 @@ fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
     let point = r.vector()?;
     if r.accept("normal")? {
         let normal = r.vector()?;
-        finite(start, &[point, normal], &[])?;
+        check_finite(start, &[point, normal], &[])?;
         return Ok(Plane::through_point(point, normal));
     }
     if r.next()? != Next::Word("span") {
@@ -141,7 +141,7 @@ fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
     }
     r.take_token()?;
     let (i, j) = (r.vector()?, r.vector()?);
-    finite(start, &[point, i, j], &[])?;
+    check_finite(start, &[point, i, j], &[])?;
     let plane = Plane::spanned(point, i, j);
     if plane.is_none() {
         let message = "the two vectors that span this `plane` are parallel";

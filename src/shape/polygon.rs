@@ -7,7 +7,7 @@
 //! polygon { 10, <0,0> <4,0> <4,4> <0,4> <0,0>  <1,1> <3,1> <3,3> <1,3> <1,1> pigment { color rgb 1 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, finite, pov_bounds, transformed_box};
+use super::{Hit, Hits, Kernel, check_finite, pov_bounds, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
@@ -125,7 +125,7 @@ fn read_point(r: &mut dyn Reader) -> Result<DVec3> {
             return Diagnostic::err(codes::WRONG_TYPE, span, message);
         }
     };
-    finite(span, &[point], &[])?;
+    check_finite(span, &[point], &[])?;
     Ok(point)
 }
 

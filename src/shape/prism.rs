@@ -14,7 +14,7 @@
 //! ```
 
 use super::spline::{Curve, Interpolation, KINDS, closed_outlines, read_points, report_open};
-use super::{Hit, Hits, Kernel, finite, nearest_hit, transformed_box};
+use super::{Hit, Hits, Kernel, check_finite, nearest_hit, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, bernstein_roots};
 use crate::source::Span;
@@ -195,7 +195,7 @@ impl Readable for Prism {
         }
         let span = r.span();
         let heights = [r.float()?, r.float()?];
-        finite(span, &[], &heights)?;
+        check_finite(span, &[], &heights)?;
         let points = read_points("prism", interpolation, 3, r)?;
         let prism = Self::new(interpolation, conic, heights, &points, false);
         if prism.outlines.segments.is_empty() {

@@ -7,7 +7,7 @@
 //! quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 clipped_by { plane { y, 1.6 } } pigment { color rgb <0.9, 0.6, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, finite, transformed_box};
+use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, solve_quadratic_with_discriminant};
 use crate::source::Span;
@@ -139,7 +139,7 @@ impl Readable for Quadric {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (squares, mixed, linear, constant) = (r.vector()?, r.vector()?, r.vector()?, r.float()?);
-        finite(span, &[squares, mixed, linear], &[constant])?;
+        check_finite(span, &[squares, mixed, linear], &[constant])?;
         Ok(Self::new(squares, mixed, linear, constant))
     }
 

@@ -7,7 +7,7 @@
 //! smooth_triangle { <0, 0, 0>, <-1, 0, -2>, <1, 0, 0>, <1, 0, -2>, <0, 1, 0>, <0, 1, -2> pigment { color rgb 1 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Shape, Triangle, finite};
+use super::{Hit, Hits, Kernel, Shape, Triangle, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
@@ -63,7 +63,7 @@ impl Readable for SmoothTriangle {
         let span = r.span();
         let (a, na, b, nb) = (r.vector()?, r.vector()?, r.vector()?, r.vector()?);
         let (c, nc) = (r.vector()?, r.vector()?);
-        finite(span, &[a, na, b, nb, c, nc], &[])?;
+        check_finite(span, &[a, na, b, nb, c, nc], &[])?;
         Ok(Self::new(Triangle::new(a, b, c), [na, nb, nc]))
     }
 

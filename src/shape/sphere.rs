@@ -4,7 +4,7 @@
 //! sphere { <0, 1, 0>, 1 pigment { color rgb <1, 0.5, 0> } }
 //! ```
 
-use super::{Crossing, End, Hit, Hits, Kernel, finite, transformed_box};
+use super::{Crossing, End, Hit, Hits, Kernel, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, solve_quadratic_with_discriminant};
 use crate::source::Span;
@@ -35,7 +35,7 @@ impl Readable for Sphere {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (center, radius) = (r.vector()?, r.float()?.abs());
-        finite(span, &[center], &[radius])?;
+        check_finite(span, &[center], &[radius])?;
         Ok(Self { center, radius })
     }
 

@@ -9,7 +9,7 @@
 //! superellipsoid { <0.3, 0.5> rotate x*30 translate y pigment { color rgb <0.9, 0.4, 0.2> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, finite, transformed_box};
+use super::{Hit, Hits, Kernel, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, Range, Ray, Transform, fp, tolerance};
 use crate::source::Span;
@@ -339,7 +339,7 @@ impl Readable for Superellipsoid {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let both = r.vector2()?;
-        finite(span, &[], &[both.x, both.y])?;
+        check_finite(span, &[], &[both.x, both.y])?;
         Ok(Self { e: both.x, n: both.y })
     }
 

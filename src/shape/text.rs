@@ -7,7 +7,7 @@
 //! text { ttf "timrom.ttf" "durer" 0.2, 0 pigment { color rgb <0.8, 0.3, 0.1> } scale 1.6 translate -1.6*x }
 //! ```
 
-use super::{Hit, Hits, Kernel, finite};
+use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::font::{Curve, Outline};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, solve_quadratic};
@@ -163,7 +163,7 @@ impl Readable for Text {
         let string = r.text()?;
         let span = r.span();
         let (depth, offset) = (r.float()?, r.vector()?);
-        finite(span, &[offset], &[depth])?;
+        check_finite(span, &[offset], &[depth])?;
         let file = font.path().to_path_buf();
         let tilt = Box::new(Transform::rotate(DVec3::splat(TILT)));
         let mut text = Self { font: name, file, string, depth, letters: vec![], tilt, bounds: Aabb::EMPTY };

@@ -8,7 +8,7 @@
 //! torus { 1, 0.25 pigment { color rgb <0.9, 0.2, 0.2> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, finite};
+use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, bernstein_roots, fp, solve_quadratic_with_discriminant, tolerance};
 use crate::source::Span;
@@ -143,7 +143,7 @@ impl Readable for Torus {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (major, minor) = (r.float()?, r.float()?);
-        finite(span, &[], &[major, minor])?;
+        check_finite(span, &[], &[major, minor])?;
         Ok(Self { major, minor })
     }
 

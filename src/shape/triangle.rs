@@ -4,7 +4,7 @@
 //! triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> pigment { color rgb <0.3, 0.7, 0.3> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, finite};
+use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
@@ -91,7 +91,7 @@ impl Readable for Triangle {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (a, b, c) = (r.vector()?, r.vector()?, r.vector()?);
-        finite(span, &[a, b, c], &[])?;
+        check_finite(span, &[a, b, c], &[])?;
         Ok(Self::new(a, b, c))
     }
 

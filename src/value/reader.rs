@@ -175,7 +175,7 @@ pub trait ReaderExt: Reader {
     fn accept(&mut self, word: &str) -> Result<bool>;
     /// Consumes a declared thing of type `T`, if a thing comes next.
     fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>>;
-    /// The error for the next word, which the block does not take; see [`Reader::unknown_word`].
+    /// Returns the error for the next word, which the block does not take; see [`Reader::unknown_word`].
     fn unknown_word_in(&mut self, block: &Spec) -> Fault;
 }
 

@@ -403,7 +403,7 @@ fn hits_follow_nested_transforms() {
         let mut dice = Dice { stream: Stream::new(&[i as u64, 2]), size: 1.0 };
         let m = nested(&mut dice);
         // (A shape that stores its transform, or is rebuilt for it, is another shape in the outer space.)
-        let there = shape.under(&m).into_owned();
+        let there = shape.shape_under_transform(&m).into_owned();
         let node = SolidNode::leaf(Leaf::new(there, &m, 3), 3);
         let world = Geometry::new(vec![node.clone()]);
         for ray in rays(i as u64, 20) {

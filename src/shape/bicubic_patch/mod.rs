@@ -15,7 +15,7 @@
 
 mod net;
 
-use super::{Hit, Hits, Kernel, Quirks, Shape, Triangle, finite};
+use super::{Hit, Hits, Kernel, Quirks, Shape, Triangle, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Sheared, Transform};
@@ -190,7 +190,7 @@ impl Readable for BicubicPatch {
         for point in &mut patch.points {
             *point = r.vector()?;
         }
-        finite(span, &patch.points, &[flatness, steps[0], steps[1]])?;
+        check_finite(span, &patch.points, &[flatness, steps[0], steps[1]])?;
         // (The cast saturates at 0 and at the largest number.)
         [patch.u_steps, patch.v_steps] = steps.map(|steps| steps as u32);
         Ok(Self { flatness, ..patch }.subdivided_under(&Transform::IDENTITY))

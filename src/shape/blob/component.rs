@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DQuat, DVec3, Ray, Transform, solve_quadratic};
-use crate::shape::{Kernel, Paints, Sphere, finite};
+use crate::shape::{Kernel, Paints, Sphere, check_finite};
 use crate::source::Span;
 use crate::value::{Next, Reader};
 use serde::Serialize;
@@ -162,7 +162,7 @@ impl Component {
 
 impl Component {
     pub(super) fn new(span: Span, base: DVec3, axis: DVec3, radius: f64, strength: f64) -> Result<Self> {
-        finite(span, &[base, axis], &[radius, strength])?;
+        check_finite(span, &[base, axis], &[radius, strength])?;
         if radius <= 0.0 {
             return Diagnostic::err(codes::BAD_ARGUMENT, span, "the radius of a component must be more than 0");
         }

@@ -17,7 +17,7 @@ mod search;
 mod walk;
 
 use super::formula::{self, Container, Formula};
-use super::{Hit, Hits, Kernel, finite};
+use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Interval;
 use crate::math::{Aabb, DVec3, Range, Ray, tolerance};
@@ -282,7 +282,7 @@ impl Readable for Isosurface {
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let b = self.container.bounds();
-        finite(span, &[b.min, b.max], &[self.threshold, self.max_gradient, self.accuracy])?;
+        check_finite(span, &[b.min, b.max], &[self.threshold, self.max_gradient, self.accuracy])?;
         let found = if self.adapts { 0.0 } else { self.sampled_max_gradient() };
         if found > STEEPER * self.max_gradient {
             let (said, found) = (self.max_gradient, (found * 100.0).ceil() / 100.0);

@@ -18,7 +18,7 @@ mod orbit;
 
 pub use function::Function;
 
-use super::{Bounding, Hit, Hits, Kernel, Quirks, finite, transformed_box};
+use super::{Bounding, Hit, Hits, Kernel, Quirks, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, Range, Ray, Transform, root_between};
 use crate::source::Span;
@@ -289,7 +289,7 @@ impl Readable for JuliaFractal {
         if name == "pwr" {
             let span = r.take_token()?;
             let power = r.numbers_in_parentheses(2)?;
-            finite(span, &[], &power)?;
+            check_finite(span, &[], &power)?;
             self.function = Function::Pwr(power[0], power[1]);
             return Ok(true);
         }
@@ -329,7 +329,7 @@ fn read_four(r: &mut dyn Reader) -> Result<Four> {
             return Diagnostic::err(codes::WRONG_TYPE, span, message);
         }
     };
-    finite(span, &[], &four)?;
+    check_finite(span, &[], &four)?;
     Ok(four)
 }
 
@@ -337,7 +337,7 @@ impl JuliaFractal {
     fn read_slice(&mut self, r: &mut dyn Reader) -> Result<()> {
         let span = r.span();
         let (slice, distance) = (read_four(r)?, r.float()?);
-        finite(span, &[], &[distance])?;
+        check_finite(span, &[], &[distance])?;
         let length = slice.iter().map(|x| x * x).sum::<f64>().sqrt();
         let unit = slice.map(|x| x / length);
         if unit[3].is_nan() || unit[3].abs() <= 1e-9 {

@@ -91,7 +91,7 @@ impl Readable for Mesh {
         ..Spec::EMPTY
     };
 
-    const WORDS: &'static [Row<Self>] = &[INSIDE_VECTOR.sets(|mesh, r| mesh.0.read_inside(r))];
+    const WORDS: &'static [Row<Self>] = &[INSIDE_VECTOR.sets(|mesh, r| mesh.0.read_inside_vector(r))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self::default())
@@ -132,7 +132,7 @@ impl Mesh {
         Self(TriangleMesh { triangles: Arc::new(Ordered::new(triangles)), ..TriangleMesh::default() }, Draft::default())
     }
 
-    /// Reads a triangle or `file`, if it is next; returns false otherwise.
+    /// Reads a triangle or the `file` of a `mesh`, if it is next; returns false otherwise.
     fn read_geometry(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
         match next {
             Next::Word("file") => {
@@ -252,7 +252,7 @@ impl Readable for Mesh2 {
         ..Spec::EMPTY
     };
 
-    const WORDS: &'static [Row<Self>] = &[INSIDE_VECTOR.sets(|mesh, r| mesh.0.read_inside(r))];
+    const WORDS: &'static [Row<Self>] = &[INSIDE_VECTOR.sets(|mesh, r| mesh.0.read_inside_vector(r))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self::default())
@@ -279,7 +279,7 @@ impl Readable for Mesh2 {
 }
 
 impl Mesh2 {
-    /// Reads one of the lists, if it is next; returns false otherwise.
+    /// Reads one of the lists of a `mesh2`, if it is next; returns false otherwise.
     fn read_geometry(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
         let Next::Block(list) = next else { return Ok(false) };
         let Lists { triangles: mesh, textures, faces, normals, uvs } = &mut self.1;
@@ -481,7 +481,7 @@ fn check_indices(
 }
 
 impl TriangleMesh {
-    fn read_inside(&mut self, r: &mut dyn Reader) -> Result<()> {
+    fn read_inside_vector(&mut self, r: &mut dyn Reader) -> Result<()> {
         self.inside_vector = Some(r.vector()?).filter(|dir| *dir != DVec3::ZERO);
         Ok(())
     }

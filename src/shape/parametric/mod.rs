@@ -13,7 +13,7 @@
 mod patches;
 
 use super::formula::{Container, Formula};
-use super::{Hit, Hits, Kernel, finite};
+use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
@@ -134,7 +134,7 @@ impl Readable for Parametric {
         let functions = [next()?, next()?, next()?];
         let span = r.span();
         let (a, b) = (r.vector2()?, r.vector2()?);
-        finite(span, &[a.extend(0.0), b.extend(0.0)], &[])?;
+        check_finite(span, &[a.extend(0.0), b.extend(0.0)], &[])?;
         Ok(Self::new(functions, a, b))
     }
 
@@ -155,7 +155,7 @@ impl Readable for Parametric {
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let b = self.container.bounds();
-        finite(span, &[b.min, b.max], &[])?;
+        check_finite(span, &[b.min, b.max], &[])?;
         if self.from.x == self.to.x || self.from.y == self.to.y {
             let message = "this `parametric` has no surface: its u or v begins where it ends";
             r.report(Diagnostic::new(codes::NO_SURFACE, span, message));

@@ -174,7 +174,8 @@ impl Frustum {
         }
     }
 
-    /// See [`crate::shape::Kernel::pov_bounds`]: the box of a cylinder about the same axis (quirk: `extent_boxes`).
+    /// Box that POV-Ray reports for the frustum, see [`crate::shape::Kernel::pov_bounds`]: that of a cylinder about the
+    /// same axis (quirk: `extent_boxes`).
     pub fn pov_bounds(&self, m: &Transform) -> Aabb {
         let (r, axis) = (self.base_radius.max(self.cap_radius), self.cap - self.base);
         let b = Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, axis.length()) };
@@ -291,7 +292,7 @@ impl Frustum {
     }
 }
 
-/// `open`: without end discs.
+/// The word `open` of a cone or cylinder: without end discs.
 pub const OPEN: WordSpec = word("open", ValueKind::Nothing, "", "takes the discs at the ends away");
 
 /// Implements [`crate::shape::Kernel`] for a shape that wraps a frustum.

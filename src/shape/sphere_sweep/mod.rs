@@ -15,7 +15,7 @@ mod piece;
 
 pub use piece::Piece;
 
-use super::{Hit, Hits, Kernel, finite, transformed_box};
+use super::{Hit, Hits, Kernel, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
@@ -176,7 +176,7 @@ impl Readable for SphereSweep {
         let mut ball = |_| {
             let span = r.span();
             let (center, radius) = (r.vector()?, r.float()?);
-            finite(span, &[center], &[radius])?;
+            check_finite(span, &[center], &[radius])?;
             Ok((center, radius))
         };
         let balls: Result<Vec<_>> = (0..count as u32).map(&mut ball).collect();

@@ -235,7 +235,7 @@ impl Lowering {
         let solid = match &object.kind {
             ObjectKind::Light(light) => self.lower_light(light, &own, inherited)?,
             ObjectKind::Shape(shape) => {
-                let shape = shape.under(&own.place.now);
+                let shape = shape.shape_under_transform(&own.place.now);
                 let is_there = !shape.is_open() || !shape.bounds_under(&own.place.now).is_empty();
                 is_there.then(|| self.lower_shape(object, &shape, &own)).transpose()?
             }
