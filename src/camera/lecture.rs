@@ -44,7 +44,7 @@ impl Default for LectureCamera {
 }
 
 impl LectureCamera {
-    pub(super) fn check(&self, source: Span) -> Result<()> {
+    pub(super) fn check_camera(&self, source: Span) -> Result<()> {
         let bad = |message: &str| Diagnostic::err(codes::BAD_CAMERA, source, message);
         if self.eye == self.center {
             return bad("the camera's `eye` and `center` are the same point");

@@ -117,13 +117,13 @@ impl Camera {
             Some(mut camera) => {
                 camera.transform = transform;
                 camera.unsupported = unsupported;
-                camera.check(source)?;
+                camera.check_camera(source)?;
                 Ok(Camera::Lecture(camera))
             }
             None => {
                 povray.transform = povray.transform.then(&transform);
                 povray.unsupported.extend(unsupported);
-                povray.check(source)?;
+                povray.check_camera(source)?;
                 Ok(Camera::Povray(povray))
             }
         }

@@ -125,7 +125,7 @@ impl PovrayCamera {
         self.kind == Kind::Perspective
     }
 
-    pub(super) fn check(&self, source: Span) -> Result<()> {
+    pub(super) fn check_camera(&self, source: Span) -> Result<()> {
         let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
         if let Some(angle) = self.angle.filter(|a| flat && !(*a > 0.0 && *a < 180.0)) {
             let message = format!("a perspective camera's `angle` lies between 0 and 180 degrees, this is {angle}");

@@ -166,7 +166,7 @@ impl Drop for Deadline {
             let _ = timer.join();
         }
         let mut tokens = lock(&TOKENS);
-        if let Some(own) = tokens.iter().position(|token| token.is(&self.token)) {
+        if let Some(own) = tokens.iter().position(|token| token.is_same_token(&self.token)) {
             tokens.swap_remove(own);
         }
     }

@@ -111,11 +111,12 @@ impl State {
 }
 
 /// Reads an index of an OBJ file, counted from 1, or backwards from the end.
-fn parse_index(text: &str, length: usize, what: &str, line: usize) -> ReadResult<u32> {
-    let n: i64 = text.parse().map_err(|_| format!("line {line}: expected the number of a {what}, found `{text}`"))?;
-    let place = if n < 0 { length as i64 + n } else { n - 1 };
+fn parse_index(text: &str, items_before: usize, item_name: &str, line: usize) -> ReadResult<u32> {
+    let n: i64 =
+        text.parse().map_err(|_| format!("line {line}: expected the number of a {item_name}, found `{text}`"))?;
+    let place = if n < 0 { items_before as i64 + n } else { n - 1 };
     match u32::try_from(place) {
-        Ok(place) if (place as usize) < length => Ok(place),
-        _ => Err(format!("line {line}: there is no {what} {n}: {length} stand before")),
+        Ok(place) if (place as usize) < items_before => Ok(place),
+        _ => Err(format!("line {line}: there is no {item_name} {n}: {items_before} stand before")),
     }
 }

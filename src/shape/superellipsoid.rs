@@ -52,14 +52,14 @@ fn power(x: f64, a: f64) -> f64 {
     product
 }
 
-/// Computes x^(1/a) of a number between 1 and 2, for an exponent that is often a power of two.
-fn root(x: f64, a: f64) -> f64 {
-    match a {
-        _ if x == 1.0 || a == 1.0 => x,
+/// Computes x^(1/degree) of a number between 1 and 2, for a degree that is often a power of two.
+fn nth_root(x: f64, degree: f64) -> f64 {
+    match degree {
+        _ if x == 1.0 || degree == 1.0 => x,
         2.0 => x.sqrt(),
         4.0 => x.sqrt().sqrt(),
         8.0 => x.sqrt().sqrt().sqrt(),
-        _ => fp::pow(x, 1.0 / a),
+        _ => fp::pow(x, 1.0 / degree),
     }
 }
 
@@ -78,7 +78,7 @@ fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
         _ => f64::INFINITY,
     };
     let sum = if ratio > 0.0 { 1.0 + slope * ratio } else { 1.0 };
-    let root = root(sum, a);
+    let root = nth_root(sum, a);
     let (value, by_big) = (big * root, root / sum);
     let by_small = by_big * slope;
     if x > y { (value, by_big, by_small) } else { (value, by_small, by_big) }

@@ -117,7 +117,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         if (self.is_item)(prims) {
             let Around { lo, hi, .. } = *around;
             let parts = [boxes.start as u32, boxes.end as u32];
-            let cost = [area(lo, hi) * self.item_cost; WIDTH - 1];
+            let cost = [half_surface_area(lo, hi) * self.item_cost; WIDTH - 1];
             self.pairs.push(Pair { parts, items: 1, first: [0; WIDTH - 1], is_leaf: true });
             return Half { number: self.pairs.len() as u32 - 1, lo, hi, items: 1, cost };
         }
@@ -134,7 +134,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     /// Makes the parent of two halves of the BVH, at the least cost.
     fn join_halves(&mut self, a: &Half, b: &Half) -> Half {
         let (lo, hi) = (a.lo.min(b.lo), a.hi.max(b.hi));
-        let (area, items) = (area(lo, hi), a.items + b.items);
+        let (area, items) = (half_surface_area(lo, hi), a.items + b.items);
         // Least cost with exactly this number of children.
         let mut cost = [f32::INFINITY; WIDTH + 1];
         let mut first = [0; WIDTH - 1];
@@ -302,7 +302,7 @@ impl Around {
     }
 }
 
-fn area(lo: Vec3A, hi: Vec3A) -> f32 {
+fn half_surface_area(lo: Vec3A, hi: Vec3A) -> f32 {
     let s = (hi - lo).max(Vec3A::ZERO);
     // (Bounded, so that the sum of all stays finite.)
     (s.x * s.y + s.y * s.z + s.z * s.x).min(1e28)
@@ -324,7 +324,7 @@ impl Bin {
     }
 
     fn cost(&self) -> f32 {
-        area(self.lo, self.hi) * self.count as f32
+        half_surface_area(self.lo, self.hi) * self.count as f32
     }
 }
 

@@ -182,8 +182,8 @@ fn nth_entry<T: Copy>(all: &[T], n: f64) -> Option<T> {
 struct NearCorner {
     /// Distance from the cell's corner towards its centre.
     along: f64,
-    /// Distance from the line between the cell's corner and centre, towards the edge after the corner (against the
-    /// clock).
+    /// Distance from the line between the cell's corner and centre, towards the edge that follows the corner
+    /// anticlockwise.
     across: f64,
     /// Distance from the point to the centre of its pavement cell.
     to_middle: f64,
@@ -331,7 +331,7 @@ fn nearest_direction(directions: &[DVec2], place: DVec2) -> usize {
     best.0
 }
 
-/// Returns the index of the corner between two joints that is opposite a notch.
+/// Returns the index of the corner of a pavement cell that lies between two joints and opposite a notch.
 fn corner_opposite_notch(corners: &[Corner]) -> Option<usize> {
     (0..4).find(|&k| {
         let across = corners[(k + 2) % 4];

@@ -363,7 +363,7 @@ impl Field for Tiling {
         let p = DVec2::new(at.p.x, at.p.z);
         let ((kind, within), kinds) = match &self.tiles {
             Tiles::Plan(plan) => (plan.tile_at(p), plan.kinds),
-            Tiles::Penrose(penrose) => (penrose.tile_at(p), penrose.kind_count()),
+            Tiles::Penrose(penrose) => (penrose.tile_at(p), penrose.tile_kind_count()),
         };
         let value = (kind as f64 + 1.0 - within) / kinds as f64;
         value_on_seam(self.number, p, value).unwrap_or(value)

@@ -116,7 +116,7 @@ impl Penrose {
     }
 
     /// Number of kinds of tiles in the Penrose tiling.
-    pub fn kind_count(self) -> usize {
+    pub fn tile_kind_count(self) -> usize {
         if self == Self::Pentagons { 6 } else { 2 }
     }
 
@@ -132,7 +132,7 @@ impl Penrose {
             Self::Kites => kite_at(Place::locate_in_triangle(p, 1.0, 2)),
             Self::Rhombs => rhomb_at(Place::locate_in_triangle(p, 1.0, 3)),
         };
-        let most = if kind == 0 { 1.0 } else { 1.0 - MARGIN * self.kind_count() as f64 };
+        let most = if kind == 0 { 1.0 } else { 1.0 - MARGIN * self.tile_kind_count() as f64 };
         (kind, within.clamp(0.0, most))
     }
 }
@@ -193,18 +193,19 @@ fn pentagon_distance(p: DVec2) -> f64 {
     APART / 2.0 - [1, 3, 5, 7, 9].map(|k| TOWARDS[k].dot(p)).into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Kind and distance from the edge of a rhomb around the origin, with its acute corners at 0° and 180°.
+/// Kind of a Penrose tile and distance from its edge, for a rhomb around the origin, with its acute corners at 0° and
+/// 180°.
 fn diamond_tile(p: DVec2) -> (usize, f64) {
     (5, S18 * C18 - p.x.abs() * S18 - p.y.abs() * C18)
 }
 
-/// Kind and distance from the edge of a star around the origin, with a tip at 0°.
+/// Kind of a Penrose tile and distance from its edge, for a star around the origin, with a tip at 0°.
 fn star_tile(p: DVec2) -> (usize, f64) {
     (3, star_arm_distance(along_and_across(p, nearest_direction(p, &[0, 2, 4, 6, 8]))))
 }
 
-/// Kind and distance from the edge of a boat: three arms of a star, the middle one at -36°, and a side across the
-/// missing two.
+/// Kind of a Penrose tile and distance from its edge, for a boat: three arms of a star, the middle one at -36°, and a
+/// side across the missing two.
 fn boat_tile(p: DVec2) -> (usize, f64) {
     let across = (S18 * S18 / S36) + p.dot(TOWARDS[9]);
     let k = nearest_direction(p, &[9, 1, 7, 3, 5]);
