@@ -7,14 +7,14 @@ use durer::world::{Geometry, Leaf, SolidNode};
 use std::hint::black_box;
 
 fn random_vector(i: u64, dimension: u64) -> DVec3 {
-    let unit = |axis| rng::unit(&[i, dimension, axis]) * 2.0 - 1.0;
+    let unit = |axis| rng::random_unit(&[i, dimension, axis]) * 2.0 - 1.0;
     DVec3::new(unit(0), unit(1), unit(2))
 }
 
 /// Spheres of about the size that leaves gaps between them, in the cube from -1 to 1.
 fn spheres(n: u64) -> Vec<SolidNode> {
     let radius = 0.4 / fp::pow(n as f64, 1.0 / 3.0);
-    let sphere = |i| Sphere { center: random_vector(i, 0), radius: radius * (0.5 + rng::unit(&[i, 1])) };
+    let sphere = |i| Sphere { center: random_vector(i, 0), radius: radius * (0.5 + rng::random_unit(&[i, 1])) };
     let leaf = |i| Leaf::new(Shape::from(sphere(i)), &Transform::IDENTITY, i as u32);
     (0..n).map(|i| SolidNode::leaf(leaf(i), i as u32)).collect()
 }

@@ -36,7 +36,7 @@ fn rays() -> [Vec<Ray>; 2] {
     let at = |k: usize| k as f64 / 512.0 - 1.0;
     let camera = |k: usize| Ray::new(DVec3::new(0.0, 0.0, -4.0), single(DVec3::new(at(k % 1024), at(k / 1024), 2.9)));
     let random =
-        |i: usize, n: u64| DVec3::from_array([0, 1, 2].map(|axis| rng::unit(&[i as u64, n, axis]) * 2.4 - 1.2));
+        |i: usize, n: u64| DVec3::from_array([0, 1, 2].map(|axis| rng::random_unit(&[i as u64, n, axis]) * 2.4 - 1.2));
     let anywhere = |i: usize| Ray::new(single(random(i, 0)), single(random(i, 1)));
     [(0..RAYS).map(camera).collect(), (0..RAYS).map(anywhere).collect()]
 }
@@ -76,7 +76,7 @@ fn measured<T>(rounds: usize, mut run: impl FnMut() -> T) -> (f64, Option<T>) {
 
 fn run(rounds: usize) {
     let ball = ball();
-    let (build, mesh) = measured(rounds, || Mesh::of(ball.clone()));
+    let (build, mesh) = measured(rounds, || Mesh::from_triangles(ball.clone()));
     println!("build: {build:.3} s");
     let Some(mesh) = mesh else { return };
     for (name, rays) in ["coherent", "incoherent"].into_iter().zip(rays()) {
@@ -85,7 +85,7 @@ fn run(rounds: usize) {
         };
         let met = |ray: &&Ray| mesh.closest(ray, Range::FORWARD).is_some();
         print_rate("closest", measured(rounds, || rays.iter().filter(met).count()));
-        print_rate("any", measured(rounds, || rays.iter().filter(|ray| mesh.any(ray, Range::FORWARD)).count()));
+        print_rate("any", measured(rounds, || rays.iter().filter(|ray| mesh.any_hit(ray, Range::FORWARD)).count()));
     }
 }
 

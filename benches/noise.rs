@@ -7,7 +7,7 @@ use std::hint::black_box;
 
 /// Random points, so that every look-up in the tables goes elsewhere.
 fn random(n: u64) -> Vec<DVec3> {
-    let unit = |i, axis| rng::unit(&[i, axis]) * 100.0 - 50.0;
+    let unit = |i, axis| rng::random_unit(&[i, axis]) * 100.0 - 50.0;
     (0..n).map(|i| DVec3::new(unit(i, 0), unit(i, 1), unit(i, 2))).collect()
 }
 

@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::render;
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
-use crate::value::{Family, decimal};
+use crate::value::{Family, format_decimal};
 use crate::world::{Intersection, PlacedSolid, World};
 use std::path::Path;
 
@@ -104,7 +104,7 @@ fn source_of(world: &World, part: u32) -> Span {
 
 /// Formats a vector in the syntax of scenes with a suitable number of digits.
 fn typed(p: crate::math::DVec3) -> String {
-    let short = |x: f64| decimal(x, if x.abs() >= 100.0 { 0 } else { 2 });
+    let short = |x: f64| format_decimal(x, if x.abs() >= 100.0 { 0 } else { 2 });
     format!("<{}, {}, {}>", short(p.x), short(p.y), short(p.z))
 }
 

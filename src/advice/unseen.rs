@@ -133,7 +133,7 @@ impl Visibility {
     fn of(world: &World, options: &render::Options, bounds: &Aabb) -> Self {
         let (width, height) = (options.width as f64, options.height as f64);
         let view = world.eye.view(options.width, options.height);
-        let Some(window) = view.window() else { return Visibility::Missed };
+        let Some(window) = view.flat_window() else { return Visibility::Missed };
         let (right, down) = (window.across * width, window.down * height);
         let ahead = window.corner + (right + down) * 0.5;
         // p = origin + depth · (ahead + x·right + y·down)

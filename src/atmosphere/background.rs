@@ -4,14 +4,14 @@ use super::Segment;
 use crate::color::{Color, Rgb};
 use serde::Serialize;
 
-/// A colour behind all objects.
+/// Background colour of a scene, seen where a ray hits no object.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Background {
-    /// The colour; `transmit` is the share of what is behind the picture.
+    /// Colour of the background; `filter` and `transmit` are its shares of light from behind the picture.
     #[serde(flatten)]
     pub color: Color,
-    /// True for scenes before version 3.7: pictures with alpha have no background, others have all of it (quirk:
-    /// `background_before_3_7`).
+    /// True for scenes before version 3.7, where the background is absent from pictures with alpha and opaque in all
+    /// others (quirk: `background_before_3_7`).
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub by_picture: bool,
 }
@@ -19,29 +19,29 @@ pub struct Background {
 /// Kind of the ray that reaches the background.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ViewKind {
-    /// A camera ray of a picture with alpha.
+    /// Camera ray in a picture with an alpha channel.
     Alpha,
-    /// A reflected ray of such a picture.
+    /// Reflected ray in a picture with an alpha channel.
     Mirror,
-    /// Any ray of a picture without alpha.
+    /// Any ray in a picture without an alpha channel.
     Opaque,
 }
 
 impl Background {
-    /// A scene without `background`.
+    /// Background of a scene that has no `background` statement: black and transparent.
     pub const NONE: Self = Self { color: Color { transmit: 1.0, ..Color::BLACK }, by_picture: false };
 
-    /// Returns the light of the background, and the transmittance for what is behind the picture (quirk:
-    /// `background_by_view`).
-    pub fn seen_by(&self, beholder: ViewKind) -> Segment {
+    /// Returns the background's radiance, and the transmittance for what is behind the picture, for this kind of ray
+    /// (quirk: `background_by_view`).
+    pub fn segment_for_view(&self, view: ViewKind) -> Segment {
         let Color { rgb, filter, transmit } = self.color;
         let whole = Segment { radiance: rgb, transmittance: Rgb::ZERO };
-        match beholder {
+        match view {
             ViewKind::Mirror => whole,
             ViewKind::Opaque if self.by_picture => whole,
             ViewKind::Alpha if self.by_picture => Segment::NONE,
             ViewKind::Alpha => {
-                Segment { radiance: rgb * (1.0 - filter - transmit), transmittance: self.color.passing() }
+                Segment { radiance: rgb * (1.0 - filter - transmit), transmittance: self.color.transmittance() }
             }
             // Filtered light has the background's own colour.
             ViewKind::Opaque => {
@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn light_by_view_and_version() {
         let color = Color { rgb: Rgb::new(1.0, 0.8, 0.6), filter: 0.3, transmit: 0.2 };
-        let radiance = |by_picture, beholder| Background { color, by_picture }.seen_by(beholder).radiance;
+        let radiance = |by_picture, beholder| Background { color, by_picture }.segment_for_view(beholder).radiance;
         for (by_picture, beholder, share) in [
             (false, ViewKind::Alpha, 0.5),
             (false, ViewKind::Mirror, 1.0),

@@ -4,7 +4,7 @@
 //! fog { distance 30 rgb <0.8, 0.85, 0.9> }
 //! ```
 
-use super::{Segment, clear_at_least};
+use super::{Segment, with_minimum_transmittance};
 use crate::color::Color;
 use crate::diagnostic::Result;
 use crate::math::noise::{self, NoiseGenerator};
@@ -15,16 +15,16 @@ use crate::value::words::{Row, joined, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec, Thing};
 use serde::Serialize;
 
-/// A fog.
+/// Fog of a scene: attenuates light by distance and adds its colour.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fog {
-    /// 2 for ground fog, which is denser below; any other number for uniform fog.
+    /// Type of the fog: 2 for ground fog, which is denser below; any other number for uniform fog.
     pub fog_type: f64,
-    /// Distance over which light falls to 1/e; 0 for no fog.
+    /// Distance in the fog over which light falls to 1/e, in world units; 0 for no fog.
     pub distance: f64,
-    /// Colour; `transmit` is the minimum transmittance, `filter` tints transmitted light.
+    /// Colour of the fog; `transmit` is the minimum transmittance, `filter` tints transmitted light.
     pub color: Color,
-    /// Turbulence of the density.
+    /// Turbulence of the fog's density.
     pub turbulence: TurbulenceParams,
     /// Share of the fog that turbulence can remove.
     pub turb_depth: f64,
@@ -32,7 +32,7 @@ pub struct Fog {
     pub fog_offset: f64,
     /// Height above `fog_offset` at which ground fog has half its density.
     pub fog_alt: f64,
-    /// Upward direction.
+    /// Upward direction for ground fog, in world space.
     pub up: DVec3,
 }
 
@@ -72,7 +72,7 @@ const FOG_ROWS: &[Row<Fog>] = &[
         .sets(|s, r| set(&mut s.turb_depth, r.float())),
 ];
 
-/// `fog { … }`, beside a colour.
+/// Words of a `fog { … }` block, without those of colours.
 pub const FOG: Spec = Spec {
     name: "fog",
     summary: "colour that covers what is far; its `transmit` leaves so much clear, its `filter` colours what is behind",
@@ -82,7 +82,7 @@ pub const FOG: Spec = Spec {
 };
 
 impl Fog {
-    /// Reads what is between the braces.
+    /// Reads the items of a `fog` block.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -103,18 +103,18 @@ impl Fog {
                         fog.transform(&step);
                     }
                 }
-                Next::Word(_) | Next::Value if r.at_color()? => fog.color = r.color()?,
+                Next::Word(_) | Next::Value if r.is_at_color()? => fog.color = r.color()?,
                 _ => return Err(r.unknown_word_in(&FOG)),
             }
         }
     }
 
     fn transform(&mut self, by: &Transform) {
-        self.up = by.vector(self.up);
+        self.up = by.transform_vector(self.up);
     }
 
-    /// True if the fog has an effect.
-    pub fn shows(&self) -> bool {
+    /// True if the fog has an effect: its distance is not 0.
+    pub fn has_effect(&self) -> bool {
         self.distance != 0.0
     }
 
@@ -127,11 +127,11 @@ impl Fog {
         }
         if self.turbulence.amount != DVec3::ZERO {
             let stirred = (ray.origin + ray.dir * (0.5 * length)) * self.turbulence.amount;
-            let gap = self.turb_depth * noise::turbulence(stirred, self.turbulence.series(), noise);
+            let gap = self.turb_depth * noise::turbulence(stirred, self.turbulence.to_octaves(), noise);
             depth *= 1.0 - gap.min(1.0) * fp::exp(-far);
         }
-        let clear = clear_at_least(&self.color, fp::exp(-depth));
-        Segment::of(self.color.rgb, clear, self.color.filter)
+        let clear = with_minimum_transmittance(&self.color, fp::exp(-depth));
+        Segment::from_color(self.color.rgb, clear, self.color.filter)
     }
 
     /// Mean density of ground fog along a ray: 1 up to the offset, 1/(1 + z²) at height z above it, in units of
@@ -154,8 +154,9 @@ impl Fog {
     }
 }
 
-/// Combines all fogs: the radiances are added, the transmittances are multiplied (quirk: `fogs_add`).
-pub fn segment_of(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
+/// Combines all fogs of a scene along a ray: the radiances are added, the transmittances are multiplied (quirk:
+/// `fogs_add`).
+pub fn combine_fogs(fogs: &[Fog], ray: &Ray, length: f64, noise: NoiseGenerator) -> Segment {
     fogs.iter().map(|fog| fog.segment(ray, length, noise)).fold(Segment::NONE, |all, one| Segment {
         radiance: all.radiance + one.radiance,
         transmittance: all.transmittance * one.transmittance,

@@ -7,35 +7,38 @@ mod rainbow;
 mod sky_sphere;
 
 pub use background::{Background, ViewKind};
-pub use fog::{FOG, Fog, segment_of as fogs};
-pub use rainbow::{RAINBOW, Rainbow, segment_of as rainbows};
+pub use fog::{FOG, Fog, combine_fogs};
+pub use rainbow::{RAINBOW, Rainbow, combine_rainbows};
 pub use sky_sphere::{SKY_SPHERE, SkySphere};
 
 use crate::color::{Color, Rgb};
 
-/// Light along a segment of a ray.
+/// Radiance and transmittance of the atmosphere along a segment of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
     /// Radiance that the segment adds.
     pub radiance: Rgb,
-    /// Share of the light from behind the segment that remains.
+    /// Share of the light from behind the ray's segment that is transmitted.
     pub transmittance: Rgb,
 }
 
 impl Segment {
-    /// A segment without effect.
+    /// Segment of a ray that adds no light and attenuates none.
     pub const NONE: Self = Self { radiance: Rgb::ZERO, transmittance: Rgb::ONE };
 
-    /// Length of a segment that ends at no surface, in world units (quirk: `fog_far`).
+    /// Length of a ray's segment that ends at no surface, in world units (quirk: `fog_far`).
     pub const FAR: f64 = 2e10;
 
-    /// A segment of one colour: `clear` is the transmittance, and `filter` the share of transmitted light that takes
-    /// the colour.
-    fn of(color: Rgb, clear: f64, filter: f64) -> Self {
-        Self { radiance: color * (1.0 - clear), transmittance: clear * (Rgb::splat(1.0 - filter) + filter * color) }
+    /// Returns a ray's segment in air of one colour: `transmittance` is the transmittance, and `filter` the share of
+    /// transmitted light that takes the colour.
+    fn from_color(color: Rgb, transmittance: f64, filter: f64) -> Self {
+        Self {
+            radiance: color * (1.0 - transmittance),
+            transmittance: transmittance * (Rgb::splat(1.0 - filter) + filter * color),
+        }
     }
 
-    /// Combines this segment with one behind it.
+    /// Combines this segment of a ray with the segment `behind` it, farther from the eye.
     pub fn in_front_of(self, behind: Segment) -> Self {
         Self {
             radiance: self.radiance + self.transmittance * behind.radiance,
@@ -44,7 +47,7 @@ impl Segment {
     }
 }
 
-/// Raises a transmittance to the colour's `transmit`.
-fn clear_at_least(color: &Color, clear: f64) -> f64 {
-    clear.max(color.transmit)
+/// Returns the larger of a transmittance and the colour's `transmit`.
+fn with_minimum_transmittance(color: &Color, transmittance: f64) -> f64 {
+    transmittance.max(color.transmit)
 }

@@ -5,7 +5,7 @@
 //! rainbow { direction <0, -0.3, 1> angle 42 width 6 color_map { [0 rgbt <1, 0, 0, 0.6>] [1 rgbt <0, 0, 1, 0.6>] } }
 //! ```
 
-use super::{Segment, clear_at_least};
+use super::{Segment, with_minimum_transmittance};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Ray, fp};
 use crate::source::Span;
@@ -16,30 +16,30 @@ use crate::value::{Next, Reader, ReaderExt, Spec, Thing, WordSpec};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A rainbow. Angles are in radians.
+/// Rainbow of a scene: a coloured arc at a fixed angle to the light. Angles are in radians.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rainbow {
-    /// Direction in which the light shines.
+    /// Direction in which the rainbow's light shines.
     pub direction: DVec3,
-    /// Angle between the direction and the middle of the arc.
+    /// Angle between the direction of the rainbow's light and the middle of the arc, in radians.
     pub angle: f64,
-    /// Angle between the inner and outer edges.
+    /// Angle between the inner and outer edges of the rainbow, in radians.
     pub width: f64,
-    /// Distance over which light falls to 1/e, as in a fog.
+    /// Distance over which a rainbow attenuates light to 1/e, as in a fog.
     pub distance: f64,
-    /// Random displacement of colours, as a share of the width.
+    /// Random displacement of the rainbow's colours, as a share of its width.
     pub jitter: f64,
-    /// Direction of the middle of the arc.
+    /// Direction from the rainbow's centre to the middle of its arc.
     pub up: DVec3,
-    /// Angle of the visible part of the circle.
+    /// Angle of the visible part of the rainbow's circle, in radians.
     pub arc_angle: f64,
-    /// Angle of the part with full strength; beyond it the arc fades.
+    /// Angle of the part of the rainbow with full strength, in radians; beyond it the arc fades.
     pub falloff_angle: f64,
-    /// Colours from the inner to the outer edge.
+    /// Colours from the inner to the outer edge of the rainbow.
     pub color_map: Option<Arc<ColorMap>>,
 }
 
-/// Default distance: what is behind shows without attenuation (quirk: `rainbow_default_distance`).
+/// Default distance of a rainbow: light from behind is not attenuated (quirk: `rainbow_default_distance`).
 const USUAL_DISTANCE: f64 = 1e7;
 
 impl Default for Rainbow {
@@ -92,7 +92,7 @@ const RAINBOW_PARTS: &[WordSpec] = &[
     word("colour_map", Block, "", "the same"),
 ];
 
-/// `rainbow { … }`
+/// Words of a `rainbow { … }` block.
 pub const RAINBOW: Spec = Spec {
     name: "rainbow",
     summary: "an arc of colours about the direction of the sun",
@@ -101,7 +101,7 @@ pub const RAINBOW: Spec = Spec {
 };
 
 impl Rainbow {
-    /// Reads what is between the braces; `source` is the block's name.
+    /// Reads the items of a `rainbow` block; `source` is the span of the word `rainbow`.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -117,9 +117,9 @@ impl Rainbow {
                 }
                 Next::Thing("color_map") => rainbow.color_map = r.thing::<ColorMap>()?,
                 Next::Block("color_map" | "colour_map") => {
-                    r.take()?;
+                    r.take_token()?;
                     rainbow.color_map = Some(Arc::new(ColorMap::read(r)?));
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 next if read_row(RAINBOW_ROWS, &mut rainbow, next, r)? => {}
                 _ => return Err(r.unknown_word_in(&RAINBOW)),
@@ -149,7 +149,7 @@ impl Rainbow {
     }
 
     /// Returns radiance and transmittance of the rainbow along a ray, up to the distance `length`; `None` outside the
-    /// arc. `random` returns numbers in [0, 1).
+    /// rainbow's arc. `random` returns numbers in [0, 1).
     fn segment(&self, ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Option<Segment> {
         let map = self.color_map.as_ref()?;
         let direction = self.direction.normalize();
@@ -162,18 +162,22 @@ impl Rainbow {
         if self.distance == 0.0 || !(0.0..=1.0).contains(&index) {
             return None;
         }
-        let shown = self.shown(ray.dir - direction * cos, direction);
+        let shown = self.arc_strength(ray.dir - direction * cos, direction);
         if shown == 0.0 {
             return None;
         }
-        let color = map.at(index);
+        let color = map.color_at(index);
         let open = 1.0 - shown + shown * color.transmit;
-        let clear = clear_at_least(&crate::color::Color { transmit: open, ..color }, fp::exp(-length / self.distance));
-        Some(Segment::of(color.rgb, clear, color.filter * (1.0 - clear)))
+        let clear = with_minimum_transmittance(
+            &crate::color::Color { transmit: open, ..color },
+            fp::exp(-length / self.distance),
+        );
+        Some(Segment::from_color(color.rgb, clear, color.filter * (1.0 - clear)))
     }
 
-    /// Strength of the arc at a point `aside` of its direction: 1 in the middle, 0 past its ends.
-    fn shown(&self, aside: DVec3, direction: DVec3) -> f64 {
+    /// Returns the strength of a rainbow's arc: 1 in the middle, 0 past its ends. `aside` is the component of the ray's
+    /// direction across the rainbow's axis.
+    fn arc_strength(&self, aside: DVec3, direction: DVec3) -> f64 {
         let up = self.up - direction * self.up.dot(direction);
         let from_up = aside.angle_between(up);
         let (full, ends) = (self.falloff_angle / 2.0, self.arc_angle / 2.0);
@@ -185,13 +189,13 @@ impl Rainbow {
     }
 }
 
-/// 3x² - 2x³
+/// Returns 3x² - 2x³, which rises smoothly from 0 to 1.
 fn smooth_step(x: f64) -> f64 {
     x * x * (3.0 - 2.0 * x)
 }
 
-/// Combines all rainbows that a ray meets: their mean (quirk: `rainbows_average`).
-pub fn segment_of(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
+/// Combines all rainbows that a ray meets along its length: returns their mean (quirk: `rainbows_average`).
+pub fn combine_rainbows(rainbows: &[Rainbow], ray: &Ray, length: f64, random: &mut dyn FnMut() -> f64) -> Segment {
     let met: smallvec::SmallVec<[Segment; 2]> =
         rainbows.iter().filter_map(|rainbow| rainbow.segment(ray, length, random)).collect();
     if met.is_empty() {
@@ -226,7 +230,7 @@ mod tests {
     }
 
     fn seen(rainbows: &[Rainbow], from_up: f64, length: f64) -> Rgb {
-        let veil = segment_of(rainbows, &ray(20.0, from_up), length, &mut || 0.5);
+        let veil = combine_rainbows(rainbows, &ray(20.0, from_up), length, &mut || 0.5);
         veil.radiance + veil.transmittance * Rgb::new(1.0, 0.5, 0.25)
     }
 
@@ -243,6 +247,6 @@ mod tests {
         close(seen(std::slice::from_ref(&arc), 30.0, plane), [0.64774, 0.44197, 0.37263]);
         let near = Rainbow { distance: 30.0, ..bow(color(0.0, 0.0)) };
         close(seen(&[bow(color(0.0, 0.0)), near], 0.0, plane), [0.37366, 0.42171, 0.52403]);
-        assert_eq!(segment_of(&[arc], &ray(23.0, 0.0), plane, &mut || 0.5), Segment::NONE);
+        assert_eq!(combine_rainbows(&[arc], &ray(23.0, 0.0), plane, &mut || 0.5), Segment::NONE);
     }
 }

@@ -14,14 +14,14 @@ use crate::value::words::word;
 use crate::value::{Next, Reader, ReaderExt, Spec, Thing};
 use serde::Serialize;
 
-/// A sky sphere.
+/// Sky sphere: a background whose colour depends on the direction of the ray.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SkySphere {
-    /// Pigments from the lowest to the topmost.
+    /// Pigments of the sky sphere, from the lowest to the topmost layer.
     pub pigments: Vec<Pigment>,
-    /// Factor of the pigments' light.
+    /// Factor of the light of the sky sphere's pigments.
     pub emission: Rgb,
-    /// Transform of all pigments, also of those written after it (quirk: `sky_sphere_transform`).
+    /// Transform of all pigments of the sky sphere, also of those written after it (quirk: `sky_sphere_transform`).
     pub transform: Transform,
 }
 
@@ -37,7 +37,7 @@ impl Thing for SkySphere {
     }
 }
 
-/// `sky_sphere { … }`
+/// Words of a `sky_sphere { … }` block.
 pub const SKY_SPHERE: Spec = Spec {
     name: "sky_sphere",
     summary: "the sky: pigments that see directions, points at a distance of 1 from the origin, in place of places",
@@ -55,8 +55,8 @@ pub const SKY_SPHERE: Spec = Spec {
 };
 
 impl SkySphere {
-    /// Reads what is between the braces; `source` is the block's name. Pigments start from black, whatever the default
-    /// pigment is; only pigments in their maps start from the default (quirk: `sky_sphere_pigment`).
+    /// Reads the items of a `sky_sphere` block; `source` is the span of its word. Pigments start from black, whatever
+    /// the default pigment is; only pigments in their maps start from the default (quirk: `sky_sphere_pigment`).
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -76,12 +76,12 @@ impl SkySphere {
                     }
                 }
                 Next::Block("pigment") => {
-                    r.take()?;
+                    r.take_token()?;
                     sky.pigments.push(Pigment::read(r, &Pigment::default(), defaults)?);
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Word("emission") => {
-                    r.take()?;
+                    r.take_token()?;
                     sky.emission = r.color()?.rgb;
                 }
                 next if next.is_transform() => {

@@ -7,7 +7,7 @@ use crate::texture::{Normal, NormalProgram};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A lowered normal, with the scene's settings for patterns.
+/// Perturbation of camera rays by a lowered `normal`, with the scene's settings for patterns.
 #[derive(Clone, Debug, Serialize)]
 pub struct Bumps {
     program: Arc<NormalProgram>,
@@ -16,15 +16,16 @@ pub struct Bumps {
 }
 
 impl Bumps {
-    /// Lowers a normal; `noise` and `waves` are the scene's settings.
+    /// Lowers a camera's `normal`; `noise` and `waves` are the scene's settings.
     pub(super) fn new(normal: &Normal, noise: NoiseGenerator, waves: usize) -> Self {
         Self { program: Arc::new(NormalProgram::new(normal)), noise, waves }
     }
 
-    /// Returns the ray whose direction is the perturbed normal at a position of the picture: from -½ to ½ to the right
-    /// and up for flat cameras, angles and lengths of the formula for others (quirk: `camera_normal_position`).
-    pub(super) fn turn(&self, ray: Ray, place: DVec2) -> Ray {
-        let ctx = TextureContext { waves: self.waves, ..TextureContext::free(place.extend(0.0), self.noise) };
+    /// Returns the camera ray whose direction is the perturbed normal at a position of the picture: from -½ to ½ to the
+    /// right and up for flat cameras, angles and lengths of the formula for others (quirk: `camera_normal_position`).
+    pub(super) fn perturb_ray(&self, ray: Ray, position: DVec2) -> Ray {
+        let ctx =
+            TextureContext { waves: self.waves, ..TextureContext::without_surface(position.extend(0.0), self.noise) };
         Ray::new(ray.origin, self.program.perturb(&ctx, ray.dir).normalize_or(ray.dir))
     }
 }

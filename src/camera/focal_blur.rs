@@ -11,25 +11,25 @@ use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use std::sync::Arc;
 
-/// Settings of focal blur as written.
+/// Settings of a camera's focal blur as written.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FocalBlur {
     /// Four times the radius of the lens (quirk: `aperture_is_four_radii`); 0 for no blur.
     pub aperture: f64,
-    /// A point of the plane in focus.
+    /// A point of the plane in focus, in world space.
     pub focal_point: DVec3,
-    /// Minimum and maximum number of rays a pixel.
+    /// Minimum and maximum number of rays a pixel for focal blur.
     pub samples: [u32; 2],
     /// Probability, from 0 to 1, with which the variance of a pixel must be below `variance`.
     pub confidence: f64,
-    /// Variance of the mean of a pixel's rays at which no more rays are cast, in proportion to their share of the
-    /// maximum; 0 to cast all.
+    /// For focal blur, variance of the mean of a pixel's rays at which no more rays are cast, in proportion to their
+    /// share of the maximum; 0 to cast all.
     pub variance: f64,
 }
 
-/// Default variance (quirk: `focal_blur_defaults`; the manual says 1/128).
+/// Default variance of focal blur (quirk: `focal_blur_defaults`; the manual says 1/128).
 const USUAL_VARIANCE: f64 = 1e-4;
-/// Default minimum number of rays (quirk: `focal_blur_defaults`).
+/// Default minimum number of rays a pixel with focal blur (quirk: `focal_blur_defaults`).
 const USUAL_LEAST: u32 = 7;
 
 impl Default for FocalBlur {
@@ -38,7 +38,7 @@ impl Default for FocalBlur {
     }
 }
 
-/// Words of focal blur, and how each is read.
+/// Words of focal blur in a camera block, and how each is read.
 pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
     word(
         "aperture",
@@ -62,7 +62,7 @@ pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
     .sets(|s, r| set(&mut s.blur.variance, r.float().map(f64::abs))),
 ];
 
-/// Maximum number of rays a pixel.
+/// Maximum number of rays a pixel that a scene may ask for in focal blur.
 const MOST: f64 = 1e6;
 
 impl FocalBlur {
@@ -82,9 +82,9 @@ impl FocalBlur {
         Ok(())
     }
 
-    /// Lowers the settings; `None` without blur. `origin` and `ahead`, of length 1, are the camera's, in the same space
-    /// as the focal point.
-    pub(super) fn lens(&self, origin: DVec3, ahead: DVec3) -> Option<Lens> {
+    /// Lowers the settings of focal blur; `None` without blur. `origin` and `ahead`, of length 1, are the camera's, in
+    /// the same space as the focal point.
+    pub(super) fn lower_lens(&self, origin: DVec3, ahead: DVec3) -> Option<Lens> {
         let distance = (self.focal_point - origin).dot(ahead);
         if self.aperture == 0.0 || self.samples[1] == 0 || distance == 0.0 || !distance.is_finite() {
             return None;
@@ -96,57 +96,59 @@ impl FocalBlur {
             distance,
             samples: [least.min(most), most],
             variance: self.variance,
-            quantile: quantile(self.confidence),
+            quantile: normal_quantile(self.confidence),
             bokeh: None,
         })
     }
 }
 
-/// A lowered lens.
+/// Lowered lens of focal blur.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Lens {
-    /// Radius in world units.
+    /// Radius of the lens in world units.
     pub radius: f64,
-    /// Distance of the plane in focus.
+    /// Distance of the plane in focus from the lens, in world units.
     pub distance: f64,
-    /// Minimum and maximum number of rays a pixel.
+    /// Minimum and maximum number of rays a pixel through the lens.
     pub samples: [u32; 2],
-    /// Variance of the mean of a pixel that is acceptable; 0 to cast all rays.
+    /// Acceptable variance of the mean of a pixel's rays; 0 to cast all rays.
     pub variance: f64,
-    /// Quantile of the normal distribution for the required confidence.
+    /// Quantile of the normal distribution for the confidence that focal blur requires.
     pub quantile: f64,
-    /// Transmittance over a square of twice the radius; `None` for a disc.
+    /// Transmittance of the lens over a square of twice its radius; `None` for a disc.
     #[serde(skip)]
     pub bokeh: Option<Arc<Bokeh>>,
 }
 
 impl Lens {
-    /// True if `count` rays are enough, one channel of which has this sum of squares about its mean (quirk:
+    /// True if `ray_count` rays are enough, one channel of which has this sum of squares about its mean (quirk:
     /// `focal_blur_convergence`): the variance of the mean must be as small a part of the acceptable variance as the
     /// rays are of the maximum. The confidence is √(χ²/n), with χ² by Wilson and Hilferty (The distribution of
     /// chi-square, 1931).
-    pub fn suffices(&self, count: u32, squares: f64) -> bool {
-        let n = f64::from(count);
+    pub fn has_converged(&self, ray_count: u32, sum_of_squares: f64) -> bool {
+        let n = f64::from(ray_count);
         let k = 2.0 / (9.0 * n);
         let root = (1.0 - k - self.quantile * k.sqrt()).max(0.0);
         let sure = (root * root * root).sqrt();
-        self.variance > 0.0 && squares * f64::from(self.samples[1]) <= self.variance * sure * n * n * (n + 1.0)
+        self.variance > 0.0 && sum_of_squares * f64::from(self.samples[1]) <= self.variance * sure * n * n * (n + 1.0)
     }
 
-    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `place` is in [0, 1)²,
-    /// `axes` are the unit vectors right, up and ahead.
-    pub fn through(&self, ray: &Ray, place: DVec2, axes: &[DVec3; 3]) -> Ray {
+    /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `lens_sample` in [0, 1)²
+    /// selects the point, `axes` are the camera's unit vectors right, up and ahead.
+    pub fn ray_through_lens(&self, ray: &Ray, lens_sample: DVec2, axes: &[DVec3; 3]) -> Ray {
         let [right, up, ahead] = *axes;
         let focus = ray.at(self.distance / ray.dir.dot(ahead));
-        let at = self.bokeh.as_ref().map_or_else(|| on_disc(place), |bokeh| bokeh.place(place)) * self.radius;
+        let at =
+            self.bokeh.as_ref().map_or_else(|| square_to_disc(lens_sample), |bokeh| bokeh.sample_lens(lens_sample))
+                * self.radius;
         let origin = ray.origin + right * at.x + up * at.y;
         Ray::new(origin, (focus - origin).normalize_or(ray.dir))
     }
 }
 
 /// Maps the unit square to the unit disc; preserves areas and neighbours (Shirley and Chiu 1997).
-fn on_disc(place: DVec2) -> DVec2 {
-    let p = place * 2.0 - 1.0;
+fn square_to_disc(square: DVec2) -> DVec2 {
+    let p = square * 2.0 - 1.0;
     if p == DVec2::ZERO {
         return p;
     }
@@ -158,7 +160,7 @@ fn on_disc(place: DVec2) -> DVec2 {
 
 /// Quantile of the normal distribution: √2 times the inverse of erf, by Winitzki's formula (A handy approximation for
 /// the error function and its inverse, 2008; error 0.2 %).
-fn quantile(probability: f64) -> f64 {
+fn normal_quantile(probability: f64) -> f64 {
     const A: f64 = 0.147;
     let x = 2.0 * probability - 1.0;
     let log = fp::ln(1.0 - x * x);
@@ -178,7 +180,7 @@ mod tests {
         let mut second_moment = 0.0;
         for i in 0..10_000 {
             let place = DVec2::new(f64::from(i % 100) + 0.5, f64::from(i / 100) + 0.5) / 100.0;
-            let bent = lens.through(&ray, place, &axes);
+            let bent = lens.ray_through_lens(&ray, place, &axes);
             let t = (4.0 - bent.origin.z) / bent.dir.z;
             assert!(bent.at(t).distance(DVec3::new(3.0, 0.0, 4.0)) < 1e-12);
             second_moment += bent.origin.length_squared() / 10_000.0;
@@ -198,10 +200,10 @@ mod tests {
             samples: [0, 37],
             ..FocalBlur::default()
         };
-        let lens = blur.lens(DVec3::NEG_Z, DVec3::Z).unwrap();
+        let lens = blur.lower_lens(DVec3::NEG_Z, DVec3::Z).unwrap();
         let squares = |n: f64, white: f64| white * (n - white) / n;
-        assert!(lens.suffices(23, squares(23.0, 1.0)) && !lens.suffices(19, squares(19.0, 1.0)));
-        assert!(!lens.suffices(35, squares(35.0, 17.0)) && lens.suffices(7, 0.0));
+        assert!(lens.has_converged(23, squares(23.0, 1.0)) && !lens.has_converged(19, squares(19.0, 1.0)));
+        assert!(!lens.has_converged(35, squares(35.0, 17.0)) && lens.has_converged(7, 0.0));
         // Half of the rays are of one gray, half of another, for which POV-Ray's pixels have this mean number of rays
         // (tested at intervals, so durer casts a few more).
         for (most, confidence, variance, difference, seen) in [
@@ -213,18 +215,23 @@ mod tests {
             (200, 0.1, 0.01 / 16.0, 0.2, 54.7),
         ] {
             let blur = FocalBlur { confidence, variance, samples: [0, most], ..blur };
-            let lens = blur.lens(DVec3::NEG_Z, DVec3::Z).unwrap();
-            let needed = (1..=most).find(|n| lens.suffices(*n, f64::from(*n) * difference * difference / 4.0)).unwrap();
+            let lens = blur.lower_lens(DVec3::NEG_Z, DVec3::Z).unwrap();
+            let needed =
+                (1..=most).find(|n| lens.has_converged(*n, f64::from(*n) * difference * difference / 4.0)).unwrap();
             assert!((f64::from(needed) - seen).abs() < 0.05 * seen, "{most} {confidence}: {needed}, not {seen}");
         }
         // With 0 even a uniform pixel takes all rays (2000 rays a pixel: 0.78 s, and 0.01 s with 1/100000).
-        assert!(!Lens { variance: 0.0, ..lens }.suffices(7, 0.0));
+        assert!(!Lens { variance: 0.0, ..lens }.has_converged(7, 0.0));
     }
 
     #[test]
     fn quantiles_of_the_normal_distribution() {
         for (confidence, wanted) in [(0.9, 1.2816), (0.975, 1.9600), (0.5, 0.0), (0.1, -1.2816)] {
-            assert!((quantile(confidence) - wanted).abs() < 0.01, "{confidence} {}", quantile(confidence));
+            assert!(
+                (normal_quantile(confidence) - wanted).abs() < 0.01,
+                "{confidence} {}",
+                normal_quantile(confidence)
+            );
         }
     }
 }

@@ -9,12 +9,12 @@ use crate::source::Span;
 use crate::value::{Reader, Unsupported};
 use serde::Serialize;
 
-/// The camera as written.
+/// The lecture's camera as written in a scene: `eye`, `center`, `up` and angles of view.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LectureCamera {
-    /// Position of the eye.
+    /// Position of the camera's eye.
     pub eye: DVec3,
-    /// The point in the centre of the picture.
+    /// The point shown in the centre of the picture.
     pub center: DVec3,
     /// Direction that points up in the picture.
     pub up: DVec3,
@@ -22,9 +22,9 @@ pub struct LectureCamera {
     pub fov_x: Option<f64>,
     /// Vertical angle of view in degrees.
     pub fov_y: Option<f64>,
-    /// Transform of the whole camera.
+    /// Transform of the whole camera, applied last.
     pub transform: Transform,
-    /// Items that are read and not rendered yet.
+    /// Items of the camera block that are read and not rendered yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
@@ -44,7 +44,7 @@ impl Default for LectureCamera {
 }
 
 impl LectureCamera {
-    pub(super) fn check(&self, source: Span) -> Result<()> {
+    pub(super) fn check_camera(&self, source: Span) -> Result<()> {
         let bad = |message: &str| Diagnostic::err(codes::BAD_CAMERA, source, message);
         if self.eye == self.center {
             return bad("the camera's `eye` and `center` are the same point");
@@ -55,8 +55,8 @@ impl LectureCamera {
         Ok(())
     }
 
-    /// Lowers the camera: p(i, j) = eye + α·u + β·v − w.
-    pub fn eye(&self) -> LoweredCamera {
+    /// Lowers the lecture's camera: p(i, j) = eye + α·u + β·v − w.
+    pub fn lower(&self) -> LoweredCamera {
         let w = (self.eye - self.center).normalize();
         let u = self.up.cross(w).normalize();
         let v = w.cross(u);
@@ -66,13 +66,24 @@ impl LectureCamera {
             (x, y) => (x.map(half), y.map(half)),
         };
         let t = &self.transform;
-        let frame = Frame { origin: t.point(self.eye), direction: -t.vector(w), right: t.vector(u), up: t.vector(v) };
+        let frame = Frame {
+            origin: t.transform_point(self.eye),
+            direction: -t.transform_vector(w),
+            right: t.transform_vector(u),
+            up: t.transform_vector(v),
+        };
         LoweredCamera { frame, projection: Projection::Lecture { tan_x, tan_y }, lens: None, bumps: None }
     }
 }
 
-/// The window of a frame of unit vectors; a missing tangent follows from square pixels.
-pub(super) fn window(frame: &Frame, (tan_x, tan_y): (Option<f64>, Option<f64>), width: usize, height: usize) -> Window {
+/// Returns the window of a camera's frame of unit vectors at distance 1; the tangents are of half the angles of view,
+/// and a missing one follows from square pixels.
+pub(super) fn lecture_window(
+    frame: &Frame,
+    (tan_x, tan_y): (Option<f64>, Option<f64>),
+    width: usize,
+    height: usize,
+) -> Window {
     let aspect = width as f64 / height as f64;
     let tan_x = tan_x.or(tan_y.map(|y| y * aspect)).unwrap_or(aspect);
     let tan_y = tan_y.unwrap_or(tan_x / aspect);
@@ -85,7 +96,7 @@ pub(super) fn window(frame: &Frame, (tan_x, tan_y): (Option<f64>, Option<f64>), 
     }
 }
 
-/// Reads an angle of view.
+/// Reads a camera's angle of view in degrees.
 pub(super) fn read_field_of_view(word: &str, r: &mut dyn Reader) -> Result<Option<f64>> {
     let (at, angle) = (r.span(), r.float()?);
     if angle > 0.0 && angle < 180.0 {
@@ -119,8 +130,8 @@ mod tests {
             fov_y: Some(40.0),
             ..LectureCamera::default()
         };
-        let view = camera.eye().view(64, 48);
-        let window = view.window().unwrap();
+        let view = camera.lower().view(64, 48);
+        let window = view.flat_window().unwrap();
         for (i, j) in [(0, 0), (63, 47), (10, 30)] {
             let ray = window.ray(i as f64 + 0.5, j as f64 + 0.5);
             assert!(ray.dir.distance(by_the_lecture(&camera, i, j, 64.0, 48.0)) < 1e-14);
@@ -130,8 +141,8 @@ mod tests {
     #[test]
     fn one_angle_gives_square_pixels() {
         let camera = LectureCamera { fov_y: Some(50.0), ..LectureCamera::default() };
-        let view = camera.eye().view(300, 100);
-        let window = view.window().unwrap();
+        let view = camera.lower().view(300, 100);
+        let window = view.flat_window().unwrap();
         assert!((window.across.length() - window.down.length()).abs() < 1e-15);
     }
 }

@@ -6,22 +6,22 @@ use crate::math::{DVec2, DVec3, Ray};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A lowered camera.
+/// Lowered camera, from which the rays of a picture are generated.
 #[derive(Clone, Debug, Serialize)]
 pub struct LoweredCamera {
-    /// Position and orientation.
+    /// Position and orientation of the lowered camera.
     pub frame: Frame,
-    /// Projection.
+    /// Projection of the lowered camera.
     pub projection: Projection,
     /// Lens of focal blur; `None` for a pinhole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lens: Option<Lens>,
-    /// Perturbation of rays by a `normal`.
+    /// Perturbation of camera rays by a `normal`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bumps: Option<Bumps>,
 }
 
-/// The rays of a picture of one size.
+/// Generator of camera rays for a picture of a given size.
 #[derive(Clone, Debug)]
 pub struct View {
     rays: Rays,
@@ -32,37 +32,37 @@ pub struct View {
 
 #[derive(Clone, Debug)]
 enum Rays {
-    /// Rays through a flat window.
+    /// Camera rays through a flat window.
     Window(Window),
-    /// Rays of a curved projection, or with bumps.
+    /// Camera rays of a curved projection.
     Bent(Box<Bent>),
-    /// Rays from the faces of meshes.
+    /// Camera rays from the faces of meshes.
     Faces(Arc<MeshRays>),
 }
 
-/// A projection that is not a flat window.
+/// Camera projection that is not a flat window: curved or orthographic.
 #[derive(Clone, Debug)]
 struct Bent {
     projection: Projection,
     origin: DVec3,
-    /// Unit vectors right, up and ahead.
+    /// Unit vectors right, up and ahead of the camera.
     axes: [DVec3; 3],
-    /// Lengths: width and height of the window, length of the direction.
+    /// Width and height of the camera's window, and length of its direction.
     lengths: DVec3,
 }
 
 impl LoweredCamera {
-    /// The rays of a picture of this size in pixels.
+    /// Returns the generator of camera rays for a picture of this size in pixels.
     pub fn view(&self, width: usize, height: usize) -> View {
         let frame = self.frame;
         let rays = match self.projection.clone() {
             Projection::Mesh(mesh) => Rays::Faces(mesh),
-            Projection::Perspective => Rays::Window(Window::of(&frame, width, height)),
+            Projection::Perspective => Rays::Window(Window::for_picture(&frame, width, height)),
             Projection::Lecture { tan_x, tan_y } => {
-                Rays::Window(super::lecture::window(&frame, (tan_x, tan_y), width, height))
+                Rays::Window(super::lecture::lecture_window(&frame, (tan_x, tan_y), width, height))
             }
             projection => {
-                let (axes, lengths) = frame.axes();
+                let (axes, lengths) = frame.unit_axes_and_lengths();
                 Rays::Bent(Box::new(Bent { projection, origin: frame.origin, axes, lengths }))
             }
         };
@@ -71,24 +71,25 @@ impl LoweredCamera {
 }
 
 impl View {
-    /// Maximum number of rays through a point of the picture.
-    pub fn count(&self) -> usize {
-        if let Rays::Faces(mesh) = &self.rays { mesh.count() } else { 1 }
+    /// Maximum number of camera rays through a point of the picture; more than 1 only for a mesh camera.
+    pub fn rays_per_point(&self) -> usize {
+        if let Rays::Faces(mesh) = &self.rays { mesh.rays_per_point() } else { 1 }
     }
 
-    /// Maximum distance of a hit, in world units.
-    pub fn reach(&self) -> f64 {
-        if let Rays::Faces(mesh) = &self.rays { mesh.reach() } else { f64::INFINITY }
+    /// Maximum distance of a hit along a camera ray, in world units.
+    pub fn max_distance(&self) -> f64 {
+        if let Rays::Faces(mesh) = &self.rays { mesh.max_distance() } else { f64::INFINITY }
     }
 
-    /// Returns the unit ray through a point of the picture, in pixels from the top left corner; `None` where the camera
-    /// has no ray.
+    /// Returns the unit camera ray through a point of the picture, in pixels from the top left corner; `None` where the
+    /// camera has no ray.
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
-        self.ray_of(x, y, 0)
+        self.nth_ray(x, y, 0)
     }
 
-    /// Returns ray `number` of several.
-    pub fn ray_of(&self, x: f64, y: f64, number: usize) -> Option<Ray> {
+    /// Returns camera ray `n` of the several through a point of the picture, in pixels; only a mesh camera has
+    /// more than one.
+    pub fn nth_ray(&self, x: f64, y: f64, n: usize) -> Option<Ray> {
         // -½ to ½, to the right and up
         let at = || DVec2::new(x / self.size.x - 0.5, 0.5 - y / self.size.y);
         let (ray, place) = match &self.rays {
@@ -96,23 +97,23 @@ impl View {
             Rays::Window(window) => (window.ray(x, y), at()),
             Rays::Bent(bent) => bent.projection.ray(at(), bent.origin, bent.axes, bent.lengths)?,
             // quirk: mesh_camera_bumps
-            Rays::Faces(mesh) => (mesh.ray(x, y, number, self.size)?, DVec2::ZERO),
+            Rays::Faces(mesh) => (mesh.ray(x, y, n, self.size)?, DVec2::ZERO),
         };
-        Some(self.bumps.as_ref().map_or(ray, |bumps| bumps.turn(ray, place)))
+        Some(self.bumps.as_ref().map_or(ray, |bumps| bumps.perturb_ray(ray, place)))
     }
 
-    /// Common origin of all rays; `None` if each ray has its own.
-    pub fn origin(&self) -> Option<DVec3> {
+    /// Common origin of all camera rays; `None` if each ray has its own.
+    pub fn common_origin(&self) -> Option<DVec3> {
         match &self.rays {
             Rays::Window(window) => Some(window.origin),
             Rays::Faces(_) => None,
-            Rays::Bent(bent) if bent.projection.moves_eye() => None,
+            Rays::Bent(bent) if bent.projection.has_origin_per_ray() => None,
             Rays::Bent(bent) => Some(bent.origin),
         }
     }
 
-    /// The flat window of a camera without bumps.
-    pub fn window(&self) -> Option<&Window> {
+    /// The flat window of a camera whose rays are not perturbed; `None` for any other camera.
+    pub fn flat_window(&self) -> Option<&Window> {
         match &self.rays {
             Rays::Window(window) if self.bumps.is_none() => Some(window),
             _ => None,

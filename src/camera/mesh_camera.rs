@@ -11,63 +11,63 @@ use serde::Serialize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-/// The camera as written.
+/// Mesh camera as written: rays start from the faces of meshes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MeshCamera {
-    /// Number of rays a pixel, one for each mesh.
+    /// Number of rays a pixel of a mesh camera, one for each mesh.
     pub rays: usize,
-    /// Assignment of faces to pixels.
+    /// Assignment of the mesh camera's faces to pixels.
     pub distribution: Distribution,
-    /// Maximum distance of a hit.
+    /// Maximum distance of a hit along a mesh camera's ray.
     pub reach: f64,
-    /// True to interpolate the normals of corners.
+    /// True if the mesh camera interpolates the normals of corners.
     pub smooth: bool,
-    /// The meshes, in the order written.
+    /// The mesh camera's meshes, in the order written.
     #[serde(skip)]
     pub meshes: Vec<PlacedMesh>,
 }
 
-/// The faces of a mesh with its transform.
+/// The faces of a mesh camera's mesh, with the mesh's transform.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedMesh {
-    /// Faces in object space, in the order written. Copies of one mesh share them.
+    /// Faces of the mesh in object space, in the order written. Copies of one mesh share them.
     pub faces: Arc<[Face]>,
-    /// World from object.
+    /// Transform of the mesh from object to world space.
     pub transform: Transform,
 }
 
 impl PlacedMesh {
-    /// Centre of a face and its normal, of any length.
-    fn middle(&self, index: usize) -> Option<(DVec3, DVec3)> {
+    /// Returns the centre of the mesh's face and its normal, of any length; `None` if the mesh has no such face.
+    fn face_center_and_normal(&self, index: usize) -> Option<(DVec3, DVec3)> {
         let Face { corners: [a, b, c], normal, .. } = self.faces.get(index)?;
-        Some((self.transform.point((*a + *b + *c) / 3.0), self.transform.normal(*normal)))
+        Some((self.transform.transform_point((*a + *b + *c) / 3.0), self.transform.transform_normal(*normal)))
     }
 
-    /// A face in world space.
-    fn face(&self, index: usize) -> Face {
-        self.faces[index].clone().moved(&self.transform)
+    /// Returns a face of the mesh in world space.
+    fn world_face(&self, index: usize) -> Face {
+        self.faces[index].clone().transformed(&self.transform)
     }
 }
 
-/// Assignment of faces to pixels; the numbers are those of the manual.
+/// Assignment of a mesh camera's faces to pixels; the numbers are those of POV-Ray's manual.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Distribution {
-    /// 0: each mesh has a face for each pixel, row by row.
+    /// Mesh camera, distribution 0: each mesh has a face for each pixel, row by row.
     Layers,
-    /// 1: all meshes together have a face for each pixel.
+    /// Mesh camera, distribution 1: all meshes together have a face for each pixel.
     Row,
-    /// 2: each mesh covers a stripe of the picture.
+    /// Mesh camera, distribution 2: each mesh covers a stripe of the picture.
     Stripes,
-    /// 3: a pixel belongs to the face that contains its uv.
+    /// Mesh camera, distribution 3: a pixel belongs to the face that contains its uv coordinates.
     Uv,
 }
 
-/// Reads a mesh between the braces of its block; objects are above this layer.
+/// Function that reads a mesh between the braces of its block; a parameter, since objects are in a layer above cameras.
 pub type ReadMesh<'a> = &'a mut dyn FnMut(&mut dyn Reader) -> Result<PlacedMesh>;
 
 impl PovrayCamera {
-    /// Reads what is between the braces.
+    /// Reads the items of a `mesh_camera` block.
     pub(super) fn read_mesh_camera(&mut self, r: &mut dyn Reader, read_mesh: ReadMesh) -> Result<()> {
         let mut camera = MeshCamera::read_numbers(r)?;
         loop {
@@ -75,7 +75,7 @@ impl PovrayCamera {
                 Next::End => break,
                 Next::Block("mesh" | "mesh2") => camera.meshes.push(read_mesh(r)?),
                 Next::Word("smooth") if camera.distribution == Distribution::Uv => {
-                    r.take()?;
+                    r.take_token()?;
                     camera.smooth = r.flag()?;
                 }
                 _ => return Err(r.unknown_word("mesh_camera", &["mesh", "mesh2", "smooth"]).into()),
@@ -123,50 +123,52 @@ impl MeshCamera {
     }
 }
 
-/// A lowered mesh camera.
+/// Lowered mesh camera.
 #[derive(Debug)]
 pub struct MeshRays {
     camera: Arc<MeshCamera>,
-    /// Distance between the origin of a ray and its face.
+    /// Distance between the origin of a mesh camera's ray and its face.
     offset: f64,
-    /// True if rays point against the normals.
+    /// True if the mesh camera's rays point against the normals.
     reversed: bool,
-    /// Hierarchy over the faces of the first mesh in uv space, and their numbers in its order.
+    /// For distribution 3 of a mesh camera: hierarchy over the faces of the first mesh in uv space, and the faces'
+    /// numbers in its order.
     by_uv: (Bvh, Vec<u32>),
 }
 
 impl MeshRays {
-    /// Lowers the camera. Of location and direction only z counts: the distance before the face, and the sign of the
-    /// direction (quirk: `mesh_camera_location`).
+    /// Lowers a mesh camera. Of location and direction only z counts: the offset of the ray's origin from the face, and
+    /// the sign of the direction (quirk: `mesh_camera_location`).
     pub(super) fn new(camera: &Arc<MeshCamera>, location: DVec3, direction: DVec3) -> Self {
         let boxes = match camera.distribution {
-            Distribution::Uv => camera.meshes[0].faces.iter().map(uv_box).collect(),
+            Distribution::Uv => camera.meshes[0].faces.iter().map(uv_bounds).collect(),
             _ => vec![],
         };
-        let kept: Vec<u32> = (0..boxes.len() as u32).filter(|i| bvh::fits(&boxes[*i as usize])).collect();
+        let kept: Vec<u32> =
+            (0..boxes.len() as u32).filter(|i| bvh::fits_single_precision(&boxes[*i as usize])).collect();
         let (bvh, order) = Bvh::build(kept.iter().map(|i| boxes[*i as usize]));
         let order = order.into_iter().map(|i| kept[i as usize]).collect();
         Self { camera: camera.clone(), offset: location.z, reversed: direction.z < -1e-10, by_uv: (bvh, order) }
     }
 
-    /// Maximum number of rays through a point of the picture.
-    pub fn count(&self) -> usize {
+    /// Maximum number of rays of the mesh camera through a point of the picture.
+    pub fn rays_per_point(&self) -> usize {
         if self.camera.distribution == Distribution::Layers { self.camera.rays } else { 1 }
     }
 
-    /// Maximum distance of a hit.
-    pub fn reach(&self) -> f64 {
+    /// Maximum distance of a hit along a ray of the mesh camera.
+    pub fn max_distance(&self) -> f64 {
         self.camera.reach
     }
 
-    /// Returns ray `number` through a point of the picture, in pixels; `None` without a face. (quirk:
-    /// `mesh_camera_first_row`)
+    /// Returns the mesh camera's ray `number` through a point of the picture, in pixels; `None` without a face (quirk:
+    /// `mesh_camera_first_row`).
     pub(super) fn ray(&self, x: f64, y: f64, number: usize, size: DVec2) -> Option<Ray> {
         let (x, y) = (x.min(size.x - 1.0), y.max(1.0) - 1.0);
         let meshes = &self.camera.meshes;
         let index = x as usize + y as usize * size.x as usize;
         match self.camera.distribution {
-            Distribution::Layers => self.of_face(meshes.get(number)?, index),
+            Distribution::Layers => self.ray_from_face(meshes.get(number)?, index),
             Distribution::Row => {
                 // Number of faces of all meshes up to this one.
                 let mut end = 0;
@@ -174,52 +176,52 @@ impl MeshRays {
                     end += mesh.faces.len();
                     index < end
                 })?;
-                self.of_face(mesh, index + mesh.faces.len() - end)
+                self.ray_from_face(mesh, index + mesh.faces.len() - end)
             }
             Distribution::Stripes => {
                 let stripe = (x / size.x * meshes.len() as f64) as usize;
                 let width = size.x as usize / meshes.len();
-                self.of_face(meshes.get(stripe)?, x as usize + y as usize * width)
+                self.ray_from_face(meshes.get(stripe)?, x as usize + y as usize * width)
             }
-            Distribution::Uv => self.by_uv(DVec2::new((x - 0.5) / size.x, 1.0 - (y + 0.5) / size.y)),
+            Distribution::Uv => self.ray_at_uv(DVec2::new((x - 0.5) / size.x, 1.0 - (y + 0.5) / size.y)),
         }
     }
 
-    fn of_face(&self, mesh: &PlacedMesh, index: usize) -> Option<Ray> {
-        let (middle, normal) = mesh.middle(index)?;
-        self.from(middle, normal)
+    fn ray_from_face(&self, mesh: &PlacedMesh, index: usize) -> Option<Ray> {
+        let (middle, normal) = mesh.face_center_and_normal(index)?;
+        self.ray_along_normal(middle, normal)
     }
 
-    /// Returns the ray from the first face that contains this uv.
-    fn by_uv(&self, uv: DVec2) -> Option<Ray> {
+    /// Returns the ray from the first face of the mesh that contains this uv.
+    fn ray_at_uv(&self, uv: DVec2) -> Option<Ray> {
         let (bvh, order) = &self.by_uv;
         let mut first: Option<(u32, DVec3)> = None;
         bvh.traverse(&Ray::new(uv.extend(-1.0), DVec3::Z), Range::ALL, |at, max| {
             let number = order[at];
             if first.is_none_or(|(best, _)| number < best) {
-                let inside = within(&self.camera.meshes[0].faces[number as usize], uv);
+                let inside = barycentric_of_uv(&self.camera.meshes[0].faces[number as usize], uv);
                 first = inside.map(|weights| (number, weights)).or(first);
             }
             ControlFlow::Continue(max)
         });
         let (number, weights) = first?;
-        let face = self.camera.meshes[0].face(number as usize);
+        let face = self.camera.meshes[0].world_face(number as usize);
         let between = |[a, b, c]: [DVec3; 3]| a * weights.x + b * weights.y + c * weights.z;
         let normal = match face.normals {
             Some(normals) if self.camera.smooth => between(normals),
             _ => face.normal,
         };
-        self.from(between(face.corners), normal)
+        self.ray_along_normal(between(face.corners), normal)
     }
 
-    fn from(&self, place: DVec3, normal: DVec3) -> Option<Ray> {
+    fn ray_along_normal(&self, position: DVec3, normal: DVec3) -> Option<Ray> {
         let normal = normal.try_normalize()?;
         let dir = if self.reversed { -normal } else { normal };
-        Some(Ray::new(place + dir * self.offset, dir))
+        Some(Ray::new(position + dir * self.offset, dir))
     }
 }
 
-fn uv_box(face: &Face) -> Aabb {
+fn uv_bounds(face: &Face) -> Aabb {
     match face.uv {
         Some(uv) => Aabb::from_points(uv.map(|uv| uv.extend(0.0))),
         None => Aabb::EMPTY,
@@ -227,7 +229,7 @@ fn uv_box(face: &Face) -> Aabb {
 }
 
 /// Barycentric weights of a uv in a face; `None` outside.
-fn within(face: &Face, uv: DVec2) -> Option<DVec3> {
+fn barycentric_of_uv(face: &Face, uv: DVec2) -> Option<DVec3> {
     let [a, b, c] = face.uv?;
     let area = (b - a).perp_dot(c - a);
     let weights = DVec3::new((b - uv).perp_dot(c - uv), (c - uv).perp_dot(a - uv), (a - uv).perp_dot(b - uv)) / area;

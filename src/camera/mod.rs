@@ -35,11 +35,11 @@ use serde::Serialize;
 use std::sync::Arc;
 use words::{KIND_ROWS, LECTURE, LECTURE_ROWS, POVRAY, POVRAY_ROWS};
 
-/// A camera as written.
+/// Camera as written in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Camera {
-    /// POV-Ray's camera.
+    /// Camera of POV-Ray's language.
     Povray(PovrayCamera),
     /// The lecture's camera: `eye center up fov_x fov_y`.
     Lecture(LectureCamera),
@@ -58,7 +58,8 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Reads what is between the braces; `source` is the block's name, and `mesh` reads the meshes of a mesh camera.
+    /// Reads the items of a `camera` block; `source` is the span of its word, and `mesh` reads the meshes of a mesh
+    /// camera.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -91,38 +92,38 @@ impl Camera {
                 next if read_row(KIND_ROWS, &mut povray, next, r)? => {}
                 next if read_row(BLUR_ROWS, &mut povray, next, r)? => {}
                 Next::Block("mesh_camera") => {
-                    r.take()?;
+                    r.take_token()?;
                     povray.read_mesh_camera(r, mesh)?;
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Block("bokeh") => {
-                    r.take()?;
+                    r.take_token()?;
                     povray.bokeh = read_bokeh(r, defaults)?;
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Thing("normal") => povray.normal = r.thing::<Normal>()?,
                 Next::Block("normal") => {
-                    r.take()?;
+                    r.take_token()?;
                     povray.normal = Some(Arc::new(Normal::read(r, defaults.layers[0].normal.as_deref(), defaults)?));
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Word(word) | Next::Block(word) if POVRAY.is_unsupported(word) => {
                     unsupported.push(r.read_unsupported(word)?);
                 }
-                _ => return Err(r.unknown_word("camera", &words::names()).into()),
+                _ => return Err(r.unknown_word("camera", &words::camera_words()).into()),
             }
         }
         match lecture {
             Some(mut camera) => {
                 camera.transform = transform;
                 camera.unsupported = unsupported;
-                camera.check(source)?;
+                camera.check_camera(source)?;
                 Ok(Camera::Lecture(camera))
             }
             None => {
                 povray.transform = povray.transform.then(&transform);
                 povray.unsupported.extend(unsupported);
-                povray.check(source)?;
+                povray.check_camera(source)?;
                 Ok(Camera::Povray(povray))
             }
         }
@@ -135,26 +136,26 @@ impl Camera {
                 Camera::Lecture(camera) => camera.transform = camera.transform.then(&step),
             }
         }
-        if r.next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", &words::names()).into()) }
+        if r.next()? == Next::End { Ok(()) } else { Err(r.unknown_word("camera", &words::camera_words()).into()) }
     }
 
-    /// Lowers the camera; `noise` and `waves` are the scene's settings, for a `normal`.
-    pub fn eye(&self, noise: NoiseGenerator, waves: usize) -> LoweredCamera {
+    /// Lowers the camera; `noise` and `waves` are the scene's settings for patterns, used by the camera's `normal`.
+    pub fn lower(&self, noise: NoiseGenerator, waves: usize) -> LoweredCamera {
         match self {
             Camera::Povray(camera) => {
                 let bumps = camera.normal.as_deref().map(|normal| Bumps::new(normal, noise, waves));
-                let mut eye = camera.eye();
+                let mut eye = camera.lower();
                 if let (Some(lens), Some(pigment)) = (&mut eye.lens, camera.bokeh.as_deref()) {
                     lens.bokeh = Some(Arc::new(Bokeh::new(pigment, noise, waves)));
                 }
                 LoweredCamera { bumps, ..eye }
             }
-            Camera::Lecture(camera) => camera.eye(),
+            Camera::Lecture(camera) => camera.lower(),
         }
     }
 }
 
-/// Reads `bokeh { }`: pigments, of which the last counts.
+/// Reads a camera's `bokeh { }` block and returns the last of its pigments.
 fn read_bokeh(r: &mut dyn Reader, defaults: &Texture) -> Result<Option<Arc<Pigment>>> {
     let mut pigment = None;
     loop {
@@ -162,9 +163,9 @@ fn read_bokeh(r: &mut dyn Reader, defaults: &Texture) -> Result<Option<Arc<Pigme
             Next::End => return Ok(pigment),
             Next::Thing("pigment") => pigment = r.thing::<Pigment>()?,
             Next::Block("pigment") => {
-                r.take()?;
+                r.take_token()?;
                 pigment = Some(Arc::new(Pigment::read(r, &defaults.layers[0].pigment, defaults)?));
-                r.leave()?;
+                r.leave_block()?;
             }
             _ => return Err(r.unknown_word("bokeh", &["pigment"]).into()),
         }

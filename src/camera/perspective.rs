@@ -4,23 +4,23 @@ use super::Frame;
 use crate::math::{DVec3, Ray};
 use serde::Serialize;
 
-/// Rays through a flat window: from `origin` in the direction corner + x·across + y·down, with x and y in pixels from
-/// the top left corner of the picture. In world space, not normalised.
+/// Camera rays through a flat window: from `origin` in the direction corner + x·across + y·down, with x and y in pixels
+/// from the top left corner of the picture. In world space, not normalised.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Window {
-    /// Position of the eye.
+    /// Position of the camera's eye.
     pub origin: DVec3,
-    /// Direction to the top left corner.
+    /// Direction from the eye to the top left corner of the window.
     pub corner: DVec3,
-    /// One pixel to the right.
+    /// Step of the ray's direction for one pixel to the right.
     pub across: DVec3,
-    /// One pixel down.
+    /// Step of the ray's direction for one pixel down.
     pub down: DVec3,
 }
 
 impl Window {
-    /// The window of a frame for a picture of this size in pixels.
-    pub(super) fn of(frame: &Frame, width: usize, height: usize) -> Self {
+    /// Returns the window of a camera's frame for a picture of this size in pixels.
+    pub(super) fn for_picture(frame: &Frame, width: usize, height: usize) -> Self {
         Self {
             origin: frame.origin,
             corner: frame.direction - frame.right * 0.5 + frame.up * 0.5,
@@ -29,7 +29,7 @@ impl Window {
         }
     }
 
-    /// Returns the unit ray through a point of the picture; the centre of pixel (i, j) is (i + ½, j + ½).
+    /// Returns the unit camera ray through a point of the picture; the centre of pixel (i, j) is (i + ½, j + ½).
     pub fn ray(&self, x: f64, y: f64) -> Ray {
         let dir = self.corner + self.across * x + self.down * y;
         Ray::new(self.origin, dir.normalize())

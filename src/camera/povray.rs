@@ -11,45 +11,45 @@ use crate::value::{Reader, Unsupported};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// The camera as written.
+/// Camera of POV-Ray's language, as written in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PovrayCamera {
-    /// Kind of projection.
+    /// Projection of the camera.
     pub kind: Kind,
-    /// Position of the eye.
+    /// Position of the camera's eye.
     pub location: DVec3,
-    /// From the eye to the centre of the window.
+    /// Vector from the camera's eye to the centre of its window.
     pub direction: DVec3,
-    /// Horizontal side of the window.
+    /// Horizontal side of the camera's window.
     pub right: DVec3,
-    /// Vertical side of the window.
+    /// Vertical side of the camera's window.
     pub up: DVec3,
     /// Direction that `look_at` keeps upright.
     pub sky: DVec3,
-    /// The point in the centre of the picture.
+    /// The point shown in the centre of the picture.
     pub look_at: Option<DVec3>,
     /// Horizontal angle of view in degrees.
     pub angle: Option<f64>,
-    /// Vertical angle of view in degrees, for the spherical camera.
+    /// Vertical angle of view of a spherical camera, in degrees.
     pub vertical_angle: Option<f64>,
     /// True if `right` or `up` is stated, which fixes the window of an orthographic camera.
     pub sized: bool,
-    /// Text of the angle.
+    /// Span of the camera's angle of view.
     pub angle_span: Span,
-    /// Focal blur.
+    /// Settings of the camera's focal blur.
     pub blur: FocalBlur,
-    /// Meshes of a mesh camera.
+    /// Meshes and settings of a mesh camera; `None` for other cameras.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<Arc<MeshCamera>>,
-    /// Perturbation of rays.
+    /// Perturbation of camera rays by a `normal`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Arc<Normal>>,
-    /// Transmittance of the lens; `None` for a disc.
+    /// Pigment for the transmittance of a square lens, from `bokeh`; `None` for a disc.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bokeh: Option<Arc<Pigment>>,
-    /// Transform of the whole camera.
+    /// Transform of the whole camera, applied last.
     pub transform: Transform,
-    /// Items that are read and not rendered yet.
+    /// Items of the camera block that are read and not rendered yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
@@ -79,7 +79,7 @@ impl Default for PovrayCamera {
     }
 }
 
-/// Kind of projection, by its word.
+/// Projection of POV-Ray's camera, by its word.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 #[allow(missing_docs)]
@@ -95,11 +95,11 @@ pub enum Kind {
     Mesh,
 }
 
-/// Default angle of curved projections, in degrees (quirk: `camera_default_angle`).
+/// Default angle of view of curved projections, in degrees (quirk: `camera_default_angle`).
 const USUAL_ANGLE: f64 = 90.0;
 
 impl PovrayCamera {
-    /// `angle horizontal [vertical]`
+    /// Reads a camera's angles of view after the word: `angle horizontal [vertical]`.
     pub(super) fn read_angle(&mut self, r: &mut dyn Reader) -> Result<()> {
         self.angle_span = r.span();
         let angle = r.float()?;
@@ -108,8 +108,8 @@ impl PovrayCamera {
         Ok(())
     }
 
-    /// `cylinder N`
-    pub(super) fn read_cylinder(&mut self, r: &mut dyn Reader) -> Result<()> {
+    /// Reads the N of `cylinder N`, the type of a cylindrical camera, from 1 to 4.
+    pub(super) fn read_cylinder_type(&mut self, r: &mut dyn Reader) -> Result<()> {
         let (at, number) = (r.span(), r.float()?);
         if !(1.0..5.0).contains(&number) {
             let message = format!("a `cylinder` camera has a type from 1 to 4, found {number}");
@@ -120,12 +120,12 @@ impl PovrayCamera {
         Ok(())
     }
 
-    /// True for a flat window.
+    /// True if the camera projects through a flat window from one point.
     pub fn is_perspective(&self) -> bool {
         self.kind == Kind::Perspective
     }
 
-    pub(super) fn check(&self, source: Span) -> Result<()> {
+    pub(super) fn check_camera(&self, source: Span) -> Result<()> {
         let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
         if let Some(angle) = self.angle.filter(|a| flat && !(*a > 0.0 && *a < 180.0)) {
             let message = format!("a perspective camera's `angle` lies between 0 and 180 degrees, this is {angle}");
@@ -152,8 +152,8 @@ impl PovrayCamera {
         Ok(())
     }
 
-    /// Lowers the camera.
-    pub fn eye(&self) -> LoweredCamera {
+    /// Lowers POV-Ray's camera.
+    pub fn lower(&self) -> LoweredCamera {
         let (mut direction, mut right, mut up) = (self.direction, self.right, self.up);
         let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
         if let Some(angle) = self.angle.filter(|_| flat) {
@@ -166,13 +166,13 @@ impl PovrayCamera {
             (right, up) = (right * scale, up * scale);
         }
         if let Some(target) = self.look_at {
-            (direction, right, up) = self.turned(target, direction, right, up);
+            (direction, right, up) = self.turn_towards(target, direction, right, up);
         }
         let t = &self.transform;
-        let (direction, right, up) = (t.vector(direction), t.vector(right), t.vector(up));
-        let frame = Frame { origin: t.point(self.location), direction, right, up };
-        let blur = FocalBlur { focal_point: t.point(self.blur.focal_point), ..self.blur };
-        let lens = blur.lens(frame.origin, direction.normalize_or_zero());
+        let (direction, right, up) = (t.transform_vector(direction), t.transform_vector(right), t.transform_vector(up));
+        let frame = Frame { origin: t.transform_point(self.location), direction, right, up };
+        let blur = FocalBlur { focal_point: t.transform_point(self.blur.focal_point), ..self.blur };
+        let lens = blur.lower_lens(frame.origin, direction.normalize_or_zero());
         LoweredCamera { frame, projection: self.projection(&frame), lens, bumps: None }
     }
 
@@ -197,8 +197,8 @@ impl PovrayCamera {
         }
     }
 
-    /// Turns direction, right and up towards `target`; keeps lengths and handedness.
-    fn turned(&self, target: DVec3, direction: DVec3, right: DVec3, up: DVec3) -> (DVec3, DVec3, DVec3) {
+    /// Turns a camera's direction, right and up towards `target`; keeps lengths and handedness.
+    fn turn_towards(&self, target: DVec3, direction: DVec3, right: DVec3, up: DVec3) -> (DVec3, DVec3, DVec3) {
         // quirk: camera_without_handedness
         let left_handed = up.cross(direction).dot(right) <= 0.0;
         let ahead = (target - self.location).normalize();
@@ -217,7 +217,7 @@ mod tests {
     use crate::camera::Window;
 
     fn window(camera: &PovrayCamera, width: usize, height: usize) -> Window {
-        *camera.eye().view(width, height).window().unwrap()
+        *camera.lower().view(width, height).flat_window().unwrap()
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::value::ValueKind::{Block, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Spec, WordSpec};
 
-/// Words of [`POVRAY`], and how each is read.
+/// Words of POV-Ray's camera block, and how each is read.
 pub(super) const POVRAY_ROWS: &[Row<PovrayCamera>] = &[
     word("location", Vector, "<0, 0, 0>", "the eye").sets(|s, r| set(&mut s.location, r.vector())),
     word("direction", Vector, "<0, 0, 1>", "from the eye to the middle of the picture; its length zooms")
@@ -33,7 +33,7 @@ pub(super) const POVRAY_ROWS: &[Row<PovrayCamera>] = &[
     .sets(PovrayCamera::read_angle),
 ];
 
-/// Words of projections, and how each is read.
+/// Words of camera projections, and how each is read.
 pub(super) const KIND_ROWS: &[Row<PovrayCamera>] = &[
     word("perspective", Nothing, "", "rays from one point through a flat window: this kind of camera it is anyway")
         .sets(|s, _| set(&mut s.kind, Ok(Kind::Perspective))),
@@ -53,15 +53,15 @@ pub(super) const KIND_ROWS: &[Row<PovrayCamera>] = &[
         "",
         "on a cylinder, upright (1, 3) or lying (2, 4); with types 3 and 4 the eye moves along it",
     )
-    .sets(PovrayCamera::read_cylinder),
+    .sets(PovrayCamera::read_cylinder_type),
     word("spherical", Nothing, "", "longitude and latitude; `angle` takes two numbers, 360 and 180 if none is said")
         .sets(|s, _| set(&mut s.kind, Ok(Kind::Spherical))),
 ];
 
-/// Words of projections, for the manual.
+/// Words of camera projections, for the manual.
 pub const KINDS: &[WordSpec] = specs!(KIND_ROWS);
 
-/// Words with blocks: mesh camera and perturbation.
+/// Words of the camera block that have blocks of their own: mesh camera, `normal` and `bokeh`.
 const BLOCKS: &[WordSpec] = &[
     word(
         "mesh_camera",
@@ -86,7 +86,7 @@ const BLOCKS: &[WordSpec] = &[
 /// Words of focal blur, for the manual.
 pub const BLUR: &[WordSpec] = specs!(BLUR_ROWS);
 
-/// POV-Ray's camera.
+/// Description of POV-Ray's camera block.
 pub const POVRAY: Spec = Spec {
     name: "camera",
     summary: "where the picture is taken from; x to the right, y up, z away from you",
@@ -98,7 +98,7 @@ pub const POVRAY: Spec = Spec {
     ..Spec::EMPTY
 };
 
-/// Words of [`LECTURE`], and how each is read.
+/// Words of the lecture's camera, and how each is read.
 pub(super) const LECTURE_ROWS: &[Row<LectureCamera>] = &[
     word("eye", Vector, "<0, 0, 0>", "where it is").sets(|s, r| set(&mut s.eye, r.vector())),
     word("center", Vector, "<0, 0, -1>", "the point in the middle of the picture")
@@ -110,7 +110,7 @@ pub(super) const LECTURE_ROWS: &[Row<LectureCamera>] = &[
         .sets(|s, r| set(&mut s.fov_y, read_field_of_view("fov_y", r))),
 ];
 
-/// The lecture's camera, an addition of durer; right-handed.
+/// Description of the lecture's camera, an addition of durer; right-handed.
 pub const LECTURE: Spec = Spec {
     name: "camera",
     summary: "durer's own camera, right-handed: x to the right, y up, z towards you; the word `eye` makes it this one",
@@ -119,8 +119,8 @@ pub const LECTURE: Spec = Spec {
     ..Spec::EMPTY
 };
 
-/// All words of both cameras.
-pub(super) fn names() -> Vec<&'static str> {
+/// Returns the words of both kinds of camera.
+pub(super) fn camera_words() -> Vec<&'static str> {
     let own = LECTURE.words.iter().map(|w| w.name).filter(|name| *name != "up");
     let mut names = POVRAY.word_names();
     let at = names.len() - POVRAY.unsupported.len();

@@ -25,7 +25,7 @@ static DEFERRED: AtomicBool = AtomicBool::new(false);
 static NOTICED: AtomicBool = AtomicBool::new(false);
 /// Tokens of the work that Ctrl-C cancels.
 static TOKENS: Mutex<Vec<CancelToken>> = Mutex::new(vec![]);
-/// What must happen before the process ends in the middle of work, such as writing the journal.
+/// Task to do before the process ends in the middle of work, such as writing the journal.
 static CLEANUP: Mutex<Option<Box<dyn Fn() + Send>>> = Mutex::new(None);
 
 /// Installs the handler. The second Ctrl-C always ends the program at once.
@@ -166,7 +166,7 @@ impl Drop for Deadline {
             let _ = timer.join();
         }
         let mut tokens = lock(&TOKENS);
-        if let Some(own) = tokens.iter().position(|token| token.is(&self.token)) {
+        if let Some(own) = tokens.iter().position(|token| token.is_same_token(&self.token)) {
             tokens.swap_remove(own);
         }
     }

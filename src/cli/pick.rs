@@ -14,7 +14,7 @@ use crate::math::fp;
 use crate::render::{self, Picked, Region, Unwatched};
 use crate::scene::Scene;
 use crate::source::{Place, Sources, Span};
-use crate::value::decimal;
+use crate::value::format_decimal;
 use crate::world::World;
 use crate::{Built, Keep};
 use serde::Serialize;
@@ -75,11 +75,9 @@ pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> 
     let (Some(x), Some(y)) = (inside(args.pixel.x, size.width), inside(args.pixel.y, size.height)) else {
         return Ok(outside(args, size)?);
     };
-    let sources = Sources::default();
     let timing = session::timing(&merged.scene, animation.as_ref())?;
-    let text = session::within_limits(&merged.scene, || {
-        describe_pixel(console, args, &sources, &input, &merged.scene, timing, (x, y))
-    })?;
+    let text =
+        session::within_limits(&merged.scene, || describe_pixel(console, args, &input, &merged.scene, timing, (x, y)))?;
     console.data(text).map(|()| Exit::Fine)
 }
 
@@ -87,12 +85,12 @@ pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> 
 fn describe_pixel(
     console: &Console,
     args: &PickArgs,
-    sources: &Sources,
     input: &Path,
     scene: &SceneArgs,
     timing: Timing,
     (x, y): (usize, usize),
 ) -> Result<String> {
+    let sources = &Sources::default();
     let size = scene.size();
     let file = session::open_or_report(console, sources, input)?;
     let options = session::reading_options(scene, input, timing);
@@ -221,7 +219,7 @@ fn list(numbers: &[f64], scale: f64) -> String {
         return numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
     }
     let places = (5.0 - fp::log10(largest).floor()).clamp(0.0, 300.0) as usize;
-    numbers.iter().map(|x| decimal(*x, places)).collect::<Vec<_>>().join(", ")
+    numbers.iter().map(|x| format_decimal(*x, places)).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use crate::math::{Aabb, DVec3, Transform};
 use crate::scene::{Object, ObjectKind, Scene};
 use crate::source::{Sources, Span};
 use crate::texture::{Paint, Texture};
-use crate::value::decimal;
+use crate::value::format_decimal;
 use crate::world::{Probe, World};
 use crate::{Built, Keep};
 use serde::Serialize;
@@ -163,12 +163,12 @@ fn row_of_light(light: &Light, moved: &Transform, sources: &Sources) -> LightRow
         Beam::Cylinder(_) => "cylinder",
     };
     let source = sources.place(light.source).map(Position::from);
-    LightRow { source, kind, location: moved.point(light.location).into(), color: light.color.into() }
+    LightRow { source, kind, location: moved.transform_point(light.location).into(), color: light.color.into() }
 }
 
 fn row_of_texture(texture: &Texture, first: Option<Position>) -> TextureRow {
     let top = texture.layers.last();
-    let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.explicit()) {
+    let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.explicit_value()) {
         (Some(choice), _) => name_of(&choice.pattern.kind),
         (None, Some(pattern)) => name_of(&pattern.kind),
         (None, None) => match &layer.pigment.paint {
@@ -285,6 +285,7 @@ fn counted(n: usize, thing: &str) -> String {
 
 /// Formats a vector with four decimal places, enough to find an object.
 fn vector(numbers: &[f64]) -> String {
-    let texts: Vec<_> = numbers.iter().map(|x| if x.is_finite() { decimal(*x, 4) } else { x.to_string() }).collect();
+    let texts: Vec<_> =
+        numbers.iter().map(|x| if x.is_finite() { format_decimal(*x, 4) } else { x.to_string() }).collect();
     format!("<{}>", texts.join(", "))
 }

@@ -138,7 +138,8 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
         Ok(header) => header,
         Err(error) => return Err(Failure::Usage(Box::new(error))),
     };
-    let expected = if case.picture.is_file() { Some(image_io::decode_file(&Disk, &case.picture)?) } else { None };
+    let expected =
+        if case.picture.is_file() { Some(image_io::decode_picture_file(&Disk, &case.picture)?) } else { None };
     header.scene.include.extend(setting.include.iter().cloned());
     header.scene.size = header.scene.size.or(expected.as_ref().map(|p| Size { width: p.width, height: p.height }));
     header.look.alpha |= expected.as_ref().is_some_and(|p| p.channels % 2 == 0);
@@ -167,7 +168,7 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
 }
 
 fn compare(rendered: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
-    if let Some(expected) = expected.map(Pixels::to_frame) {
+    if let Some(expected) = expected.map(Pixels::to_linear_image) {
         let comparison = snapshot::compare(&expected, &rendered, Tolerance::default());
         if comparison.verdict == Verdict::Differs {
             outcome.exit = Exit::Snapshot;

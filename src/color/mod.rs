@@ -27,11 +27,11 @@ impl Color {
     /// `rgb 1`.
     pub const WHITE: Color = Color::opaque(Rgb::ONE);
 
-    /// Replacement for an infinite number in a colour.
+    /// Finite number that replaces infinity in a colour.
     pub const BLINDING: f64 = 1e30;
 
-    /// The colour as paint of a surface: infinite components are 0 (quirk: `infinite_colors`).
-    pub fn as_paint(self) -> Self {
+    /// Returns the colour as a surface shows it: infinite components are 0 (quirk: `infinite_colors`).
+    pub fn without_infinities(self) -> Self {
         let is_infinite = self.to_array().contains(&Self::BLINDING);
         if !is_infinite {
             self
@@ -45,38 +45,38 @@ impl Color {
         Self { rgb, filter: 0.0, transmit: 0.0 }
     }
 
-    /// From the five numbers of `rgbft`.
+    /// Creates a colour from the five numbers of `rgbft`.
     pub const fn from_array(c: [f64; 5]) -> Self {
         Self { rgb: Rgb::new(c[0], c[1], c[2]), filter: c[3], transmit: c[4] }
     }
 
-    /// The five numbers of `rgbft`.
+    /// Returns the five numbers of `rgbft`.
     pub const fn to_array(self) -> [f64; 5] {
         [self.rgb.x, self.rgb.y, self.rgb.z, self.filter, self.transmit]
     }
 
-    /// Fraction of the surface's own light that is shown. Before 3.7, with `by_color`, a filter transmits only as much
-    /// as its brightest channel (quirk: `opacity_by_version`).
+    /// Fraction of its own light that a surface of this colour shows. Before 3.7, with `by_color`, a filter transmits
+    /// only as much as its brightest channel (quirk: `opacity_by_version`).
     pub fn opacity(&self, by_color: bool) -> f64 {
         let filter = if by_color { self.filter * self.rgb.max_element() } else { self.filter };
         1.0 - filter - self.transmit
     }
 
     /// Transmittance for light from behind: filter · rgb + transmit.
-    pub fn passing(&self) -> Rgb {
+    pub fn transmittance(&self) -> Rgb {
         self.rgb * self.filter + self.transmit
     }
 
-    /// self + t·other, in all five numbers.
-    pub fn plus(self, other: Color, t: f64) -> Color {
+    /// Returns self + t·other, for all five numbers of a colour.
+    pub fn plus_scaled(self, other: Color, factor: f64) -> Color {
         Color {
-            rgb: self.rgb + other.rgb * t,
-            filter: self.filter + other.filter * t,
-            transmit: self.transmit + other.transmit * t,
+            rgb: self.rgb + other.rgb * factor,
+            filter: self.filter + other.filter * factor,
+            transmit: self.transmit + other.transmit * factor,
         }
     }
 
-    /// (1-t)·self + t·other, in all five numbers.
+    /// Returns (1-t)·self + t·other, for all five numbers of a colour.
     pub fn lerp(self, other: Color, t: f64) -> Color {
         Color {
             rgb: self.rgb.lerp(other.rgb, t),
@@ -86,7 +86,7 @@ impl Color {
     }
 }
 
-/// Weights of red, green and blue in brightness (manual, "Color Operators").
+/// Weights of red, green and blue in a colour's brightness (manual, "Color Operators").
 pub const GRAY_WEIGHTS: [f64; 3] = [0.297, 0.589, 0.114];
 
 /// Brightness of a colour, as POV-Ray's `.gray` (manual, "Color Operators").

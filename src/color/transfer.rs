@@ -8,25 +8,25 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Gamma {
-    /// A number is light to the power of one over this.
+    /// Transfer curve of a gamma: a number is light to the power of 1 / gamma.
     Power(f64),
-    /// A number is light encoded by the sRGB curve.
+    /// Transfer curve of sRGB: a number is light encoded by it.
     Srgb,
-    /// None: numbers are stored unchanged, as in scenes before version 3.7 without `assumed_gamma`.
+    /// No transfer curve: numbers are stored unchanged, as in scenes before version 3.7 without `assumed_gamma`.
     Raw,
 }
 
 impl Gamma {
-    /// Decodes a number to light.
-    pub fn decode(self, v: f64) -> f64 {
+    /// Decodes a number of this transfer curve to linear light.
+    pub fn decode(self, encoded: f64) -> f64 {
         match self {
-            Gamma::Power(g) => fp::pow(v.max(0.0), g),
-            Gamma::Srgb => srgb_decode(v),
-            Gamma::Raw => v,
+            Gamma::Power(g) => fp::pow(encoded.max(0.0), g),
+            Gamma::Srgb => srgb_decode(encoded),
+            Gamma::Raw => encoded,
         }
     }
 
-    /// Encodes light as a number.
+    /// Encodes linear light as a number by this transfer curve.
     pub fn encode(self, light: f64) -> f64 {
         match self {
             Gamma::Power(g) => fp::pow(light.max(0.0), 1.0 / g),
@@ -35,8 +35,8 @@ impl Gamma {
         }
     }
 
-    /// True if both are equal, so that encoding by one undoes decoding by the other.
-    pub fn agrees(self, other: Gamma) -> bool {
+    /// True if both transfer curves are equal, so that encoding by one undoes decoding by the other.
+    pub fn is_equivalent(self, other: Gamma) -> bool {
         match (self, other) {
             (Gamma::Power(a), Gamma::Power(b)) => (a - b).abs() < 1e-3,
             (a, b) => a == b,
@@ -54,12 +54,12 @@ pub fn srgb_decode(x: f64) -> f64 {
     if x <= 0.040_45 { x / 12.92 } else { fp::pow((x + 0.055) / 1.055, 2.4) }
 }
 
-/// [`srgb_encode`] of all three channels.
+/// Encodes all three channels of linear light by the sRGB curve.
 pub fn srgb_encode_rgb(c: Rgb) -> Rgb {
     Rgb::new(srgb_encode(c.x), srgb_encode(c.y), srgb_encode(c.z))
 }
 
-/// [`srgb_decode`] of all three channels.
+/// Decodes all three channels from the sRGB curve to linear light.
 pub fn srgb_decode_rgb(c: Rgb) -> Rgb {
     Rgb::new(srgb_decode(c.x), srgb_decode(c.y), srgb_decode(c.z))
 }

@@ -6,23 +6,23 @@ use fontdb::{Database, FaceInfo, Family, ID, Query, Source, Stretch, Style, Weig
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Location of a font.
+/// Location of a font: in durer or in a file.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum FontLocation {
-    /// durer's built-in font.
+    /// Built-in font of durer.
     Own,
-    /// The font with this index in a file, counted from 0.
+    /// Font in a file, by its index in the file, counted from 0.
     File(PathBuf, u32),
 }
 
 impl FontLocation {
-    /// The first or only font of a file.
-    pub fn first_of(path: PathBuf) -> Self {
+    /// The first or only font of a font file.
+    pub fn first_in_file(path: PathBuf) -> Self {
         Self::File(path, 0)
     }
 }
 
-/// Style that a font's name asks for.
+/// Weight, slant and width that a font's name asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct FontStyle {
     weight: Weight,
@@ -32,7 +32,7 @@ struct FontStyle {
 
 const PLAIN: FontStyle = FontStyle { weight: Weight::NORMAL, style: Style::Normal, stretch: Stretch::Normal };
 
-/// Words of weight after a family's name.
+/// Words that name a font's weight after the family's name.
 const WEIGHTS: &[(&str, Weight)] = &[
     ("thin", Weight::THIN),
     ("extralight", Weight::EXTRA_LIGHT),
@@ -53,7 +53,7 @@ const STRETCHES: &[(&str, Stretch)] =
 
 /// Returns the font of a family whose weight, style and width are nearest to the words after the family's name, from
 /// the font files `paths` and durer's own font.
-pub fn of_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<FontLocation> {
+pub fn find_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<FontLocation> {
     let (mut fonts, mut places) = (Database::new(), vec![]);
     for path in paths.iter().filter(|path| files.may_read(path)) {
         // A file that is not a font has no family.
@@ -64,9 +64,9 @@ pub fn of_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<Fon
     let words: Vec<&str> = name.split_whitespace().collect();
     // Prefer the longest family: that of `Arial Black` is not `Arial`.
     let (family, looks) = (1..=words.len()).rev().find_map(|count| {
-        let looks = looks_of(&words[count..])?;
+        let looks = parse_style(&words[count..])?;
         let family = words[..count].join(" ");
-        let found = fonts.faces().find_map(|face| own_name(face, &family))?;
+        let found = fonts.faces().find_map(|face| matching_family_name(face, &family))?;
         Some((found.to_string(), looks))
     })?;
     let FontStyle { weight, style, stretch } = looks;
@@ -74,7 +74,7 @@ pub fn of_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<Fon
     places.into_iter().find(|(face, _)| *face == id).map(|(_, place)| place)
 }
 
-/// Adds the descriptions of a file's fonts, without the file's bytes, to a database.
+/// Adds the descriptions of a font file's fonts, without the file's bytes, to a database.
 fn add_faces(
     fonts: &mut Database,
     bytes: Vec<u8>,
@@ -90,11 +90,11 @@ fn add_faces(
 }
 
 /// The name of a font's family, if it equals `family` in any language.
-fn own_name<'f>(face: &'f FaceInfo, family: &str) -> Option<&'f str> {
+fn matching_family_name<'f>(face: &'f FaceInfo, family: &str) -> Option<&'f str> {
     face.families.iter().map(|(name, _)| &**name).find(|name| name.to_lowercase() == family.to_lowercase())
 }
 
-fn looks_of(words: &[&str]) -> Option<FontStyle> {
+fn parse_style(words: &[&str]) -> Option<FontStyle> {
     words.iter().try_fold(PLAIN, |looks, word| {
         let word = word.to_lowercase();
         if let Some(&(_, weight)) = WEIGHTS.iter().find(|(name, _)| *name == word) {
@@ -132,17 +132,17 @@ mod tests {
             ("Bold", false),
             ("", false),
         ] {
-            let found = of_family(&files, name, &paths);
-            assert_eq!(found, is_there.then(|| FontLocation::first_of(paths[1].clone())), "{name}");
+            let found = find_family(&files, name, &paths);
+            assert_eq!(found, is_there.then(|| FontLocation::first_in_file(paths[1].clone())), "{name}");
         }
         let nothing = Sandbox::default();
-        assert_eq!(of_family(&Sandboxed::new(&files, &nothing), "Roboto", &paths), Some(FontLocation::Own));
+        assert_eq!(find_family(&Sandboxed::new(&files, &nothing), "Roboto", &paths), Some(FontLocation::Own));
     }
 
     #[test]
     fn style_words() {
         let bold = FontStyle { weight: Weight::BOLD, style: Style::Oblique, stretch: Stretch::Condensed };
-        assert_eq!(looks_of(&["Condensed", "Bold", "Oblique"]), Some(bold));
-        assert_eq!((looks_of(&[]), looks_of(&["Sans"])), (Some(PLAIN), None));
+        assert_eq!(parse_style(&["Condensed", "Bold", "Oblique"]), Some(bold));
+        assert_eq!((parse_style(&[]), parse_style(&["Sans"])), (Some(PLAIN), None));
     }
 }

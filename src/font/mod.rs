@@ -6,7 +6,7 @@ mod installed;
 #[cfg(test)]
 mod tests;
 
-pub use installed::{FontLocation, of_family};
+pub use installed::{FontLocation, find_family};
 
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::math::DVec2;

@@ -2,7 +2,7 @@
 //! once; operations on constants are evaluated when the graph is built.
 
 use super::numeric::{self, Kernel};
-use super::{Function, Gives, Interval, LocalBounds, Program, Sampler, internal::Internal};
+use super::{Function, Interval, LocalBounds, Program, ResultType, Sampler, internal::Internal};
 use crate::math::DVec3;
 use crate::math::cancel::Poll;
 use crate::math::noise::{self, NoiseGenerator};
@@ -15,49 +15,51 @@ use std::sync::atomic::{AtomicU8, Ordering};
 /// Index of an operation in its [`Graph`]; operands have smaller indices.
 pub type Id = u32;
 
-/// An operation of a function's computation; it refers to its operands by index.
+/// An operation of a function's computation graph; it refers to its operands by index.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
-    /// A number, by its bits.
+    /// A constant of a function, by its bits.
     Constant(u64),
     /// A parameter of the function, by its index.
     Parameter(u16),
-    /// A row of [`numeric::TABLE`] with one argument.
+    /// Call of a built-in numeric function with one argument: its row in [`numeric::TABLE`], and the argument.
     One(u8, Id),
-    /// A row of the table with two arguments.
+    /// Call of a built-in numeric function with two arguments: its row in [`numeric::TABLE`], and the arguments.
     Two(u8, Id, Id),
-    /// An operator with two operands.
+    /// An operator with two operands, by their indices.
     Binary(Operator, Id, Id),
-    /// The second operand if the first is not 0, else the third; the other one is not evaluated.
+    /// The conditional `a ? b : c`: the second operand if the first is not 0, else the third; the other one is not
+    /// evaluated.
     Choice(Id, Id, Id),
-    /// A component of the result of a call of [`Graph::callees`].
+    /// A component of the result of a call: index of the function in [`Graph::callees`], component, arguments.
     Call(u32, u8, Box<[Id]>),
 }
 
-/// Target of an [`Operation::Call`].
+/// Function, pattern or series that a function's graph calls.
 #[derive(Clone, Debug)]
 pub enum Callee {
-    /// One of the functions behind `functions.inc`.
+    /// One of POV-Ray's internal functions, the ones behind `functions.inc`.
     Internal(&'static Internal),
-    /// `f_noise3d`: its generator is that of the scene, which may be set later.
+    /// POV-Ray's `f_noise3d`, whose noise generator is that of the scene and may be set after the function is declared.
     SceneNoise(Arc<AtomicU8>),
-    /// A function that is too large to be inlined.
+    /// A declared function that is too large to be inlined.
     Function(Arc<Function>),
-    /// A pigment, pattern, transform or spline.
+    /// A pigment, pattern, transform or spline that a function evaluates.
     Sampler(Arc<dyn Sampler>),
-    /// `sum(I, A, B, …)` and `prod`: the body's parameters are those of the enclosing function and the counter.
+    /// The call `sum(I, A, B, …)` or `prod(…)`: the body's parameters are those of the enclosing function and the
+    /// counter.
     Series {
-        /// True for `prod`, false for `sum`.
+        /// True for the series `prod`, false for `sum`.
         product: bool,
-        /// The terms or factors.
+        /// Program that computes a term of `sum`, or a factor of `prod`.
         body: Arc<Program>,
     },
 }
 
-/// All operations of a function, operands first.
+/// Computation graph of a function: all its operations, operands first.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
-    /// Operations, each after its operands.
+    /// Operations of the function, each after its operands.
     pub nodes: Vec<Operation>,
     /// Functions that [`Operation::Call`] refers to by index.
     pub callees: Vec<Callee>,
@@ -68,7 +70,7 @@ pub struct Graph {
 
 /// Applies an operator. Inside functions comparisons are exact, and all numbers but 0 are true (quirk:
 /// `exact_comparisons_in_functions`).
-pub(super) fn operate(op: Operator, a: f64, b: f64) -> f64 {
+pub(super) fn apply_operator(op: Operator, a: f64, b: f64) -> f64 {
     use Operator::*;
     match op {
         Add => a + b,
@@ -86,7 +88,8 @@ pub(super) fn operate(op: Operator, a: f64, b: f64) -> f64 {
     }
 }
 
-/// Bounds of an operator's result over intervals; `same` is true if both operands are one node.
+/// Returns the bounds of an operator's result while its operands are in these intervals; `same` is true if both
+/// operands are one node.
 pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool) -> Interval {
     use Operator::*;
     let sure = |yes: bool, no: bool| match (yes, no) {
@@ -112,18 +115,18 @@ pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool
 }
 
 impl Callee {
-    /// A component of the result.
+    /// Calls the function; returns a component of its result.
     pub fn call(&self, component: usize, arguments: &[f64]) -> f64 {
         match self {
             Callee::Internal(internal) => (internal.compute)(arguments),
             Callee::SceneNoise(generator) => scene_noise(generator, arguments),
-            Callee::Function(function) => function.part(component, arguments),
-            Callee::Sampler(sampler) => sampler.part(component, arguments),
-            Callee::Series { product, body } => series(*product, body, arguments),
+            Callee::Function(function) => function.call_component(component, arguments),
+            Callee::Sampler(sampler) => sampler.sample_component(component, arguments),
+            Callee::Series { product, body } => evaluate_series(*product, body, arguments),
         }
     }
 
-    /// All components of a result with several.
+    /// Calls a function with several components; returns all of them.
     pub(super) fn call_all(&self, arguments: &[f64]) -> [f64; 5] {
         match self {
             Callee::Function(function) => function.call(arguments),
@@ -132,17 +135,17 @@ impl Callee {
         }
     }
 
-    /// True if the result is a number, whatever component is asked for.
+    /// True if the called function returns a number; every component is then that number.
     pub(super) fn gives_number(&self) -> bool {
         let gives = match self {
-            Callee::Function(function) => function.gives(),
-            Callee::Sampler(sampler) => sampler.gives(),
-            _ => Gives::Number,
+            Callee::Function(function) => function.result_type(),
+            Callee::Sampler(sampler) => sampler.result_type(),
+            _ => ResultType::Number,
         };
-        gives == Gives::Number
+        gives == ResultType::Number
     }
 
-    fn is(&self, other: &Callee) -> bool {
+    fn is_same_callee(&self, other: &Callee) -> bool {
         match (self, other) {
             (Callee::Internal(a), Callee::Internal(b)) => std::ptr::eq(*a, *b),
             (Callee::SceneNoise(_), Callee::SceneNoise(_)) => true,
@@ -152,8 +155,8 @@ impl Callee {
         }
     }
 
-    /// Bounds on the components, and on their gradients by the first three arguments, within `radius` of the point that
-    /// these arguments are.
+    /// Returns bounds on the components of a call's result, and on their gradients by the first three arguments, while
+    /// these move at most `radius` away from the values given.
     pub(super) fn bounds_near(&self, arguments: &[f64], radius: f64) -> [LocalBounds; 5] {
         let rest = &arguments[3..];
         let (steepest, bend) = match self {
@@ -163,8 +166,8 @@ impl Callee {
                 super::Body::Numeric(_) => return [LocalBounds::UNKNOWN; 5],
             },
             Callee::SceneNoise(generator) => {
-                let generator = generator_of(generator);
-                (generator.steepest(), Some(generator.bend()))
+                let generator = load_generator(generator);
+                (generator.max_gradient(), Some(generator.max_gradient_change()))
             }
             Callee::Internal(internal) => match internal.steepest {
                 Some(steepest) => (steepest(rest), internal.bend.map(|bend| bend(rest))),
@@ -172,14 +175,14 @@ impl Callee {
             },
             Callee::Series { .. } => return [LocalBounds::UNKNOWN; 5],
         };
-        let near = LocalBounds::of(self.call(0, arguments), steepest, radius);
+        let near = LocalBounds::from_steepest(self.call(0, arguments), steepest, radius);
         let Some(bend) = bend else { return [near; 5] };
         let aside = |by: DVec3| {
             let mut there: SmallVec<[f64; 10]> = arguments.into();
             there.iter_mut().zip(by.to_array()).for_each(|(x, by)| *x += by);
             self.call(0, &there)
         };
-        [near.bent(aside, bend, radius, Interval::TRUTH); 5]
+        [near.tightened_by_bend(aside, bend, radius, Interval::TRUTH); 5]
     }
 
     pub(super) fn bounds(&self, component: usize, arguments: &[Interval]) -> Interval {
@@ -196,61 +199,61 @@ impl Callee {
     }
 }
 
-fn generator_of(scene: &AtomicU8) -> NoiseGenerator {
-    NoiseGenerator::from_number(f64::from(scene.load(Ordering::Relaxed)))
+fn load_generator(scene: &AtomicU8) -> NoiseGenerator {
+    NoiseGenerator::from_generator_number(f64::from(scene.load(Ordering::Relaxed)))
 }
 
 fn scene_noise(generator: &AtomicU8, p: &[f64]) -> f64 {
-    noise::noise(DVec3::new(p[0], p[1], p[2]), generator_of(generator))
+    noise::noise(DVec3::new(p[0], p[1], p[2]), load_generator(generator))
 }
 
-/// Maximum number of terms of a series; longer ones give NaN.
+/// Maximum number of terms of `sum` and `prod`; a longer series gives NaN.
 const MAX_TERMS: f64 = 1e7;
 
-/// Evaluates a series. The arguments are the first and last value of the counter, and then those of the enclosing
-/// function.
-fn series(product: bool, body: &Program, arguments: &[f64]) -> f64 {
+/// Evaluates a `sum` or `prod`. The arguments are the first and last value of the counter, and then those of the
+/// enclosing function.
+fn evaluate_series(is_product: bool, body: &Program, arguments: &[f64]) -> f64 {
     let [first, last, outer @ ..] = arguments else { return f64::NAN };
     let mut inner = outer.to_vec();
     inner.push(0.0);
     if last - first > MAX_TERMS {
         return f64::NAN;
     }
-    let (mut total, mut counter, mut poll) = (f64::from(product), *first, Poll::default());
+    let (mut total, mut counter, mut poll) = (f64::from(is_product), *first, Poll::default());
     while counter <= *last && !poll.is_cancelled() {
         inner[outer.len()] = counter;
         let term = body.run(&inner);
-        total = if product { total * term } else { total + term };
+        total = if is_product { total * term } else { total + term };
         counter += 1.0;
     }
     total
 }
 
 impl Graph {
-    /// True if both graphs are equal.
+    /// True if both graphs compute the same by the same operations.
     pub fn is_alike(&self, other: &Graph) -> bool {
         (self.result, &self.nodes, self.callees.len()) == (other.result, &other.nodes, other.callees.len())
-            && self.callees.iter().zip(&other.callees).all(|(a, b)| a.is(b))
+            && self.callees.iter().zip(&other.callees).all(|(a, b)| a.is_same_callee(b))
     }
 
-    /// Adds a constant and returns its index.
-    pub fn constant(&mut self, x: f64) -> Id {
-        self.add(Operation::Constant(x.to_bits()))
+    /// Adds a constant to the function's graph and returns its index.
+    pub fn add_constant(&mut self, x: f64) -> Id {
+        self.add_operation(Operation::Constant(x.to_bits()))
     }
 
-    /// The value of an operation, if it is a constant.
-    pub fn known(&self, id: Id) -> Option<f64> {
+    /// The value of an operation of the graph, if the operation is a constant.
+    pub fn constant_value(&self, id: Id) -> Option<f64> {
         match self.nodes[id as usize] {
             Operation::Constant(bits) => Some(f64::from_bits(bits)),
             _ => None,
         }
     }
 
-    /// Finds or adds an operation.
-    pub fn add(&mut self, node: Operation) -> Id {
-        let node = self.folded(&node).map_or(node, |x| Operation::Constant(x.to_bits()));
+    /// Finds an operation in the function's graph or adds it; returns its index.
+    pub fn add_operation(&mut self, node: Operation) -> Id {
+        let node = self.fold_constants(&node).map_or(node, |x| Operation::Constant(x.to_bits()));
         if let Operation::Choice(condition, yes, no) = node
-            && let Some(x) = self.known(condition)
+            && let Some(x) = self.constant_value(condition)
         {
             return if x != 0.0 { yes } else { no };
         }
@@ -263,39 +266,40 @@ impl Graph {
         id
     }
 
-    fn folded(&self, node: &Operation) -> Option<f64> {
+    fn fold_constants(&self, node: &Operation) -> Option<f64> {
         Some(match node {
-            Operation::One(row, a) => one(*row, self.known(*a)?),
-            Operation::Two(row, a, b) => two(*row, self.known(*a)?, self.known(*b)?),
-            Operation::Binary(op, a, b) => operate(*op, self.known(*a)?, self.known(*b)?),
+            Operation::One(row, a) => call_unary(*row, self.constant_value(*a)?),
+            Operation::Two(row, a, b) => call_binary(*row, self.constant_value(*a)?, self.constant_value(*b)?),
+            Operation::Binary(op, a, b) => apply_operator(*op, self.constant_value(*a)?, self.constant_value(*b)?),
             _ => return None,
         })
     }
 
-    /// Adds a component of the result of a call, and returns its index.
-    pub fn call(&mut self, callee: Callee, component: u8, arguments: Box<[Id]>) -> Id {
-        let index = self.callees.iter().position(|c| c.is(&callee)).unwrap_or_else(|| {
+    /// Adds a component of the result of a call to the function's graph, and returns its index.
+    pub fn add_call(&mut self, callee: Callee, component: u8, arguments: Box<[Id]>) -> Id {
+        let index = self.callees.iter().position(|c| c.is_same_callee(&callee)).unwrap_or_else(|| {
             self.callees.push(callee);
             self.callees.len() - 1
         });
-        self.add(Operation::Call(index as u32, component, arguments))
+        self.add_operation(Operation::Call(index as u32, component, arguments))
     }
 
-    /// Copies another graph, with these operands for its parameters.
-    pub fn inline(&mut self, other: &Graph, arguments: &[Id]) -> Id {
+    /// Copies another function's graph into this one, with these operands for its parameters; returns the index of its
+    /// result.
+    pub fn inline_graph(&mut self, other: &Graph, arguments: &[Id]) -> Id {
         let mut ids: Vec<Id> = Vec::with_capacity(other.nodes.len());
         for node in &other.nodes {
             let at = |id: &Id| ids[*id as usize];
             let id = match node {
                 Operation::Parameter(i) => arguments[*i as usize],
-                Operation::Constant(_) => self.add(node.clone()),
-                Operation::One(row, a) => self.add(Operation::One(*row, at(a))),
-                Operation::Two(row, a, b) => self.add(Operation::Two(*row, at(a), at(b))),
-                Operation::Binary(op, a, b) => self.add(Operation::Binary(*op, at(a), at(b))),
-                Operation::Choice(c, a, b) => self.add(Operation::Choice(at(c), at(a), at(b))),
+                Operation::Constant(_) => self.add_operation(node.clone()),
+                Operation::One(row, a) => self.add_operation(Operation::One(*row, at(a))),
+                Operation::Two(row, a, b) => self.add_operation(Operation::Two(*row, at(a), at(b))),
+                Operation::Binary(op, a, b) => self.add_operation(Operation::Binary(*op, at(a), at(b))),
+                Operation::Choice(c, a, b) => self.add_operation(Operation::Choice(at(c), at(a), at(b))),
                 Operation::Call(callee, component, list) => {
                     let list = list.iter().map(at).collect();
-                    self.call(other.callees[*callee as usize].clone(), *component, list)
+                    self.add_call(other.callees[*callee as usize].clone(), *component, list)
                 }
             };
             ids.push(id);
@@ -303,7 +307,8 @@ impl Graph {
         ids[other.result as usize]
     }
 
-    /// Bounds of the result while the parameters are in these intervals and every operation gives a number.
+    /// Returns bounds of the function's result while the parameters are in these intervals and every operation gives a
+    /// number.
     pub fn bounds(&self, parameters: &[Interval]) -> Interval {
         let mut all: Vec<Interval> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
@@ -330,16 +335,16 @@ impl Graph {
     }
 }
 
-/// Applies a row of the table with one argument.
-pub(super) fn one(row: u8, a: f64) -> f64 {
+/// Calls the built-in numeric function of a table row with one argument.
+pub(super) fn call_unary(row: u8, a: f64) -> f64 {
     match numeric::TABLE[row as usize].kernel {
         Kernel::One(f) => f(a),
         _ => a,
     }
 }
 
-/// Applies a row of the table with two arguments.
-pub(super) fn two(row: u8, a: f64, b: f64) -> f64 {
+/// Calls the built-in numeric function of a table row with two arguments.
+pub(super) fn call_binary(row: u8, a: f64, b: f64) -> f64 {
     match numeric::TABLE[row as usize].kernel {
         Kernel::Two(f) | Kernel::Many(f) => f(a, b),
         Kernel::One(f) => f(a),

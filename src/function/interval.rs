@@ -4,7 +4,8 @@
 use crate::math::fp;
 use std::ops::{Add, Mul, Neg};
 
-/// All numbers from `lo` to `hi`; a function that is not defined everywhere in a box has the bounds [`Interval::ALL`].
+/// Interval of all numbers from `lo` to `hi`. A function that is not defined everywhere in a box has the bounds
+/// [`Interval::ALL`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     /// Smallest number of the interval.
@@ -16,7 +17,7 @@ pub struct Interval {
 impl Interval {
     /// The interval of all numbers.
     pub const ALL: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
-    /// Results of a comparison: 0 or 1.
+    /// Interval from 0 to 1, which contains both results of a comparison.
     pub const TRUTH: Interval = Interval { lo: 0.0, hi: 1.0 };
 
     /// Returns the interval from the smaller number to the larger.
@@ -29,40 +30,40 @@ impl Interval {
         Self::new(x, x)
     }
 
-    /// True if the number is in the interval.
+    /// True if the interval contains the number.
     pub fn contains(&self, x: f64) -> bool {
         self.lo <= x && x <= self.hi
     }
 
-    /// The smallest interval that contains both.
+    /// The smallest interval that contains both intervals.
     pub fn hull(self, other: Self) -> Self {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
-    /// The intersection; `self` if it is empty.
-    pub fn shared(self, other: Self) -> Self {
+    /// The intersection of two intervals; `self` if it is empty.
+    pub fn intersection_or_self(self, other: Self) -> Self {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         if lo <= hi { Self { lo, hi } } else { self }
     }
 
-    /// A little wider, for functions that are not rounded exactly.
+    /// Returns the interval widened by a rounding error, for functions that are not rounded exactly.
     pub fn widened(self) -> Self {
         let margin = |x: f64| x.abs() * 4.0 * f64::EPSILON + f64::MIN_POSITIVE;
         let (lo, hi) = (self.lo - margin(self.lo), self.hi + margin(self.hi));
         if lo.is_nan() || hi.is_nan() { Self::ALL } else { Self { lo, hi } }
     }
 
-    /// Bounds of a monotonically increasing function.
-    pub fn growing(self, f: impl Fn(f64) -> f64) -> Self {
+    /// Returns the interval of a monotonically increasing function's results over this interval.
+    pub fn map_increasing(self, f: impl Fn(f64) -> f64) -> Self {
         Self::new(f(self.lo), f(self.hi)).widened()
     }
 
-    /// 1 / x; any number if 0 is inside.
+    /// Returns the interval of 1 / x; all numbers if 0 is inside.
     pub fn recip(self) -> Self {
         if self.contains(0.0) { Self::ALL } else { Self::new(1.0 / self.lo, 1.0 / self.hi).widened() }
     }
 
-    /// The square, which is never negative.
+    /// Returns the interval of the squares, which are never negative.
     pub fn square(self) -> Self {
         let (a, b) = (self.lo * self.lo, self.hi * self.hi);
         let lo = if self.contains(0.0) { 0.0 } else { a.min(b) };
@@ -76,7 +77,7 @@ impl Interval {
         Self { lo, hi: self.lo.abs().max(self.hi.abs()) }
     }
 
-    /// cos: its extremes are at the interval's ends or at multiples of π inside.
+    /// Returns the interval of the cosines: their extremes are at the interval's ends or at multiples of π inside.
     pub fn cos(self) -> Self {
         use std::f64::consts::PI;
         let width = self.hi - self.lo;
@@ -92,12 +93,13 @@ impl Interval {
         Self { lo: out.lo.max(-1.0), hi: out.hi.min(1.0) }
     }
 
-    /// sin(x) = cos(x - π/2).
+    /// Returns the interval of the sines: sin(x) = cos(x - π/2).
     pub fn sin(self) -> Self {
         (self + Self::point(-std::f64::consts::FRAC_PI_2)).cos()
     }
 
-    /// x to the power of y, for exponents that are one number and bases that are not negative, or integer exponents.
+    /// Returns the interval of x to the power of y, for exponents that are one number and bases that are not negative,
+    /// or integer exponents.
     pub fn pow(self, power: Self) -> Self {
         let p = power.lo;
         if power.lo != power.hi || !p.is_finite() {
@@ -105,15 +107,15 @@ impl Interval {
         }
         if self.lo >= 0.0 {
             return match p {
-                _ if p > 0.0 => self.growing(|x| fp::pow(x, p)),
+                _ if p > 0.0 => self.map_increasing(|x| fp::pow(x, p)),
                 _ if self.lo > 0.0 => Self::new(fp::pow(self.lo, p), fp::pow(self.hi, p)).widened(),
                 _ => Self::ALL,
             };
         }
         match p {
             _ if p.fract() != 0.0 || !(0.0..=64.0).contains(&p) => Self::ALL,
-            _ if p % 2.0 == 0.0 => self.abs().growing(|x| fp::pow(x, p)),
-            _ => self.growing(|x| fp::pow(x, p)),
+            _ if p % 2.0 == 0.0 => self.abs().map_increasing(|x| fp::pow(x, p)),
+            _ => self.map_increasing(|x| fp::pow(x, p)),
         }
     }
 }
@@ -137,7 +139,7 @@ impl Neg for Interval {
 impl Mul for Interval {
     type Output = Self;
 
-    /// Hull of the products of the ends.
+    /// Interval of the products: the hull of the products of the ends.
     fn mul(self, other: Self) -> Self {
         let product = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
         let ends = [

@@ -3,36 +3,38 @@
 use super::Interval;
 use crate::math::DVec3;
 
-/// Bounds over all points within a radius of one.
+/// Bounds of a function or pattern, and of its gradient, over all points within a radius of one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalBounds {
-    /// Range of the numbers.
+    /// Range of the function's values within the radius.
     pub range: Interval,
     /// Centre of the ball that contains all gradients.
     pub gradient: DVec3,
-    /// Radius of the ball that contains all gradients; infinite where the numbers jump, or where no useful bound is known.
+    /// Radius of the ball that contains all gradients; infinite where the function jumps, or where no useful bound is
+    /// known.
     pub steepest: f64,
     /// True if nearly all gradients are far nearer to `gradient` than `steepest`.
     pub rough: bool,
 }
 
-/// Step of the differences that approximate a gradient; those of noise are then accurate to 1e-7.
+/// Step of the central differences that approximate a gradient; gradients of noise are then accurate to 1e-7.
 const STEP: f64 = 1e-4;
-/// Upper bound of the error of such a gradient.
+/// Upper bound of the error of a gradient from central differences.
 const SLACK: f64 = 1e-6;
 
 impl LocalBounds {
-    /// Bounds of a function about which nothing is known.
+    /// Local bounds of a function about which nothing is known.
     pub const UNKNOWN: Self =
         Self { range: Interval::ALL, gradient: DVec3::ZERO, steepest: f64::INFINITY, rough: false };
 
-    /// Bounds of a constant.
+    /// Returns the local bounds of a constant.
     pub fn constant(value: f64) -> Self {
         Self { range: Interval::point(value), steepest: 0.0, ..Self::UNKNOWN }
     }
 
-    /// Bounds within `radius` of a point with this value, where no gradient is longer than `steepest`.
-    pub fn of(value: f64, steepest: f64, radius: f64) -> Self {
+    /// Returns local bounds of a function within `radius` of a point where it has this value, if no gradient is longer
+    /// than `steepest`.
+    pub fn from_steepest(value: f64, steepest: f64, radius: f64) -> Self {
         let far = steepest * radius;
         if !(value.is_finite() && far.is_finite()) {
             return Self::UNKNOWN;
@@ -40,19 +42,19 @@ impl LocalBounds {
         Self { range: Interval::new(value - far, value + far).widened(), steepest, ..Self::UNKNOWN }
     }
 
-    /// Numbers no farther than `far` from a value; no gradient is longer than `steepest`, and nearly all are far
-    /// shorter.
-    pub fn rough(value: f64, far: f64, steepest: f64) -> Self {
-        Self { steepest, rough: true, ..Self::of(value, far, 1.0) }
+    /// Returns local bounds of a function that differs by at most `max_deviation` from a value; no gradient is longer
+    /// than `steepest`, and nearly all are far shorter.
+    pub fn from_deviation(value: f64, max_deviation: f64, steepest: f64) -> Self {
+        Self { steepest, rough: true, ..Self::from_steepest(value, max_deviation, 1.0) }
     }
 
-    /// Intersects the range with [lo, hi].
-    pub fn within(self, lo: f64, hi: f64) -> Self {
+    /// Clamps the range of the function's values to [lo, hi].
+    pub fn clamp_range(self, lo: f64, hi: f64) -> Self {
         Self { range: Interval { lo: self.range.lo.clamp(lo, hi), hi: self.range.hi.clamp(lo, hi) }, ..self }
     }
 
-    /// Bounds of the fractional parts.
-    pub fn fraction(self) -> Self {
+    /// Returns the local bounds of the function's fractional part.
+    pub fn fraction_bounds(self) -> Self {
         let whole = self.range.lo.floor();
         if whole == self.range.hi.floor() {
             let range = Interval { lo: self.range.lo - whole, hi: self.range.hi - whole };
@@ -62,9 +64,10 @@ impl LocalBounds {
         }
     }
 
-    /// Tighter bounds where gradients change by at most `bend` per unit of length while the numbers are strictly `within`: all gradients
-    /// are then near the one at the point (Taylor's theorem). `at` gives the number at an offset from the point.
-    pub fn bent(self, at: impl Fn(DVec3) -> f64, bend: f64, radius: f64, within: Interval) -> Self {
+    /// Returns tighter local bounds where gradients change by at most `bend` per unit of length while the numbers are
+    /// strictly `within`: all gradients are then near the one at the point (Taylor's theorem). `at` gives the number at
+    /// an offset from the point.
+    pub fn tightened_by_bend(self, at: impl Fn(DVec3) -> f64, bend: f64, radius: f64, within: Interval) -> Self {
         let turn = bend * radius + SLACK;
         if !(turn < self.steepest && self.range.lo > within.lo && self.range.hi < within.hi) {
             return self;
@@ -74,7 +77,7 @@ impl LocalBounds {
         // |f(p) − f(0)| ≤ |g|·r + b·r²/2
         let far = (gradient.length() + SLACK + 0.5 * bend * radius) * radius;
         let value = 0.5 * (self.range.lo + self.range.hi);
-        let range = self.range.shared(Interval::new(value - far, value + far).widened());
+        let range = self.range.intersection_or_self(Interval::new(value - far, value + far).widened());
         Self { range, gradient, steepest: turn, ..self }
     }
 }

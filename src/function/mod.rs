@@ -26,24 +26,24 @@ use std::sync::Arc;
 /// A function that a scene declares.
 #[derive(Debug)]
 pub struct Function {
-    /// Names of its parameters; `x`, `y`, `z` where none are given.
+    /// Names of the declared function's parameters; `x`, `y`, `z` where none are given.
     pub parameters: Box<[Box<str>]>,
     /// Computation of the function's result.
     pub body: Body,
 }
 
-/// Computation of a function.
+/// Computation of a declared function's result.
 #[derive(Debug)]
 pub enum Body {
-    /// An expression of numbers, compiled.
+    /// Function whose body is an expression of numbers, compiled.
     Numeric(Program),
-    /// `function { pigment { … } }` and similar functions.
+    /// Function whose body is `{ pigment { … } }` or another block that is evaluated at a point.
     Sampled(Arc<dyn Sampler>),
 }
 
 /// Type of a function's result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Gives {
+pub enum ResultType {
     /// The function returns a number.
     Number,
     /// The function returns a vector of this many numbers, two to five.
@@ -54,28 +54,28 @@ pub enum Gives {
 
 /// An object of a higher layer that is evaluated at a point: a pigment, a pattern, a transform, a spline.
 pub trait Sampler: std::fmt::Debug + Send + Sync {
-    /// Number of arguments that the function takes.
+    /// Number of arguments that the evaluation of the pigment, pattern, transform or spline takes.
     fn arity(&self) -> usize;
-    /// Type of the result.
-    fn gives(&self) -> Gives;
-    /// The result: a number is the first of the five, a colour is red, green, blue, filter, transmit.
+    /// Type of the result of the evaluation.
+    fn result_type(&self) -> ResultType;
+    /// Evaluates the object; a number is the first of the five results, a colour is red, green, blue, filter, transmit.
     fn sample(&self, arguments: &[f64]) -> [f64; 5];
-    /// One component of the result.
-    fn part(&self, component: usize, arguments: &[f64]) -> f64 {
+    /// Evaluates one component of the result.
+    fn sample_component(&self, component: usize, arguments: &[f64]) -> f64 {
         self.sample(arguments)[component]
     }
-    /// Bounds on the components within a radius of these arguments.
+    /// Returns bounds on the components of the result within a radius of these arguments.
     fn bounds_near(&self, _arguments: &[f64], _radius: f64) -> [LocalBounds; 5] {
         [LocalBounds::UNKNOWN; 5]
     }
-    /// Bounds of a component while the arguments are in these intervals.
+    /// Returns bounds of a component of the result while the arguments are in these intervals.
     fn bounds(&self, _component: usize, _arguments: &[Interval]) -> Interval {
         Interval::ALL
     }
 }
 
 impl Function {
-    /// True if both compute the same in the same way, whatever their parameters' names.
+    /// True if both functions compute the same in the same way, whatever their parameters' names.
     pub fn is_alike(&self, other: &Function) -> bool {
         match (&self.body, &other.body) {
             (Body::Numeric(a), Body::Numeric(b)) => self.arity() == other.arity() && a.graph().is_alike(b.graph()),
@@ -84,11 +84,11 @@ impl Function {
         }
     }
 
-    /// Type of the result.
-    pub fn gives(&self) -> Gives {
+    /// Type of the function's result.
+    pub fn result_type(&self) -> ResultType {
         match &self.body {
-            Body::Numeric(_) => Gives::Number,
-            Body::Sampled(sampler) => sampler.gives(),
+            Body::Numeric(_) => ResultType::Number,
+            Body::Sampled(sampler) => sampler.result_type(),
         }
     }
 
@@ -100,7 +100,8 @@ impl Function {
         }
     }
 
-    /// The result for [`Self::arity`] arguments.
+    /// Calls the function with [`Self::arity`] arguments. A number is the first of the five results; a colour is red,
+    /// green, blue, filter, transmit.
     pub fn call(&self, arguments: &[f64]) -> [f64; 5] {
         match &self.body {
             Body::Numeric(program) => [program.run(arguments), 0.0, 0.0, 0.0, 0.0],
@@ -108,12 +109,12 @@ impl Function {
         }
     }
 
-    /// One component of [`Self::call`].
-    pub fn part(&self, component: usize, arguments: &[f64]) -> f64 {
+    /// Calls the function; returns one component of the result.
+    pub fn call_component(&self, component: usize, arguments: &[f64]) -> f64 {
         match &self.body {
             Body::Numeric(program) if component == 0 => program.run(arguments),
             Body::Numeric(_) => 0.0,
-            Body::Sampled(sampler) => sampler.part(component, arguments),
+            Body::Sampled(sampler) => sampler.sample_component(component, arguments),
         }
     }
 }

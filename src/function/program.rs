@@ -5,7 +5,7 @@ use super::numeric::{self, Kernel};
 use crate::syntax::ast::Operator;
 use smallvec::SmallVec;
 
-/// Index of a register: first the parameters, then the constants, then results.
+/// Index of a register of a compiled function: first the parameters, then the constants, then results.
 type Register = u16;
 
 /// An instruction of a compiled function.
@@ -15,17 +15,18 @@ enum Step {
     Sub(Register, Register, Register),
     Mul(Register, Register, Register),
     Div(Register, Register, Register),
-    /// An operator that has no instruction of its own.
+    /// Instruction that applies an operator without an instruction of its own.
     Binary(Operator, Register, Register, Register),
     One(fn(f64) -> f64, Register, Register),
     Two(fn(f64, f64) -> f64, Register, Register, Register),
     Copy(Register, Register),
-    /// Jumps over the instructions up to this one if the register is 0.
+    /// Instruction that jumps to this position if the register is 0.
     SkipIfZero(Register, u32),
     Skip(u32),
-    /// Callee, component, and the position and number of the arguments' registers in [`Program::arguments`].
+    /// Instruction that calls a function: index of the callee, component, position and number of the arguments'
+    /// registers in [`Program::arguments`], register of the result.
     Call(u32, u8, u32, u16, Register),
-    /// All components of a call, into five registers.
+    /// Instruction that calls a function and stores all its components in five registers.
     CallAll(u32, u32, u16, Register),
 }
 
@@ -39,36 +40,36 @@ pub struct Program {
     parameters: usize,
     registers: usize,
     result: Register,
-    /// Initial values of the first registers, including the constants.
+    /// Initial values of the first registers of a compiled function, including the constants.
     start: Box<[f64; FEW]>,
 }
 
-/// Maximum number of registers of most programs.
+/// Number of registers that suffices for most compiled functions.
 const FEW: usize = 24;
-/// Maximum number of registers of larger programs.
+/// Number of registers that suffices for larger compiled functions.
 const SOME: usize = 64;
-/// Programs with more registers allocate memory.
+/// Maximum number of registers of a compiled function without allocation of memory.
 const MANY: usize = 256;
 /// Maximum number of arguments of a call that needs no allocation.
 const FEW_ARGUMENTS: usize = 12;
 /// Number of operations after one that are searched for other components of the same call.
 const NEAR: usize = 24;
-/// Register indices have 16 bits.
+/// Maximum number of operations of a compiled function, since register indices have 16 bits.
 const MAX_OPERATIONS: usize = 60_000;
 
-/// Generator of a function's instructions from its graph.
+/// Compiler of a function's graph to instructions.
 struct Writer<'g> {
     graph: &'g Graph,
     steps: Vec<Step>,
     constants: Vec<f64>,
     arguments: Vec<Register>,
-    /// Register of each result that is already evaluated at the current position.
+    /// Register of each operation's result that is already evaluated at the current position of the program.
     places: Vec<Option<Register>>,
     next: usize,
 }
 
 impl Program {
-    /// Compiles a graph; `None` if it has more than 60 000 operations.
+    /// Compiles a function's graph; `None` if it has more than 60 000 operations.
     pub fn new(graph: Graph, parameters: usize) -> Option<Self> {
         if graph.nodes.len() + parameters > MAX_OPERATIONS {
             return None;
@@ -83,7 +84,7 @@ impl Program {
         }
         let next = parameters + constants.len();
         let mut writer = Writer { graph: &graph, steps: vec![], constants, arguments: vec![], places, next };
-        let result = writer.write(graph.result);
+        let result = writer.emit_operation(graph.result);
         let Writer { steps, constants, arguments, next, .. } = writer;
         let mut start = [0.0; FEW];
         start.iter_mut().skip(parameters).zip(&constants).for_each(|(to, constant)| *to = *constant);
@@ -104,7 +105,7 @@ impl Program {
         &self.graph
     }
 
-    /// The result for these parameters.
+    /// Runs the compiled function for these parameters.
     pub fn run(&self, parameters: &[f64]) -> f64 {
         // (A short program would spend most of its time clearing registers, and on copies whose lengths the compiler
         // does not know.)
@@ -115,22 +116,22 @@ impl Program {
                 (3, &[x, y, z, ..]) => [r[0], r[1], r[2]] = [x, y, z],
                 (n, all) => r[..n].copy_from_slice(&all[..n]),
             }
-            return self.run_in(&mut r);
+            return self.run_in_registers(&mut r);
         }
         match () {
-            _ if all <= SOME => self.run_in(self.begin(&mut [0.0; SOME], parameters)),
-            _ if all <= MANY => self.run_in(self.begin(&mut [0.0; MANY], parameters)),
-            _ => self.run_in(self.begin(&mut vec![0.0; all], parameters)),
+            _ if all <= SOME => self.run_in_registers(self.fill_registers(&mut [0.0; SOME], parameters)),
+            _ if all <= MANY => self.run_in_registers(self.fill_registers(&mut [0.0; MANY], parameters)),
+            _ => self.run_in_registers(self.fill_registers(&mut vec![0.0; all], parameters)),
         }
     }
 
-    fn begin<'r>(&self, r: &'r mut [f64], parameters: &[f64]) -> &'r mut [f64] {
+    fn fill_registers<'r>(&self, r: &'r mut [f64], parameters: &[f64]) -> &'r mut [f64] {
         r[..self.parameters].copy_from_slice(&parameters[..self.parameters]);
         r[self.parameters..self.parameters + self.constants.len()].copy_from_slice(&self.constants);
         r
     }
 
-    fn run_in(&self, r: &mut [f64]) -> f64 {
+    fn run_in_registers(&self, r: &mut [f64]) -> f64 {
         let mut at = 0;
         while let Some(step) = self.steps.get(at) {
             at += 1;
@@ -139,7 +140,7 @@ impl Program {
                 Step::Sub(to, a, b) => r[to as usize] = r[a as usize] - r[b as usize],
                 Step::Mul(to, a, b) => r[to as usize] = r[a as usize] * r[b as usize],
                 Step::Div(to, a, b) => r[to as usize] = r[a as usize] / r[b as usize],
-                Step::Binary(op, to, a, b) => r[to as usize] = graph::operate(op, r[a as usize], r[b as usize]),
+                Step::Binary(op, to, a, b) => r[to as usize] = graph::apply_operator(op, r[a as usize], r[b as usize]),
                 Step::One(f, to, a) => r[to as usize] = f(r[a as usize]),
                 Step::Two(f, to, a, b) => r[to as usize] = f(r[a as usize], r[b as usize]),
                 Step::Copy(to, a) => r[to as usize] = r[a as usize],
@@ -178,8 +179,8 @@ impl Program {
 }
 
 impl Writer<'_> {
-    /// Ensures that a result is evaluated at this position; returns its register.
-    fn write(&mut self, id: Id) -> Register {
+    /// Emits the instructions that evaluate an operation, unless its result is available; returns its register.
+    fn emit_operation(&mut self, id: Id) -> Register {
         if let Some(place) = self.places[id as usize] {
             return place;
         }
@@ -188,8 +189,8 @@ impl Writer<'_> {
             Operation::Parameter(i) => *i,
             Operation::Constant(_) => 0,
             Operation::One(row, a) => {
-                let a = self.write(*a);
-                let to = self.register();
+                let a = self.emit_operation(*a);
+                let to = self.new_register();
                 let f = match numeric::TABLE[*row as usize].kernel {
                     Kernel::One(f) => f,
                     _ => |x| x,
@@ -198,8 +199,8 @@ impl Writer<'_> {
                 to
             }
             Operation::Two(row, a, b) => {
-                let (a, b) = (self.write(*a), self.write(*b));
-                let to = self.register();
+                let (a, b) = (self.emit_operation(*a), self.emit_operation(*b));
+                let to = self.new_register();
                 let f = match numeric::TABLE[*row as usize].kernel {
                     Kernel::Two(f) | Kernel::Many(f) => f,
                     Kernel::One(_) => |x, _| x,
@@ -208,8 +209,8 @@ impl Writer<'_> {
                 to
             }
             Operation::Binary(op, a, b) => {
-                let (a, b) = (self.write(*a), self.write(*b));
-                let to = self.register();
+                let (a, b) = (self.emit_operation(*a), self.emit_operation(*b));
+                let to = self.new_register();
                 self.steps.push(match op {
                     Operator::Add => Step::Add(to, a, b),
                     Operator::Sub => Step::Sub(to, a, b),
@@ -219,14 +220,14 @@ impl Writer<'_> {
                 });
                 to
             }
-            Operation::Choice(condition, yes, no) => self.choice(*condition, *yes, *no),
+            Operation::Choice(condition, yes, no) => self.emit_choice(*condition, *yes, *no),
             Operation::Call(callee, component, list) => {
-                let registers: Vec<Register> = list.iter().map(|id| self.write(*id)).collect();
+                let registers: Vec<Register> = list.iter().map(|id| self.emit_operation(*id)).collect();
                 let start = self.arguments.len() as u32;
                 let count = registers.len() as u16;
                 self.arguments.extend(registers);
-                let siblings = self.siblings(id, *callee, list);
-                let to = self.register();
+                let siblings = self.components_of_same_call(id, *callee, list);
+                let to = self.new_register();
                 if siblings.len() == 1 {
                     self.steps.push(Step::Call(*callee, *component, start, count, to));
                     to
@@ -244,8 +245,9 @@ impl Writer<'_> {
         place
     }
 
-    /// The operations, among this one and the next few, that use components of the same call, with their components.
-    fn siblings(&self, id: Id, callee: u32, list: &[Id]) -> SmallVec<[(usize, u8); 5]> {
+    /// Finds, among this operation and the next few, those that use components of the same call; returns their indices
+    /// and components.
+    fn components_of_same_call(&self, id: Id, callee: u32, list: &[Id]) -> SmallVec<[(usize, u8); 5]> {
         let is_one = |(i, node): (usize, &Operation)| match node {
             Operation::Call(other, component, same) if *other == callee && **same == *list => Some((i, *component)),
             _ => None,
@@ -253,43 +255,44 @@ impl Writer<'_> {
         self.graph.nodes.iter().enumerate().skip(id as usize).take(NEAR).filter_map(is_one).collect()
     }
 
-    /// Operations that only one branch needs are evaluated in that branch, and are unknown after it.
-    fn choice(&mut self, condition: Id, yes: Id, no: Id) -> Register {
-        let condition = self.write(condition);
-        let to = self.register();
+    /// Emits a conditional. Operations that only one branch needs are evaluated in that branch, and are unknown after
+    /// it.
+    fn emit_choice(&mut self, condition: Id, yes: Id, no: Id) -> Register {
+        let condition = self.emit_operation(condition);
+        let to = self.new_register();
         let before = self.places.clone();
         let branch = self.steps.len();
         self.steps.push(Step::SkipIfZero(condition, 0));
-        let value = self.write(yes);
+        let value = self.emit_operation(yes);
         self.steps.push(Step::Copy(to, value));
         let end = self.steps.len();
         self.steps.push(Step::Skip(0));
         self.steps[branch] = Step::SkipIfZero(condition, self.steps.len() as u32);
         self.places.clone_from(&before);
-        let value = self.write(no);
+        let value = self.emit_operation(no);
         self.steps.push(Step::Copy(to, value));
         self.steps[end] = Step::Skip(self.steps.len() as u32);
         self.places = before;
         to
     }
 
-    fn register(&mut self) -> Register {
+    fn new_register(&mut self) -> Register {
         self.next += 1;
         (self.next - 1) as Register
     }
 }
 
-/// Evaluates a graph recursively, without bytecode: the reference for tests.
+/// Evaluates a function's graph recursively, without bytecode: the reference for tests.
 #[cfg(test)]
-pub(super) fn slow(graph: &Graph, parameters: &[f64]) -> f64 {
-    fn value(graph: &Graph, id: Id, p: &[f64]) -> f64 {
-        let at = |id: &Id| value(graph, *id, p);
+pub(super) fn evaluate_recursively(graph: &Graph, parameters: &[f64]) -> f64 {
+    fn value_of_operation(graph: &Graph, id: Id, p: &[f64]) -> f64 {
+        let at = |id: &Id| value_of_operation(graph, *id, p);
         match &graph.nodes[id as usize] {
             Operation::Constant(bits) => f64::from_bits(*bits),
             Operation::Parameter(i) => p[*i as usize],
-            Operation::One(row, a) => graph::one(*row, at(a)),
-            Operation::Two(row, a, b) => graph::two(*row, at(a), at(b)),
-            Operation::Binary(op, a, b) => graph::operate(*op, at(a), at(b)),
+            Operation::One(row, a) => graph::call_unary(*row, at(a)),
+            Operation::Two(row, a, b) => graph::call_binary(*row, at(a), at(b)),
+            Operation::Binary(op, a, b) => graph::apply_operator(*op, at(a), at(b)),
             Operation::Choice(c, yes, no) => at(if at(c) != 0.0 { yes } else { no }),
             Operation::Call(callee, component, list) => {
                 let list: Vec<f64> = list.iter().map(at).collect();
@@ -297,7 +300,7 @@ pub(super) fn slow(graph: &Graph, parameters: &[f64]) -> f64 {
             }
         }
     }
-    value(graph, graph.result, parameters)
+    value_of_operation(graph, graph.result, parameters)
 }
 
 #[cfg(test)]
@@ -312,24 +315,24 @@ mod tests {
     /// A graph of operations that mostly give finite numbers, in any order.
     fn graph(recipe: &Recipe) -> Graph {
         let mut graph = Graph::default();
-        let mut ids: Vec<Id> = (0..3).map(|i| graph.add(Operation::Parameter(i))).collect();
+        let mut ids: Vec<Id> = (0..3).map(|i| graph.add_operation(Operation::Parameter(i))).collect();
         let rows = ["abs", "sin", "cos", "exp", "sqrt", "floor", "max", "min", "pow", "tanh"];
         for &(kind, a, b, c, x) in recipe {
             let pick = |i: u32| ids[i as usize % ids.len()];
             let (a, b, c) = (pick(a), pick(b), pick(c));
             use Operator::*;
             let id = match kind % 24 {
-                0 => graph.constant(x),
-                1 => graph.add(Operation::Choice(a, b, c)),
+                0 => graph.add_constant(x),
+                1 => graph.add_operation(Operation::Choice(a, b, c)),
                 k @ 2..=13 => {
                     let op = [Add, Sub, Mul, Div, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Or];
-                    graph.add(Operation::Binary(op[k as usize - 2], a, b))
+                    graph.add_operation(Operation::Binary(op[k as usize - 2], a, b))
                 }
                 k => {
-                    let row = numeric::find(rows[k as usize - 14]).unwrap();
+                    let row = numeric::find_numeric(rows[k as usize - 14]).unwrap();
                     match numeric::TABLE[row as usize].kernel {
-                        Kernel::One(_) => graph.add(Operation::One(row, a)),
-                        _ => graph.add(Operation::Two(row, a, b)),
+                        Kernel::One(_) => graph.add_operation(Operation::One(row, a)),
+                        _ => graph.add_operation(Operation::Two(row, a, b)),
                     }
                 }
             };
@@ -347,7 +350,7 @@ mod tests {
         #[test]
         fn bytecode_matches_the_graph(recipe in recipe(), p in prop::array::uniform3(-2.0..2.0)) {
             let graph = graph(&recipe);
-            let wanted = slow(&graph, &p);
+            let wanted = evaluate_recursively(&graph, &p);
             let found = Program::new(graph, 3).unwrap().run(&p);
             prop_assert!(wanted.to_bits() == found.to_bits() || wanted.is_nan() && found.is_nan());
         }
@@ -362,12 +365,12 @@ mod tests {
             let graph = graph(&recipe);
             let boxes = [0, 1, 2].map(|i| Interval::new(corner[i], corner[i] + size[i]));
             let p = [0, 1, 2].map(|i: usize| f64::min(corner[i] + inner[i] * size[i], boxes[i].hi));
-            let value = slow(&graph, &p);
+            let value = evaluate_recursively(&graph, &p);
             let bounds = graph.bounds(&boxes);
             let mut part = graph.clone();
             let mut at = |id| {
                 part.result = id;
-                slow(&part, &p)
+                evaluate_recursively(&part, &p)
             };
             let no_number = (0..graph.nodes.len() as Id).any(|id| at(id).is_nan());
             prop_assert!(no_number || bounds.contains(value), "{value} is not in {bounds:?}");
@@ -378,14 +381,14 @@ mod tests {
     fn unchosen_branches_are_skipped_and_shared_results_reused() {
         // x < 0 ? x·y : (x·y)² − x·y, and then + x·y
         let mut g = Graph::default();
-        let (x, y) = (g.add(Operation::Parameter(0)), g.add(Operation::Parameter(1)));
-        let zero = g.constant(0.0);
-        let below = g.add(Operation::Binary(Operator::Less, x, zero));
-        let product = g.add(Operation::Binary(Operator::Mul, x, y));
-        let square = g.add(Operation::Binary(Operator::Mul, product, product));
-        let rest = g.add(Operation::Binary(Operator::Sub, square, product));
-        let choice = g.add(Operation::Choice(below, product, rest));
-        g.result = g.add(Operation::Binary(Operator::Add, choice, product));
+        let (x, y) = (g.add_operation(Operation::Parameter(0)), g.add_operation(Operation::Parameter(1)));
+        let zero = g.add_constant(0.0);
+        let below = g.add_operation(Operation::Binary(Operator::Less, x, zero));
+        let product = g.add_operation(Operation::Binary(Operator::Mul, x, y));
+        let square = g.add_operation(Operation::Binary(Operator::Mul, product, product));
+        let rest = g.add_operation(Operation::Binary(Operator::Sub, square, product));
+        let choice = g.add_operation(Operation::Choice(below, product, rest));
+        g.result = g.add_operation(Operation::Binary(Operator::Add, choice, product));
         let program = Program::new(g, 2).unwrap();
         assert_eq!(program.run(&[-2.0, 3.0]), -12.0);
         assert_eq!(program.run(&[2.0, 3.0]), 36.0);

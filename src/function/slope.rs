@@ -10,27 +10,28 @@ use smallvec::SmallVec;
 const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };
 const ONE: Interval = Interval { lo: 1.0, hi: 1.0 };
 
-/// Bounds of a value and of its gradient: in a box, or within a distance of the box. Jumps have unbounded gradients.
+/// Bounds of a function's value and gradient over a box of its parameters: each gradient is within a distance of a box
+/// of gradients, and jumps have unbounded gradients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// Bounds of the value.
+    /// Bounds of the function's value.
     pub value: Interval,
-    /// The box: derivatives by each of up to three parameters.
+    /// Box of gradients: bounds of the derivatives by each of up to three parameters.
     pub by: [Interval; 3],
-    /// Maximum distance from the box.
+    /// Maximum distance of the function's gradient from the box `by`.
     pub around: f64,
-    /// True if nearly all gradients are far shorter than these bounds.
+    /// True if nearly all gradients of the function are far shorter than these bounds.
     pub rough: bool,
 }
 
 impl Slope {
     /// Returns the bounds of the constant `x`.
     pub fn constant(x: f64) -> Self {
-        Self::flat(Interval::point(x))
+        Self::with_zero_gradient(Interval::point(x))
     }
 
-    /// The parameter with this index, which is in the interval.
-    pub fn parameter(i: usize, value: Interval) -> Self {
+    /// Returns the slope of the parameter with this index, whose value is in the interval.
+    pub fn slope_of_parameter(i: usize, value: Interval) -> Self {
         let mut by = [ZERO; 3];
         if let Some(by) = by.get_mut(i) {
             *by = ONE;
@@ -38,43 +39,44 @@ impl Slope {
         Self { value, by, around: 0.0, rough: false }
     }
 
-    fn flat(value: Interval) -> Self {
+    fn with_zero_gradient(value: Interval) -> Self {
         Self { value, by: [ZERO; 3], around: 0.0, rough: false }
     }
 
-    fn steep(value: Interval) -> Self {
+    fn with_unknown_gradient(value: Interval) -> Self {
         Self { value, by: [Interval::ALL; 3], around: 0.0, rough: false }
     }
 
-    /// Bounds of the derivative along a direction; infinite if unknown.
-    pub fn along(&self, d: DVec3) -> Interval {
-        let [x, y, z] = [0, 1, 2].map(|i| times(self.by[i], Interval::point(d[i])));
-        let sum = plus(plus(x, y), z);
+    /// Returns bounds of the function's derivative along a direction; infinite if unknown.
+    pub fn derivative_along(&self, d: DVec3) -> Interval {
+        let [x, y, z] = [0, 1, 2].map(|i| interval_product(self.by[i], Interval::point(d[i])));
+        let sum = interval_sum(interval_sum(x, y), z);
         let far = self.around * d.length();
         Interval { lo: sum.lo - far, hi: sum.hi + far }
     }
 
-    /// True if the value is constant.
-    fn is_flat(&self) -> bool {
+    /// True if the function is constant over the box.
+    fn is_constant(&self) -> bool {
         self.by == [ZERO; 3] && self.around == 0.0
     }
 
-    /// The chain rule, for a function with this value and the derivative `derivative` by `self`.
-    fn chain(&self, value: Interval, derivative: Interval) -> Self {
+    /// Chain rule: returns the slope of a function f(self), whose value and derivative by `self` are in these
+    /// intervals.
+    fn chain_rule(&self, value: Interval, derivative: Interval) -> Self {
         let most = derivative.lo.abs().max(derivative.hi.abs());
         let around = if self.around == 0.0 { 0.0 } else { self.around * most };
-        Self { value, by: self.by.map(|by| times(derivative, by)), around, rough: self.rough }
+        Self { value, by: self.by.map(|by| interval_product(derivative, by)), around, rough: self.rough }
     }
 
-    fn plus(&self, value: Interval, other: &Self, sign: f64) -> Self {
-        let by = |i: usize| plus(self.by[i], if sign < 0.0 { -other.by[i] } else { other.by[i] });
+    fn add_slopes(&self, value: Interval, other: &Self, sign: f64) -> Self {
+        let by = |i: usize| interval_sum(self.by[i], if sign < 0.0 { -other.by[i] } else { other.by[i] });
         let rough = self.rough || other.rough;
         Self { value, by: [by(0), by(1), by(2)], around: self.around + other.around, rough }
     }
 
-    /// The chain rule for two arguments with these derivatives.
-    fn both(value: Interval, a: &Self, by_a: Interval, b: &Self, by_b: Interval) -> Self {
-        a.chain(value, by_a).plus(value, &b.chain(value, by_b), 1.0)
+    /// Chain rule for a function of two arguments: its value and its derivatives by both are in these intervals.
+    fn chain_rule_of_two(value: Interval, a: &Self, by_a: Interval, b: &Self, by_b: Interval) -> Self {
+        a.chain_rule(value, by_a).add_slopes(value, &b.chain_rule(value, by_b), 1.0)
     }
 
     fn hull(&self, other: &Self) -> Self {
@@ -84,12 +86,12 @@ impl Slope {
     }
 }
 
-/// The product; exactly 0 if one factor is.
-fn times(a: Interval, b: Interval) -> Interval {
+/// Product of two intervals; exactly 0 if one factor is.
+fn interval_product(a: Interval, b: Interval) -> Interval {
     if a == ZERO || b == ZERO { ZERO } else { a * b }
 }
 
-fn plus(a: Interval, b: Interval) -> Interval {
+fn interval_sum(a: Interval, b: Interval) -> Interval {
     match () {
         _ if a == ZERO => b,
         _ if b == ZERO => a,
@@ -98,21 +100,21 @@ fn plus(a: Interval, b: Interval) -> Interval {
 }
 
 impl Graph {
-    /// Bounds of the result and its derivatives, while the parameters have these. `room` is filled with those of all
-    /// operations.
-    pub fn slope(&self, parameters: &[Slope], room: &mut Vec<Slope>) -> Slope {
-        room.clear();
+    /// Returns bounds of the function's result and of its derivatives, from those of its parameters. `scratch` is
+    /// scratch memory for those of all operations.
+    pub fn slope_over_box(&self, parameters: &[Slope], scratch: &mut Vec<Slope>) -> Slope {
+        scratch.clear();
         let mut last = None;
         for node in &self.nodes {
-            let slope = self.slope_of(node, parameters, room, &mut last);
-            room.push(slope);
+            let slope = self.slope_of_operation(node, parameters, scratch, &mut last);
+            scratch.push(slope);
         }
-        room.get(self.result as usize).copied().unwrap_or(Slope::steep(Interval::ALL))
+        scratch.get(self.result as usize).copied().unwrap_or(Slope::with_unknown_gradient(Interval::ALL))
     }
 
-    /// The bounds of one operation. `last` are the results of the last call: the next operation often uses another
-    /// component.
-    fn slope_of<'g>(
+    /// Returns the slope of one operation of the graph. `last` has the results of the last call: the next operation
+    /// often uses another component of it.
+    fn slope_of_operation<'g>(
         &'g self,
         node: &'g Operation,
         parameters: &[Slope],
@@ -123,9 +125,9 @@ impl Graph {
         match node {
             Operation::Constant(bits) => Slope::constant(f64::from_bits(*bits)),
             Operation::Parameter(i) => parameters[*i as usize],
-            Operation::One(row, a) => of_one(&numeric::TABLE[*row as usize], at(a)),
-            Operation::Two(row, a, b) => of_two(&numeric::TABLE[*row as usize], at(a), at(b)),
-            Operation::Binary(op, a, b) => of_operator(*op, at(a), at(b), a == b),
+            Operation::One(row, a) => unary_slope(&numeric::TABLE[*row as usize], at(a)),
+            Operation::Two(row, a, b) => binary_slope(&numeric::TABLE[*row as usize], at(a), at(b)),
+            Operation::Binary(op, a, b) => operator_slope(*op, at(a), at(b), a == b),
             Operation::Choice(condition, yes, no) => match at(condition).value {
                 c if !c.contains(0.0) => *at(yes),
                 c if c.lo == 0.0 && c.hi == 0.0 => *at(no),
@@ -136,7 +138,7 @@ impl Graph {
                     Some((other, same, slopes)) if other == callee && *same == &**list => slopes,
                     _ => {
                         let slopes: SmallVec<[&Slope; 10]> = list.iter().map(at).collect();
-                        let slopes = of_call(&self.callees[*callee as usize], &slopes);
+                        let slopes = call_slopes(&self.callees[*callee as usize], &slopes);
                         &last.insert((*callee, list, slopes)).2
                     }
                 };
@@ -147,40 +149,43 @@ impl Graph {
 }
 
 impl Function {
-    /// Bounds of the number and of its derivatives, over a box of its parameters. `room` is scratch memory.
-    pub fn slope(&self, parameters: &[Interval], room: &mut Vec<Slope>) -> Slope {
+    /// Returns bounds of the function's number and of its derivatives, over a box of its parameters. `scratch` is
+    /// scratch memory.
+    pub fn slope_over_box(&self, parameters: &[Interval], scratch: &mut Vec<Slope>) -> Slope {
         let list: SmallVec<[Slope; 4]> =
-            parameters.iter().enumerate().map(|(i, &value)| Slope::parameter(i, value)).collect();
+            parameters.iter().enumerate().map(|(i, &value)| Slope::slope_of_parameter(i, value)).collect();
         match &self.body {
-            Body::Numeric(program) => program.graph().slope(&list, room),
+            Body::Numeric(program) => program.graph().slope_over_box(&list, scratch),
             Body::Sampled(sampler) => {
                 let list: SmallVec<[&Slope; 4]> = list.iter().collect();
-                of_call(&Callee::Sampler(sampler.clone()), &list)[0]
+                call_slopes(&Callee::Sampler(sampler.clone()), &list)[0]
             }
         }
     }
 }
 
-fn of_operator(op: Operator, a: &Slope, b: &Slope, same: bool) -> Slope {
+fn operator_slope(op: Operator, a: &Slope, b: &Slope, same: bool) -> Slope {
     let value = operator_bounds(op, a.value, b.value, same);
     match op {
-        Operator::Add => a.plus(value, b, 1.0),
+        Operator::Add => a.add_slopes(value, b, 1.0),
         Operator::Sub if same => Slope::constant(0.0),
-        Operator::Sub => a.plus(value, b, -1.0),
-        Operator::Mul if same => a.chain(value, a.value + a.value),
-        Operator::Mul => Slope::both(value, a, b.value, b, a.value),
-        Operator::Div if b.is_flat() => a.chain(value, b.value.recip()),
+        Operator::Sub => a.add_slopes(value, b, -1.0),
+        Operator::Mul if same => a.chain_rule(value, a.value + a.value),
+        Operator::Mul => Slope::chain_rule_of_two(value, a, b.value, b, a.value),
+        Operator::Div if b.is_constant() => a.chain_rule(value, b.value.recip()),
         // (a/b)' = (a' - (a/b)·b') / b
-        Operator::Div => Slope::both(value, a, b.value.recip(), b, -times(value, b.value.recip())),
-        _ => Slope::flat(value),
+        Operator::Div => {
+            Slope::chain_rule_of_two(value, a, b.value.recip(), b, -interval_product(value, b.value.recip()))
+        }
+        _ => Slope::with_zero_gradient(value),
     }
 }
 
-/// A function of one argument, by its derivative over an interval.
-fn of_one(row: &numeric::Numeric, a: &Slope) -> Slope {
+/// Slope of a built-in function of one argument, from its derivative over an interval.
+fn unary_slope(row: &numeric::Numeric, a: &Slope) -> Slope {
     let value = (row.bounds)(a.value, a.value);
-    if a.is_flat() {
-        return Slope::flat(value);
+    if a.is_constant() {
+        return Slope::with_zero_gradient(value);
     }
     let x = a.value;
     let derivative = match row.name {
@@ -199,25 +204,25 @@ fn of_one(row: &numeric::Numeric, a: &Slope) -> Slope {
         "cosh" => (numeric_bounds("sinh"))(x, x),
         "tanh" => ONE + -value.square(),
         "atan" => (ONE + x.square()).recip(),
-        "asinh" => (ONE + x.square()).growing(f64::sqrt).recip(),
+        "asinh" => (ONE + x.square()).map_increasing(f64::sqrt).recip(),
         "degrees" => Interval::point(1f64.to_degrees()),
         "radians" => Interval::point(1f64.to_radians()),
         // (A step inside the interval is a jump.)
         "floor" | "ceil" | "int" if value.lo == value.hi => ZERO,
         _ => Interval::ALL,
     };
-    a.chain(value, derivative)
+    a.chain_rule(value, derivative)
 }
 
 fn numeric_bounds(name: &str) -> fn(Interval, Interval) -> Interval {
-    numeric::find(name).map_or(|_, _| Interval::ALL, |row| numeric::TABLE[row as usize].bounds)
+    numeric::find_numeric(name).map_or(|_, _| Interval::ALL, |row| numeric::TABLE[row as usize].bounds)
 }
 
-/// A function of two arguments.
-fn of_two(row: &numeric::Numeric, a: &Slope, b: &Slope) -> Slope {
+/// Slope of a built-in function of two arguments.
+fn binary_slope(row: &numeric::Numeric, a: &Slope, b: &Slope) -> Slope {
     let value = (row.bounds)(a.value, b.value);
-    if a.is_flat() && b.is_flat() {
-        return Slope::flat(value);
+    if a.is_constant() && b.is_constant() {
+        return Slope::with_zero_gradient(value);
     }
     let (x, y) = (a.value, b.value);
     match row.name {
@@ -226,36 +231,36 @@ fn of_two(row: &numeric::Numeric, a: &Slope, b: &Slope) -> Slope {
         "min" if x.hi <= y.lo => *a,
         "min" if y.hi <= x.lo => *b,
         "max" | "min" => Slope { value, ..a.hull(b) },
-        "pow" if b.is_flat() && y.lo == y.hi => {
+        "pow" if b.is_constant() && y.lo == y.hi => {
             let less = Interval::point(y.lo - 1.0);
             let power = if y.lo == 1.0 { ONE } else { (row.bounds)(x, less) };
-            a.chain(value, times(y, power))
+            a.chain_rule(value, interval_product(y, power))
         }
         // The angle of (y, x) changes by (y·dx - x·dy)/(x² + y²). Where it jumps by a full turn, most results that use
         // it do not.
         "atan2" => {
             let over = (x.square() + y.square()).recip();
-            Slope::both(angle(x, y), a, times(y, over), b, -times(x, over))
+            Slope::chain_rule_of_two(atan2_bounds(x, y), a, interval_product(y, over), b, -interval_product(x, over))
         }
-        "mod" if b.is_flat() && y.lo == y.hi && y.lo != 0.0 => {
+        "mod" if b.is_constant() && y.lo == y.hi && y.lo != 0.0 => {
             let turns = [(x.lo / y.lo).trunc(), (x.hi / y.lo).trunc()];
             let one_turn = turns[0] == turns[1] && (x.lo >= 0.0) == (x.hi >= 0.0);
             let size = y.lo.abs();
             if one_turn {
                 Slope { value: x + Interval::point(-turns[0] * y.lo), ..*a }
             } else {
-                Slope::steep(Interval {
+                Slope::with_unknown_gradient(Interval {
                     lo: if x.lo < 0.0 { -size } else { 0.0 },
                     hi: if x.hi > 0.0 { size } else { 0.0 },
                 })
             }
         }
-        _ => Slope::steep(value),
+        _ => Slope::with_unknown_gradient(value),
     }
 }
 
-/// atan2 over a box.
-fn angle(y: Interval, x: Interval) -> Interval {
+/// Bounds of atan2 over a box of y and x.
+fn atan2_bounds(y: Interval, x: Interval) -> Interval {
     if y.contains(0.0) && x.lo <= 0.0 {
         return Interval::new(-3.2, 3.2);
     }
@@ -264,13 +269,13 @@ fn angle(y: Interval, x: Interval) -> Interval {
     all.into_iter().reduce(Interval::hull).unwrap_or(Interval::ALL).widened()
 }
 
-/// All components of a call.
-fn of_call(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
+/// Slopes of all components of a call.
+fn call_slopes(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
     if let Callee::Function(function) = callee
         && let Body::Numeric(program) = &function.body
     {
         let list: SmallVec<[Slope; 10]> = list.iter().copied().copied().collect();
-        return [program.graph().slope(&list, &mut vec![]); 5];
+        return [program.graph().slope_over_box(&list, &mut vec![]); 5];
     }
     let values: SmallVec<[Interval; 10]> = list.iter().map(|slope| slope.value).collect();
     let bounds = |component: usize| callee.bounds(component, &values);
@@ -284,27 +289,33 @@ fn of_call(callee: &Callee, list: &[&Slope]) -> [Slope; 5] {
         let middle: SmallVec<[f64; 10]> = values.iter().map(|i| 0.5 * (i.lo + i.hi)).collect();
         let radius = values[..3].iter().map(|i| (0.5 * (i.hi - i.lo)).powi(2)).sum::<f64>().sqrt();
         let near = callee.bounds_near(&middle, radius);
-        let (rough, longest) = ([a, b, c].iter().any(|slope| slope.rough), longest([a, b, c]));
+        let (rough, longest) = ([a, b, c].iter().any(|slope| slope.rough), max_step_factor([a, b, c]));
         return each(&|component| {
             let LocalBounds { range, gradient, steepest, rough: uneven } = near[component];
-            let value = range.shared(bounds(component));
+            let value = range.intersection_or_self(bounds(component));
             let around = if steepest == 0.0 { 0.0 } else { steepest * longest };
             if !around.is_finite() {
-                return Slope::steep(value);
+                return Slope::with_unknown_gradient(value);
             }
             let at_middle = [a, b, c].into_iter().zip(gradient.to_array());
-            let sum = at_middle.fold(Slope::flat(value), |sum, (slope, by)| {
-                if by == 0.0 { sum } else { sum.plus(value, &slope.chain(value, Interval::point(by)), 1.0) }
+            let sum = at_middle.fold(Slope::with_zero_gradient(value), |sum, (slope, by)| {
+                if by == 0.0 { sum } else { sum.add_slopes(value, &slope.chain_rule(value, Interval::point(by)), 1.0) }
             });
             Slope { around: sum.around + around, rough: rough || uneven, ..sum }
         });
     }
-    let is_flat = list.iter().all(|slope| slope.is_flat());
-    each(&|component| if is_flat { Slope::flat(bounds(component)) } else { Slope::steep(bounds(component)) })
+    let is_flat = list.iter().all(|slope| slope.is_constant());
+    each(&|component| {
+        if is_flat {
+            Slope::with_zero_gradient(bounds(component))
+        } else {
+            Slope::with_unknown_gradient(bounds(component))
+        }
+    })
 }
 
-/// Upper bound of the factor by which three numbers lengthen a step of the parameters.
-fn longest(numbers: [&Slope; 3]) -> f64 {
+/// Upper bound of the factor by which three coordinates lengthen a step of the function's parameters.
+fn max_step_factor(numbers: [&Slope; 3]) -> f64 {
     let size = |i: &Interval| i.lo.abs().max(i.hi.abs());
     let turns = numbers.iter().map(|n| n.around * n.around).sum::<f64>().sqrt();
     let alone = |(i, n): (usize, &&Slope)| (0..3).all(|k| k == i || n.by[k] == ZERO);

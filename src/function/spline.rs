@@ -1,37 +1,37 @@
 //! `spline { … }` (manual, "Splines"): a curve of two to five numbers through points at values of a parameter.
 
-use super::{Gives, Sampler};
+use super::{ResultType, Sampler};
 use crate::value::{Thing, VecN};
 
-/// Interpolation between the points.
+/// Interpolation between a spline's points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SplineKind {
-    /// Straight lines between the points.
+    /// Linear spline: straight lines between the points.
     Linear,
-    /// A parabola through three points at a time.
+    /// Quadratic spline: a parabola through three points at a time.
     Quadratic,
-    /// Cubic with two continuous derivatives, and none bent at the ends.
+    /// Natural spline: cubic with two continuous derivatives, and curvature 0 at the ends.
     Natural,
-    /// Cubic through all points but the first and last, which only define the direction at their neighbours.
+    /// Cubic spline through all points but the first and last, which only define the direction at their neighbours.
     Cubic,
 }
 
-/// Points in the order of their parameters.
+/// Spline: points in the order of their parameters, and their interpolation.
 #[derive(Clone, Debug)]
 pub struct Spline {
-    /// Interpolation unless a call names another.
+    /// Interpolation of the spline's points, unless a call names another.
     pub kind: SplineKind,
-    /// Parameter and point, ascending.
+    /// Parameter and point of each of the spline's entries, in ascending order.
     points: Vec<(f64, [f64; 5])>,
-    /// Number of components of a point.
+    /// Number of components of the spline's points.
     pub len: u8,
-    /// Second derivatives of the natural spline.
+    /// Second derivatives of the natural spline at its points.
     bends: Vec<[f64; 5]>,
 }
 
 impl SplineKind {
-    /// The kind with this name.
-    pub fn of(word: &str) -> Option<Self> {
+    /// Returns the kind of spline with this word, such as `cubic_spline`.
+    pub fn from_word(word: &str) -> Option<Self> {
         Some(match word {
             "linear_spline" => Self::Linear,
             "quadratic_spline" => Self::Quadratic,
@@ -43,7 +43,8 @@ impl SplineKind {
 }
 
 impl Spline {
-    /// From points in any order; of two with one parameter the last counts. At least one is required.
+    /// Creates a spline from points in any order; of two points with one parameter the last counts. At least one point
+    /// is required.
     pub fn new(kind: SplineKind, given: &[(f64, VecN)]) -> Self {
         let mut points: Vec<(f64, [f64; 5])> = vec![];
         for (t, point) in given {
@@ -53,17 +54,17 @@ impl Spline {
             }
         }
         let len = given.iter().map(|(_, p)| p.len).max().unwrap_or(2);
-        let bends = bends(&points);
+        let bends = second_derivatives(&points);
         Self { kind, points, len, bends }
     }
 
-    /// The points, ascending, for a spline that adds more.
+    /// The spline's parameters and points in ascending order, for a spline that adds more.
     pub fn points(&self) -> impl Iterator<Item = (f64, VecN)> + '_ {
         self.points.iter().map(|(t, c)| (*t, VecN { c: *c, len: self.len }))
     }
 
-    /// The point at a parameter; constant before the first and after the last.
-    pub fn at(&self, t: f64, kind: SplineKind) -> [f64; 5] {
+    /// Returns the spline's point at a parameter; constant before the first and after the last.
+    pub fn point_at(&self, t: f64, kind: SplineKind) -> [f64; 5] {
         let (p, n) = (&self.points, self.points.len());
         // The cubic begins at the second point and ends at the last but one.
         let (first, last) = if kind == SplineKind::Cubic && n > 1 { (1, n.max(3) - 2) } else { (0, n - 1) };
@@ -79,55 +80,59 @@ impl Spline {
         let mut out = [0.0; 5];
         for (c, out) in out.iter_mut().enumerate().take(self.len as usize) {
             *out = match kind {
-                SplineKind::Linear => line(p[i], p[i + 1], t, c),
-                SplineKind::Quadratic if n > 2 => parabola(&p[i.max(1) - 1..][..3], t, c),
-                SplineKind::Quadratic => line(p[i], p[i + 1], t, c),
-                SplineKind::Cubic => self.cubic(i, t, c),
-                SplineKind::Natural => self.natural(i, t, c),
+                SplineKind::Linear => linear_component(p[i], p[i + 1], t, c),
+                SplineKind::Quadratic if n > 2 => parabola_component(&p[i.max(1) - 1..][..3], t, c),
+                SplineKind::Quadratic => linear_component(p[i], p[i + 1], t, c),
+                SplineKind::Cubic => self.cubic_component(i, t, c),
+                SplineKind::Natural => self.natural_component(i, t, c),
             };
         }
         out
     }
 
-    /// Hermite's cubic; the slope at a point is the mean of those of the lines to its neighbours (quirk:
-    /// `cubic_spline_slopes`).
-    fn cubic(&self, i: usize, t: f64, c: usize) -> f64 {
+    /// Component of a cubic spline between the points `segment` and `segment` + 1, by Hermite's cubic; the slope at a
+    /// point is the mean of those of the lines to its neighbours (quirk: `cubic_spline_slopes`).
+    fn cubic_component(&self, segment: usize, t: f64, component: usize) -> f64 {
         let p = &self.points;
-        let slope = |i: usize| (p[i + 1].1[c] - p[i].1[c]) / (p[i + 1].0 - p[i].0);
-        let h = p[i + 1].0 - p[i].0;
-        let s = (t - p[i].0) / h;
-        let (m0, m1) = ((slope(i - 1) + slope(i)) / 2.0, (slope(i) + slope(i + 1)) / 2.0);
+        let slope = |segment: usize| {
+            (p[segment + 1].1[component] - p[segment].1[component]) / (p[segment + 1].0 - p[segment].0)
+        };
+        let h = p[segment + 1].0 - p[segment].0;
+        let s = (t - p[segment].0) / h;
+        let (m0, m1) = ((slope(segment - 1) + slope(segment)) / 2.0, (slope(segment) + slope(segment + 1)) / 2.0);
         let (s2, s3) = (s * s, s * s * s);
-        (2.0 * s3 - 3.0 * s2 + 1.0) * p[i].1[c]
+        (2.0 * s3 - 3.0 * s2 + 1.0) * p[segment].1[component]
             + (s3 - 2.0 * s2 + s) * h * m0
-            + (3.0 * s2 - 2.0 * s3) * p[i + 1].1[c]
+            + (3.0 * s2 - 2.0 * s3) * p[segment + 1].1[component]
             + (s3 - s2) * h * m1
     }
 
-    /// From the values and second derivatives at both ends (Press et al., "Numerical Recipes", 1992, section 3.3).
-    fn natural(&self, i: usize, t: f64, c: usize) -> f64 {
+    /// Component of a natural spline between the points `segment` and `segment` + 1, from the values and second
+    /// derivatives at both ends (Press et al., "Numerical Recipes", 1992, section 3.3).
+    fn natural_component(&self, segment: usize, t: f64, component: usize) -> f64 {
         let p = &self.points;
-        let h = p[i + 1].0 - p[i].0;
-        let (a, b) = ((p[i + 1].0 - t) / h, (t - p[i].0) / h);
-        let bend = (a * a * a - a) * self.bends[i][c] + (b * b * b - b) * self.bends[i + 1][c];
-        a * p[i].1[c] + b * p[i + 1].1[c] + bend * h * h / 6.0
+        let h = p[segment + 1].0 - p[segment].0;
+        let (a, b) = ((p[segment + 1].0 - t) / h, (t - p[segment].0) / h);
+        let bend =
+            (a * a * a - a) * self.bends[segment][component] + (b * b * b - b) * self.bends[segment + 1][component];
+        a * p[segment].1[component] + b * p[segment + 1].1[component] + bend * h * h / 6.0
     }
 }
 
-fn line(a: (f64, [f64; 5]), b: (f64, [f64; 5]), t: f64, c: usize) -> f64 {
-    a.1[c] + (b.1[c] - a.1[c]) * (t - a.0) / (b.0 - a.0)
+fn linear_component(a: (f64, [f64; 5]), b: (f64, [f64; 5]), t: f64, component: usize) -> f64 {
+    a.1[component] + (b.1[component] - a.1[component]) * (t - a.0) / (b.0 - a.0)
 }
 
-/// Lagrange's parabola through three points.
-fn parabola(p: &[(f64, [f64; 5])], t: f64, c: usize) -> f64 {
+/// Component of Lagrange's parabola through three points of a spline.
+fn parabola_component(p: &[(f64, [f64; 5])], t: f64, component: usize) -> f64 {
     let [t0, t1, t2] = [p[0].0, p[1].0, p[2].0];
-    p[0].1[c] * (t - t1) * (t - t2) / ((t0 - t1) * (t0 - t2))
-        + p[1].1[c] * (t - t0) * (t - t2) / ((t1 - t0) * (t1 - t2))
-        + p[2].1[c] * (t - t0) * (t - t1) / ((t2 - t0) * (t2 - t1))
+    p[0].1[component] * (t - t1) * (t - t2) / ((t0 - t1) * (t0 - t2))
+        + p[1].1[component] * (t - t0) * (t - t2) / ((t1 - t0) * (t1 - t2))
+        + p[2].1[component] * (t - t0) * (t - t1) / ((t2 - t0) * (t2 - t1))
 }
 
-/// Second derivatives at the points, 0 at both ends: a tridiagonal system, solved from both sides.
-fn bends(p: &[(f64, [f64; 5])]) -> Vec<[f64; 5]> {
+/// Second derivatives of a natural spline at its points, 0 at both ends: a tridiagonal system, solved from both sides.
+fn second_derivatives(p: &[(f64, [f64; 5])]) -> Vec<[f64; 5]> {
     let n = p.len();
     let mut out = vec![[0.0; 5]; n];
     if n < 3 {
@@ -161,11 +166,11 @@ impl Sampler for Spline {
         1
     }
 
-    fn gives(&self) -> Gives {
-        Gives::Vector(self.len)
+    fn result_type(&self) -> ResultType {
+        ResultType::Vector(self.len)
     }
 
     fn sample(&self, arguments: &[f64]) -> [f64; 5] {
-        self.at(arguments[0], self.kind)
+        self.point_at(arguments[0], self.kind)
     }
 }

@@ -30,26 +30,26 @@ impl Header {
         })
     }
 
-    /// Reorders rows from the file's order to top first.
+    /// Reorders a BMP file's rows from the file's order to top first.
     fn top_first<T: Copy>(&self, rows: Vec<T>) -> Vec<T> {
         if self.up { rows.chunks(self.width).rev().flatten().copied().collect() } else { rows }
     }
 }
 
-/// Palette index of each pixel, from the top left; `None` without a palette, or if the file is broken.
-pub(super) fn indices(bytes: &[u8]) -> Option<Vec<u8>> {
+/// Palette index of each pixel of a BMP file, from the top left; `None` without a palette, or if the file is broken.
+pub(super) fn palette_indices(bytes: &[u8]) -> Option<Vec<u8>> {
     let header = Header::read(bytes)?;
     let data = bytes.get(header.start..)?;
     let rows = match (header.compression, header.bits) {
-        (PLAIN, 1 | 4 | 8) => plain(&header, data)?,
-        (RUNS_OF_BYTES, 8) | (RUNS_OF_HALVES, 4) => runs(&header, data)?,
+        (PLAIN, 1 | 4 | 8) => decode_uncompressed(&header, data)?,
+        (RUNS_OF_BYTES, 8) | (RUNS_OF_HALVES, 4) => decode_runs(&header, data)?,
         _ => return None,
     };
     Some(header.top_first(rows))
 }
 
-/// Uncompressed data; each row is padded to a multiple of four bytes.
-fn plain(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
+/// Decodes uncompressed palette indices of a BMP file; each row is padded to a multiple of four bytes.
+fn decode_uncompressed(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let stride = header.width.checked_mul(header.bits)?.div_ceil(32) * 4;
     let data = data.get(..stride.checked_mul(header.height)?)?;
     if data.is_empty() {
@@ -63,9 +63,9 @@ fn plain(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     Some(data.chunks(stride).flat_map(|row| (0..header.width).map(move |x| number(row, x))).collect())
 }
 
-/// Run-length data: pairs of a count and a byte that is repeated; a count of 0 ends a row (0), ends the picture (1),
-/// moves the position (2), or precedes literal bytes.
-fn runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
+/// Decodes run-length data of a BMP file: pairs of a count and a byte that is repeated; a count of 0 ends a row (0),
+/// ends the picture (1), moves the position (2), or precedes literal bytes.
+fn decode_runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let (width, halves) = (header.width, header.bits == 4);
     // A run of two bytes has at most 255 pixels, and a move at most 255 rows.
     if width.checked_mul(header.height)? > data.len().checked_mul(255 * 255)? {
@@ -113,7 +113,7 @@ fn runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
 }
 
 /// The fourth byte of each pixel of a bmp with 32 bits a pixel, from the top left.
-pub(super) fn alpha(bytes: &[u8]) -> Option<Vec<u8>> {
+pub(super) fn bmp_alpha(bytes: &[u8]) -> Option<Vec<u8>> {
     let header = Header::read(bytes)?;
     if header.bits != 32 || header.compression != PLAIN {
         return None;
@@ -141,23 +141,23 @@ mod tests {
     #[test]
     fn the_same_numbers_in_all_ways() {
         let expected = Some(vec![1, 2, 1, 3, 3, 3]);
-        assert_eq!(indices(&file(8, 0, &[3, 3, 3, 0, 1, 2, 1, 0])), expected);
-        assert_eq!(indices(&file(4, 0, &[0x33, 0x30, 0, 0, 0x12, 0x10, 0, 0])), expected);
-        assert_eq!(indices(&file(8, 1, &[3, 3, 0, 0, 0, 3, 1, 2, 1, 0, 0, 1])), expected);
-        assert_eq!(indices(&file(4, 2, &[3, 0x33, 0, 0, 3, 0x12, 0, 1])), expected);
-        assert_eq!(indices(&file(1, 0, &[0b1010_0000, 0, 0, 0, 0, 0, 0, 0])), Some(vec![0, 0, 0, 1, 0, 1]));
-        assert_eq!(indices(&file(24, 0, &[0; 24])), None);
+        assert_eq!(palette_indices(&file(8, 0, &[3, 3, 3, 0, 1, 2, 1, 0])), expected);
+        assert_eq!(palette_indices(&file(4, 0, &[0x33, 0x30, 0, 0, 0x12, 0x10, 0, 0])), expected);
+        assert_eq!(palette_indices(&file(8, 1, &[3, 3, 0, 0, 0, 3, 1, 2, 1, 0, 0, 1])), expected);
+        assert_eq!(palette_indices(&file(4, 2, &[3, 0x33, 0, 0, 3, 0x12, 0, 1])), expected);
+        assert_eq!(palette_indices(&file(1, 0, &[0b1010_0000, 0, 0, 0, 0, 0, 0, 0])), Some(vec![0, 0, 0, 1, 0, 1]));
+        assert_eq!(palette_indices(&file(24, 0, &[0; 24])), None);
     }
 
     #[test]
     fn broken_files_have_none() {
         let whole = file(8, 1, &[3, 3, 0, 2, 1, 1, 0, 3, 1, 2, 1, 0]);
         for end in 0..whole.len() {
-            drop(indices(&whole[..end]));
+            drop(palette_indices(&whole[..end]));
         }
-        assert_eq!(indices(&file(8, 0, &[3])), None);
+        assert_eq!(palette_indices(&file(8, 0, &[3])), None);
         let mut huge = file(8, 1, &[0, 1]);
         huge[18..26].fill(0x7f);
-        assert_eq!(indices(&huge), None);
+        assert_eq!(palette_indices(&huge), None);
     }
 }

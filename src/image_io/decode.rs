@@ -16,9 +16,10 @@ pub struct Pixels {
     pub width: usize,
     /// Height of the decoded picture in pixels.
     pub height: usize,
-    /// 1 gray, 2 gray and alpha, 3 colour, 4 colour and alpha.
+    /// Channels of a decoded picture: 1 gray, 2 gray and alpha, 3 colour, 4 colour and alpha.
     pub channels: usize,
-    /// Row by row from the top left, the channels of a pixel adjacent; colours are not multiplied by alpha.
+    /// Samples of a decoded picture, row by row from the top left, the channels of a pixel adjacent; colours are not
+    /// multiplied by alpha.
     pub samples: Samples,
 }
 
@@ -45,17 +46,20 @@ impl From<Pixels> for Decoded {
     }
 }
 
-/// Decodes a file.
+/// Decodes a picture file.
 ///
 /// # Errors
-/// E0002 if it does not exist, E0003 if it can't be read, E0007 if it is not a picture.
-pub fn decode_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
+/// E0002 if the file does not exist, E0003 if it can't be read, E0007 if it is not a picture.
+pub fn decode_picture_file(files: &dyn Files, path: &Path) -> Result<Pixels> {
     let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
-    decode_bytes(&bytes, path).map(|decoded| decoded.pixels)
+    decode_picture_bytes(&bytes, path).map(|decoded| decoded.pixels)
 }
 
-/// Decodes the bytes of a picture file (E0007).
-pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
+/// Decodes the bytes of a picture file.
+///
+/// # Errors
+/// E0007 if it is not a picture.
+pub(super) fn decode_picture_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
     let _activity = Activity::begin("while a picture was decoded");
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
     decode_any(bytes, ending).map_err(|reason| {
@@ -74,17 +78,17 @@ pub(super) fn decode_bytes(bytes: &[u8], path: &Path) -> Result<Decoded> {
     })
 }
 
-/// Decodes png, jpg, bmp, tga, tiff, gif, ppm, hdr or exr. The bytes decide which; the ending of the file's name counts
-/// only for tga, which has no signature.
+/// Decodes a picture in the format png, jpg, bmp, tga, tiff, gif, ppm, hdr or exr. The bytes decide which; the ending
+/// of the file's name counts only for tga, which has no signature.
 ///
 /// # Errors
-/// The reason why it is not a picture, in words.
-pub fn decode(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
+/// The reason why the bytes are not a picture, in words.
+pub fn decode_pixels(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
     decode_any(bytes, ending).map(|decoded| decoded.pixels)
 }
 
 fn decode_any(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
-    if let Some(pixels) = netpbm::decode(bytes) {
+    if let Some(pixels) = netpbm::decode_netpbm(bytes) {
         return pixels.map(Decoded::from);
     }
     match bytes {
@@ -92,30 +96,30 @@ fn decode_any(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
             let pixels = decode_exr(bytes).or_else(|fault| decode_gray_exr(bytes).map_err(|_| fault));
             return pixels.map(Decoded::from).map_err(|e| e.to_string());
         }
-        [b'#', b'?', ..] => return radiance::decode(bytes).map(Decoded::from),
+        [b'#', b'?', ..] => return radiance::decode_radiance(bytes).map(Decoded::from),
         [b'F', b'O', b'R', b'M', ..] => return Err("iff pictures are not read, as they are not by POV-Ray 3.7".into()),
         _ => {}
     }
-    if let Some(decoded) = tiff_palette::decode(bytes, decode_usual) {
+    if let Some(decoded) = tiff_palette::decode_tiff_palette(bytes, decode_with_image_crate) {
         return decoded;
     }
     let format = image::guess_format(bytes).ok();
     if format.is_none() && ending.eq_ignore_ascii_case("tga") {
-        return tga::decode(bytes);
+        return tga::decode_tga(bytes);
     }
-    let pixels = decode_usual(bytes)?;
+    let pixels = decode_with_image_crate(bytes)?;
     if format != Some(ImageFormat::Bmp) {
         return Ok(pixels.into());
     }
-    let pixels = match bmp::alpha(bytes) {
+    let pixels = match bmp::bmp_alpha(bytes) {
         Some(alpha) => pixels.with_alpha(&alpha),
         None => pixels,
     };
-    Ok(Decoded { pixels, indices: bmp::indices(bytes) })
+    Ok(Decoded { pixels, indices: bmp::palette_indices(bytes) })
 }
 
-/// Decodes the formats of the crate `image`.
-fn decode_usual(bytes: &[u8]) -> Result<Pixels, String> {
+/// Decodes a picture whose format the crate `image` supports.
+fn decode_with_image_crate(bytes: &[u8]) -> Result<Pixels, String> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
     reader.decode().map(Pixels::from).map_err(|e| e.to_string())
 }
@@ -187,7 +191,7 @@ impl From<DynamicImage> for Pixels {
 impl Pixels {
     /// Removes the alpha channel of the decoded pixels.
     pub(super) fn without_alpha(self) -> Self {
-        fn kept<T: Copy>(samples: &[T], n: usize) -> Vec<T> {
+        fn drop_last_channel<T: Copy>(samples: &[T], n: usize) -> Vec<T> {
             samples.chunks_exact(n).flat_map(|pixel| &pixel[..n - 1]).copied().collect()
         }
         let n = self.channels;
@@ -195,14 +199,14 @@ impl Pixels {
             return self;
         }
         let samples = match &self.samples {
-            Samples::U8(v) => Samples::U8(kept(v, n)),
-            Samples::U16(v) => Samples::U16(kept(v, n)),
-            Samples::F32(v) => Samples::F32(kept(v, n)),
+            Samples::U8(v) => Samples::U8(drop_last_channel(v, n)),
+            Samples::U16(v) => Samples::U16(drop_last_channel(v, n)),
+            Samples::F32(v) => Samples::F32(drop_last_channel(v, n)),
         };
         Self { channels: n - 1, samples, ..self }
     }
 
-    /// Adds an alpha for each pixel, if the samples are bytes of colour.
+    /// Adds an alpha channel to a decoded picture, if its samples are bytes of colour.
     fn with_alpha(self, alpha: &[u8]) -> Self {
         let solid = self.without_alpha();
         let (Samples::U8(v), 3) = (&solid.samples, solid.channels) else { return solid };
@@ -214,29 +218,35 @@ impl Pixels {
         Self { channels: 4, samples, ..solid }
     }
 
-    /// Converts to linear light: integers are decoded by the sRGB curve, floating-point numbers are linear already.
-    pub fn to_frame(&self) -> Frame {
+    /// Converts a decoded picture to linear light: integers are decoded by the sRGB curve, floating-point numbers are
+    /// linear already.
+    pub fn to_linear_image(&self) -> Frame {
         let pixels = match &self.samples {
-            Samples::U8(v) => self.gather(v, &curve(255), |x| f32::from(x) / 255.0, usize::from),
-            Samples::U16(v) => self.gather(v, &curve(65_535), |x| f32::from(x) / 65_535.0, usize::from),
-            Samples::F32(v) => v.chunks_exact(self.channels).map(|p| spread(p, |x| x, |x| x)).collect(),
+            Samples::U8(v) => {
+                self.to_linear_pixels(v, &srgb_decoding_table(255), |x| f32::from(x) / 255.0, usize::from)
+            }
+            Samples::U16(v) => {
+                self.to_linear_pixels(v, &srgb_decoding_table(65_535), |x| f32::from(x) / 65_535.0, usize::from)
+            }
+            Samples::F32(v) => v.chunks_exact(self.channels).map(|p| expand_pixel(p, |x| x, |x| x)).collect(),
         };
         Frame { width: self.width, height: self.height, pixels }
     }
 
-    fn gather<T: Copy>(
+    fn to_linear_pixels<T: Copy>(
         &self,
         samples: &[T],
         curve: &[f32],
         alpha: impl Fn(T) -> f32,
         index: impl Fn(T) -> usize,
     ) -> Vec<[f32; 4]> {
-        samples.chunks_exact(self.channels).map(|p| spread(p, |x| curve[index(x)], &alpha)).collect()
+        samples.chunks_exact(self.channels).map(|p| expand_pixel(p, |x| curve[index(x)], &alpha)).collect()
     }
 }
 
-/// Expands a pixel of one to four channels to colour and alpha, each converted by its function; a missing alpha is 1.
-pub fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
+/// Expands a pixel of one to four channels to red, green, blue and alpha, each converted by its function; a missing
+/// alpha is 1.
+pub fn expand_pixel<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) -> f32) -> [f32; 4] {
     match *pixel {
         [gray] => [color(gray), color(gray), color(gray), 1.0],
         [gray, a] => [color(gray), color(gray), color(gray), alpha(a)],
@@ -246,7 +256,7 @@ pub fn spread<T: Copy>(pixel: &[T], color: impl Fn(T) -> f32, alpha: impl Fn(T) 
     }
 }
 
-/// Returns the linear light of each code from 0 to `max`.
-fn curve(max: u16) -> Vec<f32> {
+/// Returns the linear light of each sRGB code from 0 to `max`.
+fn srgb_decoding_table(max: u16) -> Vec<f32> {
     (0..=max).map(|code| transfer::srgb_decode(f64::from(code) / f64::from(max)) as f32).collect()
 }

@@ -5,17 +5,18 @@
 
 use super::quantize::Scale;
 
-/// Method of rounding light to integer codes.
+/// Dithering method for rounding light to integer codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dither {
-    /// An ordered pattern of 2, 3 or 4 pixels (Bayer, An optimum method for two-level rendition, 1973).
+    /// Ordered dithering by a pattern with a side of 2, 3 or 4 pixels (Bayer, An optimum method for two-level
+    /// rendition, 1973).
     Bayer(usize),
     /// Dithering that adds the rounding error to the row's next pixel.
     Row,
-    /// The error is divided among the next pixel and two below.
+    /// Dithering that divides the rounding error among the next pixel and two below.
     Simple,
-    /// The error is divided among the next pixel and three below (Floyd and Steinberg, An adaptive algorithm for
-    /// spatial greyscale, 1976).
+    /// Dithering that divides the rounding error among the next pixel and three below (Floyd and Steinberg, An adaptive
+    /// algorithm for spatial greyscale, 1976).
     FloydSteinberg,
 }
 
@@ -23,19 +24,19 @@ const TWO: [usize; 4] = [1, 4, 3, 2];
 const THREE: [usize; 9] = [3, 6, 2, 7, 1, 8, 4, 9, 5];
 const FOUR: [usize; 16] = [1, 13, 4, 16, 9, 5, 12, 8, 3, 15, 2, 14, 11, 7, 10, 6];
 
-/// A receiver of a pixel's error: offset to the right, offset down, share.
+/// A receiver of a pixel's rounding error in dithering: offset to the right, offset down, share.
 type Share = (isize, usize, f32);
 const SIMPLE: &[Share] = &[(1, 0, 0.5), (0, 1, 0.25), (1, 1, 0.25)];
 const FLOYD_STEINBERG: &[Share] = &[(1, 0, 7.0 / 16.0), (-1, 1, 3.0 / 16.0), (0, 1, 5.0 / 16.0), (1, 1, 1.0 / 16.0)];
 
-/// Rounds one row after the other.
+/// State of a picture's dithering, row after row.
 pub(super) struct Ditherer {
     dither: Dither,
     channels: usize,
     row: usize,
-    /// Light to be added to this row and the two below, by channel.
+    /// Rounding errors to be added to this row and the two below, by pixel and channel.
     errors: [Vec<f32>; 3],
-    /// Rounding error of the row's last pixel, by channel.
+    /// Rounding error of the last pixel in the row, by channel.
     last: [f32; 4],
 }
 
@@ -45,43 +46,43 @@ impl Ditherer {
         Self { dither, channels, row: 0, errors, last: [0.0; 4] }
     }
 
-    /// Converts the light of a row, from 0 to 1, channel by channel, to codes.
-    pub fn codes(&mut self, row: &[f32], scale: Scale) -> Vec<u16> {
-        let codes = row.iter().enumerate().map(|(i, &x)| self.code(i, x, scale)).collect();
+    /// Dithers a row of light, from 0 to 1, channel by channel, to integer codes.
+    pub fn dither_row(&mut self, row: &[f32], scale: Scale) -> Vec<u16> {
+        let codes = row.iter().enumerate().map(|(i, &x)| self.dither_sample(i, x, scale)).collect();
         self.errors.rotate_left(1);
         self.errors[2].fill(0.0);
         self.row += 1;
         codes
     }
 
-    /// Code of the light with this index in its row.
-    fn code(&mut self, i: usize, light: f32, scale: Scale) -> u16 {
+    /// Dithers the light with index `i` in its row to an integer code.
+    fn dither_sample(&mut self, i: usize, light: f32, scale: Scale) -> u16 {
         let (column, channel) = (i / self.channels, i % self.channels);
-        let round = |light| scale.code(scale.number(channel, light) + 0.5);
+        let round = |light| scale.round_down_to_code(scale.encoded_light(channel, light) + 0.5);
         match self.dither {
             Dither::Bayer(n) => {
                 let pattern: &[usize] = [&TWO[..], &THREE, &FOUR][n.clamp(2, 4) - 2];
                 let level = pattern[self.row % n * n + column % n] as f32;
-                scale.code(scale.number(channel, light) + level / (n * n) as f32)
+                scale.round_down_to_code(scale.encoded_light(channel, light) + level / (n * n) as f32)
             }
             Dither::Row => {
                 let wanted = light + self.last[channel];
                 let code = round(wanted);
-                self.last[channel] = wanted - scale.light(channel, code);
+                self.last[channel] = wanted - scale.light_of_code(channel, code);
                 code
             }
             Dither::Simple | Dither::FloydSteinberg => {
                 let wanted = light + self.errors[0][i];
                 let code = round(wanted);
-                self.share(i, wanted - scale.light(channel, code));
+                self.distribute_error(i, wanted - scale.light_of_code(channel, code));
                 code
             }
         }
     }
 
-    /// Distributes the error of a pixel. The first column receives errors from above one row late, and errors beyond
-    /// the sides are lost (quirk: `dithering`).
-    fn share(&mut self, i: usize, error: f32) {
+    /// Distributes a pixel's rounding error to its neighbours. The first column receives errors from above one row
+    /// late, and errors beyond the sides are lost (quirk: `dithering`).
+    fn distribute_error(&mut self, i: usize, error: f32) {
         let shares = if self.dither == Dither::Simple { SIMPLE } else { FLOYD_STEINBERG };
         for &(right, down, share) in shares {
             let Some(at) = i.checked_add_signed(right * self.channels as isize) else { continue };
@@ -111,12 +112,12 @@ mod tests {
             for shade in [0.25, 100.4, 254.7] {
                 let (scale, light) = (scale(gamma), gamma.decode(f64::from(shade) / 255.0) as f32);
                 let mut ditherer = Ditherer::new(dither, 120, 3);
-                let codes: Vec<u16> = (0..120).flat_map(|_| ditherer.codes(&[light; 360], scale)).collect();
+                let codes: Vec<u16> = (0..120).flat_map(|_| ditherer.dither_row(&[light; 360], scale)).collect();
                 let mean = codes.iter().map(|&c| f64::from(c)).sum::<f64>() / codes.len() as f64;
                 // A pattern of nine or sixteen pixels has as many shades, and all of its levels are rounded up.
                 assert!((mean - f64::from(shade)).abs() < 0.27, "{dither:?}: {mean}, not {shade}");
                 assert!(codes.iter().all(|&code| (f32::from(code) - shade).abs() <= 1.0), "{dither:?}");
-                let lights = codes.iter().map(|&code| f64::from(scale.light(0, code)));
+                let lights = codes.iter().map(|&code| f64::from(scale.light_of_code(0, code)));
                 let mean = lights.sum::<f64>() / codes.len() as f64;
                 let pattern = matches!(dither, Dither::Bayer(_));
                 assert!(pattern || (mean - f64::from(light)).abs() < 2e-5, "{dither:?}: {mean}, not {light}");
@@ -129,7 +130,7 @@ mod tests {
     fn patterns_are_povrays() {
         let mut ditherer = Ditherer::new(Dither::Bayer(4), 4, 1);
         let row = [100.53 / 255.0; 4];
-        let rows: Vec<Vec<u16>> = (0..4).map(|_| ditherer.codes(&row, scale(Gamma::Raw))).collect();
+        let rows: Vec<Vec<u16>> = (0..4).map(|_| ditherer.dither_row(&row, scale(Gamma::Raw))).collect();
         assert_eq!(rows, [[100, 101, 100, 101], [101, 100, 101, 101], [100, 101, 100, 101], [101, 100, 101, 100]]);
     }
 
@@ -139,8 +140,10 @@ mod tests {
         let rows = |dither| {
             let mut ditherer = Ditherer::new(dither, 12, 1);
             [(); 4].map(|()| {
-                let up =
-                    ditherer.codes(&[0.03; 12], scale(Gamma::Srgb)).into_iter().map(|code| (code - 48).to_string());
+                let up = ditherer
+                    .dither_row(&[0.03; 12], scale(Gamma::Srgb))
+                    .into_iter()
+                    .map(|code| (code - 48).to_string());
                 up.collect::<String>()
             })
         };
@@ -152,7 +155,7 @@ mod tests {
     fn nan_leaves_no_error() {
         for dither in ALL {
             let mut ditherer = Ditherer::new(dither, 1, 4);
-            let codes = [(); 3].map(|()| ditherer.codes(&[0.0, 1.0, 1.0, 0.0], scale(Gamma::Srgb)));
+            let codes = [(); 3].map(|()| ditherer.dither_row(&[0.0, 1.0, 1.0, 0.0], scale(Gamma::Srgb)));
             assert!(
                 codes.iter().all(|row| *row == [0, 255, 255, 0]) || matches!(dither, Dither::Bayer(_)),
                 "{dither:?}"

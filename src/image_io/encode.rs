@@ -2,7 +2,7 @@
 
 use super::dither::{Dither, Ditherer};
 use super::png_writer::PngWriter;
-use super::quantize::{Integers, over_black};
+use super::quantize::{Integers, composite_over_black};
 use super::{Format, Frame};
 use crate::color::{Gamma, gray};
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
@@ -18,11 +18,11 @@ use std::io::{self, Cursor, Seek, Write};
 pub struct Encoding {
     /// File format of the encoded picture.
     pub format: Format,
-    /// 8 or 16 bits a channel, or for exr 16 or 32, where the format has them.
+    /// Bits per channel of the encoded picture, where the format has a choice: 8 or 16, for exr 16 or 32.
     pub depth: u8,
-    /// True to keep transparency, where the format can; otherwise the picture is composited over black.
+    /// True to encode transparency, where the format can; otherwise the picture is composited over black.
     pub alpha: bool,
-    /// True to keep brightness alone, as height fields do; png and ppm (which is then pgm) can.
+    /// True to encode brightness alone, as height fields do, where the format can: png and ppm, which is then pgm.
     pub gray: bool,
     /// Transfer curve of the picture's integer codes.
     pub gamma: Gamma,
@@ -37,7 +37,7 @@ pub struct Encoding {
 pub enum Packing {
     /// OpenEXR compression: none.
     None,
-    /// Run-length encoding by lines: ten times as fast as the denser methods.
+    /// OpenEXR compression: run-length encoding by lines, ten times as fast as the denser methods.
     #[default]
     Runs,
     /// OpenEXR compression: Deflate, sixteen lines at once.
@@ -45,7 +45,7 @@ pub enum Packing {
 }
 
 impl Encoding {
-    /// 8 bits, or 32 for exr; the sRGB curve, no transparency.
+    /// Default encoding for a format: 8 bits a channel, or 32 for exr; the sRGB curve, no transparency.
     pub fn new(format: Format) -> Self {
         let depth = if format == Format::Exr { 32 } else { 8 };
         let (gamma, packing) = (Gamma::Srgb, Packing::default());
@@ -56,40 +56,41 @@ impl Encoding {
         self.alpha && self.format.has_alpha()
     }
 
-    /// True if the light of all pixels is kept until the last row: the rows of bmp files start at the bottom, and error
-    /// diffusion does too (quirk: `bmp_dithers_upwards`; patterns start at the top).
-    fn keeps_light(&self) -> bool {
+    /// True if the encoder stores the light of all pixels until the last row: the rows of bmp files start at the
+    /// bottom, and error diffusion does too (quirk: `bmp_dithers_upwards`; patterns start at the top).
+    fn buffers_light(&self) -> bool {
         let hands_on = self.dither.is_some_and(|dither| !matches!(dither, Dither::Bayer(_)));
         self.format == Format::Exr || self.format == Format::Bmp && hands_on
     }
 
-    /// Memory per pixel until the file is finished, in bytes.
-    pub fn kept(&self) -> usize {
+    /// Memory that the encoder needs per pixel until the file is finished, in bytes.
+    pub fn buffered_bytes_per_pixel(&self) -> usize {
         match self.format {
             Format::Png | Format::Ppm | Format::Hdr => 0,
-            _ if self.keeps_light() => size_of::<[f32; 4]>(),
+            _ if self.buffers_light() => size_of::<[f32; 4]>(),
             _ => usize::from(self.depth / 8) * if self.keeps_alpha() { 4 } else { 3 },
         }
     }
 }
 
-/// A consumer of a picture, some whole rows of linear light at a time, from the top; pixels are those of a [`Frame`].
+/// Consumer of a picture's rows of linear light, some whole rows at a time, from the top; pixels are those of a
+/// [`Frame`].
 pub trait Rows: Send {
-    /// Consumes the next rows.
+    /// Consumes the picture's next rows.
     ///
     /// # Errors
-    /// The reason why they can't be stored.
-    fn take(&mut self, rows: &[[f32; 4]]) -> Result<()>;
+    /// The reason why the rows can't be stored.
+    fn take_rows(&mut self, rows: &[[f32; 4]]) -> Result<()>;
 }
 
 impl Rows for Frame {
-    fn take(&mut self, rows: &[[f32; 4]]) -> Result<()> {
+    fn take_rows(&mut self, rows: &[[f32; 4]]) -> Result<()> {
         self.pixels.extend_from_slice(rows);
         Ok(())
     }
 }
 
-/// The reason why a picture was not stored.
+/// The reason why a picture could not be encoded or written.
 #[derive(Debug)]
 pub enum EncodeError {
     /// Encoding failed because the picture's file can't be written.
@@ -99,7 +100,8 @@ pub enum EncodeError {
 }
 
 impl EncodeError {
-    /// E0008, or the result of `unwritable` if the file can't be written.
+    /// Converts the error to a diagnostic: E0008 if the format can't hold the picture, or the result of `unwritable` if
+    /// the file can't be written.
     pub fn into_fault(self, format: Format, unwritable: impl FnOnce(&io::Error) -> Diagnostic) -> Fault {
         Box::new(match self {
             Self::Io(error) => unwritable(&error),
@@ -141,7 +143,7 @@ pub(super) type Encoded<T = ()> = std::result::Result<T, EncodeError>;
 const JPEG_QUALITY: u8 = 92;
 
 /// A picture file that is being written: rows are passed from the top, and are written immediately where the format
-/// allows.
+/// allows it.
 pub struct Encoder<W: Write + Seek> {
     encoding: Encoding,
     width: usize,
@@ -154,14 +156,14 @@ enum Out<W: Write + Seek> {
     /// PNG encoder, which writes each row immediately.
     Png(Box<PngWriter<W>>),
     Flat(W),
-    /// Rows are kept in the file's own form until the last one.
+    /// Encoder of a format of integers, which collects the samples of all rows until the last one.
     Integers(W, Vec<u8>),
     Floats(W, Vec<[f32; 4]>),
 }
 
 impl<W: Write + Seek> Encoder<W> {
-    /// Begins the file of a picture of this size: integers follow the sRGB curve, floating-point formats have linear
-    /// light.
+    /// Begins the file of a picture of this size: integers follow the transfer curve of `encoding`, floating-point
+    /// formats have linear light.
     ///
     /// # Errors
     /// If the format can't hold the picture, or the file can't be written.
@@ -174,11 +176,11 @@ impl<W: Write + Seek> Encoder<W> {
                 Out::Flat(out)
             }
             Format::Hdr => {
-                out.write_all(hdr_parts(&[Rgb([0.0; 3])], 1, 1)?.0.as_slice())?;
+                out.write_all(encode_hdr_parts(&[Rgb([0.0; 3])], 1, 1)?.0.as_slice())?;
                 writeln!(out, "-Y {height} +X {width}")?;
                 Out::Flat(out)
             }
-            _ if encoding.keeps_light() => Out::Floats(out, vec![]),
+            _ if encoding.buffers_light() => Out::Floats(out, vec![]),
             _ => Out::Integers(out, vec![]),
         };
         let alpha = encoding.keeps_alpha();
@@ -188,32 +190,35 @@ impl<W: Write + Seek> Encoder<W> {
         Ok(Self { encoding: *encoding, width, height, integers, out })
     }
 
-    /// Adds rows.
+    /// Adds rows to a picture file.
     ///
     /// # Errors
     /// If they can't be written.
-    pub fn rows(&mut self, rows: &[[f32; 4]]) -> Encoded {
+    pub fn write_rows(&mut self, rows: &[[f32; 4]]) -> Encoded {
         let Self { encoding, width, .. } = *self;
         let grays: Vec<_>;
         let rows = if encoding.gray {
-            grays = rows.iter().map(brightness).collect();
+            grays = rows.iter().map(gray_pixel).collect();
             &grays[..]
         } else {
             rows
         };
         let mut stored = |high_first| {
-            let all = self.integers.rows(rows, high_first);
-            if encoding.gray { one_of_three(&all, encoding) } else { all }
+            let all = self.integers.encode_rows(rows, high_first);
+            if encoding.gray { drop_equal_channels(&all, encoding) } else { all }
         };
         match &mut self.out {
-            Out::Png(out) => out.rows(&stored(true))?,
+            Out::Png(out) => out.write_rows(&stored(true))?,
             Out::Flat(out) if encoding.format == Format::Hdr => {
-                let rgb: Vec<_> = rows.iter().map(|&p| Rgb(over_black(p).map(|c| number(c).max(0.0)))).collect();
-                out.write_all(&hdr_parts(&rgb, width, rows.len() / width)?.1)?;
+                let rgb: Vec<_> =
+                    rows.iter().map(|&p| Rgb(composite_over_black(p).map(|c| nan_to_zero(c).max(0.0)))).collect();
+                out.write_all(&encode_hdr_parts(&rgb, width, rows.len() / width)?.1)?;
             }
             Out::Flat(out) => out.write_all(&stored(true))?,
             Out::Integers(_, kept) => {
-                kept.reserve_exact((self.height * width * encoding.kept()).saturating_sub(kept.len()));
+                kept.reserve_exact(
+                    (self.height * width * encoding.buffered_bytes_per_pixel()).saturating_sub(kept.len()),
+                );
                 kept.extend(stored(false));
             }
             Out::Floats(_, kept) => {
@@ -224,7 +229,7 @@ impl<W: Write + Seek> Encoder<W> {
         Ok(())
     }
 
-    /// Ends the file.
+    /// Ends a picture file.
     ///
     /// # Errors
     /// If it can't be written, or the format can't hold the picture.
@@ -235,7 +240,7 @@ impl<W: Write + Seek> Encoder<W> {
             Out::Flat(mut out) => out.flush()?,
             Out::Floats(mut out, pixels) if self.encoding.format == Format::Bmp => {
                 let rows = pixels.chunks(self.width.max(1)).rev();
-                let rows: Vec<_> = rows.map(|row| self.integers.rows(row, false)).collect();
+                let rows: Vec<_> = rows.map(|row| self.integers.encode_rows(row, false)).collect();
                 encode_integers(&mut out, size, &rows.into_iter().rev().flatten().collect::<Vec<_>>(), &self.encoding)?;
             }
             Out::Floats(mut out, pixels) => encode_exr(&mut out, size, &pixels, &self.encoding)?,
@@ -245,14 +250,14 @@ impl<W: Write + Seek> Encoder<W> {
     }
 }
 
-/// The bytes of the file of a whole picture.
+/// Encodes a whole picture; returns the bytes of the file.
 ///
 /// # Errors
 /// E0008 if the format can't hold the picture.
 pub fn encode(frame: &Frame, encoding: &Encoding) -> Result<Vec<u8>> {
     let mut out = Cursor::new(Vec::new());
     let written = Encoder::new(&mut out, frame.width, frame.height, encoding).and_then(|mut encoder| {
-        encoder.rows(&frame.pixels)?;
+        encoder.write_rows(&frame.pixels)?;
         encoder.finish()
     });
     let fault = |e: &io::Error| Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, e.to_string());
@@ -282,7 +287,7 @@ fn encode_integers<W: Write + Seek>(
     Ok(())
 }
 
-/// Alpha is associated (colours are multiplied by it), as OpenEXR's specification demands.
+/// Writes an OpenEXR picture. Alpha is associated (colours are multiplied by it), as OpenEXR's specification demands.
 fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32; 4]], how: &Encoding) -> Encoded {
     let compression = match how.packing {
         Packing::None => Compression::Uncompressed,
@@ -290,8 +295,8 @@ fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32
         Packing::Zip => Compression::ZIP16,
     };
     let packing = ExrEncoding { compression, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
-    let pixel = |at: exr::math::Vec2<usize>| pixels[at.y() * size.0 + at.x()].map(number);
-    let rgb = |at| over_black(pixel(at));
+    let pixel = |at: exr::math::Vec2<usize>| pixels[at.y() * size.0 + at.x()].map(nan_to_zero);
+    let rgb = |at| composite_over_black(pixel(at));
     let rgba = |at| {
         let [r, g, b, a] = pixel(at);
         [r * a, g * a, b * a, a]
@@ -312,8 +317,8 @@ fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32
     Ok(())
 }
 
-/// The bytes before the size in a file of these rows, and those after it.
-fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>, Vec<u8>)> {
+/// Encodes a Radiance HDR picture of these rows; returns the file's bytes before the size and after it.
+fn encode_hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>, Vec<u8>)> {
     let mut file = Vec::new();
     HdrEncoder::new(&mut file).encode(rows, width, height)?;
     let size = format!("-Y {height} +X {width}\n");
@@ -324,19 +329,19 @@ fn hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>
 }
 
 /// Returns a gray pixel of equal brightness.
-fn brightness(&[r, g, b, a]: &[f32; 4]) -> [f32; 4] {
+fn gray_pixel(&[r, g, b, a]: &[f32; 4]) -> [f32; 4] {
     let gray = gray(crate::color::Rgb::new(f64::from(r), f64::from(g), f64::from(b))) as f32;
     [gray, gray, gray, a]
 }
 
-/// Keeps one of three equal colour channels, and alpha.
-fn one_of_three(pixels: &[u8], encoding: Encoding) -> Vec<u8> {
+/// Removes two of three equal colour channels from encoded gray pixels, and keeps alpha.
+fn drop_equal_channels(pixels: &[u8], encoding: Encoding) -> Vec<u8> {
     let number = usize::from(encoding.depth / 8);
     let pixel = number * if encoding.keeps_alpha() { 4 } else { 3 };
     pixels.chunks(pixel).flat_map(|pixel| pixel[..number].iter().chain(&pixel[3 * number..])).copied().collect()
 }
 
-/// Replaces NaN by 0: it would spread through every program that reads the file.
-fn number(x: f32) -> f32 {
+/// Replaces NaN by 0 in a sample: NaN would spread through every program that reads the file.
+fn nan_to_zero(x: f32) -> f32 {
     if x.is_nan() { 0.0 } else { x }
 }

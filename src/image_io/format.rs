@@ -25,18 +25,18 @@ pub enum Format {
     Tiff,
 }
 
-/// Table row of a picture format's capabilities.
+/// Capabilities of a picture format, as a row of the table of formats.
 struct Row {
     format: Format,
-    /// Endings of file names; the first one is the format's name.
+    /// Endings of file names in a picture format; the first one is the format's name.
     endings: &'static [&'static str],
-    /// Bits per channel that the format allows; empty for floating-point numbers.
+    /// Bits per channel that a picture format allows; empty for floating-point numbers.
     depths: &'static [u8],
     alpha: bool,
     max_side: usize,
 }
 
-const fn row(
+const fn format_row(
     format: Format,
     endings: &'static [&'static str],
     depths: &'static [u8],
@@ -47,24 +47,24 @@ const fn row(
 }
 
 const ROWS: &[Row] = &[
-    row(Format::Png, &["png"], &[8, 16], true, i32::MAX as usize),
-    row(Format::Exr, &["exr"], &[16, 32], true, i32::MAX as usize),
-    row(Format::Hdr, &["hdr"], &[], false, i32::MAX as usize),
-    row(Format::Jpg, &["jpg", "jpeg"], &[8], false, 65_535),
-    row(Format::Ppm, &["ppm", "pnm", "pgm"], &[8, 16], false, usize::MAX),
-    row(Format::Bmp, &["bmp"], &[8], true, i32::MAX as usize),
-    row(Format::Tga, &["tga"], &[8], true, 65_535),
-    row(Format::Tiff, &["tiff", "tif"], &[8, 16], true, i32::MAX as usize),
+    format_row(Format::Png, &["png"], &[8, 16], true, i32::MAX as usize),
+    format_row(Format::Exr, &["exr"], &[16, 32], true, i32::MAX as usize),
+    format_row(Format::Hdr, &["hdr"], &[], false, i32::MAX as usize),
+    format_row(Format::Jpg, &["jpg", "jpeg"], &[8], false, 65_535),
+    format_row(Format::Ppm, &["ppm", "pnm", "pgm"], &[8, 16], false, usize::MAX),
+    format_row(Format::Bmp, &["bmp"], &[8], true, i32::MAX as usize),
+    format_row(Format::Tga, &["tga"], &[8], true, 65_535),
+    format_row(Format::Tiff, &["tiff", "tif"], &[8, 16], true, i32::MAX as usize),
 ];
 
 impl Format {
-    fn row(self) -> &'static Row {
+    fn capabilities(self) -> &'static Row {
         &ROWS[self as usize]
     }
 
     /// Returns the name of the picture format, such as `png` or `exr`.
     pub fn name(self) -> &'static str {
-        self.row().endings[0]
+        self.capabilities().endings[0]
     }
 
     /// Returns the names of all picture formats, in the order of the manual.
@@ -72,14 +72,14 @@ impl Format {
         ROWS.iter().map(|row| row.endings[0])
     }
 
-    /// True if the number of bits per channel can be chosen.
+    /// True if the picture format offers a choice of bits per channel.
     pub fn has_depth(self) -> bool {
-        !self.row().depths.is_empty()
+        !self.capabilities().depths.is_empty()
     }
 
     /// True if the picture format can hold transparency.
     pub fn has_alpha(self) -> bool {
-        self.row().alpha
+        self.capabilities().alpha
     }
 
     /// True if the picture format can hold brightness alone.
@@ -111,12 +111,12 @@ impl Format {
         Diagnostic::new(codes::UNKNOWN_FORMAT, Span::NONE, message).help(help).into()
     }
 
-    /// Checks whether the format can hold a picture of this size with this number of bits per channel.
+    /// Checks whether the picture format can hold a picture of this size with this number of bits per channel.
     ///
     /// # Errors
     /// E0008 if it can't.
     pub fn check(self, width: usize, height: usize, depth: Option<u8>) -> Result<()> {
-        let (row, name) = (self.row(), self.name());
+        let (row, name) = (self.capabilities(), self.name());
         let fault = |text: String, help: &str| Diagnostic::new(codes::FORMAT_LIMIT, Span::NONE, text).help(help).into();
         match depth {
             Some(_) if row.depths.is_empty() => {

@@ -2,8 +2,8 @@
 
 use super::quantize;
 
-/// Linear light, row by row from the top left; four numbers a pixel: red, green, blue (linear sRGB primaries, 1 is white, not
-/// clamped, not multiplied by alpha) and alpha (1 is opaque).
+/// Picture of linear light, row by row from the top left; four numbers a pixel: red, green, blue (linear sRGB
+/// primaries, 1 is white, not clamped, not multiplied by alpha) and alpha (1 is opaque).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// Width of the picture in pixels.
@@ -23,14 +23,14 @@ impl Frame {
     /// Composites the picture over black.
     pub fn over_black(&self) -> Self {
         let opaque = |&p: &[f32; 4]| {
-            let [r, g, b] = quantize::over_black(p);
+            let [r, g, b] = quantize::composite_over_black(p);
             [r, g, b, 1.0]
         };
         Self { width: self.width, height: self.height, pixels: self.pixels.iter().map(opaque).collect() }
     }
 
-    /// Encoded as in an 8-bit file: the sRGB curve, red, green, blue and alpha.
+    /// Encodes the picture as in an 8-bit file: the sRGB curve, red, green, blue and alpha.
     pub fn rgba8(&self) -> Vec<[u8; 4]> {
-        quantize::bytes(&self.pixels, true).as_chunks().0.to_vec()
+        quantize::encode_srgb8(&self.pixels, true).as_chunks().0.to_vec()
     }
 }

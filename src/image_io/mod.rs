@@ -17,11 +17,11 @@ mod tests;
 mod tga;
 mod tiff_palette;
 
-use decode::{Decoded, decode_bytes};
-pub use decode::{Pixels, Samples, decode, decode_file, spread};
+use decode::{Decoded, decode_picture_bytes};
+pub use decode::{Pixels, Samples, decode_picture_file, decode_pixels, expand_pixel};
 pub use density::Voxels;
 pub use dither::Dither;
 pub use encode::{EncodeError, Encoder, Encoding, Packing, Rows, encode};
 pub use format::Format;
 pub use frame::Frame;
-pub use picture::{Picture, Stored, kept_gray, wrapped};
+pub use picture::{Picture, Stored, povray_gray, wrap_to_u16};

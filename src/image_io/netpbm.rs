@@ -4,7 +4,7 @@
 use super::{Pixels, Samples};
 
 /// Decodes a PPM or PGM file; `None` for another file or another maximum value.
-pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
+pub(super) fn decode_netpbm(bytes: &[u8]) -> Option<Result<Pixels, String>> {
     let (channels, plain) = match bytes.get(..2)? {
         b"P2" => (1, true),
         b"P3" => (3, true),
@@ -13,7 +13,7 @@ pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
         _ => return None,
     };
     let mut rest = &bytes[2..];
-    let [width, height, max] = [number(&mut rest)?, number(&mut rest)?, number(&mut rest)?];
+    let [width, height, max] = [read_number(&mut rest)?, read_number(&mut rest)?, read_number(&mut rest)?];
     if !(1..255).contains(&max) || width == 0 || height == 0 {
         return None;
     }
@@ -21,7 +21,7 @@ pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
         let count = width.checked_mul(height)?.checked_mul(channels).filter(|&count| count <= rest.len())?;
         let wide = |n: usize| (n.min(max) * 65_535 + max / 2).div_euclid(max) as u16;
         if plain {
-            return (0..count).map(|_| number(&mut rest).map(wide)).collect();
+            return (0..count).map(|_| read_number(&mut rest).map(wide)).collect();
         }
         // one whitespace character ends the header
         Some(rest.get(1..=count)?.iter().map(|&byte| wide(usize::from(byte))).collect())
@@ -31,7 +31,7 @@ pub(super) fn decode(bytes: &[u8]) -> Option<Result<Pixels, String>> {
 }
 
 /// Reads the next number of a PPM or PGM file, after whitespace and comments.
-fn number(rest: &mut &[u8]) -> Option<usize> {
+fn read_number(rest: &mut &[u8]) -> Option<usize> {
     loop {
         match rest.first()? {
             b'#' => *rest = &rest[memchr::memchr(b'\n', rest)?..],
@@ -53,9 +53,9 @@ mod tests {
     fn numbers_keep_their_fractions() {
         let expected = Samples::U16(vec![0, 6554, 65535]);
         for file in [&b"P3 # a\n1 1 100\n0 10 100"[..], b"P6\n1 1\n100\n\x00\x0a\x64"] {
-            assert_eq!(decode(file).unwrap().unwrap().samples, expected);
+            assert_eq!(decode_netpbm(file).unwrap().unwrap().samples, expected);
         }
-        assert_eq!(decode(b"P5 1 1 255 a"), None);
-        assert!(decode(b"P6\n9 9\n100\n\x00").unwrap().is_err());
+        assert_eq!(decode_netpbm(b"P5 1 1 255 a"), None);
+        assert!(decode_netpbm(b"P6\n9 9\n100\n\x00").unwrap().is_err());
     }
 }

@@ -1,22 +1,22 @@
 //! A picture that a scene uses: its samples, and the information in its file about them.
 
-use super::{Decoded, Pixels, Samples, decode_bytes};
+use super::{Decoded, Pixels, Samples, decode_picture_bytes};
 use crate::color::GRAY_WEIGHTS;
 use crate::diagnostic::Result;
 use crate::diagnostic::file;
 use crate::source::{Files, ReadError};
 use std::path::Path;
 
-/// Relation of a picture file's numbers to light.
+/// Relation of a picture file's sample numbers to light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stored {
-    /// Numbers are used as they are: ppm, tiff, hdr, exr.
+    /// Samples are used as they are: the formats ppm, tiff, hdr, exr.
     Plain,
-    /// Unknown; png, jpeg, gif, tga and bmp usually follow the sRGB curve.
+    /// The file names no transfer curve; png, jpeg, gif, tga and bmp usually follow the sRGB curve.
     Unsaid,
-    /// Numbers follow the sRGB curve, according to the file.
+    /// Samples follow the sRGB curve, according to the file.
     Srgb,
-    /// Light is the number to the power of this, according to the file.
+    /// Light is the sample to the power of this, according to the file.
     Power(f64),
 }
 
@@ -27,25 +27,25 @@ pub struct Picture {
     pub pixels: Pixels,
     /// Relation of the picture's samples to light.
     pub stored: Stored,
-    /// Palette index of each pixel, row by row from the top, if the file has a palette.
+    /// Palette index of each pixel of the decoded picture, row by row from the top, if the file has a palette.
     pub indices: Option<Vec<u8>>,
-    /// True for a png of grays alone, of up to eight bits each.
+    /// True if the picture file is a png of grays alone, of up to eight bits each.
     pub gray_bytes: bool,
 }
 
 impl Picture {
-    /// Decodes a file.
+    /// Decodes a picture file.
     ///
     /// # Errors
-    /// E0002 if it does not exist, E0003 if it can't be read, E0007 if it is not a picture.
+    /// E0002 if the file does not exist, E0003 if it can't be read, E0007 if it is not a picture.
     pub fn read(files: &dyn Files, path: &Path) -> Result<Self> {
         let bytes = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
-        let Decoded { mut pixels, mut indices } = decode_bytes(&bytes, path)?;
+        let Decoded { mut pixels, mut indices } = decode_picture_bytes(&bytes, path)?;
         let (mut stored, mut gray_bytes) = (Stored::Unsaid, false);
         match &bytes[..] {
             [0x89, b'P', b'N', b'G', ..] => {
                 let keyed;
-                (stored, indices, keyed) = png_extras(&bytes);
+                (stored, indices, keyed) = read_png_chunks(&bytes);
                 if keyed {
                     pixels = pixels.without_alpha();
                 }
@@ -61,23 +61,23 @@ impl Picture {
     }
 }
 
-/// POV-Ray's value of a gray in a png of grays: rounded down to a byte after the weights have reduced it (quirk:
-/// `gray_png_rounds_down`).
-pub fn kept_gray(gray: f32) -> f32 {
+/// Returns POV-Ray's value for a gray sample of a png of grays: rounded down to a byte after the weights have reduced
+/// it (quirk: `gray_png_rounds_down`).
+pub fn povray_gray(gray: f32) -> f32 {
     let [r, g, b] = GRAY_WEIGHTS.map(|weight| weight as f32 * gray);
     (((r + g) + b) * 255.0).floor().clamp(0.0, 255.0) / 255.0
 }
 
-/// A function's number in the 16 bits of a function picture: truncated, and numbers below 0 or above 1 wrap (quirk:
-/// `function_picture_wraps`): 0.25 is 16383, 1.001 is 64, and -0.3 is 45876.
-pub fn wrapped(x: f32) -> u16 {
+/// Converts a function's number to the 16 bits of a picture that a function fills: truncated, and numbers below 0 or
+/// above 1 wrap (quirk: `function_picture_wraps`): 0.25 is 16383, 1.001 is 64, and -0.3 is 45876.
+pub fn wrap_to_u16(x: f32) -> u16 {
     // (the product is rounded to 24 bits before)
     (x * 65535.0) as i64 as u16
 }
 
-/// From the chunks of a png: the relation to light, palette indices, and whether the file is gray. A transparent colour
-/// has no effect (quirk: `png_transparent_color`).
-fn png_extras(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
+/// Reads what the chunks of a png say: the relation of samples to light, palette indices, and whether one colour is
+/// declared transparent. That colour has no effect (quirk: `png_transparent_color`).
+fn read_png_chunks(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
     let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::IDENTITY);
     let Ok(mut reader) = decoder.read_info() else { return (Stored::Unsaid, None, false) };
@@ -95,19 +95,20 @@ fn png_extras(bytes: &[u8]) -> (Stored, Option<Vec<u8>>, bool) {
     let mut packed = vec![0; size];
     let Ok(frame) = reader.next_frame(&mut packed) else { return (encoding, None, false) };
     let rows = packed.chunks(frame.line_size).take(frame.height as usize);
-    let indices = rows.flat_map(|row| (0..width).map(move |x| unpacked(row, x, depth))).collect();
+    let indices = rows.flat_map(|row| (0..width).map(move |x| packed_sample(row, x, depth))).collect();
     (encoding, Some(indices), false)
 }
 
-/// The number at an index in a row of numbers of 1, 2, 4 or 8 bits, the first in the highest bits.
-fn unpacked(row: &[u8], x: usize, depth: usize) -> u8 {
+/// Returns the sample at column `x` of a picture's row with `depth` bits a sample (1, 2, 4 or 8), the first in the
+/// highest bits.
+fn packed_sample(row: &[u8], x: usize, depth: usize) -> u8 {
     let per_byte = 8 / depth;
     let shift = 8 - depth * (x % per_byte + 1);
     let byte = row.get(x / per_byte).copied().unwrap_or(0);
     if depth == 8 { byte } else { (byte >> shift) & ((1 << depth) - 1) }
 }
 
-/// The palette indices of a gif's first frame.
+/// Returns the palette indices of a gif's first frame.
 fn gif_indices(bytes: &[u8]) -> Option<Vec<u8>> {
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::Indexed);
@@ -123,8 +124,8 @@ mod tests {
     #[test]
     fn small_numbers_share_a_byte() {
         let row = [0b1101_0010, 0b0100_0000];
-        assert_eq!([0, 1, 2, 3, 4].map(|x| unpacked(&row, x, 2)), [3, 1, 0, 2, 1]);
-        assert_eq!([0, 1, 2].map(|x| unpacked(&row, x, 4)), [13, 2, 4]);
-        assert_eq!([0, 1].map(|x| unpacked(&row, x, 8)), [210, 64]);
+        assert_eq!([0, 1, 2, 3, 4].map(|x| packed_sample(&row, x, 2)), [3, 1, 0, 2, 1]);
+        assert_eq!([0, 1, 2].map(|x| packed_sample(&row, x, 4)), [13, 2, 4]);
+        assert_eq!([0, 1].map(|x| packed_sample(&row, x, 8)), [210, 64]);
     }
 }

@@ -6,9 +6,9 @@ use png::{BitDepth, ColorType, DeflateCompression, EncodingError, Filter, Scaled
 use std::io::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Compression level of deflate, from 1 to 9: a compromise between speed and size.
+/// Compression level of a PNG file's deflate data, from 1 to 9: a compromise between speed and size.
 const LEVEL: u8 = 6;
-/// Size of a chunk of compressed data, in bytes.
+/// Size of a chunk of a PNG file's compressed data, in bytes.
 const CHUNK: usize = 1 << 16;
 
 /// A PNG file that is being written.
@@ -18,12 +18,13 @@ pub(super) struct PngWriter<W: Write> {
     encoded: EncodedBytes,
 }
 
-/// Bytes of the file that `out` does not have yet. (The stream writer has to own what it writes to, and `out` may be borrowed.)
+/// Bytes of the PNG file that are not yet written to `out`. (The stream writer has to own what it writes to, and `out`
+/// may be borrowed.)
 #[derive(Clone, Default)]
 struct EncodedBytes(Arc<Mutex<Vec<u8>>>);
 
 impl EncodedBytes {
-    fn take(&self) -> Vec<u8> {
+    fn take_bytes(&self) -> Vec<u8> {
         std::mem::take(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
@@ -40,7 +41,7 @@ impl Write for EncodedBytes {
 }
 
 impl<W: Write> PngWriter<W> {
-    /// Writes all chunks before the pixels.
+    /// Writes all chunks of a PNG file before the pixels.
     pub fn new(out: W, width: usize, height: usize, encoding: &Encoding) -> Encoded<Self> {
         let side = |side: usize| {
             let side = u32::try_from(side).ok().filter(|side| i32::try_from(*side).is_ok());
@@ -71,16 +72,16 @@ impl<W: Write> PngWriter<W> {
         Ok(Self { out, png, encoded })
     }
 
-    /// Writes whole rows; 16-bit samples have the high byte first.
-    pub fn rows(&mut self, rows: &[u8]) -> Encoded {
+    /// Writes whole rows of a PNG file; 16-bit samples have the high byte first.
+    pub fn write_rows(&mut self, rows: &[u8]) -> Encoded {
         self.png.write_all(rows)?;
-        Ok(self.out.write_all(&self.encoded.take())?)
+        Ok(self.out.write_all(&self.encoded.take_bytes())?)
     }
 
     /// Ends the PNG file after its last row.
     pub fn finish(mut self) -> Encoded {
         self.png.finish()?;
-        self.out.write_all(&self.encoded.take())?;
+        self.out.write_all(&self.encoded.take_bytes())?;
         Ok(self.out.flush()?)
     }
 }

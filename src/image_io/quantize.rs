@@ -4,16 +4,17 @@ use super::dither::Ditherer;
 use crate::color::{Gamma, transfer};
 use std::sync::LazyLock;
 
-/// Finds the code of a number by a table instead of a power: for each small interval of numbers (with equal leading
-/// bits) the code of its start, and the one number in the interval, if any, from which on the code is one more.
+/// Quantizes light to integer codes by a table instead of a power: for each small interval of numbers (with equal
+/// leading bits) the code of its start, and the one number in the interval, if any, from which on the code is one more.
 struct Quantizer {
-    /// Entry k is the smallest number with a code above k; the last is infinite.
+    /// Entry k is the smallest light with a code above k; the last is infinite.
     thresholds: Vec<f32>,
-    /// Code of the smallest number in each interval.
+    /// Code of the smallest light in each of the quantizer's intervals.
     starts: Vec<u16>,
-    /// Start of the first interval, with code 0.
+    /// Start of the quantizer's first interval, which has code 0.
     lowest: f32,
-    /// Number of trailing bits that an interval ignores: so few that no two thresholds are in one interval.
+    /// Number of trailing bits of the light that the quantizer's intervals ignore: so few that no two thresholds are in
+    /// one interval.
     shift: u32,
 }
 
@@ -22,7 +23,7 @@ static BITS16: LazyLock<Quantizer> = LazyLock::new(|| Quantizer::new(65_535, 8))
 
 impl Quantizer {
     fn new(max: u16, shift: u32) -> Self {
-        let mut thresholds: Vec<f32> = (1..=max).map(|k| threshold(k, max)).collect();
+        let mut thresholds: Vec<f32> = (1..=max).map(|k| lowest_light_of_code(k, max)).collect();
         thresholds.push(f32::INFINITY);
         let first = (thresholds[0].to_bits() >> shift) - 1;
         let mut code = 0;
@@ -35,29 +36,30 @@ impl Quantizer {
         Self { starts: starts.collect(), thresholds, lowest: f32::from_bits(first << shift), shift }
     }
 
-    /// The code nearest to the curve; 0 for NaN and negative numbers, the largest one above 1.
+    /// Returns the integer code nearest to the encoded light; 0 for NaN and negative numbers, the largest one above 1.
     #[inline]
-    fn code(&self, x: f32) -> u16 {
+    fn code_of_light(&self, x: f32) -> u16 {
         let x = if x > self.lowest { x.min(1.0) } else { self.lowest };
         let code = self.starts[((x.to_bits() - self.lowest.to_bits()) >> self.shift) as usize];
         code + u16::from(self.thresholds[usize::from(code)] <= x)
     }
 }
 
-/// The smallest number with this code: the light of the half between the code and the one below. As in POV-Ray 3.7 the
-/// half itself is rounded up, and the nearest `f32` counts: `rgb 0.7` without any gamma is 178.5 and becomes 179.
-fn threshold(code: u16, max: u16) -> f32 {
+/// Returns the smallest light with this integer code: that of the half between the code and the one below. As in
+/// POV-Ray 3.7 the half itself is rounded up, and the nearest `f32` counts: `rgb 0.7` without any gamma is 178.5 and
+/// becomes 179.
+fn lowest_light_of_code(code: u16, max: u16) -> f32 {
     let half = ((f64::from(code) - 0.5) / f64::from(max)) as f32;
     transfer::srgb_decode(f64::from(half)) as f32
 }
 
-/// Code of alpha and other numbers without a curve; 0 for NaN.
-fn linear(x: f32, max: f32) -> f32 {
+/// Returns the code of alpha and other samples without a transfer curve, before truncation; 0 for NaN.
+fn linear_code(x: f32, max: f32) -> f32 {
     x.clamp(0.0, 1.0) * max + 0.5
 }
 
-/// Red, green, blue over black, where alpha is not kept.
-pub(super) fn over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
+/// Composites a pixel over black, for pictures without alpha; returns red, green and blue.
+pub(super) fn composite_over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
     if a == 1.0 {
         return [r, g, b];
     }
@@ -65,19 +67,19 @@ pub(super) fn over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
     [r * a, g * a, b * a]
 }
 
-/// Rows of three or four bytes a pixel, by the sRGB curve.
-pub(super) fn bytes(pixels: &[[f32; 4]], alpha: bool) -> Vec<u8> {
+/// Encodes pixels by the sRGB curve as three or four bytes a pixel.
+pub(super) fn encode_srgb8(pixels: &[[f32; 4]], alpha: bool) -> Vec<u8> {
     let table = &*BITS8;
-    pack(pixels, alpha, |x| table.code(x) as u8, |a| linear(a, 255.0) as u8)
+    pack_pixels(pixels, alpha, |x| table.code_of_light(x) as u8, |a| linear_code(a, 255.0) as u8)
 }
 
-/// [`bytes`] with 16 bits a channel.
-pub(super) fn words(pixels: &[[f32; 4]], alpha: bool) -> Vec<u16> {
+/// Encodes pixels by the sRGB curve as three or four 16-bit integers a pixel.
+pub(super) fn encode_srgb16(pixels: &[[f32; 4]], alpha: bool) -> Vec<u16> {
     let table = &*BITS16;
-    pack(pixels, alpha, |x| table.code(x), |a| linear(a, 65_535.0) as u16)
+    pack_pixels(pixels, alpha, |x| table.code_of_light(x), |a| linear_code(a, 65_535.0) as u16)
 }
 
-/// Conversion of light to the integers of a file.
+/// Encoder of linear light to the integers of a picture file.
 pub(super) struct Integers {
     pub wide: bool,
     pub alpha: bool,
@@ -87,25 +89,28 @@ pub(super) struct Integers {
 }
 
 impl Integers {
-    /// Whole rows as bytes; 16-bit samples are big-endian, or in native order.
-    pub fn rows(&mut self, rows: &[[f32; 4]], high_first: bool) -> Vec<u8> {
+    /// Encodes whole rows of a picture to bytes; 16-bit samples are big-endian if `high_first` is true, in native order
+    /// otherwise.
+    pub fn encode_rows(&mut self, rows: &[[f32; 4]], high_first: bool) -> Vec<u8> {
         let order = if high_first { u16::to_be_bytes } else { u16::to_ne_bytes };
         if self.ditherer.is_none() && self.gamma == Gamma::Srgb {
             return match self.wide {
-                false => bytes(rows, self.alpha),
-                true => words(rows, self.alpha).into_iter().flat_map(order).collect(),
+                false => encode_srgb8(rows, self.alpha),
+                true => encode_srgb16(rows, self.alpha).into_iter().flat_map(order).collect(),
             };
         }
         let scale = Scale { gamma: self.gamma, max: if self.wide { 65_535.0 } else { 255.0 } };
         let channels = if self.alpha { 4 } else { 3 };
         let mut out = vec![];
         for row in rows.chunks(self.width) {
-            let lights: Vec<f32> = row.iter().flat_map(|pixel| self.lights(pixel)).collect();
+            let lights: Vec<f32> = row.iter().flat_map(|pixel| self.channel_lights(pixel)).collect();
             let codes = match &mut self.ditherer {
-                Some(ditherer) => ditherer.codes(&lights, scale),
-                None => {
-                    lights.iter().enumerate().map(|(i, x)| scale.code(scale.number(i % channels, *x) + 0.5)).collect()
-                }
+                Some(ditherer) => ditherer.dither_row(&lights, scale),
+                None => lights
+                    .iter()
+                    .enumerate()
+                    .map(|(i, x)| scale.round_down_to_code(scale.encoded_light(i % channels, *x) + 0.5))
+                    .collect(),
             };
             match self.wide {
                 true => out.extend(codes.into_iter().flat_map(order)),
@@ -115,43 +120,43 @@ impl Integers {
         out
     }
 
-    /// Light of a pixel's channels, clamped to 0 to 1.
-    fn lights(&self, &[r, g, b, a]: &[f32; 4]) -> impl Iterator<Item = f32> {
-        let [r, g, b] = if self.alpha { [r, g, b] } else { over_black([r, g, b, a]) };
+    /// Returns the light of a pixel's channels, clamped to 0..1, composited over black where alpha is not encoded.
+    fn channel_lights(&self, &[r, g, b, a]: &[f32; 4]) -> impl Iterator<Item = f32> {
+        let [r, g, b] = if self.alpha { [r, g, b] } else { composite_over_black([r, g, b, a]) };
         // (`max` replaces NaN by 0.)
         [r, g, b, a].into_iter().take(if self.alpha { 4 } else { 3 }).map(|x| x.clamp(0.0, 1.0).max(0.0))
     }
 }
 
-/// Conversion between light and the numbers of a file. A fourth channel is opacity, which has no curve.
+/// Conversion between light and the integer codes of a picture file. A fourth channel is opacity, which has no curve.
 #[derive(Clone, Copy)]
 pub(super) struct Scale {
     pub gamma: Gamma,
-    /// The largest integer code of a channel.
+    /// The largest integer code of a channel: 255 or 65535.
     pub max: f32,
 }
 
 impl Scale {
-    /// Returns the unrounded code of a light in a channel.
-    pub fn number(self, channel: usize, light: f32) -> f32 {
+    /// Returns the encoded light of a channel in units of integer codes, not rounded.
+    pub fn encoded_light(self, channel: usize, light: f32) -> f32 {
         let encoded = if channel == 3 { light } else { self.gamma.encode(f64::from(light)) as f32 };
         encoded.clamp(0.0, 1.0) * self.max
     }
 
-    /// Returns the integer code at or below a number.
-    pub fn code(self, number: f32) -> u16 {
+    /// Rounds an encoded light down to an integer code.
+    pub fn round_down_to_code(self, number: f32) -> u16 {
         number.min(self.max) as u16
     }
 
     /// Returns the linear light of an integer code in a channel.
-    pub fn light(self, channel: usize, code: u16) -> f32 {
+    pub fn light_of_code(self, channel: usize, code: u16) -> f32 {
         let number = f64::from(code) / f64::from(self.max);
         (if channel == 3 { number } else { self.gamma.decode(number) }) as f32
     }
 }
 
-/// Stores colours by one function and alpha by another.
-fn pack<T: Copy + Default>(
+/// Packs the pixels' channels: colours are encoded by one function and alpha by another.
+fn pack_pixels<T: Copy + Default>(
     pixels: &[[f32; 4]],
     alpha: bool,
     color: impl Fn(f32) -> T,
@@ -165,7 +170,7 @@ fn pack<T: Copy + Default>(
         }
     } else {
         for (to, &pixel) in out.as_chunks_mut::<3>().0.iter_mut().zip(pixels) {
-            *to = over_black(pixel).map(&color);
+            *to = composite_over_black(pixel).map(&color);
         }
     }
     out
@@ -187,7 +192,7 @@ mod tests {
             for x in samples.chain(table.thresholds.iter().step_by(7).copied()) {
                 // (the last bits may differ)
                 let near = [-2e-7, 2e-7].map(|d| exact(f64::from(x) * (1.0 + d), max));
-                assert!((near[0]..=near[1]).contains(&table.code(x)), "{x}");
+                assert!((near[0]..=near[1]).contains(&table.code_of_light(x)), "{x}");
             }
             assert!(table.thresholds.is_sorted_by(|a, b| a < b));
         }
@@ -196,7 +201,7 @@ mod tests {
     /// Numbers without gamma, as in scenes before version 3.7 (POV-Ray 3.7's output).
     #[test]
     fn a_half_is_rounded_up() {
-        let code = |table: &Quantizer, x: f32| table.code(transfer::srgb_decode(f64::from(x)) as f32);
+        let code = |table: &Quantizer, x: f32| table.code_of_light(transfer::srgb_decode(f64::from(x)) as f32);
         for (table, max) in [(&BITS8, 255), (&BITS16, 65_535)] {
             for k in 0..max {
                 let half = ((f64::from(k) + 0.5) / f64::from(max)) as f32;
@@ -211,27 +216,27 @@ mod tests {
     #[test]
     fn nan_is_black_and_overflow_is_white() {
         for x in [f32::NAN, -1.0, f32::NEG_INFINITY, 0.0, -0.0, 1e-30] {
-            assert_eq!((BITS8.code(x), BITS16.code(x)), (0, 0), "{x}");
+            assert_eq!((BITS8.code_of_light(x), BITS16.code_of_light(x)), (0, 0), "{x}");
         }
         for x in [1.0, 7.0, f32::INFINITY] {
-            assert_eq!((BITS8.code(x), BITS16.code(x)), (255, 65_535), "{x}");
+            assert_eq!((BITS8.code_of_light(x), BITS16.code_of_light(x)), (255, 65_535), "{x}");
         }
-        assert_eq!(linear(f32::NAN, 255.0) as u8, 0);
+        assert_eq!(linear_code(f32::NAN, 255.0) as u8, 0);
     }
 
     #[test]
     fn other_curves_give_the_nearest_code() {
         let mut integers = Integers { wide: false, alpha: true, gamma: Gamma::Power(2.0), ditherer: None, width: 2 };
         let row = [[0.25, f32::NAN, 4.0, 0.5], [-1.0, 1.0, f32::INFINITY, f32::NAN]];
-        assert_eq!(integers.rows(&row, true), [128, 0, 255, 128, 0, 255, 255, 0]);
+        assert_eq!(integers.encode_rows(&row, true), [128, 0, 255, 128, 0, 255, 255, 0]);
         integers.wide = true;
-        assert_eq!(integers.rows(&row, true)[..6], [0x80, 0, 0, 0, 0xff, 0xff]);
+        assert_eq!(integers.encode_rows(&row, true)[..6], [0x80, 0, 0, 0, 0xff, 0xff]);
     }
 
     #[test]
     fn alpha_is_kept_or_composited_over_black() {
         let pixels = [[1.0, 1.0, 1.0, 0.5], [1.0, 0.0, 1.0, 1.0]];
-        assert_eq!(bytes(&pixels, true), [255, 255, 255, 128, 255, 0, 255, 255]);
-        assert_eq!(bytes(&pixels, false), [188, 188, 188, 255, 0, 255]);
+        assert_eq!(encode_srgb8(&pixels, true), [255, 255, 255, 128, 255, 0, 255, 255]);
+        assert_eq!(encode_srgb8(&pixels, false), [188, 188, 188, 255, 0, 255]);
     }
 }

@@ -2,11 +2,14 @@
 
 use super::{Pixels, Samples};
 
-/// Decodes a Radiance HDR file; the error is the reason in words.
-pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
+/// Decodes a Radiance HDR file.
+///
+/// # Errors
+/// The reason why it can't be decoded, in words.
+pub(super) fn decode_radiance(bytes: &[u8]) -> Result<Pixels, String> {
     let mut rest = bytes;
-    while !line(&mut rest)?.is_empty() {}
-    let size = String::from_utf8_lossy(line(&mut rest)?).into_owned();
+    while !read_line(&mut rest)?.is_empty() {}
+    let size = String::from_utf8_lossy(read_line(&mut rest)?).into_owned();
     let words: Vec<&str> = size.split_whitespace().collect();
     let ["-Y", height, "+X", width] = words[..] else { return Err(format!("its size is `{size}`")) };
     let (Ok(width), Ok(height)) = (width.parse::<usize>(), height.parse::<usize>()) else {
@@ -17,7 +20,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
     }
     let mut samples = vec![];
     for _ in 0..height {
-        for [r, g, b, e] in row(&mut rest, width)? {
+        for [r, g, b, e] in decode_row(&mut rest, width)? {
             // A mantissa is the middle of its step, as in Ward's own programs and in POV-Ray 3.7.
             let step = 2f64.powi(i32::from(e) - 136);
             samples.extend([r, g, b].map(|m| if e == 0 { 0.0 } else { ((f64::from(m) + 0.5) * step) as f32 }));
@@ -29,38 +32,39 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Pixels, String> {
     Ok(Pixels { width, height, channels: 3, samples: Samples::F32(samples) })
 }
 
-/// Maximum number of pixels: a short file can claim any number.
+/// Maximum number of pixels of a Radiance HDR file: a short file can claim any number.
 const MOST: usize = 1 << 26;
 
 const CUT_OFF: &str = "it is cut off";
 
-fn line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
+fn read_line<'a>(rest: &mut &'a [u8]) -> Result<&'a [u8], String> {
     let end = memchr::memchr(b'\n', rest).ok_or("it ends within its header")?;
     let (line, after) = rest.split_at(end);
     *rest = &after[1..];
     Ok(line)
 }
 
-fn take<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], String> {
+fn take_bytes<'a>(rest: &mut &'a [u8], count: usize) -> Result<&'a [u8], String> {
     let (head, after) = rest.split_at_checked(count).ok_or(CUT_OFF)?;
     *rest = after;
     Ok(head)
 }
 
-/// Decodes a row: the four channels one after the other, each run-length encoded, or else pixel by pixel.
-fn row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
+/// Decodes a row of a Radiance HDR file: the four channels one after the other, each run-length encoded, or else pixel
+/// by pixel.
+fn decode_row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     match **rest {
         [2, 2, a, b, ..] if usize::from(u16::from_be_bytes([a, b])) == width => *rest = &rest[4..],
-        _ => return plain(rest, width),
+        _ => return decode_plain_row(rest, width),
     }
     let mut channels = [const { vec![] }; 4];
     for channel in &mut channels {
         while channel.len() < width {
-            let run = usize::from(take(rest, 1)?[0]);
+            let run = usize::from(take_bytes(rest, 1)?[0]);
             if run > 128 {
-                channel.resize(channel.len() + run - 128, take(rest, 1)?[0]);
+                channel.resize(channel.len() + run - 128, take_bytes(rest, 1)?[0]);
             } else {
-                channel.extend_from_slice(take(rest, run.max(1))?);
+                channel.extend_from_slice(take_bytes(rest, run.max(1))?);
             }
         }
     }
@@ -68,12 +72,13 @@ fn row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     Ok((0..width).map(|i| [r[i], g[i], b[i], e[i]]).collect())
 }
 
-/// Decodes pixel by pixel; (1, 1, 1, n) repeats the previous pixel n times; consecutive ones are digits of base 256.
-fn plain(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
+/// Decodes a row of a Radiance HDR file pixel by pixel; (1, 1, 1, n) repeats the previous pixel n times; consecutive
+/// ones are digits of base 256.
+fn decode_plain_row(rest: &mut &[u8], width: usize) -> Result<Vec<[u8; 4]>, String> {
     let mut out: Vec<[u8; 4]> = vec![];
     let mut shift = 0;
     while out.len() < width {
-        let pixel: [u8; 4] = take(rest, 4)?.try_into().map_err(|_| CUT_OFF)?;
+        let pixel: [u8; 4] = take_bytes(rest, 4)?.try_into().map_err(|_| CUT_OFF)?;
         match (pixel, out.last()) {
             ([1, 1, 1, n], Some(&last)) if shift < 24 => {
                 let count = usize::from(n) << shift;
@@ -100,8 +105,8 @@ mod tests {
         let runs = [head, vec![2, 2, 0, 2, 130, 128, 2, 0, 0, 130, 64, 130, 129]].concat();
         let expected = [128.5, 0.5, 64.5, 128.5, 0.5, 64.5].map(|m| m / 128.0).to_vec();
         for file in [plain, runs] {
-            assert_eq!(decode(&file).unwrap().samples, Samples::F32(expected.clone()));
-            assert!(decode(&file[..file.len() - 1]).is_err());
+            assert_eq!(decode_radiance(&file).unwrap().samples, Samples::F32(expected.clone()));
+            assert!(decode_radiance(&file[..file.len() - 1]).is_err());
         }
     }
 }

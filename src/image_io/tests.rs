@@ -2,21 +2,21 @@
 
 use super::*;
 
-/// Every 8-bit code in every channel, alpha too.
-fn all_codes() -> Frame {
+/// A test picture with every 8-bit code in every channel, also in alpha.
+fn picture_of_all_codes() -> Frame {
     let rgba: Vec<u8> = (0..=255u8).flat_map(|i| [i, 255 - i, i ^ 0x55, i.max(1)]).collect();
-    Pixels { width: 16, height: 16, channels: 4, samples: Samples::U8(rgba) }.to_frame()
+    Pixels { width: 16, height: 16, channels: 4, samples: Samples::U8(rgba) }.to_linear_image()
 }
 
-fn encoded(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Vec<u8> {
+fn encode_test_picture(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Vec<u8> {
     encode(frame, &Encoding { format, depth, alpha, ..Encoding::new(format) }).unwrap()
 }
 
 fn round_trip(frame: &Frame, format: Format, depth: u8, alpha: bool) -> Pixels {
-    decode(&encoded(frame, format, depth, alpha), format.name()).unwrap()
+    decode_pixels(&encode_test_picture(frame, format, depth, alpha), format.name()).unwrap()
 }
 
-/// A bmp is dithered from the bottom: turned upside down, it equals the png of the picture turned upside down.
+/// Test: a bmp is dithered from the bottom; turned upside down, it equals the png of the picture turned upside down.
 #[test]
 fn bmp_is_dithered_from_the_bottom() {
     let light = |x: usize, y: usize| (x * 7 + y * 13) as f32 / 500.0;
@@ -36,8 +36,8 @@ fn bmp_is_dithered_from_the_bottom() {
     }
 }
 
-/// Brightness of the light in the file's curve, as with POV-Ray's `+FNg` (its output for `rgb <1, 0.3, 0.1>` as 16
-/// bits).
+/// Test: the gray of a picture is the brightness of its light in the file's curve, as with POV-Ray's `+FNg` (its output
+/// for `rgb <1, 0.3, 0.1>` as 16 bits).
 #[test]
 fn gray_is_brightness() {
     let frame = Frame { width: 2, height: 1, pixels: vec![[1.0, 0.3, 0.1, 1.0], [0.5, 0.5, 0.5, 0.5]] };
@@ -62,14 +62,14 @@ fn gray_is_brightness() {
 }
 
 #[test]
-fn integers_come_back_exactly() {
-    let frame = all_codes();
+fn integer_pixels_survive_a_round_trip() {
+    let frame = picture_of_all_codes();
     for format in [Format::Png, Format::Bmp, Format::Tga, Format::Tiff] {
         for depth in [8, 16] {
             if format.check(16, 16, Some(depth)).is_ok() {
                 let back = round_trip(&frame, format, depth, true);
                 assert_eq!((back.width, back.height, back.channels), (16, 16, 4), "{format:?}");
-                assert_eq!(back.to_frame().rgba8(), frame.rgba8(), "{format:?} {depth}");
+                assert_eq!(back.to_linear_image().rgba8(), frame.rgba8(), "{format:?} {depth}");
             }
         }
     }
@@ -77,57 +77,61 @@ fn integers_come_back_exactly() {
 
 #[test]
 fn without_alpha_pictures_are_composited_over_black() {
-    let frame = all_codes();
+    let frame = picture_of_all_codes();
     let opaque = frame.over_black();
     for format in [Format::Png, Format::Ppm, Format::Bmp, Format::Tga, Format::Tiff] {
         let back = round_trip(&frame, format, 8, false);
         assert_eq!(back.channels, 3, "{format:?}");
-        assert_eq!(back.to_frame().rgba8(), opaque.rgba8(), "{format:?}");
+        assert_eq!(back.to_linear_image().rgba8(), opaque.rgba8(), "{format:?}");
     }
-    assert_eq!(round_trip(&frame, Format::Ppm, 16, false).to_frame().rgba8(), opaque.rgba8());
+    assert_eq!(round_trip(&frame, Format::Ppm, 16, false).to_linear_image().rgba8(), opaque.rgba8());
 }
 
 #[test]
-fn floating_point_numbers_come_back() {
+fn floating_point_pixels_survive_a_round_trip() {
     let pixels = vec![[0.25, 3.5, 1e-3, 1.0], [100.0, 0.0, 0.5, 0.5], [f32::NAN, 1.0, 1.0, 1.0], [0.0; 4]];
     let frame = Frame { width: 2, height: 2, pixels };
-    let back = round_trip(&frame, Format::Exr, 8, true).to_frame();
+    let back = round_trip(&frame, Format::Exr, 8, true).to_linear_image();
     assert_eq!(back.pixels[..2], frame.pixels[..2]);
     assert_eq!(back.pixels[2..], [[0.0, 1.0, 1.0, 1.0], [0.0; 4]]);
-    assert_eq!(round_trip(&frame, Format::Exr, 8, false).to_frame().pixels[1], [50.0, 0.0, 0.25, 1.0]);
-    let hdr = round_trip(&frame, Format::Hdr, 8, false).to_frame();
+    assert_eq!(round_trip(&frame, Format::Exr, 8, false).to_linear_image().pixels[1], [50.0, 0.0, 0.25, 1.0]);
+    let hdr = round_trip(&frame, Format::Hdr, 8, false).to_linear_image();
     assert!((hdr.pixels[0][1] - 3.5).abs() < 0.02);
 }
 
 #[test]
-fn jpg_is_near() {
+fn jpg_decodes_near_the_original() {
     let gray = Frame { width: 8, height: 8, pixels: vec![[0.5, 0.5, 0.5, 1.0]; 64] };
-    let back = round_trip(&gray, Format::Jpg, 8, false).to_frame();
+    let back = round_trip(&gray, Format::Jpg, 8, false).to_linear_image();
     assert!((back.pixels[9][0] - 0.5).abs() < 0.02);
 }
 
 #[test]
-fn ppm_byte_for_byte() {
+fn ppm_files_have_these_bytes() {
     let frame = Frame { width: 2, height: 1, pixels: vec![[1.0, 0.5, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]] };
-    assert_eq!(encoded(&frame, Format::Ppm, 8, false), b"P6\n2 1\n255\n\xff\xbc\x00\x00\x00\xff");
+    assert_eq!(encode_test_picture(&frame, Format::Ppm, 8, false), b"P6\n2 1\n255\n\xff\xbc\x00\x00\x00\xff");
     assert_eq!(
-        encoded(&frame, Format::Ppm, 16, false),
+        encode_test_picture(&frame, Format::Ppm, 16, false),
         b"P6\n2 1\n65535\n\xff\xff\xbc\x40\x00\x00\x00\x00\x00\x00\xff\xff"
     );
 }
 
 #[test]
 fn the_same_picture_gives_the_same_bytes() {
-    let frame = all_codes();
+    let frame = picture_of_all_codes();
     for name in Format::names() {
         let format = Format::from_name(name).unwrap();
-        assert_eq!(encoded(&frame, format, 8, true), encoded(&frame, format, 8, true), "{name}");
+        assert_eq!(
+            encode_test_picture(&frame, format, 8, true),
+            encode_test_picture(&frame, format, 8, true),
+            "{name}"
+        );
     }
 }
 
 #[test]
 fn broken_files_are_refused_in_words() {
     for bytes in [&b"\x89PNG\r\n\x1a\nxxxx"[..], b"", b"hello", b"\x76\x2f\x31\x01", b"\xff\xd8\xff"] {
-        assert!(decode(bytes, "png").is_err());
+        assert!(decode_pixels(bytes, "png").is_err());
     }
 }

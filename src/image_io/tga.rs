@@ -22,8 +22,11 @@ struct Header {
 
 const HEADER: usize = 18;
 
-/// Decodes a TGA file; the error is the reason in words.
-pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
+/// Decodes a TGA file.
+///
+/// # Errors
+/// The reason why it can't be decoded, in words.
+pub(super) fn decode_tga(bytes: &[u8]) -> Result<Decoded, String> {
     let head = bytes.get(..HEADER).ok_or("it ends within its header")?;
     let word = |at: usize| usize::from(u16::from_le_bytes([head[at], head[at + 1]]));
     let header = Header {
@@ -48,22 +51,25 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Decoded, String> {
         bytes.get(palette..).and_then(|rest| rest.split_at_checked(start - palette)).ok_or("it is cut off")?;
     let size = usize::from(header.bits.div_ceil(8));
     let data =
-        if head[2] & 8 == 0 { data.to_vec() } else { unpacked(data, size, header.width * header.height * size)? };
+        if head[2] & 8 == 0 { data.to_vec() } else { decode_runs(data, size, header.width * header.height * size)? };
     let pixels = data.get(..header.width * header.height * size).ok_or("it is cut off")?;
     match header.kind {
-        1 if header.mapped && size == 1 && entry > 0 => mapped(&header, colors, entry, pixels),
+        1 if header.mapped && size == 1 && entry > 0 => decode_palette(&header, colors, entry, pixels),
         2 if matches!(header.bits, 15 | 16 | 24 | 32) => {
-            let samples = header.ordered(size, pixels).flat_map(|p| color(p, header.bits)).collect();
-            Ok(header.finished(4, header.bits == 16 || header.bits == 32, samples, None))
+            let samples =
+                header.pixels_from_top_left(size, pixels).flat_map(|p| decode_color(p, header.bits)).collect();
+            Ok(header.to_decoded(4, header.bits == 16 || header.bits == 32, samples, None))
         }
-        3 if size == 1 => Ok(header.finished(1, true, header.ordered(1, pixels).map(|p| p[0]).collect(), None)),
+        3 if size == 1 => {
+            Ok(header.to_decoded(1, true, header.pixels_from_top_left(1, pixels).map(|p| p[0]).collect(), None))
+        }
         kind => Err(format!("there is no targa picture of kind {kind} with {} bits a pixel", header.bits)),
     }
 }
 
-/// Run-length data: a byte below 128 is the number of literal pixels minus 1; a larger one repeats the next pixel,
-/// as often as it exceeds 127.
-fn unpacked(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, String> {
+/// Expands the run-length data of a TGA file: a byte below 128 is the number of literal pixels minus 1; a larger one
+/// repeats the next pixel, as often as it exceeds 127.
+fn decode_runs(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, String> {
     let mut out = vec![];
     while out.len() < wanted {
         let (&run, rest) = data.split_first().ok_or("it is cut off")?;
@@ -76,19 +82,19 @@ fn unpacked(mut data: &[u8], size: usize, wanted: usize) -> Result<Vec<u8>, Stri
     Ok(out)
 }
 
-fn mapped(header: &Header, colors: &[u8], entry: usize, pixels: &[u8]) -> Result<Decoded, String> {
-    let indices: Vec<u8> = header.ordered(1, pixels).map(|p| p[0]).collect();
+fn decode_palette(header: &Header, colors: &[u8], entry: usize, pixels: &[u8]) -> Result<Decoded, String> {
+    let indices: Vec<u8> = header.pixels_from_top_left(1, pixels).map(|p| p[0]).collect();
     let mut samples = vec![];
     for &index in &indices {
         let at = usize::from(index).checked_sub(header.first).ok_or("a pixel is not in the palette")?;
         let bytes = colors.get(at * entry..(at + 1) * entry).ok_or("a pixel is not in the palette")?;
-        samples.extend(color(bytes, header.color_bits));
+        samples.extend(decode_color(bytes, header.color_bits));
     }
-    Ok(header.finished(4, matches!(header.color_bits, 16 | 32), samples, Some(indices)))
+    Ok(header.to_decoded(4, matches!(header.color_bits, 16 | 32), samples, Some(indices)))
 }
 
 /// Decodes a TGA pixel to red, green, blue and alpha.
-fn color(bytes: &[u8], bits: u8) -> [u8; 4] {
+fn decode_color(bytes: &[u8], bits: u8) -> [u8; 4] {
     match *bytes {
         [b, g, r] => [r, g, b, 255],
         [b, g, r, a] => [r, g, b, a],
@@ -104,7 +110,7 @@ fn color(bytes: &[u8], bits: u8) -> [u8; 4] {
 
 impl Header {
     /// Returns the pixels of a TGA file from the top left.
-    fn ordered<'a>(&self, size: usize, pixels: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
+    fn pixels_from_top_left<'a>(&self, size: usize, pixels: &'a [u8]) -> impl Iterator<Item = &'a [u8]> {
         let (width, height, down, leftwards) = (self.width, self.height, self.down, self.leftwards);
         (0..width * height).map(move |i| {
             let (x, y) = (i % width, i / width);
@@ -114,8 +120,8 @@ impl Header {
         })
     }
 
-    /// The decoded picture; alpha is dropped if the file has none.
-    fn finished(&self, channels: usize, alpha: bool, samples: Vec<u8>, indices: Option<Vec<u8>>) -> Decoded {
+    /// Returns the decoded TGA picture; alpha is dropped if the file has none.
+    fn to_decoded(&self, channels: usize, alpha: bool, samples: Vec<u8>, indices: Option<Vec<u8>>) -> Decoded {
         let pixels = Pixels { width: self.width, height: self.height, channels, samples: Samples::U8(samples) };
         Decoded { pixels: if alpha { pixels } else { pixels.without_alpha() }, indices }
     }
@@ -132,7 +138,8 @@ mod tests {
 
     #[test]
     fn sixteen_bits_hold_alpha() {
-        let pixels = |bits| decode(&[header(2, bits, 0, 0x20), vec![0xff, 0x7f, 0x01, 0x80]].concat()).unwrap().pixels;
+        let pixels =
+            |bits| decode_tga(&[header(2, bits, 0, 0x20), vec![0xff, 0x7f, 0x01, 0x80]].concat()).unwrap().pixels;
         assert_eq!(pixels(16).samples, Samples::U8(vec![248, 248, 248, 0, 0, 0, 8, 255]));
         assert_eq!(pixels(15).samples, Samples::U8(vec![248, 248, 248, 0, 0, 8]));
     }
@@ -140,17 +147,17 @@ mod tests {
     #[test]
     fn runs_and_palettes() {
         let file = [header(9, 8, 2, 0x20), vec![1, 2, 3, 4, 5, 6, 0x81, 1]].concat();
-        let decoded = decode(&file).unwrap();
+        let decoded = decode_tga(&file).unwrap();
         assert_eq!(decoded.pixels.samples, Samples::U8(vec![6, 5, 4, 6, 5, 4]));
         assert_eq!(decoded.indices, Some(vec![1, 1]));
         for end in 0..file.len() {
-            assert!(decode(&file[..end]).is_err());
+            assert!(decode_tga(&file[..end]).is_err());
         }
     }
 
     #[test]
     fn rows_run_both_ways() {
-        let at = |descriptor| decode(&[header(3, 8, 0, descriptor), vec![7, 9]].concat()).unwrap().pixels.samples;
+        let at = |descriptor| decode_tga(&[header(3, 8, 0, descriptor), vec![7, 9]].concat()).unwrap().pixels.samples;
         assert_eq!((at(0), at(0x10)), (Samples::U8(vec![7, 9]), Samples::U8(vec![9, 7])));
     }
 }

@@ -18,40 +18,45 @@ struct File<'a> {
 }
 
 impl File<'_> {
-    fn word(&self, at: usize) -> Option<u16> {
+    fn read_u16(&self, at: usize) -> Option<u16> {
         let pair = self.bytes.get(at..)?.first_chunk()?;
         Some(if self.little { u16::from_le_bytes(*pair) } else { u16::from_be_bytes(*pair) })
     }
 
-    fn long(&self, at: usize) -> Option<usize> {
+    fn read_u32(&self, at: usize) -> Option<usize> {
         let four = self.bytes.get(at..)?.first_chunk()?;
         Some((if self.little { u32::from_le_bytes(*four) } else { u32::from_be_bytes(*four) }) as usize)
     }
 
-    /// Offset of the value of a tag of the first picture.
-    fn value(&self, tag: u16) -> Option<usize> {
-        let start = self.long(4)?;
-        let count = usize::from(self.word(start)?);
-        let entry = (0..count).map(|i| start + 2 + 12 * i).find(|&entry| self.word(entry) == Some(tag))?;
+    /// Offset of the value of a tag of the TIFF file's first picture.
+    fn value_offset(&self, tag: u16) -> Option<usize> {
+        let start = self.read_u32(4)?;
+        let count = usize::from(self.read_u16(start)?);
+        let entry = (0..count).map(|i| start + 2 + 12 * i).find(|&entry| self.read_u16(entry) == Some(tag))?;
         Some(entry + 8)
     }
 }
 
-/// Decodes a palette TIFF; `None` if the file has no such palette. `gray` decodes the bytes of a modified file.
-pub(super) fn decode(bytes: &[u8], gray: impl Fn(&[u8]) -> Result<Pixels, String>) -> Option<Result<Decoded, String>> {
+/// Decodes a TIFF file with a palette; `None` if the file has no palette that is read. `gray` decodes the bytes of a
+/// file that is modified to be gray.
+pub(super) fn decode_tiff_palette(
+    bytes: &[u8],
+    gray: impl Fn(&[u8]) -> Result<Pixels, String>,
+) -> Option<Result<Decoded, String>> {
     let little = match bytes.get(..4)? {
         b"II*\0" => true,
         b"MM\0*" => false,
         _ => return None,
     };
     let file = File { bytes, little };
-    let photometric = file.value(PHOTOMETRIC)?;
-    if file.word(photometric)? != BY_PALETTE || file.word(file.value(BITS)?)? != 8 {
+    let photometric = file.value_offset(PHOTOMETRIC)?;
+    if file.read_u16(photometric)? != BY_PALETTE || file.read_u16(file.value_offset(BITS)?)? != 8 {
         return None;
     }
-    let map = file.long(file.value(COLOR_MAP)?)?;
+    let map = file.read_u32(file.value_offset(COLOR_MAP)?)?;
     // All reds, all greens, all blues.
-    let channel = |index: u8, c: usize| file.word(map.saturating_add(2 * (256 * c + usize::from(index)))).unwrap_or(0);
+    let channel =
+        |index: u8, c: usize| file.read_u16(map.saturating_add(2 * (256 * c + usize::from(index)))).unwrap_or(0);
     let mut plain = bytes.to_vec();
     let value = if little { GRAY.to_le_bytes() } else { GRAY.to_be_bytes() };
     plain[photometric..photometric + 2].copy_from_slice(&value);
@@ -67,7 +72,7 @@ mod tests {
     use super::*;
 
     fn usual(bytes: &[u8]) -> Result<Pixels, String> {
-        crate::image_io::decode(bytes, "tiff")
+        crate::image_io::decode_pixels(bytes, "tiff")
     }
 
     #[test]
@@ -95,7 +100,7 @@ mod tests {
         file.extend((tags.len() as u16).to_le_bytes());
         file.extend(tags.concat());
         file.extend([0; 4]);
-        let decoded = decode(&file, usual).unwrap().unwrap();
+        let decoded = decode_tiff_palette(&file, usual).unwrap().unwrap();
         assert_eq!(decoded.pixels.samples, Samples::U16(vec![0, 0, 0, 7, 14, 21, 255, 510, 765]));
         assert_eq!(decoded.indices, Some(vec![0, 7, 255]));
         for end in 0..file.len() {

@@ -59,7 +59,7 @@ impl<'a> Interpreter<'a> {
             Token::Block(BlockName { word: None, span, .. }) if self.inputs.sources.snippet(span) == "dictionary" => {
                 self.read_dictionary()
             }
-            Token::Word(_) if self.at_color()? => self.read_plain_value(),
+            Token::Word(_) if self.is_at_color()? => self.read_plain_value(),
             _ => match Reader::next(self)? {
                 Next::Block(word) => self.read_thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
                 _ => Err(self.unexpected_token("a value").into()),
@@ -122,9 +122,9 @@ impl<'a> Interpreter<'a> {
 
     /// Opens the block that comes next, calls `read` with the block's span, and closes the block.
     fn read_inside<T: Thing>(&mut self, read: impl FnOnce(&mut Self, Span) -> Result<T>) -> Result<Arc<dyn Thing>> {
-        let at = self.take()?;
+        let at = self.take_token()?;
         let thing = read(self, at)?;
-        self.leave()?;
+        self.leave_block()?;
         Ok(Arc::new(thing))
     }
 
@@ -140,11 +140,11 @@ impl<'a> Interpreter<'a> {
                     self.builder.set_default_texture(Arc::new(texture));
                 }
                 Next::Block("camera") => {
-                    let at = self.take()?;
+                    let at = self.take_token()?;
                     let defaults = self.builder.defaults().clone();
                     let camera = read_camera(self, at, &defaults)?;
                     self.builder.set_default_camera(camera);
-                    self.leave()?;
+                    self.leave_block()?;
                 }
                 _ => {
                     let base = self.builder.defaults().texture.clone();

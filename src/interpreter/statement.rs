@@ -8,7 +8,7 @@ use crate::scene::{Object, is_object, read_camera};
 use crate::shape::Shape;
 use crate::source::Span;
 use crate::syntax::ast::{Element, ElementKind, Operator, Sign};
-use crate::texture::tell_bytes;
+use crate::texture::warn_of_byte_color;
 use crate::value::words::word;
 use crate::value::{Family, Next, Reader, Spec, ValueKind};
 
@@ -63,7 +63,7 @@ impl Interpreter<'_> {
             Next::Word(word @ ("declare" | "include")) => self.run_bare_directive(word)?,
             Next::Value if self.at_bare_version() => self.run_bare_directive("version")?,
             Next::Word(word) if STATEMENTS.ignores(word) => {
-                self.take()?;
+                self.take_token()?;
                 self.float()?;
             }
             Next::Thing("object" | "light_source") => {
@@ -95,7 +95,7 @@ impl Interpreter<'_> {
         if !OTHERS.contains(&word) {
             return Err(self.stray_block_error(word).into());
         }
-        let at = self.take()?;
+        let at = self.take_token()?;
         match word {
             "camera" => {
                 let defaults = self.builder.defaults().clone();
@@ -105,7 +105,7 @@ impl Interpreter<'_> {
             "background" => {
                 let at = self.span();
                 let color = self.color()?;
-                tell_bytes(self, at, &color);
+                warn_of_byte_color(self, at, &color);
                 self.builder.set_background(color);
             }
             "sky_sphere" => {
@@ -128,7 +128,7 @@ impl Interpreter<'_> {
                 self.builder.set_settings(settings);
             }
         }
-        self.leave()
+        self.leave_block()
     }
 
     fn read_top_object(&mut self) -> Result<()> {
@@ -161,7 +161,7 @@ impl Interpreter<'_> {
     fn read_stray_trace_level(&mut self) -> Result<()> {
         let at = self.stream.next_span();
         let mut settings = self.builder.settings().clone();
-        self.take()?;
+        self.take_token()?;
         let read = settings.read_max_trace_level(self);
         self.builder.set_settings(settings);
         read?;

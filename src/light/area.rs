@@ -1,6 +1,6 @@
 //! `area_light axis, axis, N, M`: a row or grid of lights that makes soft shadows (manual, "Area Lights").
 
-use super::{Light, finite};
+use super::{Light, read_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::DVec3;
 use crate::value::Reader;
@@ -8,22 +8,23 @@ use crate::value::ValueKind::{Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, set, word};
 use serde::Serialize;
 
-/// A grid of lights about the location of a light.
+/// Grid of an area light's point lights about its location.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Area {
-    /// Sides of the grid.
+    /// Vectors along the two sides of an area light's grid; their lengths are the sizes.
     pub axes: [DVec3; 2],
-    /// Number of lights along each side.
+    /// Number of lights along each side of an area light's grid.
     pub size: [u32; 2],
-    /// Number of halvings after which subdivision stops where the corners agree; `None` to use all lights.
+    /// Number of halvings after which an area light's subdivision stops where the corners agree; `None` to use all
+    /// lights.
     pub adaptive: Option<u32>,
-    /// True to displace lights at random.
+    /// True if an area light's point lights are displaced at random.
     pub jitter: bool,
-    /// True to bend the grid to a disc.
+    /// True if an area light's grid is mapped to a disc.
     pub circular: bool,
-    /// True to turn the grid towards the point that it illuminates.
+    /// True if an area light's grid is turned towards the point that it illuminates.
     pub orient: bool,
-    /// True if each light illuminates by itself; otherwise the grid only shapes the shadow.
+    /// True if each point of an area light illuminates by itself; otherwise the grid only shapes the shadow.
     pub illumination: bool,
 }
 
@@ -61,9 +62,9 @@ pub(super) const AREA_ROWS: &[Row<Light>] = &[
         .sets(|s, r| set(&mut s.area.illumination, r.flag())),
 ];
 
-/// Maximum number of lights along a side.
+/// Maximum number of lights along a side of an area light's grid.
 const MOST: f64 = 1e5;
-/// Displacement of the lights of a circular grid, as a share of half a side (quirk: `circular_area_light`).
+/// Displacement of the lights of a circular area light, as a share of half a side (quirk: `circular_area_light`).
 const BESIDE: f64 = 0.002;
 
 impl Light {
@@ -72,7 +73,7 @@ impl Light {
         self.area.axes = [r.vector()?, r.vector()?];
         for n in &mut self.area.size {
             let at = r.span();
-            let number = finite(r)?.trunc();
+            let number = read_finite(r)?.trunc();
             if !(1.0..=MOST).contains(&number) {
                 let message = format!("an `area_light` has 1 to {MOST} lights along a side, found {number}");
                 return Err(Diagnostic::new(codes::BAD_ARGUMENT, at, message).help("5 is usual, 17 is smooth").into());
@@ -88,9 +89,9 @@ impl Light {
 }
 
 impl Area {
-    /// Returns the vector from the light's location to the light `cell`. `toward` is the direction to the illuminated
-    /// point, length 1; `random` are two numbers in [0, 1) for jitter.
-    pub fn offset(&self, cell: [u32; 2], toward: DVec3, random: Option<[f64; 2]>) -> DVec3 {
+    /// Returns the vector from the area light's location to the light `cell` of its grid. `toward` is the direction to
+    /// the illuminated point, length 1; `random` are two numbers in [0, 1) for jitter.
+    pub fn light_offset(&self, cell: [u32; 2], toward: DVec3, random: Option<[f64; 2]>) -> DVec3 {
         let place = |i: usize| {
             let steps = f64::from(self.size[i].max(2) - 1);
             // The only light of a row is in its middle.
@@ -106,13 +107,13 @@ impl Area {
             let shrink = u.abs().max(v.abs()) / (u * u + v * v).sqrt().max(f64::MIN_POSITIVE);
             (u, v) = (u * shrink, v * shrink);
         }
-        let [a, b] = if self.orient { self.facing(toward) } else { self.axes };
+        let [a, b] = if self.orient { self.sides_facing(toward) } else { self.axes };
         (a * u + b * v) * 0.5
     }
 
-    /// Sides of a grid that faces a direction: the first side is perpendicular to z, or to y if the direction is nearly
-    /// z (quirk: `oriented_area_sides`).
-    fn facing(&self, toward: DVec3) -> [DVec3; 2] {
+    /// Returns the sides of an area light's grid that faces a direction: the first side is perpendicular to z, or to y
+    /// if the direction is nearly z (quirk: `oriented_area_sides`).
+    fn sides_facing(&self, toward: DVec3) -> [DVec3; 2] {
         let up = if toward.z.abs() > 0.99 { DVec3::Y } else { DVec3::Z };
         let level = up.cross(toward).normalize_or(DVec3::X);
         [level, level.cross(toward)].map(|side| side * self.axes[0].length())
@@ -125,7 +126,7 @@ mod tests {
 
     fn places(area: &Area) -> Vec<DVec3> {
         let [n, m] = area.size;
-        (0..n * m).map(|i| area.offset([i % n, i / n], DVec3::NEG_Z, None)).collect()
+        (0..n * m).map(|i| area.light_offset([i % n, i / n], DVec3::NEG_Z, None)).collect()
     }
 
     #[test]
@@ -139,7 +140,7 @@ mod tests {
             assert!(places[i].distance(DVec3::new(x, y, 0.0)) < 7e-4, "{i} {}", places[i]);
         }
         let one = Area { size: [1, 1], ..area };
-        assert_eq!(one.offset([0, 0], DVec3::Z, None), DVec3::ZERO);
+        assert_eq!(one.light_offset([0, 0], DVec3::Z, None), DVec3::ZERO);
     }
 
     #[test]
@@ -147,7 +148,7 @@ mod tests {
         let area = Area { axes: [DVec3::X * 3.0, DVec3::Z], size: [2, 2], orient: true, ..Area::default() };
         let toward = DVec3::new(1.0, 2.0, 3.0).normalize();
         for cell in [[0, 0], [1, 0], [1, 1]] {
-            let offset = area.offset(cell, toward, None);
+            let offset = area.light_offset(cell, toward, None);
             assert!(offset.dot(toward).abs() < 1e-15);
             // Corners are as far from the centre as the middles of sides.
             assert!((offset.length() - 1.5).abs() < 1.5 * 1.001 * BESIDE);

@@ -13,22 +13,22 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Beam {
-    /// Equal in all directions.
+    /// Light of equal strength in all directions.
     Round,
-    /// A cone; the edge is in degrees.
+    /// Light of a spotlight, in a cone; the edge is in degrees.
     Spotlight(Edge),
-    /// A tube; the edge is in units of length, which transforms do not change.
+    /// Light of a cylinder light, in a tube; the edge is in world units, which transforms do not change.
     Cylinder(Edge),
 }
 
-/// Fall-off of a beam towards its sides.
+/// Fall-off of a spotlight or cylinder light towards its sides.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Edge {
-    /// Up to here the light has its full strength.
+    /// Angle or distance from the axis up to which the light has its full strength.
     pub radius: f64,
-    /// From here on the light is dark.
+    /// Angle or distance from the axis beyond which the light is dark.
     pub falloff: f64,
-    /// Exponent of the fall-off from the axis.
+    /// Exponent of the light's fall-off from the axis.
     pub tightness: f64,
 }
 
@@ -44,7 +44,7 @@ impl Beam {
     }
 }
 
-/// Words of a beam, and how each is read.
+/// Words of a spotlight's or cylinder light's beam, and how each is read.
 pub(super) const BEAM_ROWS: &[Row<Light>] = &[
     word("spotlight", Nothing, "", "it shines into a cone").sets(|s, _| set(&mut s.beam, Ok(Beam::SPOTLIGHT))),
     word("cylinder", Nothing, "", "it shines along a tube").sets(|s, _| set(&mut s.beam, Ok(Beam::CYLINDER))),
@@ -64,7 +64,7 @@ pub(super) const BEAM_ROWS: &[Row<Light>] = &[
 impl Light {
     fn read_edge(&mut self, word: &str, r: &mut dyn Reader, field: fn(&mut Edge) -> &mut f64) -> Result<()> {
         let at: Span = r.span();
-        let number = super::finite(r)?;
+        let number = super::read_finite(r)?;
         match self.beam.edge_mut() {
             Some(edge) => *field(edge) = number,
             None => {
@@ -77,27 +77,27 @@ impl Light {
     }
 }
 
-/// Lowered distribution of a light.
+/// Directional distribution of a lowered light.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Profile {
-    /// Equal in all directions.
+    /// Lowered light of equal strength in all directions.
     Round,
-    /// By the cosine of the angle to the axis.
+    /// Lowered spotlight: its strength depends on the cosine of the angle to the axis.
     Cone {
-        /// Cosine of the angle up to which the light has its full strength.
+        /// Cosine of the angle up to which a spotlight has its full strength.
         radius: f64,
-        /// Cosine of the angle from which on it is dark.
+        /// Cosine of the angle beyond which a spotlight is dark.
         falloff: f64,
-        /// Exponent of the cosine.
+        /// Exponent of the cosine in a spotlight's fall-off.
         tightness: f64,
     },
-    /// By the distance from the axis.
+    /// Lowered cylinder light: its strength depends on the distance from the axis.
     Tube(Edge),
 }
 
 impl Profile {
-    pub fn of(beam: &Beam) -> Self {
+    pub fn from_beam(beam: &Beam) -> Self {
         let cos = |degrees: f64| fp::cos(degrees.to_radians());
         match *beam {
             Beam::Round => Profile::Round,
@@ -108,9 +108,9 @@ impl Profile {
         }
     }
 
-    /// Returns the share of the light's strength at a point: `cos` is the cosine of the angle to the axis, `beside` the
-    /// distance from the axis, `ahead` the distance along it (quirk: `spotlight_profile`).
-    pub fn share(&self, cos: f64, beside: f64, ahead: f64) -> f64 {
+    /// Returns the share of a light's strength that reaches a point: `cos` is the cosine of the angle to the axis,
+    /// `beside` the distance from the axis, `ahead` the distance along it (quirk: `spotlight_profile`).
+    pub fn strength_share(&self, cos: f64, beside: f64, ahead: f64) -> f64 {
         match *self {
             Profile::Round => 1.0,
             Profile::Cone { radius, falloff, tightness } => {
@@ -136,13 +136,13 @@ impl Profile {
     }
 }
 
-/// 3x² - 2x³
+/// Returns 3x² - 2x³, which rises smoothly from 0 to 1.
 fn smooth_step(x: f64) -> f64 {
     x * x * (3.0 - 2.0 * x)
 }
 
-/// Axis of a beam, length 1.
-pub(super) fn axis(from: DVec3, to: DVec3) -> DVec3 {
+/// Returns the axis of a light's beam, of length 1; 0 if both points are equal.
+pub(super) fn beam_axis(from: DVec3, to: DVec3) -> DVec3 {
     (to - from).normalize_or_zero()
 }
 
@@ -153,12 +153,12 @@ mod tests {
     fn spot(edge: [f64; 3], degrees: f64) -> f64 {
         let [radius, falloff, tightness] = edge;
         let beam = Beam::Spotlight(Edge { radius, falloff, tightness });
-        Profile::of(&beam).share(fp::cos(f64::to_radians(degrees)), 0.0, 1.0)
+        Profile::from_beam(&beam).strength_share(fp::cos(f64::to_radians(degrees)), 0.0, 1.0)
     }
 
     fn tube(edge: [f64; 3], beside: f64) -> f64 {
         let [radius, falloff, tightness] = edge;
-        Profile::of(&Beam::Cylinder(Edge { radius, falloff, tightness })).share(1.0, beside, 1.0)
+        Profile::from_beam(&Beam::Cylinder(Edge { radius, falloff, tightness })).strength_share(1.0, beside, 1.0)
     }
 
     #[test]

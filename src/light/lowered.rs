@@ -1,49 +1,50 @@
 //! Lowered lights: direction, distance and strength of the light at a point.
 
-use super::beam::{Profile, axis};
+use super::beam::{Profile, beam_axis};
 use super::{Area, Beam, Light};
 use crate::color::Rgb;
 use crate::math::{DVec3, fp};
 use serde::Serialize;
 
-/// A lowered light.
+/// Lowered light source, in world space.
 #[derive(Clone, Debug, Serialize)]
 pub struct LoweredLight {
-    /// Location in world space.
+    /// Location of the light in world space.
     pub location: DVec3,
-    /// Colour; negative values darken.
+    /// Colour of the light; negative values darken.
     pub color: Rgb,
     /// True if the light casts no shadow and makes no highlight.
     pub shadowless: bool,
-    /// Distance of full strength, and exponent of the fall-off from there.
+    /// Distance at which the light has its full strength, and exponent of the fall-off beyond it; `None` for no
+    /// fall-off.
     pub fade: Option<(f64, f64)>,
     /// True if air attenuates the light (`media_attenuation`).
     pub attenuated: bool,
-    /// Grid of lights about the location; never a single light.
+    /// Grid of the area light about its location; never a single light. `None` for a point light.
     pub area: Option<Area>,
-    /// Direction of the axis, length 1.
+    /// Direction of the light's axis, length 1.
     axis: DVec3,
-    /// Distance of the point `point_at`.
+    /// Distance from the light's location to its `point_at`.
     aim: f64,
-    /// True if all light is parallel to the axis.
+    /// True if all rays of the light are parallel.
     parallel: bool,
     profile: Profile,
 }
 
-/// Light at a point without any occluder.
+/// Light that reaches a point if nothing occludes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightSample {
-    /// Direction to the light, length 1.
+    /// Direction from the point to the light, length 1.
     pub from: DVec3,
-    /// Distance to the light; negative behind a parallel light, which illuminates points there too (quirk:
-    /// `parallel_light_behind`).
+    /// Distance from the point to the light; negative behind a parallel light, which illuminates points there too
+    /// (quirk: `parallel_light_behind`).
     pub distance: f64,
-    /// Incident light.
+    /// Light that reaches the point.
     pub light: Rgb,
 }
 
 impl LoweredLight {
-    /// Lowers a light in world space.
+    /// Lowers a light that is already in world space.
     pub fn new(light: &Light) -> Self {
         let fade =
             (light.fade_distance > 0.0 && light.fade_power > 0.0).then_some((light.fade_distance, light.fade_power));
@@ -54,14 +55,14 @@ impl LoweredLight {
             fade,
             attenuated: light.media_attenuation,
             area: (light.spreads && light.area.size != [1; 2]).then(|| light.area.clone()),
-            axis: axis(light.location, light.point_at),
+            axis: beam_axis(light.location, light.point_at),
             aim: light.location.distance(light.point_at),
             parallel: light.parallel || matches!(light.beam, Beam::Cylinder(_)),
-            profile: Profile::of(&light.beam),
+            profile: Profile::from_beam(&light.beam),
         }
     }
 
-    /// Returns the light at a point from the light at `offset` from the location.
+    /// Returns the light that reaches the point `p` from the light at `offset` from the location.
     pub fn sample(&self, p: DVec3, offset: DVec3) -> LightSample {
         // quirk: area_light_tube
         let ahead = (p - self.location).dot(self.axis);
@@ -80,16 +81,18 @@ impl LoweredLight {
             // quirk: beam_without_axis
             _ if self.axis == DVec3::ZERO => 0.0,
             // Behind a parallel light, the cone is reversed.
-            profile if self.parallel => profile.share(-from.dot(self.axis) * distance.signum(), beside(), ahead),
-            profile => profile.share(-from.dot(self.axis), beside(), ahead),
+            profile if self.parallel => {
+                profile.strength_share(-from.dot(self.axis) * distance.signum(), beside(), ahead)
+            }
+            profile => profile.strength_share(-from.dot(self.axis), beside(), ahead),
         };
         let lit = if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share };
-        LightSample { from, distance, light: self.strength(distance) * lit }
+        LightSample { from, distance, light: self.strength_at(distance) * lit }
     }
 
-    /// Strength at a distance. Behind a parallel light the distance is negative, and an odd exponent brightens and
-    /// darkens there (quirk: `parallel_light_behind`).
-    fn strength(&self, distance: f64) -> Rgb {
+    /// Returns the light's strength at a distance. Behind a parallel light the distance is negative, and an odd
+    /// exponent brightens and darkens there (quirk: `parallel_light_behind`).
+    fn strength_at(&self, distance: f64) -> Rgb {
         match self.fade {
             // 2 / (1 + (d/d₀)ᵏ)
             Some((from, power)) => {

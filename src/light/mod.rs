@@ -21,37 +21,37 @@ use beam::BEAM_ROWS;
 use serde::Serialize;
 use words::{LIGHT, LIGHT_ROWS};
 
-/// A light source as written.
+/// Light source as written in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Light {
-    /// Location, in the space around the block.
+    /// Location of the light, in the space around its block.
     pub location: DVec3,
-    /// Colour; negative values darken.
+    /// Colour of the light; negative values darken.
     pub color: Rgb,
-    /// Directional distribution.
+    /// Directional distribution of the light.
     pub beam: Beam,
-    /// Target of beams and of parallel light.
+    /// Target of a spotlight, cylinder light or parallel light.
     pub point_at: DVec3,
-    /// True for parallel light.
+    /// True if all rays of the light are parallel.
     pub parallel: bool,
     /// True if the light casts no shadow and makes no highlight.
     pub shadowless: bool,
-    /// True if `area_light` is stated.
+    /// True for an area light: the scene states `area_light`.
     pub spreads: bool,
-    /// The grid; its words may precede `area_light`.
+    /// Grid of the area light; its words may precede `area_light`.
     pub area: Area,
-    /// Distance of full strength; 0 for no fall-off.
+    /// Distance at which the light has its full strength; 0 for no fall-off.
     pub fade_distance: f64,
-    /// Exponent of the fall-off; 0 for none.
+    /// Exponent of the light's fall-off by distance; 0 for no fall-off.
     pub fade_power: f64,
     /// True if media scatter the light.
     pub media_interaction: bool,
     /// True if media attenuate the light.
     pub media_attenuation: bool,
-    /// Items that are read and not rendered yet.
+    /// Items of the light source that are read and not rendered yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
-    /// Text of the light.
+    /// Span of the light source in the scene.
     pub source: Span,
 }
 
@@ -83,7 +83,7 @@ impl Thing for Light {
 }
 
 impl Light {
-    /// Reads location and colour; `source` is the block's name.
+    /// Reads the location and colour of a light source; `source` is the span of its word.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -93,7 +93,7 @@ impl Light {
         Ok(Self { location, color, source, ..Self::default() })
     }
 
-    /// Reads one word of a light, if it is next, and what follows it; returns false otherwise.
+    /// Reads one word of a light source, if it is next, and what follows it; returns false otherwise.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -112,11 +112,11 @@ impl Light {
         Ok(true)
     }
 
-    /// Checks the complete block.
+    /// Checks a light source when its block is complete.
     ///
     /// # Errors
     /// A diagnostic for a grid that cannot be circular.
-    pub fn finish(&self) -> Result<()> {
+    pub fn check(&self) -> Result<()> {
         let area = &self.area;
         if self.spreads && area.circular && area.size.contains(&1) {
             let message = "a `circular` area light has more than one light along each side";
@@ -125,15 +125,15 @@ impl Light {
         Ok(())
     }
 
-    /// Transforms the light.
+    /// Transforms the light's location, axes and target.
     pub fn transform(&mut self, by: &Transform) {
-        self.location = by.point(self.location);
-        self.point_at = by.point(self.point_at);
-        self.area.axes = self.area.axes.map(|axis| by.vector(axis));
+        self.location = by.transform_point(self.location);
+        self.point_at = by.transform_point(self.point_at);
+        self.area.axes = self.area.axes.map(|axis| by.transform_vector(axis));
     }
 }
 
-fn finite(r: &mut dyn Reader) -> Result<f64> {
+fn read_finite(r: &mut dyn Reader) -> Result<f64> {
     let span = r.span();
     let value = r.float()?;
     if value.is_finite() {

@@ -2,12 +2,12 @@
 
 use super::area::AREA_ROWS;
 use super::beam::BEAM_ROWS;
-use super::{Light, finite};
+use super::{Light, read_finite};
 use crate::value::ValueKind::{Block, Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Spec, WordSpec};
 
-/// Words of all lights, and how each is read.
+/// Words of every light source, and how each is read.
 pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
     word("point_at", Vector, "<0, 0, 1>", "what beams and parallel light point at")
         .sets(|s, r| set(&mut s.point_at, r.vector())),
@@ -16,16 +16,16 @@ pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
     word("shadowless", Nothing, "", "it casts no shadows and makes no highlights")
         .sets(|s, _| set(&mut s.shadowless, Ok(true))),
     word("fade_distance", Float, "0", "the distance at which it has its full colour; 0: it does not fade")
-        .sets(|s, r| set(&mut s.fade_distance, finite(r))),
+        .sets(|s, r| set(&mut s.fade_distance, read_finite(r))),
     word("fade_power", Float, "0", "how fast it fades: 2 is as in nature; 0: it does not fade")
-        .sets(|s, r| set(&mut s.fade_power, finite(r))),
+        .sets(|s, r| set(&mut s.fade_power, read_finite(r))),
     word("media_interaction", Flag, "on", "it lights up media, which are not drawn yet")
         .sets(|s, r| set(&mut s.media_interaction, r.flag())),
     word("media_attenuation", Flag, "off", "fog takes from it on its way, and media, which are not drawn yet")
         .sets(|s, r| set(&mut s.media_attenuation, r.flag())),
 ];
 
-/// Words with an object, which the scene reads.
+/// Words of a light source that have an object, which the scene reads: `looks_like` and `projected_through`.
 const LIGHT_PARTS: &[WordSpec] = &[
     word(
         "looks_like",
@@ -38,7 +38,7 @@ const LIGHT_PARTS: &[WordSpec] = &[
 
 const OWN: usize = LIGHT_ROWS.len() + BEAM_ROWS.len();
 
-/// `light_source { location, color … }`
+/// Description of `light_source { location, color … }`.
 pub const LIGHT: Spec = Spec {
     name: "light_source",
     summary: "a light: `light_source { place, colour … }`; it is not seen itself",

@@ -32,7 +32,8 @@ impl Files {
     fn get(&mut self, path: &Path) -> Option<&File> {
         let now = Disk.stamp(path);
         if self.0.get(path).is_none_or(|file| file.read != now) {
-            let built_in = path.strip_prefix(library::FOLDER).ok().and_then(Path::to_str).and_then(library::find);
+            let built_in =
+                path.strip_prefix(library::FOLDER).ok().and_then(Path::to_str).and_then(library::find_builtin);
             let text = match built_in {
                 Some(text) => text.to_string(),
                 None => read_text(&Disk, path).ok()?,
@@ -59,7 +60,7 @@ pub struct ReachableText {
 pub fn find(name: &str, folder: &Path, search: &SearchPath) -> Option<PathBuf> {
     let including = folder.join("file");
     let found = search.resolve(&Disk, name, Some(&including)).map(|found| found.path);
-    found.or_else(|| library::find(name).map(|_| Path::new(library::FOLDER).join(name)))
+    found.or_else(|| library::find_builtin(name).map(|_| Path::new(library::FOLDER).join(name)))
 }
 
 /// The text `from` and all files that it includes, none twice.

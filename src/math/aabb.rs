@@ -3,17 +3,17 @@
 use super::{DVec3, Range, Ray};
 use serde::Serialize;
 
-/// An axis-aligned box; `min > max` means empty, infinite ends are allowed.
+/// Axis-aligned box; `min > max` means that it is empty, infinite coordinates are allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Aabb {
-    /// Corner with the smallest coordinates.
+    /// Corner of the box with the smallest coordinates.
     pub min: DVec3,
-    /// Corner with the largest coordinates.
+    /// Corner of the box with the largest coordinates.
     pub max: DVec3,
 }
 
 impl Aabb {
-    /// The box without points.
+    /// The empty box, which contains no point.
     pub const EMPTY: Aabb = Aabb { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
     /// The box that contains every point.
     pub const INFINITE: Aabb = Aabb { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY };
@@ -25,15 +25,15 @@ impl Aabb {
 
     /// The smallest box around some points.
     pub fn from_points(points: impl IntoIterator<Item = DVec3>) -> Self {
-        points.into_iter().fold(Self::EMPTY, Self::with)
+        points.into_iter().fold(Self::EMPTY, Self::including)
     }
 
-    /// The smallest box around this one and a point.
-    pub fn with(self, p: DVec3) -> Self {
+    /// Returns the smallest box that contains this one and a point.
+    pub fn including(self, p: DVec3) -> Self {
         Self { min: self.min.min(p), max: self.max.max(p) }
     }
 
-    /// The smallest box around two.
+    /// Returns the smallest box that contains both boxes.
     pub fn union(self, other: Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
@@ -43,7 +43,7 @@ impl Aabb {
         Self { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
-    /// The box enlarged by `d` on every side.
+    /// Returns the box enlarged by `d` on every side.
     pub fn grown(self, d: f64) -> Self {
         Self { min: self.min - d, max: self.max + d }
     }
@@ -53,7 +53,7 @@ impl Aabb {
         !self.min.cmple(self.max).all()
     }
 
-    /// True if all ends are finite.
+    /// True if all coordinates of the box are finite.
     pub fn is_finite(&self) -> bool {
         self.min.is_finite() && self.max.is_finite()
     }
@@ -63,12 +63,12 @@ impl Aabb {
         self.min * 0.5 + self.max * 0.5
     }
 
-    /// Lengths of the edges.
+    /// Lengths of the box's edges.
     pub fn size(&self) -> DVec3 {
         self.max - self.min
     }
 
-    /// Half the surface area, for the surface-area heuristic.
+    /// Half the surface area of the box, for the surface-area heuristic.
     pub fn half_area(&self) -> f64 {
         let s = self.size();
         if self.is_empty() { 0.0 } else { s.x * s.y + s.y * s.z + s.z * s.x }
@@ -91,8 +91,8 @@ impl Aabb {
         })
     }
 
-    /// The values of `t` where the ray enters and leaves, by slabs (lecture, "Ray – AAB intersection"); where a
-    /// component of the direction is zero, the origin must be between the two planes.
+    /// Returns the values of `t` where the ray enters and leaves the box, by slabs (lecture, "Ray – AAB intersection");
+    /// where a component of the direction is zero, the origin must be between the two planes.
     pub fn slabs(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
         let (mut near, mut far) = (range.min, range.max);
         for axis in 0..3 {

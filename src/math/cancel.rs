@@ -47,7 +47,7 @@ impl CancelToken {
     }
 
     /// True if both are clones of one token.
-    pub fn is(&self, other: &Self) -> bool {
+    pub fn is_same_token(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 

@@ -32,7 +32,7 @@ impl Complex {
     }
 
     /// Returns i·z: the number turned counter-clockwise by 90°.
-    pub fn turned(self) -> Self {
+    pub fn times_i(self) -> Self {
         Self::new(-self.y, self.x)
     }
 
@@ -42,12 +42,12 @@ impl Complex {
         fp::exp(self.x) * Self::new(cos, sin)
     }
 
-    /// The logarithm with an imaginary part between -π and π.
+    /// Returns the natural logarithm of z with an imaginary part between -π and π.
     pub fn ln(self) -> Self {
         Self::new(0.5 * fp::ln(self.length_squared()), fp::atan2(self.y, self.x))
     }
 
-    /// The square root with a real part that is not negative.
+    /// Returns the square root of z with a real part that is not negative.
     pub fn sqrt(self) -> Self {
         let length = self.length_squared().sqrt();
         let (x, y) = (0.5 * (length + self.x), 0.5 * (length - self.x));
@@ -60,7 +60,7 @@ impl Complex {
         (Self::new(sinh * cos, cosh * sin), Self::new(cosh * cos, sinh * sin))
     }
 
-    /// z to the n-th, by repeated squaring.
+    /// Returns zⁿ, by repeated squaring.
     pub fn power(self, mut n: u32) -> Self {
         let (mut result, mut base) = (Self::new(1.0, 0.0), self);
         while n > 0 {

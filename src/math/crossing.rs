@@ -1,9 +1,9 @@
 //! Bracketing of a function's change of sign.
 
-/// The root between two points `(x, f(x))` with values of different signs, to the accuracy `exact`: by the "Illinois"
-/// variant of regula falsi (Dowell and Jarratt, 1971), and by bisection where that does not converge. Where the
-/// function jumps, the result is just after the jump.
-pub fn crossing(value: &dyn Fn(f64) -> f64, a: (f64, f64), b: (f64, f64), exact: f64) -> f64 {
+/// Returns the root x of a function between two points `(x, f(x))` with values of different signs, to this `accuracy`:
+/// by the "Illinois" variant of regula falsi (Dowell and Jarratt, 1971), and by bisection where that does not converge.
+/// At a jump of the function, the result is just after the jump.
+pub fn root_between(function: &dyn Fn(f64) -> f64, a: (f64, f64), b: (f64, f64), accuracy: f64) -> f64 {
     let before = a.1 < 0.0;
     let ((mut a, mut fa), (mut b, mut fb)) = (a, b);
     let mut last = a;
@@ -12,12 +12,12 @@ pub fn crossing(value: &dyn Fn(f64) -> f64, a: (f64, f64), b: (f64, f64), exact:
         if step > 20 || !(s > a.min(b) && s < a.max(b)) {
             s = 0.5 * (a + b);
         }
-        let fs = value(s);
-        if (b - a).abs() <= exact {
+        let fs = function(s);
+        if (b - a).abs() <= accuracy {
             return a.max(b);
         }
         let is_behind = (fs < 0.0) != before;
-        if fs == 0.0 || ((s - last).abs() <= exact && (is_behind || (s - a.max(b)).abs() > exact)) {
+        if fs == 0.0 || ((s - last).abs() <= accuracy && (is_behind || (s - a.max(b)).abs() > accuracy)) {
             return s;
         }
         if (fs < 0.0) == (fb < 0.0) {

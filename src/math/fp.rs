@@ -16,7 +16,7 @@ pub fn cos(x: f64) -> f64 {
     x.cos()
 }
 
-/// Sine and cosine together.
+/// Sine and cosine of an angle in radians.
 #[inline]
 pub fn sin_cos(x: f64) -> (f64, f64) {
     x.sin_cos()
@@ -70,7 +70,7 @@ pub fn hypot(x: f64, y: f64) -> f64 {
     x.hypot(y)
 }
 
-/// The fractional part, in [0, 1): x - ⌊x⌋.
+/// Fractional part of `x`, in [0, 1): x - ⌊x⌋.
 #[inline]
 pub fn fraction(x: f64) -> f64 {
     x - x.floor()
@@ -78,7 +78,7 @@ pub fn fraction(x: f64) -> f64 {
 
 /// Angle of the point (x, y) as a fraction of a turn, in [0, 1].
 #[inline]
-pub fn turn(y: f64, x: f64) -> f64 {
+pub fn angle_in_turns(y: f64, x: f64) -> f64 {
     fraction(atan2(y, x) / TAU)
 }
 
@@ -88,9 +88,9 @@ pub fn pow(x: f64, y: f64) -> f64 {
     x.powf(y)
 }
 
-/// xⁿ by products alone, which are equal on all machines.
+/// Computes xⁿ by products alone, which are equal on all machines.
 #[inline]
-pub fn power_of(x: f64, n: u32) -> f64 {
+pub fn integer_power(x: f64, n: u32) -> f64 {
     let (mut out, mut square, mut rest) = (1.0, x, n);
     while rest > 0 {
         if rest & 1 == 1 {
@@ -126,7 +126,7 @@ pub fn cbrt(x: f64) -> f64 {
     x.cbrt()
 }
 
-/// Logarithm of base 10.
+/// Logarithm of `x` to base 10.
 #[inline]
 pub fn log10(x: f64) -> f64 {
     x.log10()

@@ -6,43 +6,48 @@ use super::{Aabb, DMat3, DVec3, Transform, solve_quadratic, tolerance};
 /// Relative rounding error of sums and products of a few numbers, with a large reserve.
 const ROUNDING: f64 = 1e-13;
 
-/// A quadratic function of a point p: w·Qw + 2·h·w + c with w = p - center.
+/// Quadratic function of a point p: w·Qw + 2·h·w + c with w = p - center.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quadratic {
-    /// Matrix Q of the quadratic terms, symmetric.
+    /// Symmetric matrix Q of the quadratic terms.
     pub q: DMat3,
-    /// Half of the linear terms.
+    /// Half of the coefficients of the quadratic function's linear terms.
     pub h: DVec3,
-    /// Value at the centre.
+    /// Value of the quadratic function at its centre.
     pub c: f64,
-    /// Any point; near the middle of the surface, the numbers are small.
+    /// Point about which the quadratic function is expanded; numbers are small if it is near the middle of the surface.
     pub center: DVec3,
 }
 
 impl Quadratic {
-    /// The polynomial in the outer space: q(M⁻¹·p).
-    pub fn under(&self, m: &Transform) -> Self {
-        let a = m.inv.matrix3;
-        Self { q: a.transpose() * self.q * a, h: a.transpose() * self.h, c: self.c, center: m.point(self.center) }
+    /// Returns the transformed quadratic function: q(M⁻¹·p) at a point p of the outer space.
+    pub fn transformed(&self, transform: &Transform) -> Self {
+        let a = transform.inv.matrix3;
+        Self {
+            q: a.transpose() * self.q * a,
+            h: a.transpose() * self.h,
+            c: self.c,
+            center: transform.transform_point(self.center),
+        }
     }
 
-    /// With the opposite sign, which exchanges inside and outside.
+    /// Returns the quadratic function with the opposite sign, which exchanges inside and outside.
     pub fn negated(&self) -> Self {
         Self { q: -self.q, h: -self.h, c: -self.c, ..*self }
     }
 
-    /// Bounding box of all points in `around` where the polynomial is not positive.
-    pub fn bounds_in(&self, around: Aabb) -> Aabb {
+    /// Bounding box of all points in `around` where the quadratic function is not positive.
+    pub fn bounds_within(&self, around: Aabb) -> Aabb {
         let numbers = [self.q.x_axis, self.q.y_axis, self.q.z_axis, self.h, self.center];
         if around.is_empty() || !numbers.iter().all(|v| v.is_finite()) || !self.c.is_finite() {
             return around;
         }
-        let squares = self.least_squares();
+        let squares = self.axis_lower_bounds();
         let mut within = Aabb { min: around.min - self.center, max: around.max - self.center };
         // A tighter interval along one axis may tighten another.
         for _ in 0..2 {
             for axis in 0..3 {
-                let Some((lo, hi)) = self.along(axis, squares, &within) else { return Aabb::EMPTY };
+                let Some((lo, hi)) = self.interval_along(axis, squares, &within) else { return Aabb::EMPTY };
                 within.min[axis] = within.min[axis].max(lo);
                 within.max[axis] = within.max[axis].min(hi);
             }
@@ -53,8 +58,9 @@ impl Quadratic {
         found.grown(tolerance::BOUNDS * size).intersection(around)
     }
 
-    /// s with s·w² ≤ w·Qw: 2·q·x·y is at least -|q|·(x² + y²). Zeros stay zeros, all else is rounded downwards.
-    fn least_squares(&self) -> DVec3 {
+    /// Returns coefficients s of a lower bound without mixed terms: s with s·w² ≤ w·Qw: 2·q·x·y is at least -|q|·(x² +
+    /// y²). Zeros stay zeros, all else is rounded downwards.
+    fn axis_lower_bounds(&self) -> DVec3 {
         let columns = [self.q.x_axis, self.q.y_axis, self.q.z_axis];
         let size = columns.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
         let least = |i: usize| match columns[i] {
@@ -64,11 +70,11 @@ impl Quadratic {
         DVec3::new(least(0), least(1), least(2))
     }
 
-    /// The interval along an axis where the sum can be 0 or less, given the intervals of the others; `None` if it is
-    /// empty.
-    fn along(&self, axis: usize, squares: DVec3, within: &Aabb) -> Option<(f64, f64)> {
+    /// Returns the interval along an axis where the quadratic function can be 0 or less, given the intervals along the
+    /// other axes; `None` if it is empty.
+    fn interval_along(&self, axis: usize, squares: DVec3, within: &Aabb) -> Option<(f64, f64)> {
         let others = [(axis + 1) % 3, (axis + 2) % 3];
-        let least = others.map(|i| minimum(squares[i], 2.0 * self.h[i], within.min[i], within.max[i]));
+        let least = others.map(|i| quadratic_minimum(squares[i], 2.0 * self.h[i], within.min[i], within.max[i]));
         let sizes = self.c.abs() + least[0].abs() + least[1].abs();
         // a·x² + b·x + rest ≤ 0
         let (a, b, rest) = (squares[axis], 2.0 * self.h[axis], self.c + least[0] + least[1] - ROUNDING * sizes);
@@ -87,7 +93,7 @@ impl Quadratic {
 }
 
 /// The least value of a·x² + b·x between two positions, which may be infinite.
-fn minimum(a: f64, b: f64, lo: f64, hi: f64) -> f64 {
+fn quadratic_minimum(a: f64, b: f64, lo: f64, hi: f64) -> f64 {
     let value = |x: f64| match x.is_finite() {
         true => (a * x + b) * x,
         false if a != 0.0 => a * f64::INFINITY,
@@ -122,16 +128,16 @@ mod tests {
     fn cut_across_the_axis() {
         // x² + z² ≤ 1 + y²
         let r = 5f64.sqrt();
-        assert!(near(ROUND_Y.bounds_in(slab(-1.0, 2.0)), DVec3::new(-r, -1.0, -r), DVec3::new(r, 2.0, r)));
+        assert!(near(ROUND_Y.bounds_within(slab(-1.0, 2.0)), DVec3::new(-r, -1.0, -r), DVec3::new(r, 2.0, r)));
         // Rotated about its axis, scaled, translated.
         let m = Transform::rotate(DVec3::Y * 33.0).then(&Transform::scale(DVec3::splat(2.0)).unwrap());
         let m = m.then(&Transform::translate(DVec3::new(1000.0, 5.0, 0.0)));
-        let found = ROUND_Y.under(&m).bounds_in(slab(3.0, 9.0));
+        let found = ROUND_Y.transformed(&m).bounds_within(slab(3.0, 9.0));
         assert!(near(found, DVec3::new(1000.0 - 2.0 * r, 3.0, -2.0 * r), DVec3::new(1000.0 + 2.0 * r, 9.0, 2.0 * r)));
         // Unbounded along the axis, it is unbounded across; its outside is unbounded.
-        assert_eq!(ROUND_Y.bounds_in(Aabb::INFINITE), Aabb::INFINITE);
-        assert_eq!(ROUND_Y.negated().bounds_in(slab(-1.0, 2.0)), slab(-1.0, 2.0));
-        assert!(ROUND_Y.bounds_in(Aabb::EMPTY).is_empty());
+        assert_eq!(ROUND_Y.bounds_within(Aabb::INFINITE), Aabb::INFINITE);
+        assert_eq!(ROUND_Y.negated().bounds_within(slab(-1.0, 2.0)), slab(-1.0, 2.0));
+        assert!(ROUND_Y.bounds_within(Aabb::EMPTY).is_empty());
     }
 
     #[test]
@@ -139,11 +145,11 @@ mod tests {
         // x² + z² ≤ y, bounded above: the lower bound follows.
         let bowl =
             Quadratic { q: DMat3::from_diagonal(DVec3::new(1.0, 0.0, 1.0)), h: DVec3::Y * -0.5, c: 0.0, ..ROUND_Y };
-        let found = bowl.bounds_in(slab(f64::NEG_INFINITY, 4.0));
+        let found = bowl.bounds_within(slab(f64::NEG_INFINITY, 4.0));
         assert!(near(found, DVec3::new(-2.0, 0.0, -2.0), DVec3::new(2.0, 4.0, 2.0)), "{found:?}");
-        assert!(bowl.bounds_in(slab(-9.0, -1.0)).is_empty());
+        assert!(bowl.bounds_within(slab(-9.0, -1.0)).is_empty());
         let pipe = Quadratic { h: DVec3::ZERO, c: -4.0, ..bowl };
-        let found = pipe.bounds_in(Aabb::INFINITE);
+        let found = pipe.bounds_within(Aabb::INFINITE);
         assert!(found.min.x < -2.0 && found.min.x > -2.1 && found.max.y == f64::INFINITY && found.max.z < 2.1);
     }
 
@@ -159,7 +165,7 @@ mod tests {
             let w = p - center;
             let around = Aabb::from_corners(DVec3::NEG_ONE, DVec3::new(3.0, f64::INFINITY, 2.0));
             if around.contains(p) && w.dot(q * w + 2.0 * h) + c <= 0.0 {
-                prop_assert!(quadratic.bounds_in(around).contains(p));
+                prop_assert!(quadratic.bounds_within(around).contains(p));
             }
         }
     }

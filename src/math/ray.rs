@@ -2,7 +2,7 @@
 
 use super::{DVec3, tolerance};
 
-/// p(t) = origin + t·dir (lecture, "Ray").
+/// Ray p(t) = origin + t·dir (lecture, "Ray").
 ///
 /// `dir` has length 1 in world space only: a ray transformed to object space by M⁻¹ is **not** renormalised, so `t` is
 /// the distance in world space everywhere.
@@ -15,7 +15,7 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// The ray from `origin` along `dir`, which the caller normalises where that matters.
+    /// Creates the ray from `origin` along `dir`, which the caller normalises where that matters.
     pub fn new(origin: DVec3, dir: DVec3) -> Self {
         Self { origin, dir }
     }
@@ -26,39 +26,40 @@ impl Ray {
     }
 }
 
-/// The open interval of `t` in which a hit counts.
+/// Open interval of the ray parameter `t` in which a hit counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
-    /// Hits at or before this do not count.
+    /// Lower end of the interval: hits with `t` at or below it do not count.
     pub min: f64,
-    /// Hits at or after this do not count.
+    /// Upper end of the interval: hits with `t` at or above it do not count.
     pub max: f64,
 }
 
 impl Range {
-    /// Every t, also negative, as CSG needs.
+    /// Interval of every `t`, also negative, as CSG needs.
     pub const ALL: Range = Range { min: f64::NEG_INFINITY, max: f64::INFINITY };
-    /// The half-line of the lecture: t > 0.
+    /// Interval of the half-line: t > 0, as in the lecture.
     pub const FORWARD: Range = Range { min: 0.0, max: f64::INFINITY };
 
-    /// The intersection of both.
-    pub fn and(self, other: Range) -> Range {
+    /// Returns the intersection of two intervals of `t`.
+    pub fn intersection(self, other: Range) -> Range {
         Range { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
-    /// Raises `min` to `least` if it is [`tolerance::SURFACE`] or more, and to the same fraction of `least` if it is less.
-    /// A range that begins at or before 0 is unchanged.
-    pub fn ahead(self, least: f64) -> Range {
-        let least = least * (self.min / tolerance::SURFACE).min(1.0);
-        if self.min > 0.0 { Range { min: self.min.max(least), ..self } } else { self }
+    /// Returns the interval of `t` with a larger minimum hit distance: raises `min` to `min_distance` if it is
+    /// [`tolerance::SURFACE`] or more, and to the same fraction of `min_distance` if it is less. A range that begins at
+    /// or before 0 is unchanged.
+    pub fn with_min_distance(self, min_distance: f64) -> Range {
+        let min_distance = min_distance * (self.min / tolerance::SURFACE).min(1.0);
+        if self.min > 0.0 { Range { min: self.min.max(min_distance), ..self } } else { self }
     }
 
-    /// True if the interval is empty.
+    /// True if the interval of `t` is empty.
     pub fn is_empty(&self) -> bool {
         self.min >= self.max
     }
 
-    /// True if t is strictly inside. (False for NaN.)
+    /// True if t is strictly inside the interval. (False for NaN.)
     pub fn contains(&self, t: f64) -> bool {
         t > self.min && t < self.max
     }

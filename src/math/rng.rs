@@ -1,17 +1,18 @@
 //! Random numbers that are functions of a key, independent of the order of calls.
 
-/// A number in [0, 1) that is a function of its key alone: (frame, pixel, sample, dimension) or the
+/// Returns a random number in [0, 1) that is a function of its key alone: (frame, pixel, sample, dimension) or the
 /// like. SplitMix64's finaliser (Steele, Lea and Flood 2014) folds the words in.
-pub fn unit(key: &[u64]) -> f64 {
-    (mix(folded(key)) >> 11) as f64 / (1u64 << 53) as f64
+pub fn random_unit(key: &[u64]) -> f64 {
+    (mix_bits(fold_key(key)) >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// A key hashed to one word.
-pub fn word(key: &[u64]) -> u64 {
-    mix(folded(key))
+/// Returns a random word of 64 bits that is a function of its key alone.
+pub fn random_word(key: &[u64]) -> u64 {
+    mix_bits(fold_key(key))
 }
 
-/// The numbers of [`unit()`] for a key followed by 1, 2, 3 …: for tests. (Rendering code names each number's purpose.)
+/// Sequence of random numbers: [`random_unit`] of a key followed by 1, 2, 3 …; for tests. (Rendering code names each
+/// number's purpose.)
 #[derive(Clone, Copy, Debug)]
 pub struct Stream {
     folded: u64,
@@ -19,28 +20,28 @@ pub struct Stream {
 }
 
 impl Stream {
-    /// The stream of this key.
+    /// Creates the sequence of random numbers of this key.
     pub fn new(key: &[u64]) -> Self {
-        Self { folded: folded(key), dimension: 0 }
+        Self { folded: fold_key(key), dimension: 0 }
     }
 
-    /// The next number in [0, 1).
+    /// Returns the next random number in [0, 1).
     #[allow(clippy::should_implement_trait)]
-    pub fn next(&mut self) -> f64 {
+    pub fn next_random(&mut self) -> f64 {
         self.dimension += 1;
-        (mix(fold(self.folded, self.dimension)) >> 11) as f64 / (1u64 << 53) as f64
+        (mix_bits(fold_word(self.folded, self.dimension)) >> 11) as f64 / (1u64 << 53) as f64
     }
 }
 
-fn folded(key: &[u64]) -> u64 {
-    key.iter().fold(0x9e37_79b9_7f4a_7c15, |h, &word| fold(h, word))
+fn fold_key(key: &[u64]) -> u64 {
+    key.iter().fold(0x9e37_79b9_7f4a_7c15, |h, &word| fold_word(h, word))
 }
 
-fn fold(h: u64, word: u64) -> u64 {
-    mix(h ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15)
+fn fold_word(h: u64, word: u64) -> u64 {
+    mix_bits(h ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15)
 }
 
-fn mix(mut z: u64) -> u64 {
+fn mix_bits(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)
@@ -53,12 +54,15 @@ mod tests {
     #[test]
     fn a_stream_is_a_short_way_to_write_keys() {
         let mut stream = Stream::new(&[3, 1, 4]);
-        assert_eq!([stream.next(), stream.next()], [unit(&[3, 1, 4, 1]), unit(&[3, 1, 4, 2])]);
+        assert_eq!(
+            [stream.next_random(), stream.next_random()],
+            [random_unit(&[3, 1, 4, 1]), random_unit(&[3, 1, 4, 2])]
+        );
     }
 
     #[test]
     fn numbers_spread_evenly() {
-        let mean = (0..10_000).map(|i| unit(&[7, i])).sum::<f64>() / 10_000.0;
+        let mean = (0..10_000).map(|i| random_unit(&[7, i])).sum::<f64>() / 10_000.0;
         assert!((mean - 0.5).abs() < 0.01, "{mean}");
     }
 }

@@ -28,7 +28,8 @@ pub const POLYNOMIAL_INSIDE: f64 = 1e-4;
 /// 1e-9.
 pub const FLAT: f64 = 1e-10;
 
-/// Sub-polygons end where a point equals the first one to this tolerance in every coordinate.
+/// Tolerance in every coordinate to which a polygon's point equals the first point of its sub-polygon, which ends
+/// there.
 pub const SAME_POINT: f64 = 1e-10;
 
 /// Growth of an object's box, relative to its largest coordinate or 1, so that rounding in its kernel never puts a hit

@@ -4,16 +4,16 @@ use super::{Aabb, DMat3, DVec3, Ray, fp};
 use glam::DAffine3;
 use serde::Serialize;
 
-/// An affine map and its inverse. Both are composed step by step, so that M·M⁻¹ = 1 to rounding.
+/// An affine transform and its inverse. Both are composed step by step, so that M·M⁻¹ = 1 to rounding.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Transform {
-    /// M: from the object's space to the space around it.
+    /// Matrix M from the object's space to the space around it.
     pub m: DAffine3,
-    /// M⁻¹: from the surrounding space to the object's space.
+    /// Matrix M⁻¹ from the surrounding space to the object's space.
     pub inv: DAffine3,
 }
 
-/// Error: the matrix has no inverse.
+/// Error of a transform whose matrix has no inverse.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Singular;
 
@@ -27,12 +27,12 @@ impl Transform {
     /// The transform that leaves every point unchanged.
     pub const IDENTITY: Transform = Transform { m: DAffine3::IDENTITY, inv: DAffine3::IDENTITY };
 
-    /// Translation by `v`.
+    /// Returns the translation by `v`.
     pub fn translate(v: DVec3) -> Self {
         Self { m: DAffine3::from_translation(v), inv: DAffine3::from_translation(-v) }
     }
 
-    /// Scaling along the axes.
+    /// Returns the scaling by these factors along the axes.
     ///
     /// # Errors
     /// If a factor is zero, or too small to be inverted.
@@ -68,8 +68,8 @@ impl Transform {
         Self { m: DAffine3::from_mat3(m), inv: DAffine3::from_mat3(m.transpose()) }
     }
 
-    /// The three images of the axes and the translation: `matrix <v00 … v32>` lists them in this
-    /// order (manual, "matrix": row vectors).
+    /// Returns the transform with these images of the three axes and this translation: `matrix <v00 … v32>` lists them
+    /// in this order (manual, "matrix": row vectors).
     ///
     /// # Errors
     /// If the matrix can't be inverted.
@@ -78,7 +78,7 @@ impl Transform {
         Self::from_affine(m)
     }
 
-    /// From a matrix alone.
+    /// Creates a transform from its matrix.
     ///
     /// # Errors
     /// If the matrix can't be inverted.
@@ -88,7 +88,7 @@ impl Transform {
         if fine { Ok(Self { m, inv }) } else { Err(Singular) }
     }
 
-    /// The composition `next.m * self.m`: first `self`, then `next`.
+    /// Composes two transforms to `next.m * self.m`: first `self`, then `next`.
     pub fn then(&self, next: &Transform) -> Self {
         if next.m.matrix3 == DMat3::IDENTITY {
             // Translations alone are common, and far cheaper.
@@ -112,46 +112,46 @@ impl Transform {
         self.m == DAffine3::IDENTITY
     }
 
-    /// M·p (w = 1).
-    pub fn point(&self, p: DVec3) -> DVec3 {
+    /// Transforms a point: M·p (w = 1).
+    pub fn transform_point(&self, p: DVec3) -> DVec3 {
         self.m.transform_point3(p)
     }
 
-    /// M·v (w = 0).
-    pub fn vector(&self, v: DVec3) -> DVec3 {
+    /// Transforms a vector: M·v (w = 0).
+    pub fn transform_vector(&self, v: DVec3) -> DVec3 {
         self.m.transform_vector3(v)
     }
 
-    /// M⁻ᵀ·n: stays perpendicular to the surface; not normalised.
-    pub fn normal(&self, n: DVec3) -> DVec3 {
+    /// Transforms a normal: M⁻ᵀ·n, which stays perpendicular to the surface; not normalised.
+    pub fn transform_normal(&self, n: DVec3) -> DVec3 {
         // (M⁻¹)ᵀ·n without building the transpose: the dot products with the columns of M⁻¹.
         let inv = &self.inv.matrix3;
         DVec3::new(inv.x_axis.dot(n), inv.y_axis.dot(n), inv.z_axis.dot(n))
     }
 
-    /// Mᵀ·n: the inverse of [`Self::normal`]; not normalised.
-    pub fn inverse_normal(&self, n: DVec3) -> DVec3 {
+    /// Transforms a normal by Mᵀ·n, the inverse of [`Self::transform_normal`]; not normalised.
+    pub fn inverse_transform_normal(&self, n: DVec3) -> DVec3 {
         let m = &self.m.matrix3;
         DVec3::new(m.x_axis.dot(n), m.y_axis.dot(n), m.z_axis.dot(n))
     }
 
-    /// M⁻¹·p (w = 1).
-    pub fn inverse_point(&self, p: DVec3) -> DVec3 {
+    /// Transforms a point by the inverse: M⁻¹·p (w = 1).
+    pub fn inverse_transform_point(&self, p: DVec3) -> DVec3 {
         self.inv.transform_point3(p)
     }
 
-    /// M⁻¹·v (w = 0).
-    pub fn inverse_vector(&self, v: DVec3) -> DVec3 {
+    /// Transforms a vector by the inverse: M⁻¹·v (w = 0).
+    pub fn inverse_transform_vector(&self, v: DVec3) -> DVec3 {
         self.inv.transform_vector3(v)
     }
 
-    /// M⁻¹·ray: the origin as a point, the direction as a vector, not renormalised.
-    pub fn inverse_ray(&self, ray: &Ray) -> Ray {
-        Ray { origin: self.inverse_point(ray.origin), dir: self.inverse_vector(ray.dir) }
+    /// Transforms a ray by the inverse, M⁻¹·ray: the origin as a point, the direction as a vector, not renormalised.
+    pub fn inverse_transform_ray(&self, ray: &Ray) -> Ray {
+        Ray { origin: self.inverse_transform_point(ray.origin), dir: self.inverse_transform_vector(ray.dir) }
     }
 
-    /// The smallest axis-aligned box around M·box; infinite where the box is.
-    pub fn aabb(&self, b: &Aabb) -> Aabb {
+    /// Returns the smallest axis-aligned box around the transformed box, M·box; infinite where the box is.
+    pub fn transform_aabb(&self, b: &Aabb) -> Aabb {
         if b.is_empty() {
             return Aabb::EMPTY;
         }

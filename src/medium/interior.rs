@@ -42,7 +42,7 @@ const INTERIOR_ROWS: &[Row<Interior>] = &[
         .sets(|s, r| set(&mut s.caustics, r.float())),
 ];
 
-/// `interior { … }`
+/// Description of the block `interior { … }`.
 pub const INTERIOR: Spec = Spec {
     name: "interior",
     summary: "what fills a shape",
@@ -64,7 +64,8 @@ pub struct Interior {
     pub dispersion: f64,
     /// Number of colours into which dispersion splits white light, at least 2.
     pub dispersion_samples: u32,
-    /// Distance after which light has lost half of its brightness if `fade_power` is 1, in world units; 0 for no attenuation.
+    /// Distance after which light has lost half of its brightness if `fade_power` is 1, in world units; 0 for no
+    /// attenuation.
     pub fade_distance: f64,
     /// Exponent of attenuation by distance; from 1000 on attenuation is exponential.
     pub fade_power: f64,
@@ -72,7 +73,7 @@ pub struct Interior {
     pub fade_color: Rgb,
     /// Strength of bright spots in shadows, where light enters at a right angle; 0 for none.
     pub caustics: f64,
-    /// Items that are read and not rendered yet.
+    /// Items of an `interior` block that are read and not rendered yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
@@ -100,7 +101,7 @@ impl Thing for Interior {
 }
 
 impl Interior {
-    /// Reads the items between the braces; items override those of `base`.
+    /// Reads the items of an `interior` block; they override those of `base`.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -116,7 +117,7 @@ impl Interior {
                 next if read_row(INTERIOR_ROWS, &mut out, next, r)? => {}
                 // `refraction N` switched bending on in POV-Ray 3.0; its number has no effect.
                 Next::Word(word) if INTERIOR.ignores(word) => {
-                    r.take()?;
+                    r.take_token()?;
                     r.float()?;
                 }
                 Next::Word(word) | Next::Block(word) if INTERIOR.is_unsupported(word) => {
@@ -127,9 +128,9 @@ impl Interior {
         }
     }
 
-    /// Returns the index of refraction for one colour of the spectrum: `hue` is 0 for red and 1 for violet; white light has
-    /// the index of hue 0.5 (quirk: `dispersion_ior`).
-    pub fn ior_of(&self, hue: f64) -> f64 {
+    /// Returns the index of refraction for one colour of the spectrum: `hue` is 0 for red and 1 for violet; white light
+    /// has the index of hue 0.5 (quirk: `dispersion_ior`).
+    pub fn ior_of_hue(&self, hue: f64) -> f64 {
         if self.dispersion == 1.0 || self.dispersion <= 0.0 {
             return self.ior;
         }
@@ -152,9 +153,9 @@ impl Interior {
         self.fade_color + (Rgb::ONE - self.fade_color) * left
     }
 
-    /// Returns the factor by which a surface brightens the light that enters through it; `cos` is the cosine of the angle of
-    /// incidence (quirk: `caustics_factor`).
-    pub fn caustic(&self, cos: f64) -> f64 {
+    /// Returns the factor by which a surface brightens the light that enters through it; `cos` is the cosine of the
+    /// angle of incidence (quirk: `caustics_factor`).
+    pub fn caustic_factor(&self, cos: f64) -> f64 {
         if self.caustics == 0.0 { 1.0 } else { 1.0 + fp::pow(cos, 45.0 * self.caustics) }
     }
 

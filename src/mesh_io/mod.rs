@@ -20,27 +20,27 @@ use crate::source::Activity;
 use glam::Vec3;
 use serde::Serialize;
 
-/// The absence of normals, surface coordinates or textures in a list of indices of three corners.
+/// Marks a triangle without normals, surface coordinates or textures in a list of indices for three corners.
 pub const NONE: [u32; 3] = [u32::MAX; 3];
 
-/// Maximum number of triangles of a file, or its size in bytes if that is larger: a small file may refer to one mesh
-/// many times.
+/// Maximum number of triangles of a mesh file, or its size in bytes if that is larger: a small file may refer to one
+/// mesh many times.
 const MANY: usize = 1 << 24;
 
-/// The result of a reader; the error is the reason in words, with the line or byte where it is known.
+/// Result of the reader of a mesh file; the error is the reason in words, with the line or byte where it is known.
 pub type ReadResult<T> = Result<T, String>;
 
-/// Opens a file that is named in the mesh's file, relative to it.
+/// Opens a file that a mesh file names, relative to the mesh file.
 pub type Open<'a> = &'a mut dyn FnMut(&str) -> ReadResult<Vec<u8>>;
 
-/// Triangles whose corners, normals and surface coordinates are indices into lists.
+/// Triangles of a mesh file, whose corners, normals and surface coordinates are indices into lists.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Triangles {
-    /// In object space; single precision, as in POV-Ray (quirk: `mesh_single_precision`).
+    /// Vertices of the triangles in object space; single precision, as in POV-Ray (quirk: `mesh_single_precision`).
     pub vertices: Vec<Vec3>,
-    /// Unit vectors, or 0 without a direction.
+    /// Normals of the triangles' corners: unit vectors, or 0 without a direction.
     pub normals: Vec<Vec3>,
-    /// Surface coordinates.
+    /// Surface coordinates (u, v) of the triangles' corners.
     pub uvs: Vec<DVec2>,
     /// Indices of the vertices of each triangle.
     pub corners: Vec<[u32; 3]>,
@@ -54,8 +54,9 @@ pub struct Triangles {
 }
 
 impl Triangles {
-    /// Adds a triangle; the optional lists begin when the first triangle has a value for them.
-    pub fn push(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], slots: [u32; 3]) {
+    /// Adds a triangle to a mesh file's triangles; the optional lists begin when the first triangle has a value for
+    /// them.
+    pub fn push_triangle(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], slots: [u32; 3]) {
         let before = self.corners.len();
         let add = |list: &mut Vec<[u32; 3]>, numbers: [u32; 3], none: [u32; 3]| {
             if numbers != none || !list.is_empty() {
@@ -73,30 +74,30 @@ impl Triangles {
 /// Contents of a mesh file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshFile {
-    /// All triangles; their textures are the materials.
+    /// All triangles of the mesh file; the indices of their textures are those of the materials.
     pub triangles: Triangles,
-    /// The materials; index 1 is the first.
+    /// Materials of the mesh file; index 1 is the first.
     pub materials: Vec<MeshMaterial>,
-    /// Parts of the file that were ignored, in words.
+    /// Parts of the mesh file that were ignored, in words.
     pub remarks: Vec<String>,
 }
 
 /// The rendered part of a material of a mesh file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshMaterial {
-    /// Name in the file.
+    /// Name of the material in the mesh file.
     pub name: String,
-    /// Diffuse colour.
+    /// Diffuse colour of a mesh file's material.
     pub color: [f64; 3],
-    /// True if the colour is linear light; false if it is a number as after `rgb`.
+    /// True if the material's colour is linear light; false if it is a number as after `rgb`.
     pub is_linear: bool,
-    /// Opacity, from 0 for transparent to 1.
+    /// Opacity of a mesh file's material, from 0 for transparent to 1.
     pub opacity: f64,
-    /// Strength of the highlight.
+    /// Strength of the highlight of a mesh file's material.
     pub specular: f64,
-    /// Exponent of the highlight.
+    /// Exponent of the highlight of a mesh file's material.
     pub shininess: f64,
-    /// File of a picture that gives the colour by surface coordinates.
+    /// File of a picture that gives a material's colour by surface coordinates.
     pub picture: Option<String>,
 }
 
@@ -106,20 +107,20 @@ impl MeshMaterial {
     }
 }
 
-/// Endings of the files that can be read.
+/// Endings of the mesh files that can be read.
 pub const ENDINGS: &[&str] = &["ply", "obj", "stl", "gltf", "glb"];
 
-/// Reads a file's bytes; `ending` is that of the file's name, which counts where the bytes do not decide.
+/// Reads a mesh file's bytes; `ending` is that of the file's name, which counts where the bytes do not decide.
 ///
 /// # Errors
 /// The reason why the file is not understood, with the line or byte where it is known.
-pub fn read(bytes: &[u8], ending: &str, open: Open) -> ReadResult<MeshFile> {
+pub fn read_mesh_file(bytes: &[u8], ending: &str, open: Open) -> ReadResult<MeshFile> {
     let _activity = Activity::begin("while a mesh file was read");
     let mut file = match (bytes, ending.to_ascii_lowercase().as_str()) {
-        ([b'p', b'l', b'y', b'\r' | b'\n', ..], _) | (_, "ply") => ply::read(bytes),
-        ([b'g', b'l', b'T', b'F', ..], _) | (_, "gltf" | "glb") => gltf::read(bytes, open),
-        (_, "stl") => stl::read(bytes),
-        (_, "obj") => obj::read(bytes, open),
+        ([b'p', b'l', b'y', b'\r' | b'\n', ..], _) | (_, "ply") => ply::read_ply(bytes),
+        ([b'g', b'l', b'T', b'F', ..], _) | (_, "gltf" | "glb") => gltf::read_gltf(bytes, open),
+        (_, "stl") => stl::read_stl(bytes),
+        (_, "obj") => obj::read_obj(bytes, open),
         _ => Err("it is none of ply, obj, stl, gltf and glb".into()),
     }?;
     if file.triangles.corners.is_empty() {
@@ -133,13 +134,13 @@ pub fn read(bytes: &[u8], ending: &str, open: Open) -> ReadResult<MeshFile> {
     Ok(file)
 }
 
-/// A normalised direction.
-fn direction(numbers: [f64; 3]) -> Vec3 {
+/// Returns the unit vector of a mesh file's normal, or 0 if it has no direction.
+fn unit_direction(numbers: [f64; 3]) -> Vec3 {
     DVec3::from_array(numbers).normalize_or_zero().as_vec3()
 }
 
-/// A point; an error if a coordinate is not finite.
-fn point(numbers: [f64; 3], place: impl FnOnce() -> String) -> ReadResult<Vec3> {
+/// Returns a point of a mesh file; an error if a coordinate is not finite.
+fn finite_point(numbers: [f64; 3], place: impl FnOnce() -> String) -> ReadResult<Vec3> {
     let p = Vec3::from_array(numbers.map(|x| x as f32));
     if p.is_finite() { Ok(p) } else { Err(format!("{}: a corner's place is not a number, or beyond 1e38", place())) }
 }

@@ -1,12 +1,12 @@
 //! Materials of OBJ files: colour, opacity, highlight and picture. (Alias|Wavefront, MTL material format, 1995.)
 
-use super::words::{lines, number};
+use super::words::{numbered_lines, parse_number};
 use super::{MeshMaterial, ReadResult};
 
-/// Appends the materials of a file; `file` is its name, for messages.
-pub fn read(bytes: &[u8], file: &str, out: &mut Vec<MeshMaterial>) -> ReadResult<()> {
+/// Appends the materials of an MTL file; `file` is its name, for messages.
+pub fn read_mtl(bytes: &[u8], file: &str, out: &mut Vec<MeshMaterial>) -> ReadResult<()> {
     let first = out.len();
-    for (line, text) in lines(bytes) {
+    for (line, text) in numbered_lines(bytes) {
         let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((&text, ""));
         let rest = rest.trim();
         if word == "newmtl" {
@@ -17,7 +17,7 @@ pub fn read(bytes: &[u8], file: &str, out: &mut Vec<MeshMaterial>) -> ReadResult
         let numbers = || {
             let numbers: ReadResult<Vec<f64>> = rest
                 .split_ascii_whitespace()
-                .map(|word| number(word.as_bytes(), || format!("line {line} of `{file}`")))
+                .map(|word| parse_number(word.as_bytes(), || format!("line {line} of `{file}`")))
                 .collect();
             let numbers = numbers?;
             match numbers.iter().all(|x| x.is_finite()) && !numbers.is_empty() {
@@ -35,15 +35,15 @@ pub fn read(bytes: &[u8], file: &str, out: &mut Vec<MeshMaterial>) -> ReadResult
             "Ns" => material.shininess = numbers()?[0].clamp(1.0, 1e6),
             "d" if !rest.starts_with('-') => material.opacity = numbers()?[0].clamp(0.0, 1.0),
             "Tr" => material.opacity = 1.0 - numbers()?[0].clamp(0.0, 1.0),
-            "map_Kd" => material.picture = picture(rest),
+            "map_Kd" => material.picture = picture_file_name(rest),
             _ => {}
         }
     }
     Ok(())
 }
 
-/// The file's name after options such as `-o 0 0 0`; it may contain blanks.
-fn picture(rest: &str) -> Option<String> {
+/// Returns the picture's file name in a line of an MTL file, after options such as `-o 0 0 0`; it may contain blanks.
+fn picture_file_name(rest: &str) -> Option<String> {
     let mut words = rest.split_ascii_whitespace().peekable();
     while words.peek().is_some_and(|word| word.starts_with('-')) {
         let count = match words.next()? {

@@ -1,27 +1,27 @@
 //! OBJ: vertices, polygons and names of materials, line by line. (Alias|Wavefront, Object files, 1995.)
 
-use super::words::{lines, number};
-use super::{MeshFile, NONE, Open, ReadResult, direction, mtl, point, polygon};
+use super::words::{numbered_lines, parse_number};
+use super::{MeshFile, NONE, Open, ReadResult, finite_point, mtl, polygon, unit_direction};
 use crate::math::DVec2;
 use glam::Vec3;
 
-/// Reads a file. Lines that do not describe polygons are skipped.
-pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
+/// Reads an OBJ file. Lines that do not describe polygons are skipped.
+pub fn read_obj(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     let mut out = MeshFile::default();
     let mut state = State::default();
-    for (line, text) in lines(bytes) {
+    for (line, text) in numbered_lines(bytes) {
         let (word, rest) = text.split_once(char::is_whitespace).unwrap_or((&text, ""));
         match word {
             "v" => {
-                let [x, y, z, _] = numbers(rest, 3, line)?;
-                out.triangles.vertices.push(point([x, y, z], || format!("line {line}"))?);
+                let [x, y, z, _] = parse_numbers(rest, 3, line)?;
+                out.triangles.vertices.push(finite_point([x, y, z], || format!("line {line}"))?);
             }
             "vn" => {
-                let [x, y, z, _] = numbers(rest, 3, line)?;
-                out.triangles.normals.push(direction([x, y, z]));
+                let [x, y, z, _] = parse_numbers(rest, 3, line)?;
+                out.triangles.normals.push(unit_direction([x, y, z]));
             }
             "vt" => {
-                let [u, v, ..] = numbers(rest, 1, line)?;
+                let [u, v, ..] = parse_numbers(rest, 1, line)?;
                 out.triangles.uvs.push(DVec2::new(u, v));
             }
             "f" => state.read_face(rest, line, &mut out)?,
@@ -41,43 +41,43 @@ pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     Ok(out)
 }
 
-/// Reads the material files that a line names; a missing one becomes a remark.
+/// Reads the material files that a line of an OBJ file names; a missing one becomes a remark.
 fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> ReadResult<()> {
     // One name, which may contain blanks, or else several.
     if let Ok(bytes) = open(rest) {
-        return mtl::read(&bytes, rest, &mut out.materials);
+        return mtl::read_mtl(&bytes, rest, &mut out.materials);
     }
     for name in rest.split_ascii_whitespace() {
         match open(name) {
-            Ok(bytes) => mtl::read(&bytes, name, &mut out.materials)?,
+            Ok(bytes) => mtl::read_mtl(&bytes, name, &mut out.materials)?,
             Err(why) => out.remarks.push(format!("its materials are left out: {why}")),
         }
     }
     Ok(())
 }
 
-/// At least `least` numbers; missing ones are 0.
-fn numbers(rest: &str, least: usize, line: usize) -> ReadResult<[f64; 4]> {
+/// Reads at least `least` numbers from a line of an OBJ file; missing ones are 0.
+fn parse_numbers(rest: &str, least: usize, line: usize) -> ReadResult<[f64; 4]> {
     let mut out = [0.0; 4];
     let mut count = 0;
     for (x, word) in out.iter_mut().zip(rest.split_ascii_whitespace()) {
-        *x = number(word.as_bytes(), || format!("line {line}"))?;
+        *x = parse_number(word.as_bytes(), || format!("line {line}"))?;
         count += 1;
     }
     if count < least { Err(format!("line {line}: expected {least} numbers, found {count}")) } else { Ok(out) }
 }
 
-/// State of the reader of faces.
+/// State of the reader of faces in an OBJ file.
 #[derive(Default)]
 struct State {
-    /// The current material.
+    /// Index of the current material in an OBJ file.
     slot: u32,
     corners: Vec<[Option<u32>; 3]>,
     points: Vec<Vec3>,
 }
 
 impl State {
-    /// `f 1/2/3 4/5/6 …`: corner, surface coordinates, normal.
+    /// Reads a face of an OBJ file: `f 1/2/3 4/5/6 …`, indices of corner, surface coordinates and normal.
     fn read_face(&mut self, rest: &str, line: usize, out: &mut MeshFile) -> ReadResult<()> {
         let all = &mut out.triangles;
         let lengths = [all.vertices.len(), all.uvs.len(), all.normals.len()];
@@ -86,7 +86,7 @@ impl State {
             let mut corner = [None; 3];
             for (i, part) in word.split('/').enumerate().take(3).filter(|(_, part)| !part.is_empty()) {
                 let what = ["corner", "pair of surface coordinates", "normal"][i];
-                corner[i] = Some(index(part, lengths[i], what, line)?);
+                corner[i] = Some(parse_index(part, lengths[i], what, line)?);
             }
             if corner[0].is_none() {
                 return Err(format!("line {line}: expected the number of a corner, found `{word}`"));
@@ -99,23 +99,24 @@ impl State {
         self.points.clear();
         self.points.extend(self.corners.iter().map(|c| all.vertices[c[0].unwrap_or(0) as usize]));
         let Self { corners, points, slot, .. } = self;
-        polygon::triangles(points, |places| {
+        polygon::triangulate(points, |places| {
             let [corners, uvs, normals] = [0, 1, 2].map(|i| {
                 let [a, b, c] = places.map(|place| corners[place][i]);
                 a.zip(b).zip(c).map_or(NONE, |((a, b), c)| [a, b, c])
             });
-            all.push(corners, normals, uvs, [*slot; 3]);
+            all.push_triangle(corners, normals, uvs, [*slot; 3]);
         });
         Ok(())
     }
 }
 
-/// An index counted from 1, or backwards from the end.
-fn index(text: &str, length: usize, what: &str, line: usize) -> ReadResult<u32> {
-    let n: i64 = text.parse().map_err(|_| format!("line {line}: expected the number of a {what}, found `{text}`"))?;
-    let place = if n < 0 { length as i64 + n } else { n - 1 };
+/// Reads an index of an OBJ file, counted from 1, or backwards from the end.
+fn parse_index(text: &str, items_before: usize, item_name: &str, line: usize) -> ReadResult<u32> {
+    let n: i64 =
+        text.parse().map_err(|_| format!("line {line}: expected the number of a {item_name}, found `{text}`"))?;
+    let place = if n < 0 { items_before as i64 + n } else { n - 1 };
     match u32::try_from(place) {
-        Ok(place) if (place as usize) < length => Ok(place),
-        _ => Err(format!("line {line}: there is no {what} {n}: {length} stand before")),
+        Ok(place) if (place as usize) < items_before => Ok(place),
+        _ => Err(format!("line {line}: there is no {item_name} {n}: {items_before} stand before")),
     }
 }

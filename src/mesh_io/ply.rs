@@ -1,38 +1,39 @@
 //! PLY, as text or as bytes of either order (Greg Turk, The PLY Polygon File Format, 1994), read by the crate `ply-rs-bw`.
 
-use super::{MeshFile, NONE, ReadResult, Triangles, direction, point, polygon};
+use super::{MeshFile, NONE, ReadResult, Triangles, finite_point, polygon, unit_direction};
 use crate::math::DVec2;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType};
 use std::io::{BufRead, ErrorKind, Read};
 
-/// Number of elements that are read at once. A header's count thus reserves no memory for data that the file does not have.
+/// Number of elements of a PLY file that are read at once. A header's count thus reserves no memory for data that the
+/// file does not have.
 const BATCH: usize = 1 << 12;
 
-/// Reads the `vertex` and `face` elements of a file and skips all others.
+/// Reads the `vertex` and `face` elements of a PLY file and skips all others.
 ///
 /// # Errors
 /// The reason why the file is not understood, with the line where it is text.
-pub fn read(bytes: &[u8]) -> ReadResult<MeshFile> {
+pub fn read_ply(bytes: &[u8]) -> ReadResult<MeshFile> {
     const END: &[u8] = b"end_header";
     // Comments in the header may be in any encoding.
     let length = bytes.windows(END.len()).position(|window| window == END).ok_or("the header has no `end_header`")?;
     let head = String::from_utf8_lossy(&bytes[..length]).into_owned();
     let mut reader = Reader::new(head.as_bytes().chain(&bytes[length..]));
-    let header = Parser::<Skipped>::new().read_header(&mut reader).map_err(message)?;
+    let header = Parser::<Skipped>::new().read_header(&mut reader).map_err(one_line_message)?;
     let mut out = Triangles::default();
     for element in header.elements.values() {
         match element.name.as_str() {
             "vertex" => read_vertices(&mut reader, element, &header, &mut out)?,
             "face" => read_faces(&mut reader, element, &header, &mut out)?,
-            _ => each(&mut reader, element, &header, |_, _: Skipped| Ok(()))?,
+            _ => for_each_element(&mut reader, element, &header, |_, _: Skipped| Ok(()))?,
         }
     }
     Ok(MeshFile { triangles: out, ..MeshFile::default() })
 }
 
-/// The parser's message in one line of bounded length (the parser quotes whole lines of the file).
-fn message(error: ParseError) -> String {
+/// Returns the PLY parser's message in one line of bounded length (the parser quotes whole lines of the file).
+fn one_line_message(error: ParseError) -> String {
     let text = error.to_string();
     let words: Vec<&str> = text.split_whitespace().collect();
     let mut text: String = words.join(" ").chars().take(200).collect();
@@ -42,8 +43,8 @@ fn message(error: ParseError) -> String {
     text
 }
 
-/// Calls `visit` with the number and the value of each element of one kind.
-fn each<T: BufRead, E: PropertyAccess>(
+/// Calls `visit` with the index and the value of each element of one kind in a PLY file.
+fn for_each_element<T: BufRead, E: PropertyAccess>(
     reader: &mut Reader<T>,
     element: &ElementDef,
     header: &Header,
@@ -57,14 +58,14 @@ fn each<T: BufRead, E: PropertyAccess>(
         let read =
             Parser::new().read_payload_for_element(reader, &batch, header).map_err(|error| match error.kind() {
                 ErrorKind::UnexpectedEof => format!("the file ends within its {count} `{}` elements", element.name),
-                _ => format!("in its `{}` elements: {}", element.name, message(error)),
+                _ => format!("in its `{}` elements: {}", element.name, one_line_message(error)),
             })?;
         read.into_iter().enumerate().try_for_each(|(i, value)| visit(first + i, value))?;
     }
     Ok(())
 }
 
-/// An element whose properties are ignored.
+/// Element of a PLY file whose properties are ignored.
 struct Skipped;
 
 impl PropertyAccess for Skipped {
@@ -73,11 +74,11 @@ impl PropertyAccess for Skipped {
     }
 }
 
-/// Position, normal and surface coordinates of a vertex; 0 where the file has no such property.
+/// Position, normal and surface coordinates of a PLY file's vertex; 0 where the file has no such property.
 struct Vertex([f64; 8]);
 
-/// Index in [`Vertex`] of a property, under the names that programs write.
-fn slot(name: &str) -> Option<usize> {
+/// Returns the index in [`Vertex`] of a vertex property, under the names that programs write.
+fn vertex_slot(name: &str) -> Option<usize> {
     Some(match name {
         "x" => 0,
         "y" => 1,
@@ -108,7 +109,7 @@ impl PropertyAccess for Vertex {
             Property::Double(x) => x,
             _ => return PropertyAccessResult::Ignored,
         };
-        match slot(name) {
+        match vertex_slot(name) {
             Some(slot) => self.0[slot] = number,
             None => return PropertyAccessResult::Ignored,
         }
@@ -116,7 +117,7 @@ impl PropertyAccess for Vertex {
     }
 }
 
-/// The vertex numbers of a face's corners, in any type of number; `None` without the list.
+/// The vertex indices of a PLY file's face, in any type of number; `None` without the list.
 struct Face(Option<Property>);
 
 fn is_list_of_corners(name: &str) -> bool {
@@ -137,8 +138,8 @@ impl PropertyAccess for Face {
     }
 }
 
-/// Replaces `out` by the numbers of a list property.
-fn numbers_of(property: &Property, out: &mut Vec<f64>) {
+/// Replaces `out` by the numbers of a list property in a PLY file.
+fn numbers_of_list(property: &Property, out: &mut Vec<f64>) {
     out.clear();
     match property {
         Property::ListChar(list) => out.extend(list.iter().map(|x| f64::from(*x))),
@@ -160,16 +161,16 @@ fn read_vertices<T: BufRead>(
     out: &mut Triangles,
 ) -> ReadResult<()> {
     let scalars = element.properties.values().filter(|p| matches!(p.data_type, PropertyType::Scalar(_)));
-    let slots: Vec<usize> = scalars.filter_map(|p| slot(&p.name)).collect();
+    let slots: Vec<usize> = scalars.filter_map(|p| vertex_slot(&p.name)).collect();
     let has = |all: &[usize]| all.iter().all(|slot| slots.contains(slot));
     let (has_normals, has_uvs) = (has(&[3, 4, 5]), has(&[6, 7]));
     if !has(&[0, 1, 2]) {
         return Err("its `vertex` elements have no `x`, `y` and `z`".into());
     }
-    each(reader, element, header, |i, Vertex(v)| {
-        out.vertices.push(point([v[0], v[1], v[2]], || format!("`vertex` {i}"))?);
+    for_each_element(reader, element, header, |i, Vertex(v)| {
+        out.vertices.push(finite_point([v[0], v[1], v[2]], || format!("`vertex` {i}"))?);
         if has_normals {
-            out.normals.push(direction([v[3], v[4], v[5]]));
+            out.normals.push(unit_direction([v[3], v[4], v[5]]));
         }
         if has_uvs {
             out.uvs.push(DVec2::new(v[6], v[7]));
@@ -189,19 +190,19 @@ fn read_faces<T: BufRead>(
         return Err("its `face` elements have no list `vertex_indices`".into());
     }
     let (mut list, mut points) = (vec![], vec![]);
-    each(reader, element, header, |i, Face(property)| {
+    for_each_element(reader, element, header, |i, Face(property)| {
         let Some(property) = property else { return Ok(()) };
-        numbers_of(&property, &mut list);
+        numbers_of_list(&property, &mut list);
         let count = out.vertices.len();
         if let Some(n) = list.iter().find(|n| !(**n >= 0.0 && **n < count as f64)) {
             return Err(format!("`face` {i} has a corner {n}, and there are {count}"));
         }
         points.clear();
         points.extend(list.iter().map(|n| out.vertices[*n as usize]));
-        polygon::triangles(&points, |places| {
+        polygon::triangulate(&points, |places| {
             let corners = places.map(|k| list[k] as u32);
             let of = |has: bool| if has { corners } else { NONE };
-            out.push(corners, of(!out.normals.is_empty()), of(!out.uvs.is_empty()), [0; 3]);
+            out.push_triangle(corners, of(!out.normals.is_empty()), of(!out.uvs.is_empty()), [0; 3]);
         });
         Ok(())
     })

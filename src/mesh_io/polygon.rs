@@ -3,16 +3,16 @@
 use crate::math::{DVec2, DVec3};
 use glam::Vec3;
 
-/// Larger polygons are assumed to be convex: clipping ears takes time in proportion to the square of the number of
-/// corners.
+/// Number of corners from which a polygon is assumed to be convex: clipping ears takes time in proportion to the square
+/// of the number of corners.
 const LARGE: usize = 2000;
 
-/// The triangles of a polygon, as indices of its corners: a fan if it is convex; else ears are clipped (Meisters,
-/// Polygons have ears, 1975).
-pub fn triangles(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
+/// Calls `visit` with the triangles of a polygon, as indices of its corners: a fan if it is convex; else ears are
+/// clipped (Meisters, Polygons have ears, 1975).
+pub fn triangulate(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
     let n = points.len();
-    let flat = if n > 3 && n <= LARGE { flattened(points) } else { vec![] };
-    let convex = (0..flat.len()).all(|i| turn(&flat, (i + n - 1) % n, i, (i + 1) % n) >= 0.0);
+    let flat = if n > 3 && n <= LARGE { project_polygon(points) } else { vec![] };
+    let convex = (0..flat.len()).all(|i| signed_corner_area(&flat, (i + n - 1) % n, i, (i + 1) % n) >= 0.0);
     if convex {
         (1..n.saturating_sub(1)).for_each(|i| visit([0, i, i + 1]));
         return;
@@ -29,8 +29,8 @@ pub fn triangles(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
     visit([rest[0], rest[1], rest[2]]);
 }
 
-/// The polygon projected along the axis of its normal (Newell's sum), counter-clockwise.
-fn flattened(points: &[Vec3]) -> Vec<DVec2> {
+/// Returns the polygon projected along the axis of its normal (Newell's sum), counter-clockwise.
+fn project_polygon(points: &[Vec3]) -> Vec<DVec2> {
     let wide = || points.iter().map(|p| p.as_dvec3());
     let (first, next) = (points[0].as_dvec3(), wide().cycle().skip(1));
     let normal = wide().zip(next).fold(DVec3::ZERO, |sum, (a, b)| sum + (a - first).cross(b - first));
@@ -39,16 +39,20 @@ fn flattened(points: &[Vec3]) -> Vec<DVec2> {
     wide().map(|p| DVec2::new(p[(z + 1) % 3], p[(z + 2) % 3] * sign)).collect()
 }
 
-/// Twice the signed area of three corners, negative if they turn to the right.
-fn turn(flat: &[DVec2], a: usize, b: usize, c: usize) -> f64 {
+/// Returns twice the signed area of three corners of a polygon, negative if they turn to the right.
+fn signed_corner_area(flat: &[DVec2], a: usize, b: usize, c: usize) -> f64 {
     (flat[b] - flat[a]).perp_dot(flat[c] - flat[b])
 }
 
-/// True if the corner turns to the left, with no other corner in its triangle.
+/// True if the polygon's corner b turns to the left, with no other corner in its triangle.
 fn is_ear(flat: &[DVec2], [a, b, c]: [usize; 3], rest: &[usize]) -> bool {
-    let holds = |p: usize| turn(flat, a, b, p) >= 0.0 && turn(flat, b, c, p) >= 0.0 && turn(flat, c, a, p) >= 0.0;
+    let holds = |p: usize| {
+        signed_corner_area(flat, a, b, p) >= 0.0
+            && signed_corner_area(flat, b, c, p) >= 0.0
+            && signed_corner_area(flat, c, a, p) >= 0.0
+    };
     let other = |p: &&usize| ![flat[a], flat[b], flat[c]].contains(&flat[**p]);
-    turn(flat, a, b, c) > 0.0 && !rest.iter().filter(other).any(|&p| holds(p))
+    signed_corner_area(flat, a, b, c) > 0.0 && !rest.iter().filter(other).any(|&p| holds(p))
 }
 
 #[cfg(test)]
@@ -66,7 +70,7 @@ mod tests {
         for turned in [false, true] {
             let points: Vec<Vec3> = (0..10).map(|i| star(if turned { 9 - i } else { i })).collect();
             let (mut sum, mut signed, mut count) = (0.0, DVec3::ZERO, 0);
-            triangles(&points, |[a, b, c]| {
+            triangulate(&points, |[a, b, c]| {
                 let [a, b, c] = [a, b, c].map(|i| points[i].as_dvec3());
                 let area = (b - a).cross(c - a) / 2.0;
                 (sum, signed, count) = (sum + area.length(), signed + area, count + 1);
@@ -79,10 +83,10 @@ mod tests {
     #[test]
     fn few_corners() {
         for n in 0..3 {
-            triangles(&vec![Vec3::ZERO; n], |_| panic!("{n}"));
+            triangulate(&vec![Vec3::ZERO; n], |_| panic!("{n}"));
         }
         let mut count = 0;
-        triangles(&[Vec3::ZERO; 7], |_| count += 1);
+        triangulate(&[Vec3::ZERO; 7], |_| count += 1);
         assert_eq!(count, 5);
     }
 }

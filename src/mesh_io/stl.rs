@@ -1,15 +1,15 @@
 //! STL, as text or as bytes: triangles without topology. (Marshall Burns, Automated Fabrication, 1993, section 6.5.)
 
-use super::words::{Words, number};
-use super::{MeshFile, NONE, ReadResult, Triangles, point, polygon};
+use super::words::{Words, parse_number};
+use super::{MeshFile, NONE, ReadResult, Triangles, finite_point, polygon};
 use glam::Vec3;
 use rustc_hash::FxHashMap;
 
-/// Size of a triangle, in bytes.
+/// Size of a triangle in a binary STL file, in bytes.
 const SIZE: usize = 50;
 
-/// Reads either kind.
-pub fn read(bytes: &[u8]) -> ReadResult<MeshFile> {
+/// Reads an STL file, binary or text.
+pub fn read_stl(bytes: &[u8]) -> ReadResult<MeshFile> {
     let mut joined = Joined::default();
     // Binary files may begin like text; then their length decides.
     let count = bytes.get(80..84).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
@@ -17,12 +17,12 @@ pub fn read(bytes: &[u8]) -> ReadResult<MeshFile> {
     if bytes.trim_ascii_start().starts_with(b"solid") && !fits {
         read_text(bytes, &mut joined)?;
     } else {
-        read_bytes(bytes, count, &mut joined)?;
+        read_binary(bytes, count, &mut joined)?;
     }
     Ok(MeshFile { triangles: joined.triangles, ..MeshFile::default() })
 }
 
-/// Triangles that share vertices with equal bits.
+/// Triangles of an STL file that share vertices with equal bits.
 #[derive(Default)]
 struct Joined {
     triangles: Triangles,
@@ -30,7 +30,7 @@ struct Joined {
 }
 
 impl Joined {
-    fn push(&mut self, corners: [Vec3; 3]) {
+    fn push_triangle(&mut self, corners: [Vec3; 3]) {
         let list = &mut self.triangles.vertices;
         let numbers = corners.map(|p| {
             *self.known.entry(p.to_array().map(f32::to_bits)).or_insert_with(|| {
@@ -38,11 +38,11 @@ impl Joined {
                 list.len() as u32 - 1
             })
         });
-        self.triangles.push(numbers, NONE, NONE, [0; 3]);
+        self.triangles.push_triangle(numbers, NONE, NONE, [0; 3]);
     }
 }
 
-fn read_bytes(bytes: &[u8], count: Option<usize>, out: &mut Joined) -> ReadResult<()> {
+fn read_binary(bytes: &[u8], count: Option<usize>, out: &mut Joined) -> ReadResult<()> {
     let Some(count) = count else { return Err("it ends within its first 84 bytes".into()) };
     let all = bytes[84..].chunks_exact(SIZE);
     if all.len() < count {
@@ -54,9 +54,9 @@ fn read_bytes(bytes: &[u8], count: Option<usize>, out: &mut Joined) -> ReadResul
         let mut corners = [Vec3::ZERO; 3];
         for (k, corner) in corners.iter_mut().enumerate() {
             let place = || format!("byte {}", 84 + i * SIZE + 12 + 12 * k);
-            *corner = point([3 * k, 3 * k + 1, 3 * k + 2].map(|k| f64::from(float(k))), place)?;
+            *corner = finite_point([3 * k, 3 * k + 1, 3 * k + 2].map(|k| f64::from(float(k))), place)?;
         }
-        out.push(corners);
+        out.push_triangle(corners);
     }
     Ok(())
 }
@@ -64,21 +64,23 @@ fn read_bytes(bytes: &[u8], count: Option<usize>, out: &mut Joined) -> ReadResul
 fn read_text(bytes: &[u8], out: &mut Joined) -> ReadResult<()> {
     let mut words = Words::new(bytes, 1);
     let mut corners: Vec<Vec3> = vec![];
-    while let Some(word) = words.next() {
+    while let Some(word) = words.next_word() {
         if word.eq_ignore_ascii_case(b"vertex") {
             let mut p = [0.0; 3];
             for x in &mut p {
-                let word = words.next().ok_or_else(|| format!("{}: it ends within a corner", words.place()))?;
-                *x = number(word, || words.place())?;
+                let word = words
+                    .next_word()
+                    .ok_or_else(|| format!("{}: it ends within a corner", words.line_for_message()))?;
+                *x = parse_number(word, || words.line_for_message())?;
             }
-            corners.push(point(p, || words.place())?);
+            corners.push(finite_point(p, || words.line_for_message())?);
         } else if word.eq_ignore_ascii_case(b"endloop") {
             if corners.len() < 3 {
-                return Err(format!("{}: this facet has {} corners", words.place(), corners.len()));
+                return Err(format!("{}: this facet has {} corners", words.line_for_message(), corners.len()));
             }
-            polygon::triangles(&corners, |places| out.push(places.map(|i| corners[i])));
+            polygon::triangulate(&corners, |places| out.push_triangle(places.map(|i| corners[i])));
             corners.clear();
         }
     }
-    if corners.is_empty() { Ok(()) } else { Err(format!("{}: it ends within a facet", words.place())) }
+    if corners.is_empty() { Ok(()) } else { Err(format!("{}: it ends within a facet", words.line_for_message())) }
 }

@@ -2,21 +2,21 @@
 
 use super::ReadResult;
 
-/// Words in order, with the current line number.
+/// Words of a mesh file's text in order, with the current line number.
 pub struct Words<'a> {
     rest: &'a [u8],
-    /// Current line, counted from 1.
+    /// Current line of the mesh file, counted from 1.
     pub line: usize,
 }
 
 impl<'a> Words<'a> {
-    /// The words of a text whose first line has this number.
+    /// Returns the words of a text whose first line has this number.
     pub fn new(rest: &'a [u8], line: usize) -> Self {
         Self { rest, line }
     }
 
-    /// The next word, on this line or a later one.
-    pub fn next(&mut self) -> Option<&'a [u8]> {
+    /// Returns the next word of the text, on this line or a later one.
+    pub fn next_word(&mut self) -> Option<&'a [u8]> {
         loop {
             let first = *self.rest.first()?;
             if !first.is_ascii_whitespace() {
@@ -31,14 +31,15 @@ impl<'a> Words<'a> {
         Some(word)
     }
 
-    /// The current line, for a message.
-    pub fn place(&self) -> String {
+    /// Returns the current line of the mesh file, for a message.
+    pub fn line_for_message(&self) -> String {
         format!("line {}", self.line)
     }
 }
 
-/// The lines of a text, each with its number and without its end; a line that ends in `\` is joined with the next.
-pub fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
+/// Returns the lines of a text, each with its number and without its end; a line that ends in `\` is joined with the
+/// next.
+pub fn numbered_lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
     let text = |line: &[u8]| String::from_utf8_lossy(line).trim().to_string();
     let mut rest = bytes.split(|b| *b == b'\n').enumerate();
     std::iter::from_fn(move || {
@@ -53,8 +54,8 @@ pub fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, String)> {
     })
 }
 
-/// Parses a number.
-pub fn number(word: &[u8], place: impl FnOnce() -> String) -> ReadResult<f64> {
+/// Parses a number in a mesh file; `place` gives its position for the error message.
+pub fn parse_number(word: &[u8], place: impl FnOnce() -> String) -> ReadResult<f64> {
     let text = std::str::from_utf8(word).ok();
     text.and_then(|text| text.parse().ok()).ok_or_else(|| {
         let word: String = String::from_utf8_lossy(word).chars().take(20).collect();

@@ -13,10 +13,10 @@ use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Bands along z, displaced by noise.
+/// Pattern `agate`: bands along z, displaced by noise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Agate {
-    /// Strength of the displacement; single precision, as in POV-Ray.
+    /// Strength of the displacement of the `agate` pattern's bands; single precision, as in POV-Ray.
     pub turbulence: f64,
 }
 
@@ -39,12 +39,12 @@ impl Readable for Agate {
 
 impl Field for Agate {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &FieldParams::NONE)
+        self.value_with_params(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         // quirk: agate_constants
-        let turbulence = noise::turbulence(at.p, params.turbulence.series(), at.noise);
+        let turbulence = noise::turbulence(at.p, params.turbulence.to_octaves(), at.noise);
         let turn = 1.3 * self.turbulence * turbulence + 1.1 * at.p.z;
         fp::pow(0.5 * (fp::sin(TAU * turn) + 1.0), 0.77)
     }

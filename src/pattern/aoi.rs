@@ -11,7 +11,7 @@ use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// From 0.5 where the ray grazes the surface to 1 where it is perpendicular.
+/// Pattern `aoi`, by the angle of incidence: from 0.5 where the ray grazes the surface to 1 where it is perpendicular.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Aoi {}
 
@@ -29,7 +29,7 @@ impl Readable for Aoi {
 
 impl Field for Aoi {
     fn value(&self, at: &TextureContext) -> f64 {
-        if !at.has_surface() {
+        if !at.is_on_surface() {
             return 0.0;
         }
         1.0 - fp::acos(-at.normal.normalize_or_zero().dot(at.ray)) / PI
@@ -43,7 +43,7 @@ mod tests {
 
     #[test]
     fn head_on_and_grazing() {
-        let ctx = TextureContext::free(DVec3::ZERO, Default::default());
+        let ctx = TextureContext::without_surface(DVec3::ZERO, Default::default());
         let seen = |ray| Aoi {}.value(&TextureContext { normal: DVec3::Y, ray, ..ctx });
         assert_eq!(seen(DVec3::NEG_Y), 1.0);
         assert_eq!(seen(DVec3::X), 0.5);

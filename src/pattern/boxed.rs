@@ -9,7 +9,7 @@ use crate::diagnostic::Result;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// Falls from 1 at the origin to 0 at the faces of a cube.
+/// Pattern `boxed`: falls from 1 at the origin to 0 at the faces of a cube.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Boxed {}
 
@@ -28,7 +28,7 @@ impl Field for Boxed {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::of(self.value(at), 1.0, radius).within(0.0, 1.0)
+        LocalBounds::from_steepest(self.value(at), 1.0, radius).clamp_range(0.0, 1.0)
     }
 }
 
@@ -39,7 +39,7 @@ mod tests {
 
     #[test]
     fn concentric_cubes() {
-        let value = |x, y, z| Boxed {}.value(&TextureContext::free(DVec3::new(x, y, z), Default::default()));
+        let value = |x, y, z| Boxed {}.value(&TextureContext::without_surface(DVec3::new(x, y, z), Default::default()));
         assert_eq!([value(0.25, 0.0, -0.125), value(0.1, -0.5, 0.3), value(0.0, 0.0, 2.0)], [0.75, 0.5, 0.0]);
     }
 }

@@ -11,7 +11,7 @@ use crate::math::noise;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// `bozo`: smooth noise between 0 and 1.
+/// Pattern `bozo`: smooth noise between 0 and 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Bozo {}
 
@@ -29,7 +29,7 @@ impl Field for Bozo {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::of(self.value(at), at.noise.steepest(), radius).within(0.0, 1.0)
+        LocalBounds::from_steepest(self.value(at), at.noise.max_gradient(), radius).clamp_range(0.0, 1.0)
     }
 
     fn default_colors(&self) -> Vec<(f64, Color)> {

@@ -12,12 +12,12 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Rows of bricks; every other row is shifted by half a brick.
+/// Pattern `brick`: rows of bricks; every other row is shifted by half a brick.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Brick {
-    /// Distance from the start of one brick to the start of the next.
+    /// Distance from the start of one brick to the start of the next, along each axis.
     pub size: DVec3,
-    /// Thickness of the mortar, as a part of `size`.
+    /// Thickness of the mortar between bricks, as a part of `size`.
     pub mortar: f64,
 }
 
@@ -41,8 +41,8 @@ impl Readable for Brick {
 }
 
 impl Brick {
-    /// Position of the point in its brick, relative to the brick's corner.
-    fn within(&self, p: DVec3) -> DVec3 {
+    /// Position of a point in its brick, relative to the brick's corner.
+    fn position_in_brick(&self, p: DVec3) -> DVec3 {
         let mut q = (p + EDGE) / self.size;
         // every other row is moved by half a brick in x, the others in z
         let odd = q.y.floor() as i64 & 1 != 0;
@@ -56,18 +56,18 @@ impl Brick {
 }
 
 impl Cells for Brick {
-    fn count(&self) -> usize {
+    fn cell_kind_count(&self) -> usize {
         2
     }
 
-    fn cell(&self, p: DVec3) -> usize {
+    fn cell_kind(&self, p: DVec3) -> usize {
         // a point is in the mortar if it lies in the last `mortar` of a brick along any axis
-        usize::from((self.within(p) + self.mortar).cmple(self.size).all())
+        usize::from((self.position_in_brick(p) + self.mortar).cmple(self.size).all())
     }
 
     fn is_uniform(&self, p: DVec3, radius: f64) -> bool {
         // from the ends of the brick and of its mortar
-        let within = self.within(p);
+        let within = self.position_in_brick(p);
         let from = within.abs().min((within - self.size).abs()).min((within + self.mortar - self.size).abs());
         from.min_element() > radius + EDGE
     }
@@ -84,11 +84,11 @@ mod tests {
     #[test]
     fn mortar_ends_each_brick() {
         let wall = Brick { size: DVec3::new(8.0, 3.0, 4.5), mortar: 0.5 };
-        assert_eq!(wall.cell(DVec3::new(1.0, 1.0, 0.0)), 1);
-        assert_eq!(wall.cell(DVec3::new(7.75, 1.0, 0.0)), 0);
-        assert_eq!(wall.cell(DVec3::new(1.0, 2.75, 0.0)), 0);
+        assert_eq!(wall.cell_kind(DVec3::new(1.0, 1.0, 0.0)), 1);
+        assert_eq!(wall.cell_kind(DVec3::new(7.75, 1.0, 0.0)), 0);
+        assert_eq!(wall.cell_kind(DVec3::new(1.0, 2.75, 0.0)), 0);
         // the next row is moved by half a brick
-        assert_eq!(wall.cell(DVec3::new(7.75, 3.5, 1.0)), 1);
-        assert_eq!(wall.cell(DVec3::new(3.75, 3.5, 1.0)), 0);
+        assert_eq!(wall.cell_kind(DVec3::new(7.75, 3.5, 1.0)), 1);
+        assert_eq!(wall.cell_kind(DVec3::new(3.75, 3.5, 1.0)), 0);
     }
 }

@@ -10,7 +10,7 @@ use crate::math::{DVec3, noise};
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// `bumps`: smooth noise between 0 and 1.
+/// Pattern `bumps`: smooth noise between 0 and 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Bumps {}
 
@@ -29,10 +29,10 @@ impl Field for Bumps {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::of(self.value(at), at.noise.steepest(), radius).within(0.0, 1.0)
+        LocalBounds::from_steepest(self.value(at), at.noise.max_gradient(), radius).clamp_range(0.0, 1.0)
     }
 
-    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped_normal(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         Some(n + amount * noise::noise_vector(at.p))
     }
 }

@@ -10,7 +10,7 @@ use crate::math::noise::Cell;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// Cubes of random numbers.
+/// Pattern `cells`: unit cubes with random numbers.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RandomCells {}
 
@@ -24,7 +24,7 @@ impl Readable for RandomCells {
 
 impl Field for RandomCells {
     fn value(&self, at: &TextureContext) -> f64 {
-        Cell::of(at.p + EDGE).0.random()
+        Cell::containing(at.p + EDGE).0.random()
     }
 }
 
@@ -37,7 +37,8 @@ mod tests {
     fn a_border_belongs_to_the_cell_behind_it() {
         // POV-Ray 3.7's numbers
         let at = |x: f64| {
-            (RandomCells {}.value(&TextureContext::free(DVec3::new(x, 0.5, 0.5), Default::default())) * 1e6).round()
+            (RandomCells {}.value(&TextureContext::without_surface(DVec3::new(x, 0.5, 0.5), Default::default())) * 1e6)
+                .round()
         };
         assert_eq!([0.5, 1.0 - 1.01e-10].map(at), [711_819.0; 2]);
         assert_eq!([1.0 - 0.99e-10, 1.0, 1.5].map(at), [681_271.0; 3]);

@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// Cubes of two alternating kinds.
+/// Pattern `checker`: unit cubes of two alternating kinds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Checker {}
 
@@ -24,11 +24,11 @@ impl Readable for Checker {
 }
 
 impl Cells for Checker {
-    fn count(&self) -> usize {
+    fn cell_kind_count(&self) -> usize {
         2
     }
 
-    fn cell(&self, p: DVec3) -> usize {
+    fn cell_kind(&self, p: DVec3) -> usize {
         // the parity of ⌊x⌋ + ⌊y⌋ + ⌊z⌋
         let f = (p + EDGE).floor();
         let sum = (f.x as i64).wrapping_add(f.y as i64).wrapping_add(f.z as i64);
@@ -52,7 +52,7 @@ mod tests {
 
     #[test]
     fn cells_alternate_also_below_zero() {
-        let cell = |x, y, z| Checker {}.cell(DVec3::new(x, y, z));
+        let cell = |x, y, z| Checker {}.cell_kind(DVec3::new(x, y, z));
         assert_eq!(
             [cell(0.5, 0.5, 0.5), cell(1.5, 0.5, 0.5), cell(-0.5, 0.5, 0.5), cell(-0.5, -0.5, 0.5)],
             [0, 1, 1, 0]
@@ -61,6 +61,6 @@ mod tests {
 
     #[test]
     fn a_plane_at_a_whole_number_does_not_flicker() {
-        assert_eq!(Checker {}.cell(DVec3::new(0.5, -1e-12, 0.5)), 0);
+        assert_eq!(Checker {}.cell_kind(DVec3::new(0.5, -1e-12, 0.5)), 0);
     }
 }

@@ -5,33 +5,33 @@ use crate::color::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec2, DVec3};
 
-/// A point, with the properties of its surface and ray that patterns depend on.
+/// A point at which a texture is evaluated, with the properties of its surface and ray that patterns depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TextureContext {
-    /// The point, in the space of the caller.
+    /// The point at which a texture is evaluated, in the space of the texture.
     pub p: DVec3,
-    /// Surface coordinates (u, v) of the point.
+    /// Surface coordinates (u, v) of the point at which a texture is evaluated.
     pub uv: DVec2,
-    /// The point in world space.
+    /// The point at which a texture is evaluated, in world space.
     pub world: DVec3,
     /// Surface normal in world space, on the viewer's side, length 1 (quirk: `pigments_see_bumped_normal`). Zero
     /// without a surface: in the sky, in a function.
     pub normal: DVec3,
-    /// Direction of the ray that sees the point, in world space; length 1.
+    /// Direction of the ray that hits the point, in world space; length 1.
     pub ray: DVec3,
     /// Noise generator of patterns without `noise_generator`.
     pub noise: NoiseGenerator,
-    /// `number_of_waves`: number of sources of `ripples` and `waves`.
+    /// Number of sources of the patterns `ripples` and `waves`, from `number_of_waves`.
     pub waves: usize,
 }
 
 impl TextureContext {
-    /// Default number of wave sources.
+    /// Default number of wave sources of the patterns `ripples` and `waves`.
     pub const WAVES: usize = 10;
 
-    /// A point without a surface, as functions evaluate patterns. Functions ignore the scene's `number_of_waves`, as in
-    /// POV-Ray.
-    pub fn free(p: DVec3, noise: NoiseGenerator) -> Self {
+    /// Creates the context of a point without a surface, as functions evaluate patterns. Functions ignore the scene's
+    /// `number_of_waves`, as in POV-Ray.
+    pub fn without_surface(p: DVec3, noise: NoiseGenerator) -> Self {
         Self {
             p,
             uv: DVec2::new(p.x, p.y),
@@ -43,13 +43,14 @@ impl TextureContext {
         }
     }
 
-    /// True on a surface. Without one, patterns of the surface's direction are 0 (quirk: `slope_without_surface`).
-    pub fn has_surface(&self) -> bool {
+    /// True if the point is on a surface. Without one, patterns of the surface's direction are 0 (quirk:
+    /// `slope_without_surface`).
+    pub fn is_on_surface(&self) -> bool {
         self.normal != DVec3::ZERO
     }
 
-    /// This context with the point's coordinates in another space.
-    pub fn at(&self, p: DVec3) -> Self {
+    /// Returns this texture context for the point's coordinates in another space.
+    pub fn with_point(&self, p: DVec3) -> Self {
         Self { p, ..*self }
     }
 }
@@ -57,9 +58,9 @@ impl TextureContext {
 /// Parameters that all patterns of numbers share.
 #[derive(Clone, Copy, Debug)]
 pub struct FieldParams<'a> {
-    /// Frequency, phase and wave type.
+    /// Frequency, phase and wave type of a pattern.
     pub modifiers: &'a Modifiers,
-    /// `turbulence` with its parameters.
+    /// Parameters of the pattern's `turbulence`.
     pub turbulence: &'a TurbulenceParams,
 }
 
@@ -68,20 +69,20 @@ impl FieldParams<'_> {
     pub const NONE: Self = Self { modifiers: &Modifiers::NONE, turbulence: &TurbulenceParams::STILL };
 }
 
-/// Colours of most patterns without a map.
+/// Colours of most patterns without a colour map: black to white.
 pub(super) const GRAYS: [(f64, Color); 2] = [(0.0, Color::BLACK), (1.0, Color::WHITE)];
 
 /// A pattern that assigns a number to every point; a map turns the number into a colour.
 pub trait Field {
-    /// The number before frequency, phase and wave; in [0, 1] for most patterns.
+    /// Returns the pattern's number at a point, before frequency, phase and wave; in [0, 1] for most patterns.
     fn value(&self, at: &TextureContext) -> f64;
 
-    /// The number of a pattern that depends on its shared parameters.
-    fn value_as(&self, at: &TextureContext, _params: &FieldParams) -> f64 {
+    /// Returns the number of a pattern that depends on its shared parameters.
+    fn value_with_params(&self, at: &TextureContext, _params: &FieldParams) -> f64 {
         self.value(at)
     }
 
-    /// Bounds on the numbers within a radius of the point, before frequency, phase and wave.
+    /// Returns bounds on the pattern's numbers within a radius of the point, before frequency, phase and wave.
     fn bounds_near(&self, _at: &TextureContext, _params: &FieldParams, _radius: f64) -> LocalBounds {
         LocalBounds::UNKNOWN
     }
@@ -91,24 +92,24 @@ pub trait Field {
         false
     }
 
-    /// The normal `n` with bumps that the pattern computes itself, all in the pattern's space; `None` if bumps are
-    /// found by comparing heights.
-    fn bumped(&self, _at: &TextureContext, _params: &FieldParams, _n: DVec3, _amount: f64) -> Option<DVec3> {
+    /// Returns the normal `n` with bumps that the pattern computes itself, all in the pattern's space; `None` if bumps
+    /// are found by comparing heights.
+    fn bumped_normal(&self, _at: &TextureContext, _params: &FieldParams, _n: DVec3, _amount: f64) -> Option<DVec3> {
         None
     }
 
-    /// The wave type of the pattern unless one is given.
+    /// Wave type of the pattern unless one is given.
     fn default_wave(&self) -> Option<Wave> {
         None
     }
 
     /// True if the pattern's name sets the frequency to 0, so that `phase` has no effect until a `frequency` is given
     /// (quirk: `still_patterns`).
-    fn begins_still(&self) -> bool {
+    fn starts_with_zero_frequency(&self) -> bool {
         false
     }
 
-    /// The colours of the pattern without a map.
+    /// Colours of the pattern without a colour map.
     fn default_colors(&self) -> Vec<(f64, Color)> {
         GRAYS.to_vec()
     }

@@ -12,16 +12,16 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Distances to the nearest of random sites; each unit cube holds one.
+/// Pattern `crackle`: distances to the nearest of random sites; each unit cube holds one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Crackle {
-    /// Weights of the distances to the nearest, second and third site.
+    /// Weights of the distances to the nearest, second and third site of `crackle`.
     pub form: DVec3,
-    /// Exponent of the metric: a distance is (Σ|d|ᵐ)^(1/m).
+    /// Exponent m of the metric of `crackle`: a distance is (Σ|d|ᵐ)^(1/m).
     pub metric: f64,
-    /// Distance in a fourth dimension.
+    /// Distance of all sites of `crackle` in a fourth dimension.
     pub offset: f64,
-    /// True if all of a cell has the same number.
+    /// True if all points of a cell of `crackle` have the same number.
     pub solid: bool,
 }
 
@@ -56,12 +56,12 @@ impl Readable for Crackle {
 
 impl Field for Crackle {
     fn value(&self, at: &TextureContext) -> f64 {
-        let near = nearest(at.p, self.metric);
+        let near = nearest_sites(at.p, self.metric);
         if self.solid {
             return noise::noise(near.site, at.noise);
         }
-        let offset = power(self.offset, self.metric);
-        let distance = |sum: f64| root(sum + offset, self.metric);
+        let offset = metric_power(self.offset, self.metric);
+        let distance = |sum: f64| metric_root(sum + offset, self.metric);
         let value = (0..3).filter(|&i| self.form[i] != 0.0).map(|i| self.form[i] * distance(near.sums[i])).sum::<f64>();
         value.clamp(0.0, 1.0)
     }
@@ -71,32 +71,33 @@ impl Field for Crackle {
         let steepest = match self.metric {
             1.0 => 3f64.sqrt(),
             2.0 => 1.0,
-            _ => return LocalBounds::UNKNOWN.within(0.0, 1.0),
+            _ => return LocalBounds::UNKNOWN.clamp_range(0.0, 1.0),
         };
         if self.solid || self.offset < 0.0 {
-            return LocalBounds::UNKNOWN.within(0.0, 1.0);
+            return LocalBounds::UNKNOWN.clamp_range(0.0, 1.0);
         }
-        LocalBounds::of(self.value(at), steepest * self.form.abs().element_sum(), radius).within(0.0, 1.0)
+        LocalBounds::from_steepest(self.value(at), steepest * self.form.abs().element_sum(), radius)
+            .clamp_range(0.0, 1.0)
     }
 }
 
-/// The three nearest sites of a point.
+/// The three nearest sites of a point in the pattern `crackle`.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest {
     /// Sums of powers of the distances to the three nearest sites, ascending.
     pub sums: [f64; 3],
-    /// Position of the site that is nearest to the point.
+    /// Position of the site of `crackle` that is nearest to the point.
     pub site: DVec3,
 }
 
-/// Searches the cubes around the point for the sites with the smallest sums.
-pub fn nearest(p: DVec3, metric: f64) -> Nearest {
-    let (cell, within) = Cell::of(p);
+/// Finds the three sites of `crackle` nearest to a point; the sums of powers of their distances are smallest.
+pub fn nearest_sites(p: DVec3, metric: f64) -> Nearest {
+    let (cell, within) = Cell::containing(p);
     let mut near = Nearest { sums: [f64::INFINITY; 3], site: p };
     let next = if metric == 2.0 {
-        near = cell.with_around(|around| near.squares(around, within));
+        near = cell.with_neighbour_points(|around| near.with_squared_distances(around, within));
         // No site in a cube two steps away is nearer than that cube's side.
-        let side = |x: f64| power(2.0 - x, 2.0).min(power(1.0 + x, 2.0));
+        let side = |x: f64| metric_power(2.0 - x, 2.0).min(metric_power(1.0 + x, 2.0));
         if side(within.x).min(side(within.y)).min(side(within.z)) >= near.sums[2] {
             return near;
         }
@@ -108,8 +109,8 @@ pub fn nearest(p: DVec3, metric: f64) -> Nearest {
     let gap = |axis: usize, step: isize| match step {
         _ if metric <= 0.0 => 0.0,
         0 => 0.0,
-        1.. => power(step as f64 - within[axis], metric),
-        _ => power(within[axis] - step as f64 - 1.0, metric),
+        1.. => metric_power(step as f64 - within[axis], metric),
+        _ => metric_power(within[axis] - step as f64 - 1.0, metric),
     };
     let gaps = [0, 1, 2].map(|axis| [-2, -1, 0, 1, 2].map(|step| gap(axis, step)));
     for &[i, j, k] in &AROUND[next..] {
@@ -118,48 +119,48 @@ pub fn nearest(p: DVec3, metric: f64) -> Nearest {
             continue;
         }
         let step = DVec3::new(i as f64, j as f64, k as f64);
-        let site = step + cell.step([i, j, k]).random_point() - within;
-        near.insert(sum(site, metric), p + site);
+        let site = step + cell.offset_by([i, j, k]).random_point() - within;
+        near.insert_site(metric_sum(site, metric), p + site);
     }
     near
 }
 
-/// The site among the cubes around the point whose coordinates have the least sum.
-pub fn lowest(p: DVec3) -> DVec3 {
-    let (cell, within) = Cell::of(p);
+/// Finds the site in the cubes around the point whose coordinates have the least sum.
+pub fn lowest_site(p: DVec3) -> DVec3 {
+    let (cell, within) = Cell::containing(p);
     let corner = p - within;
     let sites = AROUND
         .iter()
-        .map(|&[i, j, k]| corner + DVec3::new(i as f64, j as f64, k as f64) + cell.step([i, j, k]).random_point());
+        .map(|&[i, j, k]| corner + DVec3::new(i as f64, j as f64, k as f64) + cell.offset_by([i, j, k]).random_point());
     sites.min_by(|a, b| a.element_sum().total_cmp(&b.element_sum())).unwrap_or(p)
 }
 
 impl Nearest {
-    /// Inserts the sums of squares of the sites around `within`; `self` is empty.
-    fn squares(self, around: &Around, within: DVec3) -> Self {
-        let (sums, nearest) = around.least_squares(within);
+    /// Inserts the squared distances from the position `within` a cube to the sites `around` it; `self` is empty.
+    fn with_squared_distances(self, around: &Around, within: DVec3) -> Self {
+        let (sums, nearest) = around.nearest_squares(within);
         let [xs, ys, zs] = &around.points;
         let of = |i: usize| DVec3::new(xs[i] - within.x, ys[i] - within.y, zs[i] - within.z);
         Self { sums, site: nearest.map_or(self.site, |i| self.site + of(i)) }
     }
 
-    /// Keeps the three smallest sums, ascending.
-    fn insert(&mut self, sum: f64, site: DVec3) {
+    /// Inserts a site of `crackle` with the sum of powers of its distance; keeps the three smallest sums, ascending.
+    fn insert_site(&mut self, distance_sum: f64, site: DVec3) {
         let [first, second, third] = self.sums;
-        if sum < first {
-            *self = Self { sums: [sum, first, second], site };
-        } else if sum < second {
-            self.sums = [first, sum, second];
-        } else if sum < third {
-            self.sums[2] = sum;
+        if distance_sum < first {
+            *self = Self { sums: [distance_sum, first, second], site };
+        } else if distance_sum < second {
+            self.sums = [first, distance_sum, second];
+        } else if distance_sum < third {
+            self.sums[2] = distance_sum;
         }
     }
 }
 
-/// Cubes that are searched, nearest first: one step along each axis, or two along a single one.
-const AROUND: [[isize; 3]; 81] = around();
+/// Offsets of the cubes that `crackle` searches, nearest first: one step along each axis, or two along a single one.
+const AROUND: [[isize; 3]; 81] = search_offsets();
 
-const fn around() -> [[isize; 3]; 81] {
+const fn search_offsets() -> [[isize; 3]; 81] {
     let (mut out, mut n) = ([[0; 3]; 81], 0);
     // sorted by the sum of the squares of their steps
     let mut square = 0;
@@ -179,12 +180,12 @@ const fn around() -> [[isize; 3]; 81] {
     out
 }
 
-fn sum(v: DVec3, metric: f64) -> f64 {
+fn metric_sum(v: DVec3, metric: f64) -> f64 {
     let v = v.abs();
-    power(v.x, metric) + power(v.y, metric) + power(v.z, metric)
+    metric_power(v.x, metric) + metric_power(v.y, metric) + metric_power(v.z, metric)
 }
 
-fn power(x: f64, metric: f64) -> f64 {
+fn metric_power(x: f64, metric: f64) -> f64 {
     match metric {
         1.0 => x,
         2.0 => x * x,
@@ -193,7 +194,7 @@ fn power(x: f64, metric: f64) -> f64 {
     }
 }
 
-fn root(x: f64, metric: f64) -> f64 {
+fn metric_root(x: f64, metric: f64) -> f64 {
     match metric {
         1.0 => x,
         2.0 => x.sqrt(),
@@ -210,23 +211,23 @@ mod tests {
         #[test]
         fn skipping_far_cubes_changes_nothing(p in prop::array::uniform3(-9.0..9.0f64), metric in 0.3..9.0f64) {
             let p = DVec3::from(p);
-            let (cell, within) = Cell::of(p);
-            let site = |s: &[isize; 3]| DVec3::from(s.map(|i| i as f64)) + cell.step(*s).random_point() - within;
-            let mut sums = AROUND.map(|step| sum(site(&step), metric));
+            let (cell, within) = Cell::containing(p);
+            let site = |s: &[isize; 3]| DVec3::from(s.map(|i| i as f64)) + cell.offset_by(*s).random_point() - within;
+            let mut sums = AROUND.map(|step| metric_sum(site(&step), metric));
             sums.sort_by(f64::total_cmp);
-            prop_assert_eq!(sums[..3].to_vec(), nearest(p, metric).sums.to_vec());
+            prop_assert_eq!(sums[..3].to_vec(), nearest_sites(p, metric).sums.to_vec());
         }
 
         #[test]
         fn several_at_once_change_nothing(p in prop::array::uniform3(-9.0..9.0f64)) {
             let p = DVec3::from(p);
-            let (cell, within) = Cell::of(p);
+            let (cell, within) = Cell::containing(p);
             let mut slow = Nearest { sums: [f64::INFINITY; 3], site: p };
             for step in &AROUND {
-                let site = DVec3::from(step.map(|i| i as f64)) + cell.step(*step).random_point() - within;
-                slow.insert(sum(site, 2.0), p + site);
+                let site = DVec3::from(step.map(|i| i as f64)) + cell.offset_by(*step).random_point() - within;
+                slow.insert_site(metric_sum(site, 2.0), p + site);
             }
-            let fast = nearest(p, 2.0);
+            let fast = nearest_sites(p, 2.0);
             prop_assert_eq!((fast.sums, fast.site), (slow.sums, slow.site));
         }
     }

@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// The nearest of the six directions +x, +y, +z, -x, -y, -z.
+/// Pattern `cubic`: the nearest of the six directions +x, +y, +z, -x, -y, -z.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cubic {}
 
@@ -25,11 +25,11 @@ impl Readable for Cubic {
 }
 
 impl Cells for Cubic {
-    fn count(&self) -> usize {
+    fn cell_kind_count(&self) -> usize {
         6
     }
 
-    fn cell(&self, p: DVec3) -> usize {
+    fn cell_kind(&self, p: DVec3) -> usize {
         // the first of equally near directions
         let along = [p.x, p.y, p.z, -p.x, -p.y, -p.z];
         let farthest = p.abs().max_element();
@@ -47,7 +47,7 @@ mod tests {
 
     #[test]
     fn ties_go_to_the_first() {
-        let cell = |x, y, z| Cubic {}.cell(DVec3::new(x, y, z));
+        let cell = |x, y, z| Cubic {}.cell_kind(DVec3::new(x, y, z));
         assert_eq!(
             [cell(1.0, 0.0, 0.5), cell(0.0, -2.0, 1.0), cell(-1.0, 1.0, 0.0), cell(0.0, -1.0, -1.0)],
             [0, 4, 1, 4]

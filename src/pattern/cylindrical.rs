@@ -10,7 +10,7 @@ use crate::math::fp;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// Falls from 1 on the y axis to 0 one unit away.
+/// Pattern `cylindrical`: falls from 1 on the y axis to 0 one unit away.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cylindrical {}
 
@@ -29,7 +29,7 @@ impl Field for Cylindrical {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::of(self.value(at), 1.0, radius).within(0.0, 1.0)
+        LocalBounds::from_steepest(self.value(at), 1.0, radius).clamp_range(0.0, 1.0)
     }
 }
 
@@ -40,7 +40,8 @@ mod tests {
 
     #[test]
     fn concentric_cylinders() {
-        let value = |x, y, z| Cylindrical {}.value(&TextureContext::free(DVec3::new(x, y, z), Default::default()));
+        let value =
+            |x, y, z| Cylindrical {}.value(&TextureContext::without_surface(DVec3::new(x, y, z), Default::default()));
         assert_eq!([value(0.0, 7.0, 0.25), value(0.3, 1.0, 0.4), value(2.0, 0.0, 0.0)], [0.75, 0.5, 0.0]);
     }
 }

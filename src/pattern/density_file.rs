@@ -9,13 +9,13 @@ use crate::value::{Param, Readable, Reader, ReaderExt, Spec, ValueKind};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A grid of numbers from <0, 0, 0> to <1, 1, 1>; 0 outside.
+/// Pattern `density_file`: a grid of numbers from <0, 0, 0> to <1, 1, 1>; 0 outside.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DensityFile {
-    /// Grid of the file's numbers.
-    #[serde(serialize_with = "print_size")]
+    /// Grid of the density file's numbers.
+    #[serde(serialize_with = "serialize_size")]
     pub voxels: Arc<Voxels>,
-    /// Interpolation between the numbers.
+    /// Interpolation between the density file's numbers.
     pub between: Voxel,
 }
 
@@ -23,20 +23,20 @@ pub struct DensityFile {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Voxel {
-    /// Each number fills a box.
+    /// Density file without interpolation: each number fills a box.
     Nearest,
-    /// Linear interpolation along each axis.
+    /// Linear interpolation of a density file along each axis.
     Linear,
-    /// Cubic interpolation along each axis.
+    /// Cubic interpolation of a density file along each axis.
     Cubic,
 }
 
-fn print_size<S: Serializer>(voxels: &Arc<Voxels>, s: S) -> std::result::Result<S::Ok, S::Error> {
+fn serialize_size<S: Serializer>(voxels: &Arc<Voxels>, s: S) -> std::result::Result<S::Ok, S::Error> {
     voxels.size.serialize(s)
 }
 
 impl Voxel {
-    fn from_number(n: f64) -> Self {
+    fn from_interpolation_number(n: f64) -> Self {
         match n as i64 {
             i64::MIN..=0 => Voxel::Nearest,
             1 => Voxel::Linear,
@@ -59,7 +59,7 @@ impl Readable for DensityFile {
 
     const WORDS: &'static [Row<Self>] =
         &[word("interpolate", ValueKind::Float, "0", "between the numbers: 0 nothing, 1 straight lines, 2 curves")
-            .sets(|s, r| set(&mut s.between, r.float().map(Voxel::from_number)))];
+            .sets(|s, r| set(&mut s.between, r.float().map(Voxel::from_interpolation_number)))];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         if !r.accept("df3")? {
@@ -78,15 +78,16 @@ impl Readable for DensityFile {
 }
 
 impl DensityFile {
-    /// The weighted sum of the numbers from `cell` on, with `weights` for each axis; the grid repeats.
-    fn sum<const N: usize>(&self, cell: [i64; 3], weights: [[f64; N]; 3]) -> f64 {
+    /// Returns the weighted sum of the density file's numbers from `cell` on, with `weights` for each axis; the grid
+    /// repeats.
+    fn weighted_sum<const N: usize>(&self, cell: [i64; 3], weights: [[f64; N]; 3]) -> f64 {
         let mut sum = 0.0;
         for k in 0..N {
             for j in 0..N {
                 for i in 0..N {
                     let step = [i, j, k];
-                    let place = std::array::from_fn(|a| around(cell[a] + step[a] as i64, self.voxels.size[a]));
-                    sum += weights[0][i] * weights[1][j] * weights[2][k] * self.voxels.at(place);
+                    let place = std::array::from_fn(|a| wrap_index(cell[a] + step[a] as i64, self.voxels.size[a]));
+                    sum += weights[0][i] * weights[1][j] * weights[2][k] * self.voxels.density_at(place);
                 }
             }
         }
@@ -94,14 +95,14 @@ impl DensityFile {
     }
 }
 
-/// Wraps an index into the grid. Negative indices wrap like POV-Ray's unsigned 64-bit integers (quirk:
-/// `density_file_wraps`).
-fn around(place: i64, size: usize) -> usize {
-    (place as u64 % size as u64) as usize
+/// Wraps an index into the grid of a density file. Negative indices wrap like POV-Ray's unsigned 64-bit integers
+/// (quirk: `density_file_wraps`).
+fn wrap_index(index: i64, size: usize) -> usize {
+    (index as u64 % size as u64) as usize
 }
 
-/// Weights of the four numbers around position `t` between the middle two (Catmull and Rom 1974).
-fn curve(t: f64) -> [f64; 4] {
+/// Weights of the four numbers of a density file around position `t` between the middle two (Catmull and Rom 1974).
+fn catmull_rom_weights(t: f64) -> [f64; 4] {
     let near = |d: f64| (1.5 * d - 2.5) * d * d + 1.0;
     let far = |d: f64| ((2.5 - 0.5 * d) * d - 4.0) * d + 2.0;
     [far(1.0 + t), near(t), near(1.0 - t), far(2.0 - t)]
@@ -117,9 +118,9 @@ impl Field for DensityFile {
         let floor = grid.floor();
         let (cell, part) = (floor.to_array().map(|x| x as i64), (grid - floor).to_array());
         match self.between {
-            Voxel::Nearest => self.sum(cell, [[1.0]; 3]),
-            Voxel::Linear => self.sum(cell, part.map(|t| [1.0 - t, t])),
-            Voxel::Cubic => self.sum(cell.map(|i| i - 1), part.map(curve)),
+            Voxel::Nearest => self.weighted_sum(cell, [[1.0]; 3]),
+            Voxel::Linear => self.weighted_sum(cell, part.map(|t| [1.0 - t, t])),
+            Voxel::Cubic => self.weighted_sum(cell.map(|i| i - 1), part.map(catmull_rom_weights)),
         }
     }
 }
@@ -130,8 +131,9 @@ mod tests {
 
     fn value(between: Voxel, x: f64) -> f64 {
         let bytes = [0, 4, 0, 1, 0, 1, 0, 255, 51, 0];
-        let voxels = Arc::new(Voxels::decode(&bytes).unwrap());
-        DensityFile { voxels, between }.value(&TextureContext::free(DVec3::new(x, 0.5, 0.5), Default::default()))
+        let voxels = Arc::new(Voxels::decode_df3(&bytes).unwrap());
+        DensityFile { voxels, between }
+            .value(&TextureContext::without_surface(DVec3::new(x, 0.5, 0.5), Default::default()))
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::math::{DVec3, noise};
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// Noise to the third power.
+/// Pattern `dents`: noise to the third power.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Dents {}
 
@@ -29,12 +29,13 @@ impl Field for Dents {
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // (n³)' = 3 n² n'
-        let noise = LocalBounds::of(noise::noise(at.p, at.noise), at.noise.steepest(), radius).within(0.0, 1.0);
+        let noise = LocalBounds::from_steepest(noise::noise(at.p, at.noise), at.noise.max_gradient(), radius)
+            .clamp_range(0.0, 1.0);
         let steepest = 3.0 * noise.range.hi.powi(2) * noise.steepest;
-        LocalBounds { range: noise.range.growing(|n| n.powi(3)), steepest, ..noise }
+        LocalBounds { range: noise.range.map_increasing(|n| n.powi(3)), steepest, ..noise }
     }
 
-    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped_normal(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         Some(n + amount * self.value(at) * noise::noise_vector(at.p))
     }
 }

@@ -4,7 +4,7 @@
 //! sphere { 0, 1 pigment { color rgb 0.8 } normal { facets coords 0.4 scale 3 } }
 //! ```
 
-use super::crackle::{lowest, nearest};
+use super::crackle::{lowest_site, nearest_sites};
 use super::{Field, FieldParams, TextureContext};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, noise};
@@ -12,19 +12,19 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// `facets`: normals of a surface of flat pieces.
+/// Pattern `facets`: normals of a surface of flat pieces.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Facets {
     /// Strength of the random turn of the normal in each cell of space. At 0 there are no cells of space; instead
     /// similar normals become equal.
     pub coords: f64,
-    /// Size of the cells of space, or of the cells of normals.
+    /// Size of the cells of space in `facets`, or of the cells of normals.
     pub size: f64,
-    /// Exponent of the metric; 2 is Euclidean.
+    /// Exponent of the metric of `facets`; 2 is Euclidean.
     pub metric: f64,
 }
 
-/// POV-Ray 3.7's replacement for a size of 0 (quirk: facets_least_size).
+/// POV-Ray 3.7's replacement for a size of 0 in `facets` (quirk: facets_least_size).
 const LEAST_SIZE: f64 = 1e-6;
 
 impl Readable for Facets {
@@ -49,16 +49,18 @@ impl Readable for Facets {
 }
 
 impl Field for Facets {
-    /// 0: as a pigment, the pattern is uniform.
+    /// Returns 0: as a pigment, the pattern `facets` is uniform.
     fn value(&self, _: &TextureContext) -> f64 {
         0.0
     }
 
-    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, _: f64) -> Option<DVec3> {
+    fn bumped_normal(&self, at: &TextureContext, _: &FieldParams, n: DVec3, _: f64) -> Option<DVec3> {
         let unit = n.normalize_or_zero();
         let size = if self.size > 0.0 { self.size } else { LEAST_SIZE };
         // With metric 1, POV-Ray 3.7 adds the signed differences (quirk: facets_signed_metric).
-        let site = |p: DVec3| if self.metric == 1.0 { lowest(p / size) } else { nearest(p / size, self.metric).site };
+        let site = |p: DVec3| {
+            if self.metric == 1.0 { lowest_site(p / size) } else { nearest_sites(p / size, self.metric).site }
+        };
         if self.coords == 0.0 {
             return Some(site(unit));
         }
@@ -76,11 +78,11 @@ mod tests {
     #[test]
     fn extreme_points_and_normals_do_not_panic() {
         for p in extreme_points() {
-            let there = TextureContext::free(p, Default::default());
+            let there = TextureContext::without_surface(p, Default::default());
             for (coords, size, metric) in [(0.5, 0.1, 2.0), (0.0, 0.1, 1.0), (0.0, 0.0, -3.0)] {
                 let facets = Facets { coords, size, metric };
                 for normal in [DVec3::Y, p] {
-                    assert!(facets.bumped(&there, &FieldParams::NONE, normal, 1.0).is_some());
+                    assert!(facets.bumped_normal(&there, &FieldParams::NONE, normal, 1.0).is_some());
                 }
             }
         }

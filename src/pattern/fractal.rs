@@ -13,31 +13,32 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// The property of an orbit that becomes the number, and its factor.
+/// Property of a fractal's orbit that becomes the pattern's number, and its factor.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct OrbitValue {
-    /// 0 to 6 as in the manual; 7 and 8 are undocumented (quirk: fractal_types).
+    /// Number after `exterior` or `interior` of a fractal pattern: 0 to 6 as in the manual; 7 and 8 are undocumented
+    /// (quirk: fractal_types).
     pub kind: u8,
-    /// Factor; most types multiply by it.
+    /// Factor of a fractal pattern's number; most types multiply by it.
     pub factor: f64,
 }
 
 /// Parameters that all fractal patterns share.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Orbits {
-    /// Maximum number of iterations.
+    /// Maximum number of iterations of a fractal pattern.
     pub iterations: u32,
-    /// For points that escape, or that reach a fixed point.
+    /// Property for points of a fractal that escape, or that reach a fixed point.
     pub exterior: OrbitValue,
-    /// For points that never escape.
+    /// Property for points of a fractal that never escape.
     pub interior: OrbitValue,
 }
 
-/// Result of an orbit.
+/// Result of a fractal's orbit.
 enum End {
-    /// Step of the escape, and the position then.
+    /// Orbit that escapes: the step, and the position then.
     Left(u32, Complex),
-    /// Last position, and the least squared distance from 0.
+    /// Orbit that does not escape: last position, and the least squared distance from 0.
     Stays(Complex, f64),
 }
 
@@ -82,9 +83,9 @@ impl Orbits {
         Ok(Self { iterations, exterior, interior })
     }
 
-    /// The number of an orbit that begins at `z` and continues by `step` until it has `left`. `starts` is true if `z`
-    /// belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
-    fn value<const BLOCK: u32>(
+    /// Returns the pattern's number for an orbit that begins at `z` and continues by `step` until it has `left`.
+    /// `starts` is true if `z` belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
+    fn orbit_number<const BLOCK: u32>(
         &self,
         z: Complex,
         step: impl Fn(Complex) -> Complex,
@@ -93,8 +94,8 @@ impl Orbits {
     ) -> f64 {
         // Only interior type 1 needs the least distance from 0: loops without it are faster.
         let end = match self.interior.kind {
-            1 => self.follow::<BLOCK, true>(z, step, left, starts),
-            _ => self.follow::<BLOCK, false>(z, step, left, starts),
+            1 => self.follow_orbit::<BLOCK, true>(z, step, left, starts),
+            _ => self.follow_orbit::<BLOCK, false>(z, step, left, starts),
         };
         match end {
             End::Left(i, z) => {
@@ -102,9 +103,9 @@ impl Orbits {
                 match kind {
                     1 => f64::from(i) / f64::from(self.iterations),
                     6 => z.length_squared().sqrt() * factor,
-                    7 => Self::turn(i, factor.trunc(), factor),
-                    8 => Self::turn(i, factor.trunc() + 1.0, factor),
-                    _ => Self::common(kind, z) * factor,
+                    7 => Self::wrapped_count(i, factor.trunc(), factor),
+                    8 => Self::wrapped_count(i, factor.trunc() + 1.0, factor),
+                    _ => Self::last_position_number(kind, z) * factor,
                 }
             }
             End::Stays(z, least) => {
@@ -113,14 +114,14 @@ impl Orbits {
                     1 => least.sqrt() * factor,
                     // The manual says the length; POV-Ray squares the imaginary part alone (quirk: fractal_types).
                     6 => z.x * z.x + z.y * z.y * factor,
-                    _ => Self::common(kind, z) * factor,
+                    _ => Self::last_position_number(kind, z) * factor,
                 }
             }
         }
     }
 
     #[inline(always)]
-    fn follow<const BLOCK: u32, const LEAST: bool>(
+    fn follow_orbit<const BLOCK: u32, const LEAST: bool>(
         &self,
         z: Complex,
         step: impl Fn(Complex) -> Complex,
@@ -169,22 +170,23 @@ impl Orbits {
         End::Stays(z, least)
     }
 
-    /// The number of the orbit z → zⁿ + c.
-    fn powers(&self, n: u32, z: Complex, c: Complex) -> f64 {
+    /// Returns the pattern's number for the orbit z → zⁿ + c.
+    fn power_orbit_number(&self, n: u32, z: Complex, c: Complex) -> f64 {
         match n {
-            2 if !far(c) => self.value::<8>(z, |z| z.square() + c, far, true),
-            2 => self.value::<1>(z, |z| z.square() + c, far, true),
-            n => self.value::<1>(z, |z| z.power(n) + c, far, true),
+            2 if !has_escaped(c) => self.orbit_number::<8>(z, |z| z.square() + c, has_escaped, true),
+            2 => self.orbit_number::<1>(z, |z| z.square() + c, has_escaped, true),
+            n => self.orbit_number::<1>(z, |z| z.power(n) + c, has_escaped, true),
         }
     }
 
-    /// `i` modulo `turn`, divided by the factor (quirk: `fractal_types`); 0 for a `turn` of 0, where POV-Ray crashes.
-    fn turn(i: u32, turn: f64, factor: f64) -> f64 {
+    /// Returns `i` modulo `turn`, divided by the factor (quirk: `fractal_types`); 0 for a `turn` of 0, where POV-Ray
+    /// crashes.
+    fn wrapped_count(i: u32, turn: f64, factor: f64) -> f64 {
         if turn == 0.0 { 0.0 } else { f64::from(i) % turn / factor }
     }
 
-    /// Types that exterior and interior share.
-    fn common(kind: u8, z: Complex) -> f64 {
+    /// Returns a number of an orbit's last position `z`, for the types that exterior and interior share.
+    fn last_position_number(kind: u8, z: Complex) -> f64 {
         match kind {
             2 => z.x,
             3 => z.y,
@@ -196,7 +198,7 @@ impl Orbits {
 }
 
 /// True if z has escaped: |z| then grows for ever if |c| ≤ 2.
-fn far(z: Complex) -> bool {
+fn has_escaped(z: Complex) -> bool {
     z.length_squared() > 4.0
 }
 
@@ -206,12 +208,12 @@ fn read_exponent(r: &mut dyn Reader) -> Result<u32> {
     Ok(if (2.0..=33.0).contains(&exponent) { exponent as u32 } else { 2 })
 }
 
-/// z → zⁿ + c, where c is the point.
+/// Pattern `mandel`: z → zⁿ + c, where c is the point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Mandel {
-    /// Iterations, exterior and interior.
+    /// Iterations, exterior and interior of the pattern `mandel`.
     pub orbits: Orbits,
-    /// Exponent n of the iteration.
+    /// Exponent n of the iteration in the pattern `mandel`.
     pub exponent: u32,
 }
 
@@ -238,7 +240,7 @@ impl Readable for Mandel {
 /// True if the orbit of z² + c certainly never escapes: in the cardioid, where orbits converge to a point, and in the
 /// disc to its left, where they converge to a cycle of two (B. B. Mandelbrot, "Fractal aspects of the iteration of z →
 /// Λz(1-z)", 1980). Most of the set is there.
-fn is_in_main_bodies(c: Complex) -> bool {
+fn is_in_main_cardioid_or_disc(c: Complex) -> bool {
     // Points at the very border, where orbits take longest, are iterated.
     const LEAST: f64 = 1e-9;
     let (x, y2) = (c.x - 0.25, c.y * c.y);
@@ -250,13 +252,14 @@ impl Field for Mandel {
     fn value(&self, at: &TextureContext) -> f64 {
         let c = Complex::new(at.p.x, at.p.y);
         let OrbitValue { kind, factor } = self.orbits.interior;
-        if kind == 0 && self.exponent == 2 && is_in_main_bodies(c) {
-            return Orbits::common(kind, c) * factor;
+        if kind == 0 && self.exponent == 2 && is_in_main_cardioid_or_disc(c) {
+            return Orbits::last_position_number(kind, c) * factor;
         }
-        self.orbits.powers(self.exponent, c, c)
+        self.orbits.power_orbit_number(self.exponent, c, c)
     }
 
-    /// Other exponents have gray defaults (quirk: `fractal_exponents`).
+    /// Returns the colours of `mandel` without a map; exponents other than 2 have gray defaults (quirk:
+    /// `fractal_exponents`).
     fn default_colors(&self) -> Vec<(f64, Color)> {
         if self.exponent != 2 {
             return GRAYS.to_vec();
@@ -266,14 +269,14 @@ impl Field for Mandel {
     }
 }
 
-/// z → zⁿ + c, where z begins at the point.
+/// Pattern `julia`: z → zⁿ + c, where z begins at the point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Julia {
-    /// x + iy is the number c.
+    /// The number c = x + iy of the pattern `julia`.
     pub constant: DVec2,
-    /// Iterations, exterior and interior.
+    /// Iterations, exterior and interior of the pattern `julia`.
     pub orbits: Orbits,
-    /// Exponent n of the iteration.
+    /// Exponent n of the iteration in the pattern `julia`.
     pub exponent: u32,
 }
 
@@ -300,18 +303,19 @@ impl Readable for Julia {
 impl Field for Julia {
     fn value(&self, at: &TextureContext) -> f64 {
         let c = Complex::new(self.constant.x, self.constant.y);
-        self.orbits.powers(self.exponent, Complex::new(at.p.x, at.p.y), c)
+        self.orbits.power_orbit_number(self.exponent, Complex::new(at.p.x, at.p.y), c)
     }
 }
 
-/// The two formulas of magnetic renormalisation (H.-O. Peitgen and P. H. Richter, "The Beauty of Fractals", 1986).
+/// Pattern `magnet`: one of the two formulas of magnetic renormalisation (H.-O. Peitgen and P. H. Richter, "The Beauty
+/// of Fractals", 1986).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Magnet {
-    /// True for the second formula.
+    /// True for the second formula of the pattern `magnet`.
     pub second: bool,
-    /// For `julia`: the number c is x + iy for all points.
+    /// For `magnet … julia`, the number c = x + iy for all points; `None` if c is the point.
     pub constant: Option<DVec2>,
-    /// Iterations, exterior and interior.
+    /// Iterations, exterior and interior of the pattern `magnet`.
     pub orbits: Orbits,
 }
 
@@ -352,9 +356,9 @@ impl Readable for Magnet {
             );
         }
         let constant = match r.next()? {
-            Next::Word("mandel") => r.take().map(|_| None)?,
+            Next::Word("mandel") => r.take_token().map(|_| None)?,
             Next::Word("julia") => {
-                r.take()?;
+                r.take_token()?;
                 Some(r.vector2()?)
             }
             _ => return Err(r.unexpected("`mandel` or `julia`").into()),
@@ -381,9 +385,9 @@ impl Field for Magnet {
                 let below = 3.0 * z.square() + 3.0 * (c2 * z) + product + 1.0;
                 (above / below).square()
             };
-            self.orbits.value::<1>(start, step, left, starts)
+            self.orbits.orbit_number::<1>(start, step, left, starts)
         } else {
-            self.orbits.value::<1>(start, |z| ((z.square() + c1) / (2.0 * z + c2)).square(), left, starts)
+            self.orbits.orbit_number::<1>(start, |z| ((z.square() + c1) / (2.0 * z + c2)).square(), left, starts)
         }
     }
 }
@@ -400,7 +404,7 @@ mod tests {
 
     fn mandel(x: f64, y: f64, exterior: u8, interior: u8) -> f64 {
         let pattern = Mandel { orbits: orbits(exterior, interior), exponent: 2 };
-        pattern.value(&TextureContext::free(DVec3::new(x, y, 3.0), Default::default()))
+        pattern.value(&TextureContext::without_surface(DVec3::new(x, y, 3.0), Default::default()))
     }
 
     #[test]
@@ -420,10 +424,10 @@ mod tests {
         let (mut within, mut stays) = (0, 0);
         for i in 0..40_000 {
             let c = Complex::new(f64::from(i % 200) * 0.0131 - 2.05, f64::from(i / 200) * 0.0117 - 1.17);
-            let orbit = Orbits { iterations: 500, ..orbits(1, 0) }.powers(2, c, c) == 0.5;
-            within += u32::from(is_in_main_bodies(c));
+            let orbit = Orbits { iterations: 500, ..orbits(1, 0) }.power_orbit_number(2, c, c) == 0.5;
+            within += u32::from(is_in_main_cardioid_or_disc(c));
             stays += u32::from(orbit);
-            assert!(orbit || !is_in_main_bodies(c), "{} {}", c.x, c.y);
+            assert!(orbit || !is_in_main_cardioid_or_disc(c), "{} {}", c.x, c.y);
         }
         // The areas are 3π/8 and π/16, of 1.507 for the whole set.
         let share = f64::from(within) / f64::from(stays);

@@ -11,7 +11,7 @@ use crate::value::{Readable, Reader, Spec, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// `function { … }`: a pattern whose number is a formula of x, y and z.
+/// Pattern `function { … }`, whose number is a formula of x, y and z.
 #[derive(Clone, Debug)]
 pub struct FunctionPattern(pub Arc<Function>);
 

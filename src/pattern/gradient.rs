@@ -10,10 +10,10 @@ use crate::math::DVec3;
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A ramp along a direction.
+/// Pattern `gradient`: a ramp along a direction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Gradient {
-    /// Unit vector along which the number grows.
+    /// Unit vector along which the number of `gradient` grows.
     pub direction: DVec3,
 }
 
@@ -48,10 +48,10 @@ impl Field for Gradient {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        let along = LocalBounds::of(at.p.dot(self.direction), self.direction.length(), radius);
+        let along = LocalBounds::from_steepest(at.p.dot(self.direction), self.direction.length(), radius);
         match along.range {
             range if range.hi <= 1.0 => along,
-            range if range.lo > 1.0 => along.fraction(),
+            range if range.lo > 1.0 => along.fraction_bounds(),
             _ => LocalBounds::UNKNOWN,
         }
     }

@@ -10,7 +10,7 @@ use crate::math::noise;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// `granite`: the sum of six octaves of noise.
+/// Pattern `granite`: the sum of six octaves of noise.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Granite {}
 
@@ -25,15 +25,15 @@ impl Readable for Granite {
 impl Field for Granite {
     fn value(&self, at: &TextureContext) -> f64 {
         // six octaves, each half as strong and twice as fine, of the distance of the noise from its mean
-        let octaves = noise::octaves::<6>(at.p * 4.0, at.noise);
+        let octaves = noise::clamped_octaves::<6>(at.p * 4.0, at.noise);
         let far = octaves.iter().rev().fold(0.0, |sum, noise| 0.5 * sum + (0.5 - noise).abs());
         far.min(1.0)
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // All six octaves are equally steep, apart from each one's range, and rarely in the same place.
-        let steepest = 8.0 * at.noise.steepest();
+        let steepest = 8.0 * at.noise.max_gradient();
         let octave = |i: i32| (steepest * radius).min(0.5f64.powi(i + 1));
-        LocalBounds::rough(self.value(at), (0..6).map(octave).sum(), 6.0 * steepest).within(0.0, 1.0)
+        LocalBounds::from_deviation(self.value(at), (0..6).map(octave).sum(), 6.0 * steepest).clamp_range(0.0, 1.0)
     }
 }

@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// A honeycomb in the xz plane.
+/// Pattern `hexagon`: a honeycomb in the xz plane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Hexagon {}
 
@@ -24,11 +24,11 @@ impl Readable for Hexagon {
 }
 
 impl Cells for Hexagon {
-    fn count(&self) -> usize {
+    fn cell_kind_count(&self) -> usize {
         3
     }
 
-    fn cell(&self, p: DVec3) -> usize {
+    fn cell_kind(&self, p: DVec3) -> usize {
         // Centres are at (3a/2, √3(b + a/2)): the cell is that of the nearest centre, found by rounding cube
         // coordinates (a, b, -a-b) and correcting the coordinate with the largest rounding error.
         const ROOT3: f64 = 1.732_050_807_568_877_2;
@@ -59,7 +59,7 @@ mod tests {
 
     #[test]
     fn neighbours_differ() {
-        let cell = |x: f64, z: f64| Hexagon {}.cell(DVec3::new(x, 7.0, z));
+        let cell = |x: f64, z: f64| Hexagon {}.cell_kind(DVec3::new(x, 7.0, z));
         let h = 3f64.sqrt();
         assert_eq!(cell(0.0, 0.0), 0);
         let around = [cell(1.5, h / 2.0), cell(0.0, h), cell(-1.5, h / 2.0), cell(-1.5, -h / 2.0), cell(0.0, -h)];
@@ -71,7 +71,7 @@ mod tests {
 
     #[test]
     fn edges_on_z_0_belong_to_the_cell_beyond() {
-        let cell = |x: f64, z: f64| Hexagon {}.cell(DVec3::new(x, 0.5, z));
+        let cell = |x: f64, z: f64| Hexagon {}.cell_kind(DVec3::new(x, 0.5, z));
         for x in [1.2, 1.5, -1.5, -1.8, 4.3, 4.5, -7.5, 31.2] {
             assert_eq!([cell(x, 0.0), cell(x, 1e-9), cell(x, -1e-9)], [2, 2, 1], "{x}");
         }

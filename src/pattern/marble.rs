@@ -12,7 +12,7 @@ use crate::math::noise;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// `marble`: bands along x.
+/// Pattern `marble`: bands along x.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Marble {}
 
@@ -37,15 +37,15 @@ impl Field for Marble {
         if params.turbulence.amount != DVec3::ZERO {
             return LocalBounds::UNKNOWN;
         }
-        LocalBounds::of(self.value(at), 1.0, radius)
+        LocalBounds::from_steepest(self.value(at), 1.0, radius)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         let by = params.turbulence;
         if by.amount.x == 0.0 {
             return at.p.x;
         }
-        at.p.x + by.amount.x * noise::turbulence(at.p, by.series(), at.noise)
+        at.p.x + by.amount.x * noise::turbulence(at.p, by.to_octaves(), at.noise)
     }
 
     fn owns_turbulence(&self) -> bool {

@@ -130,15 +130,16 @@ pub(crate) fn extreme_points() -> impl Iterator<Item = DVec3> {
 
 /// A pattern of cells: each kind of cell has a colour, pigment or texture of its own.
 pub trait Cells {
-    /// Number of kinds of cells.
-    fn count(&self) -> usize;
-    /// The kind of the cell that contains the point.
-    fn cell(&self, p: DVec3) -> usize;
-    /// True if all points within a radius are certainly in the same cell; false if that is not quickly decided.
+    /// Number of the pattern's kinds of cells.
+    fn cell_kind_count(&self) -> usize;
+    /// Returns the kind of the pattern's cell that contains the point.
+    fn cell_kind(&self, p: DVec3) -> usize;
+    /// True if all points within a radius are certainly in the same cell of the pattern; false if that is not quickly
+    /// decided.
     fn is_uniform(&self, _p: DVec3, _radius: f64) -> bool {
         false
     }
-    /// Default colour of a kind of cell.
+    /// Default colour of a kind of the pattern's cells.
     fn default_color(&self, cell: usize) -> Color;
 }
 
@@ -149,8 +150,8 @@ family! {
 
 delegate! {
     impl Cells for CellPattern {
-        fn count(&self) -> usize;
-        fn cell(&self, p: DVec3) -> usize;
+        fn cell_kind_count(&self) -> usize;
+        fn cell_kind(&self, p: DVec3) -> usize;
         fn is_uniform(&self, p: DVec3, radius: f64) -> bool;
         fn default_color(&self, cell: usize) -> Color;
     }
@@ -169,12 +170,12 @@ family! {
 delegate! {
     impl Field for FieldPattern {
         fn value(&self, at: &TextureContext) -> f64;
-        fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64;
+        fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64;
         fn bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds;
         fn default_wave(&self) -> Option<Wave>;
-        fn begins_still(&self) -> bool;
+        fn starts_with_zero_frequency(&self) -> bool;
         fn owns_turbulence(&self) -> bool;
-        fn bumped(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3>;
+        fn bumped_normal(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3>;
         fn default_colors(&self) -> Vec<(f64, Color)>;
     }
 }
@@ -183,5 +184,6 @@ delegate! {
 const SIX_COLORS: [Rgb; 6] =
     [Rgb::X, Rgb::Y, Rgb::Z, Rgb::new(1.0, 1.0, 0.0), Rgb::new(0.0, 1.0, 1.0), Rgb::new(1.0, 0.0, 1.0)];
 
-/// Added before `floor`, so that a surface at a whole number is entirely in one cell (quirk: cell_edges).
+/// Number added before `floor`, so that a surface at a whole number is entirely in one cell of a pattern (quirk:
+/// cell_edges).
 const EDGE: f64 = 1e-10;

@@ -12,7 +12,7 @@ use crate::value::{Param, Readable, Reader, Solid, Spec, ValueKind};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// An object whose inside is the second kind.
+/// Pattern `object`: points outside the object are of the first kind, points inside of the second.
 #[derive(Clone, Debug)]
 pub struct ObjectPattern(Arc<dyn Solid>);
 
@@ -37,16 +37,16 @@ impl Readable for ObjectPattern {
     };
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        Ok(Self(r.solid()?))
+        Ok(Self(r.read_solid()?))
     }
 }
 
 impl Cells for ObjectPattern {
-    fn count(&self) -> usize {
+    fn cell_kind_count(&self) -> usize {
         2
     }
 
-    fn cell(&self, p: DVec3) -> usize {
+    fn cell_kind(&self, p: DVec3) -> usize {
         usize::from(self.0.contains(p))
     }
 

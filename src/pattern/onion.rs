@@ -9,7 +9,7 @@ use crate::diagnostic::Result;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// `onion`: spherical shells around the origin.
+/// Pattern `onion`: spherical shells around the origin.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Onion {}
 
@@ -27,6 +27,6 @@ impl Field for Onion {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::of(at.p.length(), 1.0, radius).fraction()
+        LocalBounds::from_steepest(at.p.length(), 1.0, radius).fraction_bounds()
     }
 }

@@ -11,21 +11,21 @@ use crate::value::{Param, Readable, Reader, Spec, Thing, ValueKind, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A pigment as this pattern uses it; pigments belong to a higher layer.
+/// Pigment of a `pigment_pattern`, as an interface: pigments belong to a layer above patterns.
 pub trait PigmentBrightness: std::fmt::Debug + Send + Sync {
-    /// PigmentBrightness at a point. On a surface, the pigment depends on the surface as well, as with `slope` and
-    /// `uv_mapping` (quirk: `pigment_pattern_sees_surface`).
+    /// Returns the brightness of the pigment at a point. On a surface, the pigment depends on the surface as well, as
+    /// with `slope` and `uv_mapping` (quirk: `pigment_pattern_sees_surface`).
     fn brightness(&self, at: &TextureContext) -> f64;
     /// True if the pigment depends on surface coordinates.
     fn depends_on_uv(&self) -> bool;
 }
 
-/// The brightness of a pigment.
+/// Pattern `pigment_pattern`: the brightness of a pigment.
 #[derive(Clone, Debug)]
 pub struct PigmentPattern(Arc<dyn PigmentBrightness>);
 
 impl PigmentPattern {
-    /// The pattern of a pigment's brightness.
+    /// Creates the pattern of a pigment's brightness.
     pub fn new(pigment: Arc<dyn PigmentBrightness>) -> Self {
         Self(pigment)
     }
@@ -64,8 +64,8 @@ impl Readable for PigmentPattern {
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let at = r.span();
-        let thing = r.pigment()?;
-        r.leave()?;
+        let thing = r.read_pigment_pattern()?;
+        r.leave_block()?;
         match downcast::<Self>(&thing) {
             Some(pattern) => Ok((*pattern).clone()),
             None => Diagnostic::err(codes::WRONG_TYPE, at, "expected a pigment"),

@@ -12,16 +12,16 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Unit cubes with rounded edges: the number falls towards the seams.
+/// Pattern `quilted`: unit cubes with rounded edges; the number falls towards the seams.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Quilted {
-    /// Steepness in the middle.
+    /// Steepness of `quilted` in the middle of a cube.
     pub control0: f64,
-    /// Steepness at the seam.
+    /// Steepness of `quilted` at the seam.
     pub control1: f64,
 }
 
-/// 1/√3 with POV-Ray's digits (quirk: quilted_constant).
+/// 1/√3 with POV-Ray's digits, for `quilted` (quirk: quilted_constant).
 const PART: f64 = 0.577350269;
 
 impl Readable for Quilted {
@@ -41,26 +41,26 @@ impl Readable for Quilted {
 }
 
 impl Quilted {
-    /// A Bézier curve from 0 to 1 with the two controls.
-    pub fn curve(&self, t: f64) -> f64 {
+    /// Evaluates the Bézier curve of `quilted` from 0 to 1 with the two controls.
+    pub fn bezier_curve(&self, t: f64) -> f64 {
         let s = 1.0 - t;
         3.0 * self.control0 * t * s * s + 3.0 * self.control1 * t * t * s + t * t * t
     }
 }
 
 impl Field for Quilted {
-    fn begins_still(&self) -> bool {
+    fn starts_with_zero_frequency(&self) -> bool {
         true
     }
 
     fn value(&self, at: &TextureContext) -> f64 {
         // distance from the middle of the cube
         let from = (at.p - at.p.floor() - 0.5).abs();
-        self.curve(from.length()).abs() * PART * (from.x + from.y + from.z) * 2.0 / 3.0
+        self.bezier_curve(from.length()).abs() * PART * (from.x + from.y + from.z) * 2.0 / 3.0
     }
 
-    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped_normal(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         let from = at.p - at.p.floor() - 0.5;
-        Some(n + amount * 2.0 * PART * self.curve(from.length()) * from)
+        Some(n + amount * 2.0 * PART * self.bezier_curve(from.length()) * from)
     }
 }

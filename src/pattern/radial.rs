@@ -12,7 +12,7 @@ use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// The angle around y.
+/// Pattern `radial`: the angle around the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Radial {}
 

@@ -12,33 +12,34 @@ use crate::value::{Param, Readable, Reader, ReaderExt, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// 0 for a normal against the direction, 0.5 across it, 1 along it.
+/// Pattern `slope`: 0 for a normal against the direction, 0.5 across it, 1 along it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Slope {
-    /// The direction or point, in world space.
+    /// Direction or point of the pattern `slope`, in world space.
     pub towards: Towards,
-    /// Slopes that give 0 and 1.
+    /// Slopes at which the pattern `slope` is 0 and 1.
     pub range: [f64; 2],
-    /// Altitude that is mixed in.
+    /// Altitude that is mixed into the pattern `slope`.
     pub altitude: Option<Box<Altitude>>,
 }
 
-/// Direction that gives 1.
+/// Direction of the normal for which the pattern `slope` is 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Towards {
-    /// A direction; its length is its weight against the altitude's.
+    /// Direction of `slope`; its length is its weight against the altitude's.
     Direction(DVec3),
-    /// The direction towards a point.
+    /// Direction of `slope` towards a point.
     Point(DVec3),
 }
 
-/// A ramp that is mixed in.
+/// Ramp of altitude that is mixed into the pattern `slope`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Altitude {
-    /// Upward direction, in the pattern's space; its length is its weight against the direction's.
+    /// Upward direction of `slope`'s altitude, in the pattern's space; its length is its weight against the
+    /// direction's.
     pub up: DVec3,
-    /// Heights that give 0 and 1.
+    /// Heights at which the altitude of `slope` counts 0 and 1.
     pub range: [f64; 2],
 }
 
@@ -71,7 +72,7 @@ impl Readable for Slope {
             // POV-Ray ignores an altitude without a direction.
             altitude = (up != DVec3::ZERO).then(|| Box::new(Altitude { up, range }));
         }
-        r.leave()?;
+        r.leave_block()?;
         Ok(Self { towards, range, altitude })
     }
 }
@@ -95,14 +96,14 @@ fn read_range(r: &mut dyn Reader) -> Result<[f64; 2]> {
     }
 }
 
-/// Linear from 0 at the low end to 1 at the high end, and beyond; unchanged if both are equal.
-fn within(x: f64, [low, high]: [f64; 2]) -> f64 {
+/// Maps x linearly from 0 at the low end to 1 at the high end, and beyond; unchanged if both are equal.
+fn linear_ramp(x: f64, [low, high]: [f64; 2]) -> f64 {
     if low == high { x } else { (x - low) / (high - low) }
 }
 
 impl Field for Slope {
     fn value(&self, at: &TextureContext) -> f64 {
-        if !at.has_surface() {
+        if !at.is_on_surface() {
             return 0.0;
         }
         let towards = match self.towards {
@@ -110,13 +111,13 @@ impl Field for Slope {
             Towards::Point(point) => point - at.world,
         };
         let facing = 1.0 - fp::acos(at.normal.dot(towards.normalize_or_zero())) / PI;
-        let slope = within(facing, self.range);
+        let slope = linear_ramp(facing, self.range);
         let value = match self.altitude.as_deref() {
             None => slope,
             // weighted by the lengths of the two vectors
             Some(Altitude { up, range }) => {
                 let (by_slope, by_height) = (towards.length(), up.length());
-                let height = within(at.p.dot(*up) / by_height, *range);
+                let height = linear_ramp(at.p.dot(*up) / by_height, *range);
                 (by_slope * slope + by_height * height) / (by_slope + by_height)
             }
         };
@@ -132,7 +133,8 @@ mod tests {
 
     #[test]
     fn facing_and_height() {
-        let ctx = TextureContext { normal: DVec3::Y, ..TextureContext::free(DVec3::Y * 0.5, Default::default()) };
+        let ctx =
+            TextureContext { normal: DVec3::Y, ..TextureContext::without_surface(DVec3::Y * 0.5, Default::default()) };
         let slope = Slope { towards: Towards::Direction(DVec3::X), range: [0.0, 1.0], altitude: None };
         assert_eq!(slope.value(&ctx), 0.5);
         assert_eq!(Slope { range: [0.25, 0.75], ..slope.clone() }.value(&ctx), 0.5);
@@ -148,7 +150,7 @@ mod tests {
         let point = Slope { towards: Towards::Point(DVec3::Y), range: [0.5, 0.5], altitude: None };
         let high = Slope { altitude: Some(Box::new(Altitude { up: DVec3::Y, range: [1.0, -1.0] })), ..slope.clone() };
         for p in extreme_points() {
-            let there = TextureContext::free(p, Default::default());
+            let there = TextureContext::without_surface(p, Default::default());
             for ctx in
                 [there, TextureContext { normal: p, ..there }, TextureContext { normal: DVec3::ZERO, ray: p, ..there }]
             {

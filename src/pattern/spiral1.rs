@@ -11,17 +11,17 @@ use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// The parameter for the number of arms, which both spirals have.
+/// Parameter for the number of arms of the patterns `spiral1` and `spiral2`.
 pub(super) const ARMS: &[Param] = &[Param {
     name: "arms",
     kind: ValueKind::Float,
     summary: "how many arms wind around the axis; the fraction is dropped",
 }];
 
-/// `spiral1`: spiral arms around the z axis.
+/// Pattern `spiral1`: spiral arms around the z axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spiral1 {
-    /// Number of arms around the axis.
+    /// Number of arms of `spiral1` around the z axis.
     pub arms: f64,
 }
 
@@ -36,11 +36,11 @@ impl Readable for Spiral1 {
 
 impl Field for Spiral1 {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &FieldParams::NONE)
+        self.value_with_params(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
-        thread(at.p, self.arms) + shift(at, params)
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+        spiral_number(at.p, self.arms) + turbulence_shift(at, params)
     }
 
     fn default_wave(&self) -> Option<Wave> {
@@ -48,8 +48,9 @@ impl Field for Spiral1 {
     }
 }
 
-/// Grows by 1 with each unit along z and away from it, and by the number of arms with each turn, starting at -y.
-pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
+/// Returns the number of a spiral pattern before its wave: it grows by 1 with each unit along z and away from it, and
+/// by the number of arms with each turn, starting at -y.
+pub(super) fn spiral_number(p: DVec3, arms: f64) -> f64 {
     if p.x == 0.0 && p.y == 0.0 {
         return p.z;
     }
@@ -57,8 +58,8 @@ pub(super) fn thread(p: DVec3, arms: f64) -> f64 {
     p.z + p.truncate().length() + arms * fp::fraction(turn)
 }
 
-/// The number that `turbulence` adds, in addition to the displacement of the point.
-pub(super) fn shift(at: &TextureContext, params: &FieldParams) -> f64 {
+/// Returns the number that `turbulence` adds to a spiral pattern, in addition to the displacement of the point.
+pub(super) fn turbulence_shift(at: &TextureContext, params: &FieldParams) -> f64 {
     let amount = params.turbulence.amount.x;
-    if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, params.turbulence.series(), at.noise) }
+    if amount == 0.0 { 0.0 } else { amount * noise::turbulence(at.p, params.turbulence.to_octaves(), at.noise) }
 }

@@ -4,17 +4,17 @@
 //! cylinder { 0, 0.2*z, 1 pigment { spiral2 8 color_map { [0.4 color rgb <0.5, 0.3, 0.1>] [0.6 color rgb <1, 0.9, 0.5>] } scale 0.6 } }
 //! ```
 
-use super::spiral1::{ARMS, shift, thread};
+use super::spiral1::{ARMS, spiral_number, turbulence_shift};
 use super::{Field, FieldParams, TextureContext, Wave};
 use crate::diagnostic::Result;
 use crate::math::fp;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// A spiral over rings.
+/// Pattern `spiral2`: a spiral over rings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spiral2 {
-    /// Number of arms around the axis.
+    /// Number of arms of `spiral2` around the z axis.
     pub arms: f64,
 }
 
@@ -29,12 +29,13 @@ impl Readable for Spiral2 {
 
 impl Field for Spiral2 {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &FieldParams::NONE)
+        self.value_with_params(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         // rings and a thread, each as a triangle wave
-        triangle(at.p.truncate().length()) + triangle(thread(at.p, self.arms) + shift(at, params))
+        triangle_wave(at.p.truncate().length())
+            + triangle_wave(spiral_number(at.p, self.arms) + turbulence_shift(at, params))
     }
 
     fn default_wave(&self) -> Option<Wave> {
@@ -42,6 +43,6 @@ impl Field for Spiral2 {
     }
 }
 
-fn triangle(x: f64) -> f64 {
+fn triangle_wave(x: f64) -> f64 {
     1.0 - (2.0 * fp::fraction(x) - 1.0).abs()
 }

@@ -10,7 +10,7 @@ use crate::math::noise;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// `spotted`: smooth noise between 0 and 1.
+/// Pattern `spotted`: smooth noise between 0 and 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Spotted {}
 
@@ -28,6 +28,6 @@ impl Field for Spotted {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::of(self.value(at), at.noise.steepest(), radius).within(0.0, 1.0)
+        LocalBounds::from_steepest(self.value(at), at.noise.max_gradient(), radius).clamp_range(0.0, 1.0)
     }
 }

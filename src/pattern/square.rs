@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// Squares of length 1 in the xz plane.
+/// Pattern `square`: squares of length 1 in the xz plane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Square {}
 
@@ -24,11 +24,11 @@ impl Readable for Square {
 }
 
 impl Cells for Square {
-    fn count(&self) -> usize {
+    fn cell_kind_count(&self) -> usize {
         4
     }
 
-    fn cell(&self, p: DVec3) -> usize {
+    fn cell_kind(&self, p: DVec3) -> usize {
         let odd = |t: f64| t.floor() as i64 & 1 != 0;
         match (odd(p.x), odd(p.z)) {
             (false, false) => 0,
@@ -49,7 +49,7 @@ mod tests {
 
     #[test]
     fn four_kinds_go_around() {
-        let cell = |x, z| Square {}.cell(DVec3::new(x, 5.0, z));
+        let cell = |x, z| Square {}.cell_kind(DVec3::new(x, 5.0, z));
         assert_eq!([cell(0.5, 0.5), cell(0.5, 1.5), cell(1.5, 1.5), cell(1.5, 0.5)], [0, 1, 2, 3]);
         assert_eq!(cell(-0.5, -1.5), 3);
     }

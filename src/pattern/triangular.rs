@@ -11,7 +11,7 @@ use crate::math::DVec3;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 
-/// Triangles with sides of length 1 in the xz plane, in rows along x.
+/// Pattern `triangular`: triangles with sides of length 1 in the xz plane, in rows along x.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Triangular {}
 
@@ -24,11 +24,11 @@ impl Readable for Triangular {
 }
 
 impl Cells for Triangular {
-    fn count(&self) -> usize {
+    fn cell_kind_count(&self) -> usize {
         6
     }
 
-    fn cell(&self, p: DVec3) -> usize {
+    fn cell_kind(&self, p: DVec3) -> usize {
         // Shear the plane so that triangles are halves of squares.
         let row = p.z / (3f64.sqrt() / 2.0);
         let along = p.x - row / 2.0;
@@ -50,7 +50,7 @@ mod tests {
     #[test]
     fn a_row_has_all_six() {
         let row = [0.5, 1.0, 1.5, 2.0, 2.5, 3.0];
-        assert_eq!(row.map(|x| Triangular {}.cell(DVec3::new(x, 0.0, 0.4))), [0, 3, 4, 5, 2, 1]);
-        assert_eq!(Triangular {}.cell(DVec3::new(0.5, 0.0, -0.1)), 5);
+        assert_eq!(row.map(|x| Triangular {}.cell_kind(DVec3::new(x, 0.0, 0.4))), [0, 3, 4, 5, 2, 1]);
+        assert_eq!(Triangular {}.cell_kind(DVec3::new(0.5, 0.0, -0.1)), 5);
     }
 }

@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
-/// Waves of many lengths.
+/// Pattern `waves`: waves of many lengths.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Waves {}
 
@@ -30,47 +30,47 @@ impl Readable for Waves {
 
 impl Field for Waves {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.value_as(at, &FieldParams::NONE)
+        self.value_with_params(at, &FieldParams::NONE)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let wave = |s: &Source| {
             let turns = s.frequency * frequency * at.p.distance(s.place) + phase;
             fp::sin(TAU * turns) / s.frequency
         };
-        let sources = sources(at.waves);
+        let sources = wave_sources(at.waves);
         0.5 + 0.2 * sources.iter().map(wave).sum::<f64>() / sources.len() as f64
     }
 
-    fn bumped(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped_normal(&self, at: &TextureContext, params: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         let (frequency, phase) = (params.modifiers.frequency.unwrap_or(1.0), params.modifiers.phase);
         let wave = |s: &Source| {
             let from = at.p - s.place;
             let r = from.length();
             fp::sin(TAU * (s.frequency * frequency * r + phase)) / s.frequency * from / r
         };
-        let sources = sources(at.waves);
+        let sources = wave_sources(at.waves);
         Some(n + amount / sources.len() as f64 * sources.iter().map(wave).sum::<DVec3>())
     }
 }
 
-/// A source of waves.
+/// A source of the patterns `waves` and `ripples`.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
-    /// Position on the unit sphere.
+    /// Position of the source of waves on the unit sphere.
     pub place: DVec3,
-    /// Waves per unit, from 0.01 to 1.01.
+    /// Frequency of the source of waves, from 0.01 to 1.01 per unit.
     pub frequency: f64,
 }
 
-/// The first `count` sources; at most 4096 exist.
-pub fn sources(count: usize) -> &'static [Source] {
+/// Returns the first `count` sources of waves; at most 4096 exist.
+pub fn wave_sources(count: usize) -> &'static [Source] {
     &SOURCES[..count.clamp(1, SOURCES.len())]
 }
 
-/// Positions are vector noise at whole numbers, normalised; frequencies are POV-Ray's random numbers of 15 bits after
-/// the first 7168 with seed 1 (quirk: wave_sources).
+/// Sources of waves. Positions are vector noise at whole numbers, normalised; frequencies are POV-Ray's random numbers
+/// of 15 bits after the first 7168 with seed 1 (quirk: wave_sources).
 static SOURCES: LazyLock<Vec<Source>> = LazyLock::new(|| {
     let mut state = 1u32;
     let mut random = move || {

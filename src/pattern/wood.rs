@@ -12,7 +12,7 @@ use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// `wood`: rings around the z axis.
+/// Pattern `wood`: rings around the z axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Wood {}
 
@@ -34,17 +34,17 @@ impl Field for Wood {
         if params.turbulence.amount != DVec3::ZERO {
             return LocalBounds::UNKNOWN;
         }
-        LocalBounds::of(self.value(at), 1.0, radius)
+        LocalBounds::from_steepest(self.value(at), 1.0, radius)
     }
 
-    fn value_as(&self, at: &TextureContext, params: &FieldParams) -> f64 {
+    fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {
         let by = params.turbulence;
         if by.amount == DVec3::ZERO {
             return self.value(at);
         }
         // Each coordinate is shifted by a sine of itself, whose phase is the noise.
         let p = at.p.truncate();
-        let angle = TAU * by.amount.truncate() * (p + noise::vturbulence(at.p, by.series()).truncate());
+        let angle = TAU * by.amount.truncate() * (p + noise::vturbulence(at.p, by.to_octaves()).truncate());
         (p + DVec2::new(fp::sin(angle.x), fp::sin(angle.y))).length()
     }
 

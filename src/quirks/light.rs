@@ -1,101 +1,101 @@
 //! Lights, shadows, and what happens to light on its way.
 
-use super::{Quirk, differs, emulated};
+use super::{Quirk, differing_quirk, emulated_quirk};
 
 pub(super) const QUIRKS: &[Quirk] = &[
-    emulated(
+    emulated_quirk(
         "area_illumination_both_sides",
         "At qualities 2 to 4, an area light with `area_illumination` illuminates both sides of a surface.",
         &["light_cases/area_illumination_both_sides_q4", "light_cases/area_illumination_q2"],
     ),
-    emulated(
+    emulated_quirk(
         "area_illumination_shadow",
         "With `area_illumination` each light of the grid illuminates by itself, but all with the shadow of the whole \
          grid.",
         &["light_cases/area_illumination"],
     ),
-    emulated(
+    emulated_quirk(
         "area_light_subdivision",
         "The shadow of an area light is the mean over pieces of the grid, and each piece is the mean of its corners, \
          so lights inside the grid count more than those at its edge. A piece is subdivided where the light of its \
          corners differs by more than 0.1.",
         &["light_cases/area_light", "light_cases/area_light_adaptive_orient"],
     ),
-    emulated(
+    emulated_quirk(
         "area_light_tube",
         "A `cylinder` light with `area_light` has one tube, about the centre of the grid.",
         &["light_cases/area_light_parallel_spot"],
     ),
-    emulated(
+    emulated_quirk(
         "beam_without_axis",
         "A spotlight, cylinder or parallel light whose `point_at` is its location illuminates nothing.",
         &["src/light/beam.rs::profiles_of_spotlight_and_cylinder"],
     ),
-    emulated(
+    emulated_quirk(
         "circular_area_light",
         "Lights of a circular grid are displaced by 0.002 of half a side.",
         &["src/light/area.rs::offsets_of_a_grid_and_a_disc", "light_cases/area_light_circular_beside"],
     ),
-    emulated(
+    emulated_quirk(
         "double_illuminate_highlights",
         "With `double_illuminate`, light from behind makes highlights too.",
         &["light_cases/double_illuminate_highlights"],
     ),
-    emulated(
+    emulated_quirk(
         "fade_power_0_shadow",
         "`fade_power 0` halves the light that is seen through an interior, and does not darken its shadow.",
         &["light_cases/fade_power_0"],
     ),
-    emulated(
+    emulated_quirk(
         "fog_and_shadows",
         "Fog attenuates the light of a light source only with `media_attenuation`.",
         &["light_cases/media_attenuation"],
     ),
-    emulated(
+    emulated_quirk(
         "irid_of_area_center",
         "`irid` uses the direction to the centre of an area light, whichever light of the grid illuminates.",
         &["light_cases/area_illumination_irid"],
     ),
-    emulated(
+    emulated_quirk(
         "light_in_union_of_group",
         "A light in a union within a `light_group` is a light of the whole scene.",
         &["light_cases/light_group"],
     ),
-    emulated(
+    emulated_quirk(
         "looks_like_ignores_group",
         "The `looks_like` object of a light in a `light_group` is illuminated by the lights of the group and by all \
          others, even with `global_lights off`.",
         &["light_cases/light_group_looks_like"],
     ),
-    emulated(
+    emulated_quirk(
         "missing_shares_darken_twice",
         "Where textures of a mesh or blob are left out because their shares are below `adc_bailout`, the shadow \
          darkens by the missing shares twice.",
         &["light_cases/shadow_small_shares"],
     ),
-    emulated(
+    emulated_quirk(
         "oriented_area_is_circular",
         "`orient` makes a grid of lights circular, but not a row.",
         &["light_cases/area_light_orient_alone"],
     ),
-    emulated(
+    emulated_quirk(
         "oriented_area_sides",
         "The first side of an `orient` grid is perpendicular to z, or to y if the light shines nearly along z.",
         &["light_cases/area_light_orient_along_z"],
     ),
-    emulated(
+    emulated_quirk(
         "parallel_light_behind",
         "A parallel light also illuminates what is behind it; with `fade_distance` the distance there is negative, so \
          odd powers brighten and darken.",
         &["light_cases/fade_behind_parallel"],
     ),
-    emulated(
+    emulated_quirk(
         "projected_through_range",
         "Objects between the object of `projected_through` and the light cast no shadow; fog there attenuates the \
          light.",
         &["light_cases/projected_through", "light_cases/fog_projected"],
     ),
-    differs(
+    differing_quirk(
         "remembered_occluder",
         "POV-Ray asks the object that last blocked a light first, and what that object transmits is counted twice, so \
          a shadow depends on the pixels drawn before.",
@@ -103,18 +103,18 @@ pub(super) const QUIRKS: &[Quirk] = &[
          each count once.",
         &["tests/random/README.md"],
     ),
-    emulated(
+    emulated_quirk(
         "shadow_by_outside",
         "Meshes and blobs cast shadows by their outer texture alone, whatever their `interior_texture` transmits.",
         &["light_cases/shadow_of_interior_texture"],
     ),
-    emulated(
+    emulated_quirk(
         "shadow_min_distance",
         "A shadow ray ignores hits closer than 0.001 to either of its ends, and a transparent surface closer than \
          that to the one before.",
         &["light_cases/shadow_thin"],
     ),
-    emulated(
+    emulated_quirk(
         "spotlight_profile",
         "Between `radius` and `falloff` light follows 3x^2 - 2x^3 of the cosine, times the cosine to the power of \
          `tightness`.",

@@ -32,7 +32,7 @@ pub struct Quirk {
     pub summary: &'static str,
     /// Places with POV-Ray's own numbers that prove the behaviour, see [`Evidence`].
     pub evidence: Evidence,
-    /// True to POV-Ray, or different on purpose.
+    /// Relation of durer to the quirk: emulated, or different on purpose.
     pub status: Status,
 }
 
@@ -49,20 +49,20 @@ pub type Evidence = &'static [&'static str];
 pub enum Status {
     /// durer does the same as POV-Ray.
     Emulated,
-    /// durer differs on purpose: what it does instead, and why, in one sentence.
+    /// durer differs from POV-Ray's quirk on purpose: what it does instead, and why, in one sentence.
     Differs(&'static str),
 }
 
-/// The quirks of one topic.
+/// Quirks of POV-Ray about one topic.
 #[derive(Clone, Copy, Debug)]
 pub struct Topic {
-    /// Heading in the manual.
+    /// Heading of the topic in the manual.
     pub title: &'static str,
-    /// In alphabetical order of ids.
+    /// Quirks of the topic in alphabetical order of ids.
     pub quirks: &'static [Quirk],
 }
 
-/// All topics, in the order of the manual.
+/// All topics of quirks, in the order of the manual.
 pub const TOPICS: &[Topic] = &[
     Topic { title: "Language", quirks: language::QUIRKS },
     Topic { title: "Shapes", quirks: shape::QUIRKS },
@@ -77,12 +77,12 @@ pub const TOPICS: &[Topic] = &[
     Topic { title: "Command line and INI files", quirks: options::QUIRKS },
 ];
 
-/// A quirk that durer emulates.
-const fn emulated(id: &'static str, summary: &'static str, evidence: Evidence) -> Quirk {
+/// Creates the row of a quirk that durer emulates.
+const fn emulated_quirk(id: &'static str, summary: &'static str, evidence: Evidence) -> Quirk {
     Quirk { id, summary, evidence, status: Status::Emulated }
 }
 
-/// A quirk that durer does not emulate; `instead` is what durer does, and why.
-const fn differs(id: &'static str, summary: &'static str, instead: &'static str, evidence: Evidence) -> Quirk {
+/// Creates the row of a quirk that durer does not emulate; `instead` is what durer does, and why.
+const fn differing_quirk(id: &'static str, summary: &'static str, instead: &'static str, evidence: Evidence) -> Quirk {
     Quirk { id, summary, evidence, status: Status::Differs(instead) }
 }

@@ -31,7 +31,7 @@ pub(super) fn pixel(sampler: &mut Sampler, lens: &Lens, number: u64, x: usize, y
             spread[c] += (value - before) * (value - mean[c]);
         }
         let asked = i + 1 >= lens.samples[0] && (i + 1 - lens.samples[0]).is_multiple_of(ASK_EVERY);
-        if asked && spread.iter().all(|squares| lens.suffices(i + 1, *squares)) {
+        if asked && spread.iter().all(|squares| lens.has_converged(i + 1, *squares)) {
             break;
         }
     }

@@ -24,8 +24,8 @@ use crate::world::World;
 use sampler::FrameCamera;
 use workers::Workers;
 
-/// Options of a render. Size, anti-aliasing, quality, region, frame and alpha determine every byte of it; the number of threads
-/// does not.
+/// Options of a render. Size, anti-aliasing, quality, region, frame and alpha determine every byte of it; the number of
+/// threads does not.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Width in pixels.
@@ -111,7 +111,8 @@ pub struct Region {
 /// A unit of work. Its result depends on nothing but the World, the options and the tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tile {
-    /// Number of the pass: [`FIRST_PASS`] takes the samples that anti-aliasing compares, [`FINAL_PASS`] computes the pixels.
+    /// Number of the pass: [`FIRST_PASS`] takes the samples that anti-aliasing compares, [`FINAL_PASS`] computes the
+    /// pixels.
     pub pass: u8,
     /// Its pixels.
     pub area: Region,
@@ -124,12 +125,13 @@ pub const FINAL_PASS: u8 = 1;
 
 /// The caller's side of a render: progress, cancellation, and storage of finished tiles.
 pub trait Watch: Sync {
-    /// Called after each tile with the number of finished pixels; with adaptive anti-aliasing the pixels of both passes count.
+    /// Called after each tile with the number of finished pixels; with adaptive anti-aliasing the pixels of both passes
+    /// count.
     fn progress(&self, done: usize, total: usize);
     /// Returns true to stop the render. The answer takes effect at the next surface that a ray hits.
     fn cancelled(&self) -> bool;
-    /// Returns a token that stops the render too, even inside of a long search for one hit. By default that is the token
-    /// of the calling thread.
+    /// Returns a token that stops the render too, even inside of a long search for one hit. By default that is the
+    /// token of the calling thread.
     fn cancel_token(&self) -> CancelToken {
         CancelToken::current()
     }
@@ -215,13 +217,13 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     let mut take = |mut pixels: Vec<pixel_rows::Pixel>| {
         pixels.iter_mut().for_each(|pixel| *pixel = light(world, options, pixel));
         if region.width == width {
-            return rows.take(&pixels);
+            return rows.take_rows(&pixels);
         }
         // One row at a time: rows of the picture can be far longer than those of the region.
         let mut whole = vec![[0.0; 4]; width];
         pixels.chunks(region.width).try_for_each(|row| {
             whole[region.x..region.x + region.width].copy_from_slice(row);
-            rows.take(&whole)
+            rows.take_rows(&whole)
         })
     };
     let frame = bands::FrameRender { context: &context, camera: &camera, workers: &workers, method, region };
@@ -232,7 +234,7 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
 
 fn transparent_rows(to: &mut dyn Rows, width: usize, rows: usize) -> diagnostic::Result<()> {
     let row = vec![[0.0; 4]; if rows > 0 { width } else { 0 }];
-    (0..rows).try_for_each(|_| to.take(&row))
+    (0..rows).try_for_each(|_| to.take_rows(&row))
 }
 
 /// Converts a pixel from [`Watch::store_tile`] to linear light and alpha.
@@ -240,7 +242,8 @@ pub fn light(world: &World, options: &Options, pixel: &[f32; 4]) -> [f32; 4] {
     output::light(pixel, world.gamma, options.alpha)
 }
 
-/// Maximum number of bytes that the render of a region needs, besides the World and what the receiver of the rows keeps.
+/// Maximum number of bytes that the render of a region needs, besides the World and what the receiver of the rows
+/// keeps.
 pub fn memory_bytes(region: Region) -> u128 {
     bands::memory_bytes(region)
 }

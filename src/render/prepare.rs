@@ -19,6 +19,6 @@ pub(super) fn prepare<'w>(
     if workers.is_cancelled() {
         return Err(Cancelled);
     }
-    let origin = CameraOrigin { origin: camera.view.origin(), reach: camera.view.reach() };
+    let origin = CameraOrigin { origin: camera.view.common_origin(), reach: camera.view.max_distance() };
     Ok(FrameContext::new(world, Quality::new(options.quality), origin, options.frame, options.alpha))
 }

@@ -16,7 +16,7 @@ pub(super) struct FrameCamera {
 
 impl FrameCamera {
     pub fn new(camera: &crate::camera::LoweredCamera, width: usize, height: usize) -> Self {
-        let (axes, _) = camera.frame.axes();
+        let (axes, _) = camera.frame.unit_axes_and_lengths();
         Self { view: camera.view(width, height), lens: camera.lens.clone(), axes }
     }
 }
@@ -65,12 +65,12 @@ impl<'w> Sampler<'w> {
     #[inline]
     pub fn sample(&mut self, x: f64, y: f64) -> Radiance {
         let view = &self.camera.view;
-        let count = view.count();
+        let count = view.rays_per_point();
         if count <= 1 {
             return view.ray(x, y).map_or(Radiance::NO_RAY, |ray| self.tracer.camera_radiance(ray));
         }
         let (mut rgb, mut transparency, mut found) = (Rgb::ZERO, 1.0, 0.0);
-        for ray in (0..count).filter_map(|number| view.ray_of(x, y, number)) {
+        for ray in (0..count).filter_map(|number| view.nth_ray(x, y, number)) {
             let radiance = self.tracer.camera_radiance(ray);
             (rgb, transparency, found) = (rgb + radiance.rgb, transparency + radiance.transparency, found + 1.0);
         }
@@ -82,7 +82,7 @@ impl<'w> Sampler<'w> {
 
     /// Returns the radiance through a point of the picture and a point of the lens, which is in [0, 1)².
     pub fn lens_sample(&mut self, x: f64, y: f64, lens: &Lens, point: DVec2) -> Radiance {
-        let ray = self.camera.view.ray(x, y).map(|ray| lens.through(&ray, point, &self.camera.axes));
+        let ray = self.camera.view.ray(x, y).map(|ray| lens.ray_through_lens(&ray, point, &self.camera.axes));
         ray.map_or(Radiance::NO_RAY, |ray| self.tracer.camera_radiance(ray))
     }
 }

@@ -62,8 +62,8 @@ fn outer_side(part: &Object, taken_away: bool) -> Aabb {
     match &part.kind {
         ObjectKind::Shape(shape) => match shape.as_half_space() {
             Some((normal, distance)) if part.uncommon.clipped_by.is_none() => {
-                let point = part.transform.point(normal * distance);
-                let normal = part.transform.normal(normal).normalize();
+                let point = part.transform.transform_point(normal * distance);
+                let normal = part.transform.transform_normal(normal).normalize();
                 half_space(if inverse { -normal } else { normal }, point)
             }
             _ if inverse || shape.solid_bounds().is_some() => Aabb::INFINITE,

@@ -30,10 +30,10 @@ impl RecentParts {
         for layer in &mut own.layers {
             join(&self.finishes, &mut layer.finish, Finish::eq);
             if let Some(normal) = &mut layer.normal {
-                join(&self.normals, normal, Normal::is_plainly);
+                join(&self.normals, normal, Normal::is_certainly_equal);
             }
         }
-        join(&self.textures, texture, Texture::is_plainly);
+        join(&self.textures, texture, Texture::is_certainly_equal);
     }
 
     /// A recent shape that is equal to this one and builds caches lazily.

@@ -65,9 +65,9 @@ impl Settings {
                 next if read_row(SETTINGS_ROWS, self, next, r)? => {}
                 Next::Word(word) if SETTINGS.ignores(word) => {
                     let mut row = vec![];
-                    r.take()?;
-                    while r.at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
-                        r.skip_into(&mut row)?;
+                    r.take_token()?;
+                    while r.is_at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
+                        r.skip_unsupported(&mut row)?;
                     }
                     self.unsupported.push(Unsupported::Block(word, row.into()));
                 }

@@ -51,9 +51,9 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
     loop {
         match next {
             Next::Block("texture") => {
-                r.take()?;
+                r.take_token()?;
                 let read = Texture::read(r, &defaults.texture)?.layers;
-                r.leave()?;
+                r.leave_block()?;
                 // Most textures have one block.
                 if layers.is_empty() { layers = read } else { layers.extend(read) }
             }
@@ -63,7 +63,7 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
             },
             _ => break,
         }
-        next = r.continued()?;
+        next = r.next_in_statement()?;
     }
     layers.shrink_to_fit();
     Ok(Texture { layers })
@@ -110,15 +110,15 @@ pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<A
                 Arc::make_mut(out.texture.get_or_insert_with(nothing)).layers.extend(layers);
             }
             Next::Block("interior_texture") => {
-                r.take()?;
+                r.take_token()?;
                 let layers = Texture::read(r, &defaults.texture)?.layers;
                 Arc::make_mut(out.interior_texture.get_or_insert_with(nothing)).layers.extend(layers);
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Block("interior") => {
-                r.take()?;
+                r.take_token()?;
                 out.interior = Some(Arc::new(Interior::read(r, out.interior.as_deref())?));
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Thing("interior") => out.interior = r.thing::<Interior>()?,
             next if next.is_transform() => {

@@ -20,48 +20,48 @@ use crate::value::words::{Row, word};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// `cubic { <…> }`
+/// Algebraic surface `cubic { <…> }`.
 pub type Cubic = Algebraic<0>;
-/// `quartic { <…> }`
+/// Algebraic surface `quartic { <…> }`.
 pub type Quartic = Algebraic<1>;
-/// `poly { order, <…> }`
+/// Algebraic surface `poly { order, <…> }`.
 pub type Poly = Algebraic<2>;
-/// `polynomial { order, xyz(…): … }`
+/// Algebraic surface `polynomial { order, xyz(…): … }`.
 pub type Polynomial = Algebraic<3>;
 
 const FORMS: [&str; 4] = ["cubic", "quartic", "poly", "polynomial"];
 
-/// An algebraic surface in one of the four notations.
+/// Algebraic surface in one of POV-Ray's four notations.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Algebraic<const FORM: usize> {
-    /// Maximum sum of exponents.
+    /// Order of the surface's polynomial: the maximum sum of exponents.
     pub order: usize,
-    /// Coefficients of all monomials, in falling order.
+    /// Coefficients of all monomials of the surface's polynomial, in falling order.
     pub coefficients: Vec<f64>,
-    /// Terms with coefficients other than 0.
+    /// Terms of the surface's polynomial with coefficients other than 0.
     #[serde(skip)]
     rows: Vec<PowersOfZ>,
 }
 
-/// xⁱ·yʲ·(c₀ + c₁·z + …): terms that are evaluated together.
+/// Terms xⁱ·yʲ·(c₀ + c₁·z + …) of a polynomial, which are evaluated together.
 #[derive(Clone, Debug, PartialEq)]
 struct PowersOfZ {
     i: usize,
     j: usize,
-    /// Coefficients of powers of z; the last is not 0.
+    /// Coefficients of the powers of z in these terms; the last is not 0.
     c: Vec<f64>,
 }
 
-/// Number of coefficients of an order.
-fn count(order: usize) -> usize {
+/// Number of coefficients of a polynomial in x, y and z of this order.
+fn coefficient_count(order: usize) -> usize {
     (order + 1) * (order + 2) * (order + 3) / 6
 }
 
-/// Index of the coefficient of xⁱ·yʲ·zᵏ.
-fn place(order: usize, [i, j, k]: [usize; 3]) -> usize {
+/// Index of the coefficient of xⁱ·yʲ·zᵏ in a polynomial of this order.
+fn coefficient_index(order: usize, [i, j, k]: [usize; 3]) -> usize {
     // Before it are all monomials with a higher power of x, then those with the same power of x and a higher one of y.
     let (of_yz, of_z) = (order - i, order - i - j);
-    let more_x = if i == order { 0 } else { count(order - i - 1) };
+    let more_x = if i == order { 0 } else { coefficient_count(order - i - 1) };
     let more_y = of_z * (of_z + 1) / 2;
     debug_assert!(j <= of_yz && k <= of_z);
     more_x + more_y + (of_z - k)
@@ -76,8 +76,8 @@ struct Univariate<const N: usize> {
 impl<const N: usize> Univariate<N> {
     const ZERO: Self = Self { c: [0.0; N], len: 0 };
 
-    /// Multiplies by (o + v·s)ⁿ.
-    fn times(&mut self, o: f64, v: f64, n: usize) {
+    /// Multiplies the polynomial by (o + v·s)ⁿ.
+    fn multiply_by_power(&mut self, o: f64, v: f64, n: usize) {
         for _ in 0..n {
             if self.len == 0 {
                 return;
@@ -99,7 +99,7 @@ impl<const N: usize> Univariate<N> {
     }
 }
 
-/// A value and its derivatives by x, y and z.
+/// Value of a polynomial and its derivatives by x, y and z.
 #[derive(Clone, Copy, Default)]
 struct Slopes {
     value: f64,
@@ -107,8 +107,8 @@ struct Slopes {
 }
 
 impl Slopes {
-    /// Multiplies by the n-th power of the coordinate along an axis.
-    fn times(mut self, p: DVec3, axis: usize, n: usize) -> Self {
+    /// Multiplies a polynomial's value and derivatives by the n-th power of the coordinate along an axis.
+    fn times_coordinate_power(mut self, p: DVec3, axis: usize, n: usize) -> Self {
         for _ in 0..n {
             self.by *= p[axis];
             self.by[axis] += self.value;
@@ -123,13 +123,13 @@ impl Slopes {
 }
 
 impl<const FORM: usize> Algebraic<FORM> {
-    /// A polynomial of an order up to 35, with a coefficient for each monomial.
+    /// Creates the surface of a polynomial of an order up to 35, with a coefficient for each monomial.
     pub fn new(order: usize, coefficients: Vec<f64>) -> Self {
         let mut rows = vec![];
         for i in (0..=order).rev() {
             for j in (0..=order - i).rev() {
                 let powers = 0..=order - i - j;
-                let mut c: Vec<f64> = powers.map(|k| coefficients[place(order, [i, j, k])]).collect();
+                let mut c: Vec<f64> = powers.map(|k| coefficients[coefficient_index(order, [i, j, k])]).collect();
                 c.truncate(c.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1));
                 if !c.is_empty() {
                     rows.push(PowersOfZ { i, j, c });
@@ -139,58 +139,59 @@ impl<const FORM: usize> Algebraic<FORM> {
         Self { order, coefficients, rows }
     }
 
-    /// Returns the polynomial at o + s·v, by Horner's rule in x, in y and in z.
-    fn along<const N: usize>(&self, o: DVec3, v: DVec3) -> Univariate<N> {
+    /// Returns the polynomial along the line o + s·v, by Horner's rule in x, in y and in z.
+    fn along_line<const N: usize>(&self, o: DVec3, v: DVec3) -> Univariate<N> {
         let (mut of_x, mut of_y) = (Univariate::<N>::ZERO, Univariate::<N>::ZERO);
         let (mut i, mut j) = (self.order, self.order);
         for row in &self.rows {
             if row.i < i {
-                of_y.times(o.y, v.y, j);
+                of_y.multiply_by_power(o.y, v.y, j);
                 of_x.add(&of_y);
-                of_x.times(o.x, v.x, i - row.i);
+                of_x.multiply_by_power(o.x, v.x, i - row.i);
                 (of_y, i, j) = (Univariate::ZERO, row.i, row.j);
             }
-            of_y.times(o.y, v.y, j - row.j);
+            of_y.multiply_by_power(o.y, v.y, j - row.j);
             j = row.j;
             let mut of_z = Univariate::<N>::ZERO;
             for c in row.c.iter().rev() {
-                of_z.times(o.z, v.z, 1);
+                of_z.multiply_by_power(o.z, v.z, 1);
                 of_z.c[0] += c;
                 of_z.len = of_z.len.max(1);
             }
             of_y.add(&of_z);
         }
-        of_y.times(o.y, v.y, j);
+        of_y.multiply_by_power(o.y, v.y, j);
         of_x.add(&of_y);
-        of_x.times(o.x, v.x, i);
+        of_x.multiply_by_power(o.x, v.x, i);
         of_x
     }
 
     /// Returns the polynomial and its gradient at a point.
-    fn at(&self, p: DVec3) -> Slopes {
+    fn value_and_gradient(&self, p: DVec3) -> Slopes {
         let (mut of_x, mut of_y) = (Slopes::default(), Slopes::default());
         let (mut i, mut j) = (self.order, self.order);
         for row in &self.rows {
             if row.i < i {
-                of_x = of_x.plus(of_y.times(p, 1, j)).times(p, 0, i - row.i);
+                of_x = of_x.plus(of_y.times_coordinate_power(p, 1, j)).times_coordinate_power(p, 0, i - row.i);
                 (of_y, i, j) = (Slopes::default(), row.i, row.j);
             }
             let more = row.c.iter().rev().fold(Slopes::default(), |sum, c| {
-                let mut sum = sum.times(p, 2, 1);
+                let mut sum = sum.times_coordinate_power(p, 2, 1);
                 sum.value += c;
                 sum
             });
-            of_y = of_y.times(p, 1, j - row.j).plus(more);
+            of_y = of_y.times_coordinate_power(p, 1, j - row.j).plus(more);
             j = row.j;
         }
-        of_x.plus(of_y.times(p, 1, j)).times(p, 0, i)
+        of_x.plus(of_y.times_coordinate_power(p, 1, j)).times_coordinate_power(p, 0, i)
     }
 
-    /// Calls `found` with each hit in the range, ascending, until it returns true.
+    /// Calls `found` with each hit of a ray on the algebraic surface in the range, ascending, until `found` returns
+    /// true.
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
         // Start from the ray's point nearest to the origin, so that a distant eye costs no digits.
         let length = ray.dir.length();
-        let range = range.ahead(tolerance::OWN_SURFACE / length);
+        let range = range.with_min_distance(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let o = ray.origin + middle * v;
@@ -200,17 +201,17 @@ impl<const FORM: usize> Algebraic<FORM> {
             range.contains(t) && t.is_finite() && found(t)
         };
         if self.order <= 4 {
-            roots_on_line(&self.along::<5>(o, v).c, lo, hi, &mut report_root);
+            roots_on_line(&self.along_line::<5>(o, v).c, lo, hi, &mut report_root);
         } else {
-            roots_on_line(&self.along::<{ MAX_DEGREE + 1 }>(o, v).c, lo, hi, &mut report_root);
+            roots_on_line(&self.along_line::<{ MAX_DEGREE + 1 }>(o, v).c, lo, hi, &mut report_root);
         }
     }
 
-    /// `xyz(i, j, k): number`
+    /// Reads a term of a `polynomial`: `xyz(i, j, k): number`.
     fn read_term(&mut self, r: &mut dyn Reader) -> Result<()> {
         let span = r.span();
         let powers = r.numbers_in_parentheses(3)?;
-        r.colon()?;
+        r.read_colon()?;
         let value = r.float()?;
         let sum: f64 = powers.iter().map(|p| p.floor()).sum();
         if powers.iter().any(|p| *p < 0.0) || sum > self.order as f64 {
@@ -221,7 +222,7 @@ impl<const FORM: usize> Algebraic<FORM> {
             let help = "no power is negative, and the three together are at most the order";
             return Err(Diagnostic::new(codes::BAD_ORDER, span, message).help(help).into());
         }
-        let at = place(self.order, [powers[0] as usize, powers[1] as usize, powers[2] as usize]);
+        let at = coefficient_index(self.order, [powers[0] as usize, powers[1] as usize, powers[2] as usize]);
         self.coefficients[at] = value;
         Ok(())
     }
@@ -231,7 +232,7 @@ const ORDER: Param = Param { name: "order", kind: ValueKind::Float, summary: "th
 const COEFFICIENTS: Param =
     Param { name: "<coefficients>", kind: ValueKind::Vectors, summary: "a number for each power, in falling order" };
 
-/// Reads an order from 2 to 35.
+/// Reads the order of a polynomial, from 2 to 35.
 fn read_order(form: &str, r: &mut dyn Reader) -> Result<usize> {
     let (span, order) = (r.span(), r.float()?.floor());
     if (2.0..=MAX_DEGREE as f64).contains(&order) {
@@ -264,7 +265,8 @@ impl<const FORM: usize> Readable for Algebraic<FORM> {
             1 => 4,
             _ => read_order(FORMS[FORM], r)?,
         };
-        let coefficients = if FORM == 3 { vec![0.0; count(order)] } else { r.numbers(count(order))? };
+        let coefficients =
+            if FORM == 3 { vec![0.0; coefficient_count(order)] } else { r.numbers(coefficient_count(order))? };
         Ok(Self::new(order, coefficients))
     }
 
@@ -285,7 +287,7 @@ impl<const FORM: usize> Algebraic<FORM> {
 }
 
 const TERM: WordSpec = word("xyz", ValueKind::Block, "", "`xyz(i, j, k): c` adds c·xⁱ·yʲ·zᵏ");
-/// `sturm` has no effect: durer always uses an exact method.
+/// The word `sturm`, which has no effect: durer always solves polynomials exactly.
 pub(super) const STURM: WordSpec =
     word("sturm", ValueKind::Flag, "off", "a more exact method in POV-Ray; changes nothing here");
 
@@ -302,7 +304,7 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.search(ray, range, &mut |t| {
-            out.push(Hit::at(t));
+            out.push(Hit::on_single_piece(t));
             false
         });
     }
@@ -310,22 +312,22 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
         self.search(ray, range, &mut |t| {
-            first = Some(Hit::at(t));
+            first = Some(Hit::on_single_piece(t));
             true
         });
         first
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        self.at(p).value < tolerance::POLYNOMIAL_INSIDE
+        self.value_and_gradient(p).value < tolerance::POLYNOMIAL_INSIDE
     }
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
-        let n = self.at(p).by;
+        let n = self.value_and_gradient(p).by;
         if n.length_squared() > 0.0 { n } else { DVec3::X }
     }
 
-    /// POV-Ray has no mapping for these shapes.
+    /// Returns false: POV-Ray defines no uv mapping for algebraic surfaces.
     fn has_uv_mapping(&self) -> bool {
         false
     }
@@ -335,7 +337,7 @@ impl<const FORM: usize> Kernel for Algebraic<FORM> {
 mod tests {
     use super::*;
     use crate::math::fp;
-    use crate::shape::testing::{all, assert_hits, read};
+    use crate::shape::testing::{all_hits, assert_hits, read_shape};
 
     /// A torus with radii √40 and √12, as in the manual.
     const RING: &str = "<1,0,0,0,2,0,0,2,0,-104,0,0,0,0,0,0,0,0,0,0,1,0,0,2,0,56,0,0,0,0,1,0,-104,0,784>";
@@ -355,15 +357,16 @@ mod tests {
             [0, 0, 1],
             [0, 0, 0],
         ];
-        assert_eq!(powers.map(|p| place(2, p)), [0, 1, 2, 3, 4, 5, 6, 7, 8, 9]);
-        assert_eq!([2, 3, 4, 35].map(count), [10, 20, 35, 8436]);
+        assert_eq!(powers.map(|p| coefficient_index(2, p)), [0, 1, 2, 3, 4, 5, 6, 7, 8, 9]);
+        assert_eq!([2, 3, 4, 35].map(coefficient_count), [10, 20, 35, 8436]);
         // A31 of order 4 is z⁴, A120 of order 7 the constant.
-        assert_eq!((place(4, [0, 0, 4]), place(7, [0, 0, 0])), (30, 119));
+        assert_eq!((coefficient_index(4, [0, 0, 4]), coefficient_index(7, [0, 0, 0])), (30, 119));
     }
 
     #[test]
     fn value_and_gradient() {
-        let c: Vec<f64> = (0..count(5)).map(|k| fp::sin(k as f64) * f64::from(u8::from(k % 3 != 0))).collect();
+        let c: Vec<f64> =
+            (0..coefficient_count(5)).map(|k| fp::sin(k as f64) * f64::from(u8::from(k % 3 != 0))).collect();
         let shape = Poly::new(5, c.clone());
         let p = DVec3::new(0.7, -1.3, 0.4);
         let direct = |p: DVec3| {
@@ -371,20 +374,23 @@ mod tests {
             for i in 0..=5 {
                 for j in 0..=5 - i {
                     for k in 0..=5 - i - j {
-                        sum += c[place(5, [i, j, k])] * p.x.powi(i as i32) * p.y.powi(j as i32) * p.z.powi(k as i32);
+                        sum += c[coefficient_index(5, [i, j, k])]
+                            * p.x.powi(i as i32)
+                            * p.y.powi(j as i32)
+                            * p.z.powi(k as i32);
                     }
                 }
             }
             sum
         };
-        assert!((shape.at(p).value - direct(p)).abs() < 1e-12);
+        assert!((shape.value_and_gradient(p).value - direct(p)).abs() < 1e-12);
         for axis in 0..3 {
             let step = DVec3::AXES[axis] * 1e-5;
             let slope = (direct(p + step) - direct(p - step)) / 2e-5;
-            assert!((shape.at(p).by[axis] - slope).abs() < 1e-7);
+            assert!((shape.value_and_gradient(p).by[axis] - slope).abs() < 1e-7);
         }
         let (o, v) = (DVec3::new(0.2, 0.5, -0.3), DVec3::new(0.6, -0.1, 0.9));
-        let line = shape.along::<36>(o, v).c;
+        let line = shape.along_line::<36>(o, v).c;
         for s in [-1.5, 0.0, 0.3, 2.0] {
             let sum = line.iter().rev().fold(0.0, |sum, c| sum * s + c);
             assert!((sum - direct(o + v * s)).abs() < 1e-11);
@@ -393,24 +399,24 @@ mod tests {
 
     #[test]
     fn one_ring_in_four_ways() {
-        let ring = read::<Quartic>(RING).0.unwrap();
+        let ring = read_shape::<Quartic>(RING).0.unwrap();
         let (major, minor) = (40.0_f64.sqrt(), 12.0_f64.sqrt());
         let x = DVec3::X * -30.0;
         let want = [-major - minor, minor - major, major - minor, major + minor].map(|x| x + 30.0);
-        let hits = all(&ring, &Ray::new(x, DVec3::X));
+        let hits = all_hits(&ring, &Ray::new(x, DVec3::X));
         assert!(hits.len() == 4 && hits.iter().zip(want).all(|(h, t)| (h.t - t).abs() < 1e-12), "{hits:?}");
-        let same = read::<Poly>(&format!("4 {RING}")).0.unwrap();
-        assert_eq!(all(&same, &Ray::new(x, DVec3::X)), hits);
+        let same = read_shape::<Poly>(&format!("4 {RING}")).0.unwrap();
+        assert_eq!(all_hits(&same, &Ray::new(x, DVec3::X)), hits);
         let terms = [([4, 0, 0], 1), ([2, 2, 0], 2), ([2, 0, 2], 2), ([2, 0, 0], -104), ([0, 4, 0], 1), ([0, 2, 2], 2)];
         let terms = terms.iter().chain(&[([0, 2, 0], 56), ([0, 0, 4], 1), ([0, 0, 2], -104), ([0, 0, 0], 784)]);
         let named: String = terms.map(|([i, j, k], c)| format!(" xyz <{i},{j},{k}> {c}")).collect();
-        assert_eq!(read::<Polynomial>(&format!("4{named} sturm")).0.unwrap().coefficients, ring.coefficients);
-        assert_eq!(read::<Polynomial>("4 xyz <3,2,0> 1").0.unwrap_err().code, codes::BAD_ORDER);
-        assert_eq!(read::<Polynomial>("4 xyz <-1,0,0> 1").0.unwrap_err().code, codes::BAD_ORDER);
+        assert_eq!(read_shape::<Polynomial>(&format!("4{named} sturm")).0.unwrap().coefficients, ring.coefficients);
+        assert_eq!(read_shape::<Polynomial>("4 xyz <3,2,0> 1").0.unwrap_err().code, codes::BAD_ORDER);
+        assert_eq!(read_shape::<Polynomial>("4 xyz <-1,0,0> 1").0.unwrap_err().code, codes::BAD_ORDER);
         assert!(ring.inside(DVec3::X * major) && !ring.inside(DVec3::ZERO));
         // From a distance of a million.
-        let far = all(&ring, &Ray::new(DVec3::new(-1e6, 0.5, 1.0), DVec3::X));
-        let near = all(&ring, &Ray::new(DVec3::new(0.0, 0.5, 1.0), DVec3::X));
+        let far = all_hits(&ring, &Ray::new(DVec3::new(-1e6, 0.5, 1.0), DVec3::X));
+        let near = all_hits(&ring, &Ray::new(DVec3::new(0.0, 0.5, 1.0), DVec3::X));
         assert!(
             far.len() == 4 && far.iter().zip(&near).all(|(f, n)| (f.t - 1e6 - n.t).abs() < 1e-9),
             "{far:?} {near:?}"
@@ -420,27 +426,31 @@ mod tests {
     #[test]
     fn cubic_and_its_inside() {
         // x³ + y³ + z³ = 1
-        let shape = read::<Cubic>("<1,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,1,0,0,-1>").0.unwrap();
-        assert_hits(&all(&shape, &Ray::new(DVec3::Z * -9.0, DVec3::Z)), &[(10.0, 0)]);
+        let shape = read_shape::<Cubic>("<1,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,1,0,0,-1>").0.unwrap();
+        assert_hits(&all_hits(&shape, &Ray::new(DVec3::Z * -9.0, DVec3::Z)), &[(10.0, 0)]);
         assert!(shape.inside(DVec3::ZERO) && !shape.inside(DVec3::splat(2.0)));
-        assert!(shape.normal(DVec3::Z, &Hit::at(0.0)).normalize().distance(DVec3::Z) < 1e-15);
+        assert!(shape.normal(DVec3::Z, &Hit::on_single_piece(0.0)).normalize().distance(DVec3::Z) < 1e-15);
         // The inside extends a ten-thousandth of the value beyond the surface, as in POV-Ray.
         assert!(shape.inside(DVec3::Z * 1.00003) && !shape.inside(DVec3::Z * 1.00004));
     }
 
     #[test]
     fn of_order_35() {
-        let mut c = vec![0.0; count(35)];
-        (c[place(35, [35, 0, 0])], c[place(35, [0, 34, 1])], c[place(35, [0, 0, 0])]) = (1.0, 0.5, -1.0);
+        let mut c = vec![0.0; coefficient_count(35)];
+        (
+            c[coefficient_index(35, [35, 0, 0])],
+            c[coefficient_index(35, [0, 34, 1])],
+            c[coefficient_index(35, [0, 0, 0])],
+        ) = (1.0, 0.5, -1.0);
         let shape = Poly::new(35, c);
-        assert_hits(&all(&shape, &Ray::new(DVec3::X * -3.0, DVec3::X)), &[(4.0, 0)]);
+        assert_hits(&all_hits(&shape, &Ray::new(DVec3::X * -3.0, DVec3::X)), &[(4.0, 0)]);
     }
 
     #[test]
     fn reading() {
-        assert_eq!(read::<Poly>("36 0").0.unwrap_err().code, codes::BAD_ORDER);
-        assert_eq!(read::<Poly>("1 0").0.unwrap_err().code, codes::BAD_ORDER);
-        assert!(read::<Cubic>("<1,2,3>").0.is_err());
-        assert_eq!(read::<Poly>("2.9 <0,0,0,0,0,0,0,0,0,1> sturm").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read_shape::<Poly>("36 0").0.unwrap_err().code, codes::BAD_ORDER);
+        assert_eq!(read_shape::<Poly>("1 0").0.unwrap_err().code, codes::BAD_ORDER);
+        assert!(read_shape::<Cubic>("<1,2,3>").0.is_err());
+        assert_eq!(read_shape::<Poly>("2.9 <0,0,0,0,0,0,0,0,0,1> sturm").1[0].code, codes::NO_SURFACE);
     }
 }

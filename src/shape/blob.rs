@@ -13,10 +13,10 @@ mod component;
 pub use component::Component;
 
 use super::pov_bounds::NOTHING;
-use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, TextureWeights, moved_box};
+use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, TextureWeights, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
-use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, cancel, solve_between, tolerance};
+use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, cancel, solve_polynomial_between, tolerance};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Next, Readable, Reader, ReaderExt, Spec, ValueKind};
@@ -25,14 +25,14 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// Fields that merge into each other.
+/// Blob: the surface of fields that merge into each other.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Blob {
-    /// Strength of the field on the surface; inside it is stronger.
+    /// Strength of the field on the blob's surface; inside it is stronger.
     pub threshold: f64,
-    /// Components in the order of the hierarchy.
+    /// Components of the blob in the order of its hierarchy.
     pub components: Vec<Component>,
-    /// True if any component, even one without strength, has a texture.
+    /// True if any component of the blob, even one without strength, has a texture.
     #[serde(skip)]
     textured: bool,
     #[serde(skip)]
@@ -42,10 +42,11 @@ pub struct Blob {
 }
 
 impl Blob {
-    /// Builds the hierarchy over the components; leaves out those without strength and those beyond the range of
+    /// Builds the hierarchy over the blob's components; leaves out those without strength and those beyond the range of
     /// numbers.
-    fn arrange(&mut self) {
-        self.components.retain(|component| component.strength != 0.0 && bvh::fits(&component.bounds()));
+    fn build_hierarchy(&mut self) {
+        self.components
+            .retain(|component| component.strength != 0.0 && bvh::fits_single_precision(&component.bounds()));
         let (bvh, order) = Bvh::build(self.components.iter().map(Component::bounds));
         let mut places: Vec<Option<Component>> = std::mem::take(&mut self.components).into_iter().map(Some).collect();
         self.components = order.into_iter().filter_map(|i| places[i as usize].take()).collect();
@@ -54,29 +55,29 @@ impl Blob {
         self.bounds = strong.map(Component::bounds).fold(Aabb::EMPTY, Aabb::union);
     }
 
-    fn near<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a Component)) {
-        self.bvh.around(p, |i| {
+    fn visit_components_near<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(&'a Component)) {
+        self.bvh.visit_boxes_around(p, |i| {
             visit(&self.components[i]);
             ControlFlow::Continue(())
         });
     }
 
-    fn field(&self, p: DVec3) -> f64 {
+    fn field_at(&self, p: DVec3) -> f64 {
         let mut sum = 0.0;
-        self.near(p, &mut |component| sum += component.field(p));
+        self.visit_components_near(p, &mut |component| sum += component.field_at(p));
         sum
     }
 
-    /// Calls `visit` with each hit in `range`, in ascending `t`, until it returns `Break`.
-    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
-        let range = range.ahead(Self::QUIRKS.min_distance);
+    /// Calls `visit` with each hit on the blob in `range`, in ascending `t`, until it returns `Break`.
+    fn visit_hits(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
+        let range = range.with_min_distance(Self::QUIRKS.min_distance);
         let Some((enter, _)) = self.bounds.slabs(ray, range) else { return };
         // Start near the blob, so that a distant eye costs no digits.
         let start = if enter.is_finite() { enter } else { -ray.origin.dot(ray.dir) / ray.dir.length_squared() };
         let near = Ray::new(ray.at(start), ray.dir);
         let mut stretches = Stretches::new();
         self.bvh.traverse(&near, Range::ALL, |i, max| {
-            self.components[i].stretches(&near, &mut stretches);
+            self.components[i].add_stretches(&near, &mut stretches);
             ControlFlow::Continue(max)
         });
         stretches.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));
@@ -91,7 +92,7 @@ impl Blob {
                 if cancel::is_cancelled() {
                     return;
                 }
-                if running.never_zero(lo, hi) {
+                if running.has_no_root_between(lo, hi) {
                     continue;
                 }
             }
@@ -101,14 +102,14 @@ impl Blob {
             let middle = (lo + hi) / 2.0;
             let mut sum = [0.0, 0.0, 0.0, 0.0, -self.threshold];
             for stretch in stretches.iter().take_while(|stretch| stretch.from < hi).filter(|s| s.to > lo) {
-                stretch.add(middle, &mut sum);
+                stretch.add_to_polynomial(middle, &mut sum);
             }
             let half = (hi - lo) / 2.0;
-            if never_zero(&sum, half) {
+            if has_no_root(&sum, half) {
                 continue;
             }
             roots.clear();
-            solve_between(&sum, -half, half, &mut roots);
+            solve_polynomial_between(&sum, -half, half, &mut roots);
             for &t in &roots {
                 let t = t + middle + start;
                 if range.contains(t) && visit(t).is_break() {
@@ -119,27 +120,27 @@ impl Blob {
     }
 }
 
-/// Number of stretches on a ray below which each piece of the ray adds up its own.
+/// Number of a blob's stretches on a ray below which each piece of the ray adds up its own.
 const FEW_STRETCHES: usize = 64;
 /// Bound of the relative error of a [`RunningSum`]: that of several 100 000 additions.
 const RUNNING_ERROR: f64 = 1e-10;
 
-/// Sum of the polynomials of the stretches around a position that moves along a ray: each step adds the stretches that
-/// begin and subtracts those that end. It is not exact enough for roots, but shows where none can be, so that a ray
-/// through n overlapping components does not take n² steps.
+/// Sum of the polynomials of a blob's stretches around a position that moves along a ray: each step adds the stretches
+/// that begin and subtracts those that end. It is not exact enough for roots, but shows where none can be, so that a
+/// ray through n overlapping components does not take n² steps.
 struct RunningSum<'a> {
-    /// Stretches in the order of their beginnings that are still ahead.
+    /// Stretches of the blob in the order of their beginnings that are still ahead.
     starting: &'a [Stretch],
-    /// Stretches in the order of their ends that are still ahead, the next one last.
+    /// Stretches of the blob in the order of their ends that are still ahead, the next one last.
     ending: Vec<&'a Stretch>,
-    /// Coefficients of t⁴ … t⁰.
+    /// Coefficients t⁴ … t⁰ of the blob's polynomial.
     sum: [f64; 5],
-    /// Sum of the absolute values of all that was added to each coefficient.
+    /// Sum of the absolute values of all that was added to each coefficient of the blob's polynomial.
     size: [f64; 5],
 }
 
 impl<'a> RunningSum<'a> {
-    /// A sum in front of all stretches, which are in the order of their beginnings.
+    /// Creates the running sum in front of all stretches of a blob, which are in the order of their beginnings.
     fn new(stretches: &'a [Stretch], threshold: f64) -> Self {
         let mut ending: Vec<&Stretch> = stretches.iter().collect();
         ending.sort_unstable_by(|a, b| b.to.total_cmp(&a.to));
@@ -149,7 +150,7 @@ impl<'a> RunningSum<'a> {
 
     /// Moves to the piece of the ray from `lo` to `hi`; true if the sum certainly has no root there. Pieces must be
     /// passed in ascending order.
-    fn never_zero(&mut self, lo: f64, hi: f64) -> bool {
+    fn has_no_root_between(&mut self, lo: f64, hi: f64) -> bool {
         while let Some((first, rest)) = self.starting.split_first().filter(|(first, _)| first.from < hi) {
             self.add(first, 1.0);
             self.starting = rest;
@@ -167,12 +168,12 @@ impl<'a> RunningSum<'a> {
                 c[i] += c[i - 1] * middle;
             }
         }
-        [error, -error].iter().all(|by| never_zero(&[c[0], c[1], c[2], c[3], c[4] + by], half)) && (c[4].abs() > error)
+        [error, -error].iter().all(|by| has_no_root(&[c[0], c[1], c[2], c[3], c[4] + by], half)) && (c[4].abs() > error)
     }
 
     fn add(&mut self, stretch: &Stretch, sign: f64) {
         let mut own = [0.0; 5];
-        stretch.add(0.0, &mut own);
+        stretch.add_to_polynomial(0.0, &mut own);
         for ((sum, size), c) in self.sum.iter_mut().zip(&mut self.size).zip(own) {
             *sum += sign * c;
             *size += c.abs();
@@ -180,11 +181,17 @@ impl<'a> RunningSum<'a> {
     }
 }
 
-/// True if all Bernstein coefficients between -h and h have one sign; then the polynomial has no root there (Farouki
-/// and Rajan, On the numerical condition of polynomials in Bernstein form, 1987).
-fn never_zero(c: &[f64; 5], h: f64) -> bool {
-    // As a polynomial of x = t/h: p(x) = Σ pᵢ·xⁱ; with x = 2s - 1 the coefficients are linear in those.
-    let [p4, p3, p2, p1, p0] = [c[0] * h * h * h * h, c[1] * h * h * h, c[2] * h * h, c[3] * h, c[4]];
+/// True if all Bernstein coefficients of a polynomial between -half_width and half_width have one sign; then it has no
+/// root there (Farouki and Rajan, On the numerical condition of polynomials in Bernstein form, 1987).
+fn has_no_root(coefficients: &[f64; 5], half_width: f64) -> bool {
+    // As a polynomial of x = t/half_width: p(x) = Σ pᵢ·xⁱ; with x = 2s - 1 the coefficients are linear in those.
+    let [p4, p3, p2, p1, p0] = [
+        coefficients[0] * half_width * half_width * half_width * half_width,
+        coefficients[1] * half_width * half_width * half_width,
+        coefficients[2] * half_width * half_width,
+        coefficients[3] * half_width,
+        coefficients[4],
+    ];
     let b = [
         p0 - p1 + p2 - p3 + p4,
         p0 - p1 / 2.0 + p3 / 2.0 - p4,
@@ -220,11 +227,11 @@ impl Readable for Blob {
     fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
             Next::Word("threshold") => {
-                r.take()?;
+                r.take_token()?;
                 self.threshold = r.float()?;
             }
             Next::Word("component") => {
-                let span = r.take()?;
+                let span = r.take_token()?;
                 let (strength, radius, base) = (r.float()?, r.float()?, r.vector()?);
                 self.components.push(Component::new(span, base, DVec3::ZERO, radius, strength)?);
             }
@@ -234,7 +241,7 @@ impl Readable for Blob {
     }
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
-        self.arrange();
+        self.build_hierarchy();
         if self.bounds.is_empty() {
             r.report(Diagnostic::new(
                 codes::NO_SURFACE,
@@ -260,35 +267,35 @@ impl Kernel for Blob {
         self.bounds
     }
 
-    /// Box of the components with positive strength; without any the blob is inverted, and infinite once it is
+    /// Box of the blob's components with positive strength; without any the blob is inverted, and infinite once it is
     /// transformed (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let strong = self.components.iter().filter(|component| component.strength > 0.0);
         match strong.map(Component::pov_bounds).reduce(Aabb::union) {
-            Some(all) => moved_box(m, &all),
+            Some(all) => transformed_box(m, &all),
             None if m.is_identity() => NOTHING,
             None => HUGE,
         }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.meet(ray, range, |t| {
-            out.push(Hit::at(t));
+        self.visit_hits(ray, range, |t| {
+            out.push(Hit::on_single_piece(t));
             ControlFlow::Continue(())
         });
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut found = None;
-        self.meet(ray, range, |t| {
-            found = Some(Hit::at(t));
+        self.visit_hits(ray, range, |t| {
+            found = Some(Hit::on_single_piece(t));
             ControlFlow::Break(())
         });
         found
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        self.field(p) >= self.threshold
+        self.field_at(p) >= self.threshold
     }
 
     fn is_solid_unbounded(&self) -> bool {
@@ -297,13 +304,13 @@ impl Kernel for Blob {
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
         let mut sum = DVec3::ZERO;
-        self.near(p, &mut |component| sum -= component.gradient(p));
+        self.visit_components_near(p, &mut |component| sum -= component.field_gradient(p));
         if sum == DVec3::ZERO { DVec3::Y } else { sum }
     }
 
     fn read_textured(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
         let Next::Block(kind @ ("sphere" | "cylinder")) = next else { return Ok(false) };
-        let span = r.take()?;
+        let span = r.take_token()?;
         let base = r.vector()?;
         let axis = if kind == "cylinder" { r.vector()? - base } else { DVec3::ZERO };
         let radius = r.float()?;
@@ -311,7 +318,7 @@ impl Kernel for Blob {
         let strength = r.float()?;
         let mut component = Component::new(span, base, axis, radius, strength)?;
         component.read_modifiers(kind, r, paints)?;
-        r.leave()?;
+        r.leave_block()?;
         self.textured |= component.slot != 0;
         self.components.push(component);
         Ok(true)
@@ -320,8 +327,8 @@ impl Kernel for Blob {
     fn texture_weights(&self, p: DVec3, _: &Hit) -> TextureWeights {
         let mut texture_weights = TextureWeights::new();
         let mut sum = 0.0;
-        self.near(p, &mut |component| {
-            let field = component.field(p).abs();
+        self.visit_components_near(p, &mut |component| {
+            let field = component.field_at(p).abs();
             if field > 0.0 {
                 sum += field;
                 texture_weights.push((component.slot, field));
@@ -339,7 +346,7 @@ impl Kernel for Blob {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::all;
+    use crate::shape::testing::all_hits;
 
     fn blob(threshold: f64, components: &[(DVec3, DVec3, f64, f64)]) -> Blob {
         let component = |&(base, axis, radius, strength): &(DVec3, DVec3, f64, f64)| {
@@ -347,7 +354,7 @@ mod tests {
         };
         let components = components.iter().map(component).collect();
         let mut blob = Blob { threshold, components, textured: false, bvh: Bvh::default(), bounds: Aabb::EMPTY };
-        blob.arrange();
+        blob.build_hierarchy();
         blob
     }
 
@@ -355,10 +362,10 @@ mod tests {
     fn a_single_ball_in_closed_form() {
         // (1 - d²)² = 1/4 at d² = 1/2
         let shape = blob(0.25, &[(DVec3::ZERO, DVec3::ZERO, 1.0, 1.0)]);
-        let hits = all(&shape, &Ray::new(DVec3::new(0.0, 0.0, -9.0), DVec3::Z));
+        let hits = all_hits(&shape, &Ray::new(DVec3::new(0.0, 0.0, -9.0), DVec3::Z));
         let r = 0.5_f64.sqrt();
         assert!(hits.len() == 2 && (hits[0].t - 9.0 + r).abs() < 1e-12 && (hits[1].t - 9.0 - r).abs() < 1e-12);
-        let far = all(&shape, &Ray::new(DVec3::new(0.0, 0.0, -1e7), DVec3::Z));
+        let far = all_hits(&shape, &Ray::new(DVec3::new(0.0, 0.0, -1e7), DVec3::Z));
         assert!((far[0].t - 1e7 + r).abs() < 1e-8, "{far:?}");
     }
 
@@ -371,17 +378,17 @@ mod tests {
         for k in 0..2000 {
             let at = |m: usize| (k * m % 997) as f64 / 498.5 - 1.0;
             let ray = Ray::new(DVec3::new(at(13), at(29), at(5)) * 2.0, DVec3::new(at(7), at(11), at(3)));
-            let hits = all(&shape, &ray);
+            let hits = all_hits(&shape, &ray);
             met += hits.len();
             for hit in &hits {
                 let p = ray.at(hit.t);
                 assert!(
-                    (shape.field(p) - 0.4).abs() < 1e-9 && shape.bounds().grown(1e-9).contains(p),
+                    (shape.field_at(p) - 0.4).abs() < 1e-9 && shape.bounds().grown(1e-9).contains(p),
                     "{ray:?} {hit:?}"
                 );
                 // The normal is opposite to the gradient.
                 let n = shape.normal(p, hit).normalize();
-                let slope = (shape.field(p + n * 1e-6) - shape.field(p - n * 1e-6)) / 2e-6;
+                let slope = (shape.field_at(p + n * 1e-6) - shape.field_at(p - n * 1e-6)) / 2e-6;
                 assert!(slope < 0.0 && (slope.abs() - shape.normal(p, hit).length()).abs() < 1e-4 * slope.abs());
             }
             for pair in hits.windows(2).filter(|pair| pair[1].t - pair[0].t > 1e-9) {
@@ -395,7 +402,7 @@ mod tests {
 
     #[test]
     fn many_overlapping_components_have_the_roots_of_their_sum() {
-        let random = |i: usize, k: u64| crate::math::rng::unit(&[i as u64, k]) - 0.5;
+        let random = |i: usize, k: u64| crate::math::rng::random_unit(&[i as u64, k]) - 0.5;
         let at = |i: usize| DVec3::new(random(i, 0), random(i, 1), random(i, 2));
         let components: Vec<_> =
             (0..400).map(|i| (at(i) * 3.0, DVec3::ZERO, 0.9 + 0.4 * random(i, 3), 0.2 + 0.4 * random(i, 4))).collect();
@@ -404,12 +411,12 @@ mod tests {
         for i in 0..300 {
             let ray = Ray::new(at(1000 + i) * 8.0, at(2000 + i) - at(1000 + i));
             let mut stretches = Stretches::new();
-            shape.components.iter().for_each(|component| component.stretches(&ray, &mut stretches));
+            shape.components.iter().for_each(|component| component.add_stretches(&ray, &mut stretches));
             many += usize::from(stretches.len() > FEW_STRETCHES);
             // Changes of sign between close points of the ray, which lie on both sides of each root.
             let inside = |k: usize| shape.inside(ray.at(k as f64 * 0.005));
             let changes = (0..4000).filter(|&k| inside(k) != inside(k + 1)).count();
-            let hits = all(&shape, &ray).iter().filter(|hit| hit.t < 20.0).count();
+            let hits = all_hits(&shape, &ray).iter().filter(|hit| hit.t < 20.0).count();
             assert!(hits >= changes && (hits - changes).is_multiple_of(2), "{hits} {changes}");
         }
         assert!(many > 50, "{many}");
@@ -417,10 +424,10 @@ mod tests {
 
     #[test]
     fn reading() {
-        let (shape, reports) = crate::shape::testing::read::<Blob>("threshold 0.6 component 1 2 <1,0,0>");
+        let (shape, reports) = crate::shape::testing::read_shape::<Blob>("threshold 0.6 component 1 2 <1,0,0>");
         let shape = shape.unwrap();
         assert_eq!((shape.threshold, shape.components.len(), reports.len()), (0.6, 1, 0));
-        assert_eq!(crate::shape::testing::read::<Blob>("threshold 0.6").1[0].code, codes::NO_SURFACE);
-        assert!(crate::shape::testing::read::<Blob>("component 1 0 <1,0,0>").0.is_err());
+        assert_eq!(crate::shape::testing::read_shape::<Blob>("threshold 0.6").1[0].code, codes::NO_SURFACE);
+        assert!(crate::shape::testing::read_shape::<Blob>("component 1 0 <1,0,0>").0.is_err());
     }
 }

@@ -8,7 +8,7 @@
 //! ```
 
 use super::frustum::{Frustum, OPEN, frustum_kernel};
-use super::{Hit, Hits, finite};
+use super::{Hit, Hits, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
@@ -16,12 +16,12 @@ use crate::value::words::{Row, set, specs};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A cone or frustum.
+/// Cone or frustum of a cone.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cone(pub Frustum);
 
 impl Cone {
-    /// The cone between two different points.
+    /// Creates the cone between two different points.
     pub fn new(base: DVec3, mut base_radius: f64, cap: DVec3, mut cap_radius: f64, open: bool) -> Self {
         // quirk: cone_negative_radii
         let largest = base_radius.max(cap_radius);
@@ -53,8 +53,8 @@ impl Readable for Cone {
         let (base, base_radius, cap) = (r.vector()?, r.float()?, r.vector()?);
         let span = span.to(r.span());
         let cap_radius = r.float()?;
-        finite(span, &[base, cap], &[base_radius, cap_radius])?;
-        super::frustum_ends(span, base, cap)?;
+        check_finite(span, &[base, cap], &[base_radius, cap_radius])?;
+        super::check_frustum_ends(span, base, cap)?;
         Ok(Self::new(base, base_radius, cap, cap_radius, false))
     }
 
@@ -73,36 +73,36 @@ mod tests {
     use super::*;
     use crate::shape::Kernel;
     use crate::shape::frustum::{BASE, CAP, WALL};
-    use crate::shape::testing::{all, assert_hits, read};
+    use crate::shape::testing::{all_hits, assert_hits, read_shape};
 
     #[test]
     fn cone_with_tip() {
         // The radius is (1 - y)/2.
         let cone = Cone::new(-DVec3::Y, 1.0, DVec3::Y, 0.0, false);
         let ray = Ray::new(DVec3::new(0.0, 0.0, -5.0), DVec3::Z);
-        assert_hits(&all(&cone, &ray), &[(4.5, WALL), (5.5, WALL)]);
+        assert_hits(&all_hits(&cone, &ray), &[(4.5, WALL), (5.5, WALL)]);
         // POV-Ray's trace().
-        let n = cone.normal(ray.at(4.5), &Hit::on(4.5, WALL)).normalize();
+        let n = cone.normal(ray.at(4.5), &Hit::on_piece(4.5, WALL)).normalize();
         assert!(n.distance(DVec3::new(0.0, 0.2_f64.sqrt(), -0.8_f64.sqrt())) < 1e-12);
         // Through the apex along the axis; parallel to the wall.
-        let down = all(&cone, &Ray::new(DVec3::Y * 5.0, -DVec3::Y));
+        let down = all_hits(&cone, &Ray::new(DVec3::Y * 5.0, -DVec3::Y));
         assert!(down.iter().any(|h| h.t == 4.0) && down.iter().any(|h| h.t == 6.0 && h.part == BASE));
         // Parallel to the wall on the other side: x = -0.5 - t/2 meets x = -(1 - y)/2 at t = 3/4.
         let parallel = Ray::new(DVec3::new(-0.5, -1.5, 0.0), DVec3::new(-0.5, 1.0, 0.0));
-        assert_hits(&all(&cone, &parallel), &[(0.5, BASE), (0.75, WALL)]);
-        assert!(cone.normal(DVec3::Y, &Hit::on(4.0, WALL)).length() > 0.0, "the tip has some normal");
+        assert_hits(&all_hits(&cone, &parallel), &[(0.5, BASE), (0.75, WALL)]);
+        assert!(cone.normal(DVec3::Y, &Hit::on_piece(4.0, WALL)).length() > 0.0, "the tip has some normal");
     }
 
     #[test]
     fn hourglass() {
         let glass = Cone::new(-DVec3::Y, -1.0, DVec3::Y, 1.0, false);
-        let across = |y: f64| all(&glass, &Ray::new(DVec3::new(0.0, y, -5.0), DVec3::Z));
+        let across = |y: f64| all_hits(&glass, &Ray::new(DVec3::new(0.0, y, -5.0), DVec3::Z));
         assert_hits(&across(0.5), &[(4.5, WALL), (5.5, WALL)]);
         assert_hits(&across(-0.25), &[(4.75, WALL), (5.25, WALL)]);
         assert!(glass.inside(DVec3::Y * 0.5) && !glass.inside(DVec3::X * 0.1));
         // Along the axis through both halves.
         let ray = Ray::new(DVec3::new(0.5, -3.0, 0.0), DVec3::Y);
-        assert_hits(&all(&glass, &ray), &[(2.0, BASE), (2.5, WALL), (3.5, WALL), (4.0, CAP)]);
+        assert_hits(&all_hits(&glass, &ray), &[(2.0, BASE), (2.5, WALL), (3.5, WALL), (4.0, CAP)]);
     }
 
     #[test]
@@ -115,9 +115,9 @@ mod tests {
 
     #[test]
     fn reading() {
-        let shape = read::<Cone>("0 1 <0,1,0> 0.5 open").0.unwrap();
+        let shape = read_shape::<Cone>("0 1 <0,1,0> 0.5 open").0.unwrap();
         assert_eq!(shape, Cone::new(DVec3::ZERO, 1.0, DVec3::Y, 0.5, true));
-        assert_eq!(read::<Cone>("0 1 0 0").0.unwrap_err().code, codes::NO_LENGTH);
-        assert_eq!(read::<Cone>("0 0 1 0").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read_shape::<Cone>("0 1 0 0").0.unwrap_err().code, codes::NO_LENGTH);
+        assert_eq!(read_shape::<Cone>("0 0 1 0").1[0].code, codes::NO_SURFACE);
     }
 }

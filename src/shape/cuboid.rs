@@ -6,32 +6,32 @@
 //! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Shape, finite};
+use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Shape, check_finite};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A box (`Box` is a type of Rust).
+/// Axis-aligned box of the scene language (`Box` is a type of Rust).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cuboid {
-    /// The corner with the smaller coordinates.
+    /// Corner of the box with the smaller coordinates.
     pub min: DVec3,
-    /// The corner with the larger coordinates.
+    /// Corner of the box with the larger coordinates.
     pub max: DVec3,
 }
 
 impl Cuboid {
-    /// The box between two opposite corners.
+    /// Creates the box between two opposite corners.
     pub fn new(a: DVec3, b: DVec3) -> Self {
         Self { min: a.min(b), max: a.max(b) }
     }
 
-    /// Returns where the ray enters and leaves, each with its face: axis · 2, plus 1 on the side of `max` (lecture,
-    /// "Ray – AAB intersection").
-    fn faces(&self, ray: &Ray) -> Option<[End; 2]> {
-        let mut near = End::at(f64::NEG_INFINITY);
-        let mut far = End::at(f64::INFINITY);
+    /// Returns where the ray enters and leaves the box, each with its face: axis · 2, plus 1 on the side of `max`
+    /// (lecture, "Ray – AAB intersection").
+    fn entry_and_exit(&self, ray: &Ray) -> Option<[End; 2]> {
+        let mut near = End::on_single_piece(f64::NEG_INFINITY);
+        let mut far = End::on_single_piece(f64::INFINITY);
         for axis in 0..3 {
             let (o, v) = (ray.origin[axis], ray.dir[axis]);
             let (lo, hi) = ((self.min[axis] - o) / v, (self.max[axis] - o) / v);
@@ -39,10 +39,10 @@ impl Cuboid {
             let (enter, leave) = if side == 1 { (hi, lo) } else { (lo, hi) };
             // For a parallel ray both are infinite, or NaN within one of the planes, which the comparison ignores.
             if enter > near.t {
-                near = End::on(enter, axis as u32 * 2 + side);
+                near = End::on_piece(enter, axis as u32 * 2 + side);
             }
             if leave < far.t {
-                far = End::on(leave, axis as u32 * 2 + (1 - side));
+                far = End::on_piece(leave, axis as u32 * 2 + (1 - side));
             }
         }
         (near.t <= far.t && near.t < f64::INFINITY && far.t > f64::NEG_INFINITY).then_some([near, far])
@@ -69,7 +69,7 @@ impl Readable for Cuboid {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (a, b) = (r.vector()?, r.vector()?);
-        finite(span, &[a, b], &[])?;
+        check_finite(span, &[a, b], &[])?;
         Ok(Self::new(a, b))
     }
 }
@@ -85,13 +85,13 @@ impl Kernel for Cuboid {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        if let Some(faces) = self.faces(ray) {
+        if let Some(faces) = self.entry_and_exit(ray) {
             out.extend(faces.into_iter().filter(|end| range.contains(end.t)).map(Hit::from));
         }
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        self.faces(ray)?.into_iter().find(|end| range.contains(end.t)).map(Hit::from)
+        self.entry_and_exit(ray)?.into_iter().find(|end| range.contains(end.t)).map(Hit::from)
     }
 
     fn inside(&self, p: DVec3) -> bool {
@@ -103,7 +103,7 @@ impl Kernel for Cuboid {
     }
 
     fn crossing(&self, ray: &Ray) -> Crossing {
-        self.faces(ray).map_or(Crossing::Misses, Crossing::Through)
+        self.entry_and_exit(ray).map_or(Crossing::Misses, Crossing::Through)
     }
 
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
@@ -111,7 +111,8 @@ impl Kernel for Cuboid {
         if hit.part % 2 == 1 { axis } else { -axis }
     }
 
-    /// A cross of six squares, four wide and three high (manual, picture "UV Boxmap").
+    /// Returns surface coordinates on a cross of six squares, into which the box is unfolded, four wide and three high
+    /// (manual, picture "UV Boxmap").
     fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
         // 0 … 1 along each edge; a flat box has 0.
         let size = self.max - self.min;
@@ -131,7 +132,7 @@ impl Kernel for Cuboid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, read};
+    use crate::shape::testing::{all_hits, read_shape};
 
     fn unit() -> Cuboid {
         Cuboid::new(DVec3::ONE, DVec3::NEG_ONE)
@@ -141,29 +142,29 @@ mod tests {
     fn slabs() {
         // A diagonal ray enters by x = -1 at t = 2, and leaves by y = 1 where 0.5·t = 1 + 0.5.
         let ray = Ray::new(DVec3::new(-3.0, -0.5, 0.0), DVec3::new(1.0, 0.5, 0.0));
-        assert_eq!(all(&unit(), &ray), [Hit::on(2.0, 0), Hit::on(3.0, 3)]);
-        assert_eq!(unit().normal(ray.at(3.0), &Hit::on(3.0, 3)), DVec3::Y);
+        assert_eq!(all_hits(&unit(), &ray), [Hit::on_piece(2.0, 0), Hit::on_piece(3.0, 3)]);
+        assert_eq!(unit().normal(ray.at(3.0), &Hit::on_piece(3.0, 3)), DVec3::Y);
         // Backwards along the same line, twice as fast.
         let back = Ray::new(ray.at(5.0), ray.dir * -2.0);
-        assert_eq!(all(&unit(), &back), [Hit::on(1.0, 3), Hit::on(1.5, 0)]);
+        assert_eq!(all_hits(&unit(), &back), [Hit::on_piece(1.0, 3), Hit::on_piece(1.5, 0)]);
     }
 
     #[test]
     fn zero_components() {
-        let along_z = |x, y| all(&unit(), &Ray::new(DVec3::new(x, y, -5.0), DVec3::Z));
-        assert_eq!(along_z(0.5, -0.5), [Hit::on(4.0, 4), Hit::on(6.0, 5)]);
+        let along_z = |x, y| all_hits(&unit(), &Ray::new(DVec3::new(x, y, -5.0), DVec3::Z));
+        assert_eq!(along_z(0.5, -0.5), [Hit::on_piece(4.0, 4), Hit::on_piece(6.0, 5)]);
         assert_eq!(along_z(1.0, -1.0).len(), 2, "a ray in a face's plane");
         assert_eq!(along_z(1.5, 0.0), []);
         assert_eq!(along_z(0.0, -1.5), []);
         let minus_zero = Ray::new(DVec3::new(0.0, 0.0, -5.0), DVec3::new(-0.0, -0.0, 1.0));
-        assert_eq!(all(&unit(), &minus_zero).len(), 2);
+        assert_eq!(all_hits(&unit(), &minus_zero).len(), 2);
     }
 
     #[test]
     fn eye_inside() {
         let ray = Ray::new(DVec3::new(0.25, 0.0, 0.0), DVec3::X);
-        assert_eq!(unit().closest(&ray, Range::FORWARD), Some(Hit::on(0.75, 1)));
-        assert_eq!(all(&unit(), &ray), [Hit::on(-1.25, 0), Hit::on(0.75, 1)]);
+        assert_eq!(unit().closest(&ray, Range::FORWARD), Some(Hit::on_piece(0.75, 1)));
+        assert_eq!(all_hits(&unit(), &ray), [Hit::on_piece(-1.25, 0), Hit::on_piece(0.75, 1)]);
         assert!(unit().inside(ray.origin) && unit().inside(DVec3::ONE) && !unit().inside(DVec3::X * 1.01));
     }
 
@@ -171,15 +172,15 @@ mod tests {
     fn flat_box_is_a_rectangle() {
         let flat = Cuboid::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0));
         let ray = Ray::new(DVec3::new(0.5, 0.25, -2.0), DVec3::Z);
-        assert_eq!(flat.closest(&ray, Range::FORWARD), Some(Hit::on(2.0, 4)));
-        assert!(flat.uv(ray.at(2.0), &Hit::on(2.0, 4)).is_finite());
+        assert_eq!(flat.closest(&ray, Range::FORWARD), Some(Hit::on_piece(2.0, 4)));
+        assert!(flat.uv(ray.at(2.0), &Hit::on_piece(2.0, 4)).is_finite());
     }
 
     #[test]
     fn uv_is_a_cross_of_squares() {
         // POV-Ray's colours at pixel centres of box { -2, 2 } (sRGB bytes, so to 0.01).
         let cube = Cuboid::new(DVec3::splat(-2.0), DVec3::splat(2.0));
-        let uv = |x: f64, y: f64, z: f64, part| cube.uv(DVec3::new(x, y, z), &Hit::on(0.0, part));
+        let uv = |x: f64, y: f64, z: f64, part| cube.uv(DVec3::new(x, y, z), &Hit::on_piece(0.0, part));
         let near = |a: DVec2, u: f64, v: f64| assert!(a.distance(DVec2::new(u, v)) < 0.011, "{a} {u} {v}");
         near(uv(-1.5, 1.5, -2.0, 4), 0.96, 0.62);
         near(uv(1.5, 1.5, 2.0, 5), 0.47, 0.62);
@@ -191,8 +192,8 @@ mod tests {
 
     #[test]
     fn reading() {
-        let shape = read::<Cuboid>("1 -1").0.unwrap();
+        let shape = read_shape::<Cuboid>("1 -1").0.unwrap();
         assert_eq!(shape, unit());
-        assert_eq!(read::<Cuboid>("<1,nan,0> 0").0.unwrap_err().code.0, "E0210");
+        assert_eq!(read_shape::<Cuboid>("<1,nan,0> 0").0.unwrap_err().code.0, "E0210");
     }
 }

@@ -7,7 +7,7 @@
 //! ```
 
 use super::frustum::{Frustum, OPEN, frustum_kernel};
-use super::{Hit, Hits, finite};
+use super::{Hit, Hits, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use crate::source::Span;
@@ -15,12 +15,12 @@ use crate::value::words::{Row, set, specs};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A cylinder or tube.
+/// Cylinder, open or closed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cylinder(pub Frustum);
 
 impl Cylinder {
-    /// The cylinder between two different points.
+    /// Creates the cylinder between two different points.
     pub fn new(base: DVec3, cap: DVec3, radius: f64, open: bool) -> Self {
         let radius = radius.abs();
         Self(Frustum::new(base, cap, radius, radius, open))
@@ -47,8 +47,8 @@ impl Readable for Cylinder {
         let (base, cap) = (r.vector()?, r.vector()?);
         let span = span.to(r.span());
         let radius = r.float()?;
-        finite(span, &[base, cap], &[radius])?;
-        super::frustum_ends(span, base, cap)?;
+        check_finite(span, &[base, cap], &[radius])?;
+        super::check_frustum_ends(span, base, cap)?;
         Ok(Self::new(base, cap, radius, false))
     }
 
@@ -67,7 +67,7 @@ mod tests {
     use super::*;
     use crate::shape::Kernel;
     use crate::shape::frustum::{BASE, CAP, WALL};
-    use crate::shape::testing::{all, assert_hits, read};
+    use crate::shape::testing::{all_hits, assert_hits, read_shape};
 
     fn bar(open: bool) -> Cylinder {
         Cylinder::new(DVec3::ZERO, DVec3::Y * 2.0, 1.0, open)
@@ -76,22 +76,22 @@ mod tests {
     #[test]
     fn across_and_along() {
         let ray = Ray::new(DVec3::new(-3.0, 1.0, 0.6), DVec3::X * 2.0);
-        assert_hits(&all(&bar(false), &ray), &[(1.1, WALL), (1.9, WALL)]);
-        assert!(bar(false).normal(ray.at(1.1), &Hit::on(1.1, WALL)).distance(DVec3::new(-0.8, 0.0, 0.6)) < 1e-12);
+        assert_hits(&all_hits(&bar(false), &ray), &[(1.1, WALL), (1.9, WALL)]);
+        assert!(bar(false).normal(ray.at(1.1), &Hit::on_piece(1.1, WALL)).distance(DVec3::new(-0.8, 0.0, 0.6)) < 1e-12);
         let ray = Ray::new(DVec3::new(0.5, 5.0, 0.0), -DVec3::Y);
-        assert_hits(&all(&bar(false), &ray), &[(3.0, CAP), (5.0, BASE)]);
-        assert_hits(&all(&bar(true), &ray), &[]);
+        assert_hits(&all_hits(&bar(false), &ray), &[(3.0, CAP), (5.0, BASE)]);
+        assert_hits(&all_hits(&bar(true), &ray), &[]);
         // The ray enters by the cap at (0.5, 2) and leaves by the wall at (1, 1.5).
         let ray = Ray::new(DVec3::new(0.0, 2.5, 0.0), DVec3::new(1.0, -1.0, 0.0));
-        assert_hits(&all(&bar(false), &ray), &[(0.5, CAP), (1.0, WALL)]);
-        assert_hits(&all(&bar(true), &ray), &[(1.0, WALL)]);
+        assert_hits(&all_hits(&bar(false), &ray), &[(0.5, CAP), (1.0, WALL)]);
+        assert_hits(&all_hits(&bar(true), &ray), &[(1.0, WALL)]);
     }
 
     #[test]
     fn far_eye() {
         let tilted = Cylinder::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(2.0, 2.0, 3.0), 0.5, false);
         let ray = Ray::new(DVec3::new(1.5, 2.3, 3.0 - 1e8), DVec3::Z);
-        assert_hits(&all(&tilted, &ray), &[(1e8 - 0.4, WALL), (1e8 + 0.4, WALL)]);
+        assert_hits(&all_hits(&tilted, &ray), &[(1e8 - 0.4, WALL), (1e8 + 0.4, WALL)]);
     }
 
     #[test]
@@ -104,10 +104,10 @@ mod tests {
 
     #[test]
     fn reading() {
-        let (shape, words) = read::<Cylinder>("0 <0,2,0> -1 open");
+        let (shape, words) = read_shape::<Cylinder>("0 <0,2,0> -1 open");
         assert_eq!(shape.unwrap(), bar(true));
         assert!(words.is_empty());
-        assert_eq!(read::<Cylinder>("1 1 1").0.unwrap_err().code, codes::NO_LENGTH);
-        assert_eq!(read::<Cylinder>("0 1 0").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read_shape::<Cylinder>("1 1 1").0.unwrap_err().code, codes::NO_LENGTH);
+        assert_eq!(read_shape::<Cylinder>("0 1 0").1[0].code, codes::NO_SURFACE);
     }
 }

@@ -6,7 +6,7 @@
 //! disc { <0, 1, 0>, <0, 1, 0>, 1, 0.5 pigment { color rgb <0.8, 0.8, 0.2> } }
 //! ```
 
-use super::{HalfSpaces, Hit, Hits, Kernel, finite, pov_bounds};
+use super::{HalfSpaces, Hit, Hits, Kernel, check_finite, pov_bounds};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
@@ -18,16 +18,16 @@ use serde::Serialize;
 pub struct Disc {
     /// Centre of the disc and of its hole.
     pub center: DVec3,
-    /// Length 1; zero if the scene gives no direction, and then nothing is rendered.
+    /// Normal of the disc, of length 1; zero if the scene gives no direction, and then nothing is rendered.
     pub normal: DVec3,
-    /// Outer radius, not negative.
+    /// Outer radius of the disc, not negative.
     pub radius: f64,
-    /// Radius of the hole, not negative.
+    /// Radius of the disc's hole, not negative.
     pub hole: f64,
 }
 
 impl Disc {
-    /// A disc with a normal of any length.
+    /// Creates a disc with a normal of any length.
     pub fn new(center: DVec3, normal: DVec3, radius: f64, hole: f64) -> Self {
         Self { center, normal: normal.normalize_or_zero(), radius: radius.abs(), hole: hole.abs() }
     }
@@ -58,7 +58,7 @@ impl Readable for Disc {
         let span = r.span();
         let (center, normal, radius) = (r.vector()?, r.vector()?, r.float()?);
         let hole = if r.next()? == Next::Value { r.float()? } else { 0.0 };
-        finite(span, &[center, normal], &[radius, hole])?;
+        check_finite(span, &[center, normal], &[radius, hole])?;
         Ok(Self::new(center, normal, radius, hole))
     }
 
@@ -85,7 +85,7 @@ impl Kernel for Disc {
 
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let corner = DVec3::new(self.radius, self.radius, pov_bounds::THIN);
-        pov_bounds::framed(m, self.normal, self.center, &Aabb { min: -corner, max: corner })
+        pov_bounds::transformed_frame_bounds(m, self.normal, self.center, &Aabb { min: -corner, max: corner })
     }
 
     fn is_solid_unbounded(&self) -> bool {
@@ -105,7 +105,7 @@ impl Kernel for Disc {
         let t = self.normal.dot(self.center - ray.origin) / self.normal.dot(ray.dir);
         let across = (ray.at(t) - self.center).length_squared();
         let on_it = across <= self.radius * self.radius && across >= self.hole * self.hole && !self.is_empty();
-        (on_it && range.contains(t)).then(|| Hit::at(t))
+        (on_it && range.contains(t)).then(|| Hit::on_single_piece(t))
     }
 
     fn inside(&self, p: DVec3) -> bool {
@@ -116,11 +116,12 @@ impl Kernel for Disc {
         self.normal
     }
 
-    /// Polar coordinates: angle and radius. POV-Ray has no mapping for this shape.
+    /// Returns the polar coordinates of a point of the disc: angle and radius. POV-Ray defines no uv mapping for a
+    /// disc.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let (e1, e2) = self.normal.any_orthonormal_pair();
         let d = p - self.center;
-        let u = fp::turn(d.dot(e2), d.dot(e1));
+        let u = fp::angle_in_turns(d.dot(e2), d.dot(e1));
         DVec2::new(u, d.length() / self.radius)
     }
 
@@ -132,16 +133,16 @@ impl Kernel for Disc {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, assert_hits, read};
+    use crate::shape::testing::{all_hits, assert_hits, read_shape};
 
     #[test]
     fn ring() {
         let ring = Disc::new(DVec3::Z, DVec3::Z * 3.0, 2.0, -1.0);
-        let at = |x: f64| all(&ring, &Ray::new(DVec3::new(x, 0.0, -1.0), DVec3::Z * 4.0));
+        let at = |x: f64| all_hits(&ring, &Ray::new(DVec3::new(x, 0.0, -1.0), DVec3::Z * 4.0));
         assert_hits(&at(1.5), &[(0.5, 0)]);
         assert_hits(&at(0.5), &[]);
         assert_hits(&at(2.5), &[]);
-        assert_hits(&all(&ring, &Ray::new(DVec3::new(-5.0, 0.0, 1.0), DVec3::X)), &[]);
+        assert_hits(&all_hits(&ring, &Ray::new(DVec3::new(-5.0, 0.0, 1.0), DVec3::X)), &[]);
         assert!(ring.inside(DVec3::X * 99.0) && !ring.inside(DVec3::Z * 2.0));
         let tilted = Disc::new(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0), 1.0, 0.0).bounds();
         assert!(tilted.max.distance(DVec3::new(0.5_f64.sqrt(), 0.5_f64.sqrt(), 1.0)) < 1e-15);
@@ -149,11 +150,11 @@ mod tests {
 
     #[test]
     fn reading() {
-        assert_eq!(read::<Disc>("0 <0,2,0> -1").0.unwrap(), Disc::new(DVec3::ZERO, DVec3::Y, 1.0, 0.0));
-        assert_eq!(read::<Disc>("0 <0,2,0> 1 0.5").0.unwrap().hole, 0.5);
-        let (nothing, reports) = read::<Disc>("0 0 1");
+        assert_eq!(read_shape::<Disc>("0 <0,2,0> -1").0.unwrap(), Disc::new(DVec3::ZERO, DVec3::Y, 1.0, 0.0));
+        assert_eq!(read_shape::<Disc>("0 <0,2,0> 1 0.5").0.unwrap().hole, 0.5);
+        let (nothing, reports) = read_shape::<Disc>("0 0 1");
         assert_eq!(reports[0].code, codes::NO_SURFACE);
-        assert_hits(&all(&nothing.unwrap(), &Ray::new(DVec3::Z, -DVec3::Z)), &[]);
-        assert_eq!(read::<Disc>("0 <0,1,0> 1 2").1[0].code, codes::NO_SURFACE);
+        assert_hits(&all_hits(&nothing.unwrap(), &Ray::new(DVec3::Z, -DVec3::Z)), &[]);
+        assert_eq!(read_shape::<Disc>("0 <0,1,0> 1 2").1[0].code, codes::NO_SURFACE);
     }
 }

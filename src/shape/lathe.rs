@@ -11,40 +11,40 @@
 //! }
 //! ```
 
-use super::spline::{Curve, Interpolation, KINDS, product, read_points, single_row};
+use super::spline::{Curve, Interpolation, KINDS, bernstein_product, read_points, single_outline};
 use super::turned::Walls;
-use super::{Hit, Hits, Kernel, moved_box, nearest};
+use super::{Hit, Hits, Kernel, nearest_hit, transformed_box};
 use crate::diagnostic::Result;
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::value::words::{Row, joined, specs};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A curve that is rotated about the y axis.
+/// Lathe: a curve that is rotated about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Lathe {
-    /// Interpolation of the outline between its points.
+    /// Interpolation of the lathe's outline between its points.
     pub interpolation: Interpolation,
-    /// The curve as distance from the axis and height.
+    /// Curve of the lathe: distance from the axis and height.
     pub curve: Curve,
     #[serde(skip)]
     walls: Walls,
 }
 
 impl Lathe {
-    /// The curve through some points.
+    /// Creates the lathe of a curve through these points.
     pub fn new(interpolation: Interpolation, points: &[DVec2]) -> Self {
-        let curve = single_row(interpolation, points);
-        let (min, max) = curve.ends();
+        let curve = single_outline(interpolation, points);
+        let (min, max) = curve.point_bounds();
         let segment = |i: usize| {
-            let radius = curve.coordinates(i, |p| p.x);
-            (curve.coordinates(i, |p| p.y), product(&radius, &radius))
+            let radius = curve.affine_coefficients(i, |p| p.x);
+            (curve.affine_coefficients(i, |p| p.y), bernstein_product(&radius, &radius))
         };
         let walls = Walls::new((0..curve.segments.len()).map(segment), 0.5 * (min.y + max.y));
         Self { interpolation, curve, walls }
     }
 
-    fn box_of(&self, (min, max): (DVec2, DVec2)) -> Aabb {
+    fn bounds_of_profile(&self, (min, max): (DVec2, DVec2)) -> Aabb {
         let reach = max.x.max(-min.x);
         Aabb { min: DVec3::new(-reach, min.y, -reach), max: DVec3::new(reach, max.y, reach) }
     }
@@ -75,17 +75,20 @@ impl Readable for Lathe {
 
 impl Kernel for Lathe {
     fn bounds(&self) -> Aabb {
-        self.box_of(self.curve.ends())
+        self.bounds_of_profile(self.curve.point_bounds())
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        m.aabb(&self.bounds())
+        m.transform_aabb(&self.bounds())
     }
 
-    /// For a `bezier_spline`, the box of all control points (quirk: `extent_boxes`).
+    /// Bounding box of the lathe; for a `bezier_spline`, that of all control points (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let bezier = self.interpolation == Interpolation::Bezier;
-        moved_box(m, &self.box_of(if bezier { self.curve.hull() } else { self.curve.ends() }))
+        transformed_box(
+            m,
+            &self.bounds_of_profile(if bezier { self.curve.control_bounds() } else { self.curve.point_bounds() }),
+        )
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -95,15 +98,15 @@ impl Kernel for Lathe {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(&all)
+        nearest_hit(&all)
     }
 
     fn inside(&self, p: DVec3) -> bool {
         let across = fp::hypot(p.x, p.z);
-        self.curve.surrounds(p.y, |x| x > across)
+        self.curve.is_crossed_oddly(p.y, |x| x > across)
     }
 
-    /// The normal points to the right of the curve's direction (quirk: `sweep_normal_side`).
+    /// Normal of the lathe, which points to the right of the curve's direction (quirk: `sweep_normal_side`).
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         self.walls.normal(p, hit)
     }
@@ -117,16 +120,16 @@ impl Kernel for Lathe {
 mod tests {
     use super::*;
     use crate::diagnostic::codes;
-    use crate::shape::testing::{all, read};
+    use crate::shape::testing::{all_hits, read_shape};
 
     fn made(text: &str) -> Lathe {
-        read::<Lathe>(text).0.unwrap()
+        read_shape::<Lathe>(text).0.unwrap()
     }
 
     /// POV-Ray's `trace()` from (-9, y, z) along x: hit, and the normal's x and y.
     fn traced(shape: &Lathe, y: f64, z: f64, want: &[(f64, f64, f64)]) {
         let ray = Ray::new(DVec3::new(-9.0, y, z), DVec3::X);
-        let hits = all(shape, &ray);
+        let hits = all_hits(shape, &ray);
         assert_eq!(hits.len(), want.len(), "{hits:?}");
         for (hit, (x, nx, ny)) in hits.iter().zip(want) {
             let n = shape.normal(ray.at(hit.t), hit).normalize();
@@ -175,13 +178,13 @@ mod tests {
     #[test]
     fn from_above_and_aslant() {
         let quadratic = made("quadratic_spline 5 <0,0> <1,0.5> <0.5,1> <0.7,2> <0.2,3>");
-        let hits = all(&quadratic, &Ray::new(DVec3::new(0.3, 9.0, 0.0), -DVec3::Y));
+        let hits = all_hits(&quadratic, &Ray::new(DVec3::new(0.3, 9.0, 0.0), -DVec3::Y));
         assert!((9.0 - hits[0].t - 2.876024108748).abs() < 1e-7, "{hits:?}");
         // A cone of 45°: rays of any slope, also nearly level ones.
         let cone = made("2 <0,0> <2,2>");
         for rise in [0.0, 1e-12, 1e-9, 1e-6, 1e-3, 0.6, 0.9] {
             let ray = Ray::new(DVec3::new(-9.0, 1.0 - 9.0 * rise, 0.0), DVec3::new(1.0, rise, 0.0));
-            let hits = all(&cone, &ray);
+            let hits = all_hits(&cone, &ray);
             for hit in &hits {
                 let p = ray.at(hit.t);
                 assert!((fp::hypot(p.x, p.z) - p.y).abs() < 1e-7, "{rise} {hit:?}");
@@ -201,10 +204,10 @@ mod tests {
             "cubic_spline 3 <0,0> <1,1> <2,2>",
             "bezier_spline 5 <0,0> <1,1> <1,1> <1,1> <1,1>",
         ] {
-            assert_eq!(read::<Lathe>(few).0.unwrap_err().code, codes::FEW_POINTS, "{few}");
+            assert_eq!(read_shape::<Lathe>(few).0.unwrap_err().code, codes::FEW_POINTS, "{few}");
         }
-        assert_eq!(read::<Lathe>("2 <0,0,0> <1,1,1>").0.unwrap_err().code, codes::WRONG_TYPE);
-        assert!(read::<Lathe>("2 <0,0> <1,1> sturm").1.is_empty());
+        assert_eq!(read_shape::<Lathe>("2 <0,0,0> <1,1,1>").0.unwrap_err().code, codes::WRONG_TYPE);
+        assert!(read_shape::<Lathe>("2 <0,0> <1,1> sturm").1.is_empty());
         let uv = made("4 <.5,-1> <1,-.5> <.7,.5> <1.2,1>")
             .uv(DVec3::new(-0.92, 0.75, -0.1), &Hit { t: 0.0, part: 2, uv: DVec2::new(0.5, 0.0) });
         assert!((uv.y - 2.5 / 3.0).abs() < 1e-15);

@@ -43,9 +43,9 @@ pub use julia_fractal::{Algebra, Function, JuliaFractal};
 #[cfg(test)]
 use kernel::testing;
 pub use kernel::{
-    Bounding, Crossing, End, HUGE, HalfSpace, HalfSpaces, Hit, Hits, Kernel, Quirks, TextureWeights, moved_box,
+    Bounding, Crossing, End, HUGE, HalfSpace, HalfSpaces, Hit, Hits, Kernel, Quirks, TextureWeights, transformed_box,
 };
-use kernel::{nearest, pov_bounds};
+use kernel::{nearest_hit, pov_bounds};
 pub use lathe::Lathe;
 pub use mesh::{Face, Mesh, Mesh2, TriangleMesh};
 pub use ovus::Ovus;
@@ -77,31 +77,36 @@ use std::sync::Arc;
 
 /// Storage of the textures that are embedded in a shape, numbered from 1.
 pub trait Paints {
-    /// Reads a texture or a part of one, if it is next; returns false otherwise. `slot` is the number of the embedded
+    /// Reads an embedded texture or a part of one, if it is next; returns false otherwise. `slot` is the number of the embedded
     /// texture so far, and is updated.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    fn read(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool>;
+    fn read_embedded_texture(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool>;
 
-    /// Reads one texture of a list, in which consecutive textures are not layers; `None` if no texture is next.
+    /// Reads one embedded texture of a list, in which consecutive textures are not layers; `None` if no texture is next.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
-    fn read_one(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>>;
+    fn read_listed_texture(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>>;
 
     /// Adds the texture of a material in a mesh file, with its picture if that was found.
     ///
     /// # Errors
     /// A diagnostic if the material has no equivalent.
-    fn of_file(&mut self, material: &MeshMaterial, picture: Option<&Arc<Picture>>, r: &mut dyn Reader) -> Result<u32>;
+    fn add_mesh_material(
+        &mut self,
+        material: &MeshMaterial,
+        picture: Option<&Arc<Picture>>,
+        r: &mut dyn Reader,
+    ) -> Result<u32>;
 
     /// Transforms one embedded texture; other users of the same texture keep theirs.
     fn transform(&mut self, slot: &mut u32, by: &Transform);
 }
 
 family! {
-    /// Any shape. A closed set, so that rays need no virtual calls. Clones share the kernel.
+    /// Any shape of the language. A closed set, so that rays need no virtual calls. Clones share the kernel.
     pub enum Shape in Arc {
         Sphere Cuboid Cylinder Cone Torus Disc Plane Triangle SmoothTriangle Polygon Mesh Mesh2 Text Blob Quadric Cubic Quartic Poly
         Polynomial Superellipsoid Lathe Sor Prism HeightField Isosurface Parametric SphereSweep BicubicPatch JuliaFractal Ovus
@@ -117,15 +122,15 @@ delegate! {
         fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
         fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits);
         fn closest(&self, ray: &Ray, range: Range) -> Option<Hit>;
-        fn any(&self, ray: &Ray, range: Range) -> bool;
+        fn any_hit(&self, ray: &Ray, range: Range) -> bool;
         fn inside(&self, p: DVec3) -> bool;
         fn as_half_space(&self) -> Option<HalfSpace>;
         fn half_spaces(&self) -> HalfSpaces;
-        fn quadratic(&self) -> Option<Quadratic>;
+        fn bounding_quadratic(&self) -> Option<Quadratic>;
         fn solid_bounds(&self) -> Option<Aabb>;
         fn is_solid_unbounded(&self) -> bool;
         fn is_convex(&self) -> bool;
-        fn knows_crossings(&self) -> bool;
+        fn computes_crossings(&self) -> bool;
         fn crossing(&self, ray: &Ray) -> Crossing;
         fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
         fn uv(&self, p: DVec3, hit: &Hit) -> DVec2;
@@ -133,15 +138,15 @@ delegate! {
         fn has_uv_mapping(&self) -> bool;
         fn read_textured(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool>;
         fn texture_weights(&self, p: DVec3, hit: &Hit) -> TextureWeights;
-        fn changed_under(&self, m: &Transform) -> Option<Shape>;
+        fn adapted_to_transform(&self, m: &Transform) -> Option<Shape>;
         fn is_open(&self) -> bool;
         fn caches_lazily(&self) -> bool;
     }
 }
 
 impl Shape {
-    /// The `box` with these bounds.
-    pub fn filling(bounds: &Aabb) -> Self {
+    /// Returns a `box` that fills these bounds.
+    pub fn box_filling(bounds: &Aabb) -> Self {
         Cuboid::new(bounds.min, bounds.max).into()
     }
 
@@ -152,23 +157,23 @@ impl Shape {
         Self::read_params(Next::Block(name), r).map(|shape| shape.map_err(|fault| with_usage(fault, spec)))
     }
 
-    /// The shape to place by M: see [`Kernel::changed_under`].
-    pub fn under(&self, m: &Transform) -> Cow<'_, Self> {
-        self.changed_under(m).map_or(Cow::Borrowed(self), Cow::Owned)
+    /// Returns the shape to place by the transform M: see [`Kernel::adapted_to_transform`].
+    pub fn shape_under_transform(&self, m: &Transform) -> Cow<'_, Self> {
+        self.adapted_to_transform(m).map_or(Cow::Borrowed(self), Cow::Owned)
     }
 
     /// True if both are clones of one shape.
     pub fn shares_with(&self, other: &Self) -> bool {
-        std::ptr::eq(self.address(), other.address())
+        std::ptr::eq(self.kernel_address(), other.kernel_address())
     }
 
-    /// Address of the kernel that clones share.
-    fn address(&self) -> *const u8 {
+    /// Address of the shape's kernel, which clones share.
+    fn kernel_address(&self) -> *const u8 {
         Shape!(self, kernel => Arc::as_ptr(kernel).cast())
     }
 }
 
-/// Adds a usage line to the diagnostic of a missing argument.
+/// Adds a usage line to the diagnostic of a shape's missing argument.
 fn with_usage(mut fault: Fault, spec: &Spec) -> Fault {
     if fault.code == codes::EXPECTED && fault.help.is_none() {
         fault.help = Some(format!("it is written `{}`", spec.block_usage()));
@@ -176,8 +181,8 @@ fn with_usage(mut fault: Fault, spec: &Spec) -> Fault {
     fault
 }
 
-/// Returns an error unless all numbers are finite.
-fn finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {
+/// Returns an error unless all numbers of a shape are finite.
+fn check_finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {
     if points.iter().all(|p| p.is_finite()) && numbers.iter().all(|x| x.is_finite()) {
         return Ok(());
     }
@@ -185,7 +190,7 @@ fn finite(span: Span, points: &[DVec3], numbers: &[f64]) -> Result<()> {
 }
 
 /// Returns an error if both ends of a cylinder or cone are at one point.
-fn frustum_ends(span: Span, base: DVec3, cap: DVec3) -> Result<()> {
+fn check_frustum_ends(span: Span, base: DVec3, cap: DVec3) -> Result<()> {
     let axis = cap - base;
     // The squared length is a divisor later, so it must be a normal number.
     if axis.length_squared().is_normal() {

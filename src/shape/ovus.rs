@@ -8,7 +8,7 @@
 //! ovus { 1, 0.6 translate y pigment { color rgb <0.9, 0.8, 0.6> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Sphere, Torus, finite, moved_box};
+use super::{Hit, Hits, Kernel, Sphere, Torus, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp};
 use crate::source::Span;
@@ -16,33 +16,33 @@ use crate::value::words::{Row, specs};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Part numbers of the surface.
+/// Part numbers of an ovus: lower ball, upper ball, band.
 const BOTTOM: u32 = 0;
 const BAND: u32 = 1;
 const TOP: u32 = 2;
-/// Tolerance, relative to the larger radius, within which a point belongs to two neighbouring parts.
+/// Tolerance, relative to the larger radius, within which a point belongs to two neighbouring parts of an ovus.
 const OVERLAP: f64 = 1e-9;
 
-/// A solid egg: two balls joined by an arc that turns about the y axis.
+/// Ovus, a solid egg: two balls joined by an arc that is rotated about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Ovus {
-    /// Radius of the ball around the origin.
+    /// Radius of the ovus's ball around the origin.
     pub bottom: f64,
-    /// Radius of the ball above it.
+    /// Radius of the ovus's upper ball.
     pub top: f64,
-    /// Centre of the arc: distance from the axis, on the opposite side, and height.
+    /// Centre of the ovus's arc: distance from the axis, on the opposite side, and height.
     #[serde(skip)]
     middle: DVec2,
-    /// Radius of the arc; 0 if there is only one ball.
+    /// Radius of the ovus's arc; 0 if there is only one ball.
     #[serde(skip)]
     arc: f64,
-    /// Heights of the band's ends.
+    /// Heights of the ends of the ovus's band.
     #[serde(skip)]
     ends: [f64; 2],
 }
 
 impl Ovus {
-    /// An egg with radii that are not negative.
+    /// Creates an ovus with radii that are not negative.
     pub fn new(bottom: f64, top: f64) -> Self {
         if top >= 2.0 * bottom {
             return Self { bottom, top, middle: DVec2::ZERO, arc: 0.0, ends: [f64::NEG_INFINITY; 2] };
@@ -56,38 +56,38 @@ impl Ovus {
         Self { bottom, top, middle: DVec2::new(x, y), arc, ends }
     }
 
-    fn ball(&self, part: u32) -> Sphere {
+    fn ball_of_part(&self, part: u32) -> Sphere {
         match part {
             BOTTOM => Sphere { center: DVec3::ZERO, radius: self.bottom },
             _ => Sphere { center: DVec3::Y * self.bottom, radius: self.top },
         }
     }
 
-    /// Vector from the centre of the arc to the point, in the plane through the axis.
-    fn off_middle(&self, p: DVec3) -> DVec2 {
+    /// Vector from the centre of the ovus's arc to the point, in the plane through the axis.
+    fn offset_from_arc_center(&self, p: DVec3) -> DVec2 {
         DVec2::new(fp::hypot(p.x, p.z) + self.middle.x, p.y - self.middle.y)
     }
 
-    /// True if a point of the torus is in the band.
-    fn is_band(&self, p: DVec3, [low, high]: [f64; 2]) -> bool {
+    /// True if a point of the torus is on the ovus's band, between two heights.
+    fn is_on_band(&self, p: DVec3, [y_min, y_max]: [f64; 2]) -> bool {
         // Of the two arcs of a closed torus the one that curves towards the axis.
-        let here = self.off_middle(p);
+        let here = self.offset_from_arc_center(p);
         let other = DVec2::new(here.x - 2.0 * self.middle.x, here.y);
         let off = |q: DVec2| (q.length() - self.arc).abs();
-        (low..=high).contains(&p.y) && off(here) <= off(other)
+        (y_min..=y_max).contains(&p.y) && off(here) <= off(other)
     }
 
-    /// Entry and exit of a line; the shape is convex.
-    fn ends(&self, ray: &Ray) -> Option<[Hit; 2]> {
+    /// Returns the entry and exit of a line; an ovus is convex.
+    fn entry_and_exit(&self, ray: &Ray) -> Option<[Hit; 2]> {
         let slack = OVERLAP * self.bottom.max(self.top);
         let ends = [self.ends[0] + slack, self.ends[1] - slack];
         let mut all = Hits::new();
         let mut candidates = Hits::new();
         for part in [BOTTOM, TOP] {
             candidates.clear();
-            self.ball(part).hits(ray, Range::ALL, &mut candidates);
+            self.ball_of_part(part).hits(ray, Range::ALL, &mut candidates);
             let shows = |y: f64| if part == BOTTOM { y <= ends[0] } else { y >= ends[1] };
-            all.extend(candidates.iter().map(|hit| Hit::on(hit.t, part)).filter(|hit| shows(ray.at(hit.t).y)));
+            all.extend(candidates.iter().map(|hit| Hit::on_piece(hit.t, part)).filter(|hit| shows(ray.at(hit.t).y)));
         }
         if all.len() < 2 && self.ends[0] < self.ends[1] {
             candidates.clear();
@@ -96,7 +96,10 @@ impl Ovus {
             torus.hits(&Ray::new(ray.origin - up, ray.dir), Range::ALL, &mut candidates);
             let band = [self.ends[0] - slack, self.ends[1] + slack];
             all.extend(
-                candidates.iter().map(|hit| Hit::on(hit.t, BAND)).filter(|hit| self.is_band(ray.at(hit.t), band)),
+                candidates
+                    .iter()
+                    .map(|hit| Hit::on_piece(hit.t, BAND))
+                    .filter(|hit| self.is_on_band(ray.at(hit.t), band)),
             );
         }
         let first = all.iter().min_by(|a, b| a.t.total_cmp(&b.t))?;
@@ -122,7 +125,7 @@ impl Readable for Ovus {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (bottom, top) = (r.float()?, r.float()?);
-        finite(span, &[], &[bottom, top])?;
+        check_finite(span, &[], &[bottom, top])?;
         if bottom < 0.0 || top < 0.0 {
             return Diagnostic::err(codes::BAD_ARGUMENT, span, "the radii of an `ovus` can't be negative");
         }
@@ -150,46 +153,47 @@ impl Kernel for Ovus {
         Aabb { min: DVec3::new(-across, low, -across), max: DVec3::new(across, high, across) }
     }
 
-    /// As wide as the whole circle of the arc (quirk: `extent_boxes`).
+    /// Box of the ovus, as wide as the whole circle of its arc (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let Aabb { min, max } = self.bounds();
         let across = (self.arc - self.middle.x).max(max.x);
-        moved_box(m, &Aabb { min: DVec3::new(-across, min.y, -across), max: DVec3::new(across, max.y, across) })
+        transformed_box(m, &Aabb { min: DVec3::new(-across, min.y, -across), max: DVec3::new(across, max.y, across) })
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        out.extend(self.ends(ray).into_iter().flatten().filter(|hit| range.contains(hit.t)));
+        out.extend(self.entry_and_exit(ray).into_iter().flatten().filter(|hit| range.contains(hit.t)));
     }
 
     fn inside(&self, p: DVec3) -> bool {
         match p.y {
-            y if y <= self.ends[0] => self.ball(BOTTOM).inside(p),
-            y if y >= self.ends[1] => self.ball(TOP).inside(p),
-            _ => self.off_middle(p).length_squared() <= self.arc * self.arc,
+            y if y <= self.ends[0] => self.ball_of_part(BOTTOM).inside(p),
+            y if y >= self.ends[1] => self.ball_of_part(TOP).inside(p),
+            _ => self.offset_from_arc_center(p).length_squared() <= self.arc * self.arc,
         }
     }
 
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         if hit.part != BAND {
-            let n = p - self.ball(hit.part).center;
+            let n = p - self.ball_of_part(hit.part).center;
             return if n == DVec3::ZERO { DVec3::Y } else { n };
         }
-        let (across, from) = (fp::hypot(p.x, p.z), self.off_middle(p));
+        let (across, from) = (fp::hypot(p.x, p.z), self.offset_from_arc_center(p));
         let out = if across > 0.0 { from.x / across } else { 0.0 };
         DVec3::new(p.x * out, from.y, p.z * out)
     }
 
-    /// Angle about the axis, and angle seen from the middle of the height (quirk: `ovus_uv`).
+    /// Surface coordinates of an ovus: angle about the axis, and angle seen from the middle of the height (quirk:
+    /// `ovus_uv`).
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let height = p.y - self.bounds().center().y;
-        DVec2::new(fp::turn(p.z, p.x), 2.0 * fp::turn(fp::hypot(p.x, p.z), -height))
+        DVec2::new(fp::angle_in_turns(p.z, p.x), 2.0 * fp::angle_in_turns(fp::hypot(p.x, p.z), -height))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, read};
+    use crate::shape::testing::{all_hits, read_shape};
 
     /// POV-Ray's `trace()` from (-9, y, 0) along x: distance from the axis, and the normal outwards and up.
     #[test]
@@ -206,7 +210,7 @@ mod tests {
         ] {
             let egg = Ovus::new(bottom, top);
             let ray = Ray::new(DVec3::new(-9.0, y, 0.0), DVec3::X * 3.0);
-            let hits = all(&egg, &ray);
+            let hits = all_hits(&egg, &ray);
             assert_eq!(hits.len(), 2, "{egg:?} {y}");
             for (hit, side) in hits.iter().zip([-1.0, 1.0]) {
                 let n = egg.normal(ray.at(hit.t), hit).normalize();
@@ -224,9 +228,9 @@ mod tests {
         assert!(far(0.5, 0.8).distance(DVec3::new(0.866788, 1.3, 0.866788)) < 1e-6);
         assert_eq!(far(1.0, 2.2), DVec3::new(2.2, 3.2, 2.2));
         assert_eq!(far(1.0, 0.0), DVec3::new(2.0, 1.0, 2.0));
-        assert_eq!(read::<Ovus>("1 -1").0.unwrap_err().code, codes::BAD_ARGUMENT);
-        assert_eq!(read::<Ovus>("NaN 1").0.unwrap_err().code, codes::NOT_FINITE);
-        assert_eq!(read::<Ovus>("0 0").1[0].code, codes::NO_SURFACE);
-        assert!(read::<Ovus>("1 0.5 sturm").1.is_empty());
+        assert_eq!(read_shape::<Ovus>("1 -1").0.unwrap_err().code, codes::BAD_ARGUMENT);
+        assert_eq!(read_shape::<Ovus>("NaN 1").0.unwrap_err().code, codes::NOT_FINITE);
+        assert_eq!(read_shape::<Ovus>("0 0").1[0].code, codes::NO_SURFACE);
+        assert!(read_shape::<Ovus>("1 0.5 sturm").1.is_empty());
     }
 }

@@ -8,7 +8,7 @@
 //! plane { <0, 1, 0>, 0.1 pigment { checker color rgb 1 color rgb 0 } }
 //! ```
 
-use super::{Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, Quirks, finite};
+use super::{Bounding, Crossing, End, HUGE, HalfSpace, Hit, Hits, Kernel, Quirks, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
@@ -16,14 +16,14 @@ use crate::value::words::{Row, specs, word};
 use crate::value::{Next, Param, Readable, Reader, ReaderExt, Spec, ValueKind};
 use serde::Serialize;
 
-/// A half-space, bounded by a plane.
+/// Plane: a half-space that the plane bounds.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plane {
-    /// Outward normal, length 1.
+    /// Outward normal of the plane, length 1.
     pub normal: DVec3,
-    /// Distance from the origin along the normal.
+    /// Distance of the plane from the origin along the normal.
     pub distance: f64,
-    /// Spanning vectors, if the plane is given by them.
+    /// Spanning vectors of the plane, if it is given by them.
     pub span: Option<Box<Spanned>>,
 }
 
@@ -39,33 +39,33 @@ pub struct Spanned {
 }
 
 impl Plane {
-    /// POV-Ray's form; `None` if the normal has no direction.
+    /// Creates a plane in POV-Ray's form; `None` if the normal has no direction.
     pub fn new(normal: DVec3, distance: f64) -> Option<Self> {
         Some(Self { normal: normal.try_normalize()?, distance, span: None })
     }
 
-    /// A·x + B·y + C·z + D = 0; inside it is negative.
-    pub fn implicit(abcd: [f64; 4]) -> Option<Self> {
+    /// Creates the plane A·x + B·y + C·z + D = 0, which is negative inside; `None` if the normal has no direction.
+    pub fn from_implicit(abcd: [f64; 4]) -> Option<Self> {
         let n = DVec3::new(abcd[0], abcd[1], abcd[2]);
         Self::new(n, -abcd[3] / n.length())
     }
 
-    /// n·(x - q) = 0.
-    pub fn through(point: DVec3, normal: DVec3) -> Option<Self> {
+    /// Creates the plane n·(x - q) = 0; `None` if the normal n has no direction.
+    pub fn through_point(point: DVec3, normal: DVec3) -> Option<Self> {
         let plane = Self::new(normal, 0.0)?;
         Some(Self { distance: plane.normal.dot(point), ..plane })
     }
 
-    /// q + u·i + v·j.
+    /// Creates the plane q + u·i + v·j; `None` if i and j are parallel.
     pub fn spanned(point: DVec3, i: DVec3, j: DVec3) -> Option<Self> {
-        let plane = Self::through(point, i.normalize_or_zero().cross(j.normalize_or_zero()))?;
+        let plane = Self::through_point(point, i.normalize_or_zero().cross(j.normalize_or_zero()))?;
         Some(Self { span: Some(Box::new(Spanned { point, i, j })), ..plane })
     }
 }
 
 impl Spanned {
     /// Returns (u, v) of a point of the plane: its distances from two lines, as multiples of the other vector's.
-    fn coordinates(&self, p: DVec3) -> DVec2 {
+    fn span_coordinates(&self, p: DVec3) -> DVec2 {
         let (d, n) = (p - self.point, self.i.cross(self.j));
         DVec2::new(d.cross(self.j).dot(n), self.i.cross(d).dot(n)) / n.length_squared()
     }
@@ -90,27 +90,27 @@ impl Readable for Plane {
             "",
             "in place of normal and distance: four numbers A, B, C, D of A·x + B·y + C·z + D = 0 (durer)",
         )
-        .sets(|_, r| second_form("implicit", r)),
+        .sets(|_, r| second_form_error("implicit", r)),
         word(
             "point",
             ValueKind::Block,
             "",
             "in place of normal and distance: a point, then `normal n` or `span i, j` (durer)",
         )
-        .sets(|_, r| second_form("point", r)),
+        .sets(|_, r| second_form_error("point", r)),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let start = r.span();
         let plane = if r.accept("implicit")? {
             let n = r.numbers(4)?;
-            finite(start, &[], &n)?;
-            Self::implicit([n[0], n[1], n[2], n[3]])
+            check_finite(start, &[], &n)?;
+            Self::from_implicit([n[0], n[1], n[2], n[3]])
         } else if r.accept("point")? {
             read_point_form(start, r)?
         } else {
             let (normal, distance) = (r.vector()?, r.float()?);
-            finite(start, &[normal], &[distance])?;
+            check_finite(start, &[normal], &[distance])?;
             Self::new(normal, distance)
         };
         plane.ok_or_else(|| {
@@ -121,27 +121,27 @@ impl Readable for Plane {
     }
 }
 
-/// Returns the error for a form's word that is not first.
-fn second_form(word: &str, r: &mut dyn Reader) -> Result<()> {
+/// Returns the error for a word of another form of a plane that is not first.
+fn second_form_error(word: &str, r: &mut dyn Reader) -> Result<()> {
     let help = "write either `normal, distance` or one of the forms with words";
     let message = format!("`{word}` must be the first thing in a `plane`");
     Err(Diagnostic::new(codes::TWO_FORMS, r.span(), message).help(help).into())
 }
 
-/// Reads the rest of `point q normal n` or `point q span i, j`.
+/// Reads the rest of a plane in the form `point q normal n` or `point q span i, j`.
 fn read_point_form(start: Span, r: &mut dyn Reader) -> Result<Option<Plane>> {
     let point = r.vector()?;
     if r.accept("normal")? {
         let normal = r.vector()?;
-        finite(start, &[point, normal], &[])?;
-        return Ok(Plane::through(point, normal));
+        check_finite(start, &[point, normal], &[])?;
+        return Ok(Plane::through_point(point, normal));
     }
     if r.next()? != Next::Word("span") {
         return Err(r.unexpected("`normal` or `span` after the `point` of a `plane`").into());
     }
-    r.take()?;
+    r.take_token()?;
     let (i, j) = (r.vector()?, r.vector()?);
-    finite(start, &[point, i, j], &[])?;
+    check_finite(start, &[point, i, j], &[])?;
     let plane = Plane::spanned(point, i, j);
     if plane.is_none() {
         let message = "the two vectors that span this `plane` are parallel";
@@ -181,7 +181,7 @@ impl Kernel for Plane {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         // t = (d - n·p₀) / n·v; a parallel ray divides by zero, and infinity and NaN are in no range
         let t = (self.distance - self.normal.dot(ray.origin)) / self.normal.dot(ray.dir);
-        (range.contains(t) && t <= tolerance::PLANE_ENDS).then(|| Hit::at(t))
+        (range.contains(t) && t <= tolerance::PLANE_ENDS).then(|| Hit::on_single_piece(t))
     }
 
     fn inside(&self, p: DVec3) -> bool {
@@ -203,17 +203,18 @@ impl Kernel for Plane {
             return Crossing::Unknown;
         }
         let (enter, leave) = if slope > 0.0 { (f64::NEG_INFINITY, t) } else { (t, f64::INFINITY) };
-        Crossing::Through([End::at(enter), End::at(leave)])
+        Crossing::Through([End::on_single_piece(enter), End::on_single_piece(leave)])
     }
 
     fn normal(&self, _: DVec3, _: &Hit) -> DVec3 {
         self.normal
     }
 
-    /// The lecture's (u, v), or coordinates along two directions of the plane. POV-Ray has no mapping for planes.
+    /// Surface coordinates of a plane: the lecture's (u, v), or coordinates along two directions of the plane. POV-Ray
+    /// defines no uv mapping for planes.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         match &self.span {
-            Some(spanned) => spanned.coordinates(p),
+            Some(spanned) => spanned.span_coordinates(p),
             None => {
                 let (e1, e2) = self.normal.any_orthonormal_pair();
                 DVec2::new(p.dot(e1), p.dot(e2))
@@ -229,7 +230,7 @@ impl Kernel for Plane {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::read;
+    use crate::shape::testing::read_shape;
     use proptest::prelude::*;
 
     fn t(plane: &Plane, ray: &Ray) -> Option<f64> {
@@ -239,7 +240,7 @@ mod tests {
     #[test]
     fn implicit_plane() {
         // 2x + 3y - z + 4 = 0 from (1, 1, 1) along (0, -1, 0): 2 + 3(1 - t) - 1 + 4 = 0
-        let plane = Plane::implicit([2.0, 3.0, -1.0, 4.0]).unwrap();
+        let plane = Plane::from_implicit([2.0, 3.0, -1.0, 4.0]).unwrap();
         let ray = Ray::new(DVec3::ONE, -DVec3::Y);
         assert!((t(&plane, &ray).unwrap() - 8.0 / 3.0).abs() < 1e-14);
         assert!(!plane.inside(DVec3::ONE) && plane.inside(-DVec3::ONE * 9.0));
@@ -251,7 +252,7 @@ mod tests {
     fn point_and_normal() {
         // <n, q - p₀> / <n, v>
         let (q, n) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(0.0, 3.0, 4.0));
-        let plane = Plane::through(q, n).unwrap();
+        let plane = Plane::through_point(q, n).unwrap();
         let ray = Ray::new(DVec3::new(-2.0, 0.5, 0.0), DVec3::new(0.6, 0.0, 0.8));
         assert!((t(&plane, &ray).unwrap() - n.dot(q - ray.origin) / n.dot(ray.dir)).abs() < 1e-14);
         let along = Ray::new(q, DVec3::X);
@@ -274,15 +275,15 @@ mod tests {
     #[test]
     fn reading_every_form() {
         let floor = Plane::new(DVec3::Y, 1.5).unwrap();
-        assert_eq!(read::<Plane>("<0,2,0> 1.5").0.unwrap(), floor);
-        assert_eq!(read::<Plane>("implicit <0,4,0,-6>").0.unwrap(), floor);
-        assert_eq!(read::<Plane>("point <7,1.5,2> normal <0,5,0>").0.unwrap(), floor);
-        let spanned = read::<Plane>("point <7,1.5,2> span <0,0,3> <2,0,0>").0.unwrap();
+        assert_eq!(read_shape::<Plane>("<0,2,0> 1.5").0.unwrap(), floor);
+        assert_eq!(read_shape::<Plane>("implicit <0,4,0,-6>").0.unwrap(), floor);
+        assert_eq!(read_shape::<Plane>("point <7,1.5,2> normal <0,5,0>").0.unwrap(), floor);
+        let spanned = read_shape::<Plane>("point <7,1.5,2> span <0,0,3> <2,0,0>").0.unwrap();
         assert_eq!((spanned.normal, spanned.distance), (floor.normal, floor.distance));
         for bad in ["0 1", "implicit <0,0,0,1>", "point 0 normal 0", "point 0 span <1,0,0> <2,0,0>"] {
-            assert_eq!(read::<Plane>(bad).0.unwrap_err().code, codes::NO_DIRECTION, "{bad}");
+            assert_eq!(read_shape::<Plane>(bad).0.unwrap_err().code, codes::NO_DIRECTION, "{bad}");
         }
-        assert_eq!(read::<Plane>("<0,1,0> 1 implicit <0,1,0,0>").0.unwrap_err().code, codes::TWO_FORMS);
+        assert_eq!(read_shape::<Plane>("<0,1,0> 1 implicit <0,1,0,0>").0.unwrap_err().code, codes::TWO_FORMS);
     }
 
     proptest! {
@@ -292,8 +293,8 @@ mod tests {
             let (n, q, ray) = (DVec3::from(n), DVec3::from(q), Ray::new(o.into(), v.into()));
             prop_assume!(n.length() > 0.1 && n.normalize().dot(ray.dir).abs() > 1e-3);
             let (i, j) = n.normalize().any_orthonormal_pair();
-            let forms = [Plane::new(n, q.dot(n) / n.length()), Plane::implicit([n.x, n.y, n.z, -n.dot(q)]),
-                         Plane::through(q, n), Plane::spanned(q, i * 2.0, i + j)];
+            let forms = [Plane::new(n, q.dot(n) / n.length()), Plane::from_implicit([n.x, n.y, n.z, -n.dot(q)]),
+                         Plane::through_point(q, n), Plane::spanned(q, i * 2.0, i + j)];
             let want = n.dot(q - ray.origin) / n.dot(ray.dir);
             for plane in forms {
                 let hit = plane.as_ref().and_then(|p| p.closest(&ray, Range::ALL)).unwrap();

@@ -7,37 +7,38 @@
 //! polygon { 10, <0,0> <4,0> <4,4> <0,4> <0,0>  <1,1> <3,1> <3,3> <1,3> <1,1> pigment { color rgb 1 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, finite, moved_box, pov_bounds};
+use super::{Hit, Hits, Kernel, check_finite, pov_bounds, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, tolerance};
 use crate::source::Span;
 use crate::value::{Param, Readable, Reader, Spec, Value, ValueKind};
 use serde::Serialize;
 
-/// Outlines in a plane.
+/// Polygon: one or more outlines in a plane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Polygon {
-    /// Points of each outline; the first is not repeated at the end.
+    /// Points of each outline of the polygon; the first is not repeated at the end.
     pub outlines: Vec<Vec<DVec3>>,
-    /// Length 1; zero if the points are collinear or not coplanar, and then nothing is rendered.
+    /// Normal of the polygon, of length 1; zero if the points are collinear or not coplanar, and then nothing is
+    /// rendered.
     pub normal: DVec3,
-    /// Axis of the projection: the one nearest to the normal.
+    /// Index of the axis along which the polygon is projected: the one nearest to the normal.
     drop: usize,
-    /// All sides in the projection.
+    /// All sides of the projected polygon.
     #[serde(skip)]
     sides: Vec<[DVec2; 2]>,
-    /// Reason why nothing is rendered.
+    /// Reason why the polygon is not rendered; `None` if it is.
     #[serde(skip)]
     fault: Option<&'static str>,
-    /// True if the last outline is not closed.
+    /// True if the polygon's last outline is not closed.
     #[serde(skip)]
     unclosed: bool,
 }
 
 impl Polygon {
-    /// Outlines from points; a repeated first point ends an outline.
+    /// Creates a polygon from points; a repeated first point ends an outline.
     pub fn new(points: &[DVec3]) -> Self {
-        let (outlines, unclosed) = split(points);
+        let (outlines, unclosed) = split_outlines(points);
         let area = outlines.iter().map(|o| vector_area(o)).max_by(|a, b| a.length().total_cmp(&b.length()));
         let area = area.unwrap_or_default().normalize_or_zero();
         let normal = if normal_of_first_turn(points).dot(area) < 0.0 { -area } else { area };
@@ -50,14 +51,15 @@ impl Polygon {
         let drop = normal.abs().max_position();
         let sides = outlines.iter().flat_map(|outline| {
             let next = outline.iter().cycle().skip(1);
-            outline.iter().zip(next).map(|(a, b)| [seen(*a, drop), seen(*b, drop)])
+            outline.iter().zip(next).map(|(a, b)| [project_along_axis(*a, drop), project_along_axis(*b, drop)])
         });
         Self { sides: sides.collect(), outlines, normal, drop, fault, unclosed }
     }
 
-    /// True if the half-line from the point along +x crosses an odd number of sides (lecture, "Point-in-polygon
-    /// problem"). A side includes its lower end but not its upper end, so that a corner is crossed once.
-    fn covers(&self, p: DVec2) -> bool {
+    /// True if the half-line from the point along +x crosses an odd number of the polygon's sides (lecture,
+    /// "Point-in-polygon problem"). A side includes its lower end but not its upper end, so that a corner is crossed
+    /// once.
+    fn contains_projected(&self, p: DVec2) -> bool {
         let mut odd = false;
         for [a, b] in &self.sides {
             if (a.y <= p.y) != (b.y <= p.y) {
@@ -70,13 +72,14 @@ impl Polygon {
     }
 }
 
-/// Projects a point along an axis.
-fn seen(p: DVec3, drop: usize) -> DVec2 {
-    DVec2::new(p[(drop + 1) % 3], p[(drop + 2) % 3])
+/// Projects a point along the coordinate axis with index `axis`.
+fn project_along_axis(p: DVec3, axis: usize) -> DVec2 {
+    DVec2::new(p[(axis + 1) % 3], p[(axis + 2) % 3])
 }
 
-/// Splits the points where an outline returns to its first point; also returns true if the last outline does not.
-fn split(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
+/// Splits a polygon's points where an outline returns to its first point; also returns true if the last outline does
+/// not.
+fn split_outlines(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
     let mut outlines = vec![];
     let mut current: Vec<DVec3> = vec![];
     for &p in points {
@@ -92,8 +95,8 @@ fn split(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
     (outlines, unclosed)
 }
 
-/// Returns the normal by the first point, the first that differs, and the first that is not collinear with both (quirk:
-/// `polygon_side`).
+/// Returns the normal of a polygon by the first point, the first that differs, and the first that is not collinear with
+/// both (quirk: `polygon_side`).
 fn normal_of_first_turn(points: &[DVec3]) -> DVec3 {
     let sides = points.iter().map(|p| *p - points[0]);
     let Some(first) = sides.clone().find(|side| side.length() > tolerance::SAME_POINT) else { return DVec3::ZERO };
@@ -101,7 +104,7 @@ fn normal_of_first_turn(points: &[DVec3]) -> DVec3 {
     sides.clone().find(turns).map_or(DVec3::ZERO, |second| first.cross(second))
 }
 
-/// Half the sum of the cross products around the outline: its length is the area, its direction a normal.
+/// Half the sum of the cross products around a polygon's outline: its length is the area, its direction a normal.
 fn vector_area(outline: &[DVec3]) -> DVec3 {
     let Some(&first) = outline.first() else { return DVec3::ZERO };
     let corners = outline.windows(2).map(|w| (w[0] - first).cross(w[1] - first));
@@ -111,7 +114,7 @@ fn vector_area(outline: &[DVec3]) -> DVec3 {
     if area.length() > 1e-14 * size * size { area } else { DVec3::ZERO }
 }
 
-/// Reads a point of two or three numbers, or a number for all three.
+/// Reads a point of a polygon: two or three numbers, or one number for all three.
 fn read_point(r: &mut dyn Reader) -> Result<DVec3> {
     let (value, span) = r.value()?;
     let point = match value {
@@ -122,7 +125,7 @@ fn read_point(r: &mut dyn Reader) -> Result<DVec3> {
             return Diagnostic::err(codes::WRONG_TYPE, span, message);
         }
     };
-    finite(span, &[point], &[])?;
+    check_finite(span, &[point], &[])?;
     Ok(point)
 }
 
@@ -170,13 +173,13 @@ impl Kernel for Polygon {
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        let points = self.outlines.iter().flatten().map(|p| m.point(*p));
+        let points = self.outlines.iter().flatten().map(|p| m.transform_point(*p));
         if self.fault.is_some() { Aabb::EMPTY } else { Aabb::from_points(points) }
     }
 
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         let (thick, b) = (self.normal.abs() * pov_bounds::THIN, self.bounds());
-        moved_box(m, &Aabb { min: b.min - thick, max: b.max + thick })
+        transformed_box(m, &Aabb { min: b.min - thick, max: b.max + thick })
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
@@ -186,8 +189,10 @@ impl Kernel for Polygon {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         // Intersect the plane of the polygon, then test whether the point is within the outlines.
         let t = self.normal.dot(self.outlines[0][0] - ray.origin) / self.normal.dot(ray.dir);
-        let found = self.fault.is_none() && range.contains(t) && self.covers(seen(ray.at(t), self.drop));
-        found.then(|| Hit::at(t))
+        let found = self.fault.is_none()
+            && range.contains(t)
+            && self.contains_projected(project_along_axis(ray.at(t), self.drop));
+        found.then(|| Hit::on_single_piece(t))
     }
 
     fn inside(&self, _: DVec3) -> bool {
@@ -202,9 +207,10 @@ impl Kernel for Polygon {
         self.normal
     }
 
-    /// The two coordinates of the projection. POV-Ray has no mapping for polygons.
+    /// Surface coordinates of a polygon: the two coordinates of the projection. POV-Ray defines no uv mapping for
+    /// polygons.
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
-        seen(p, self.drop)
+        project_along_axis(p, self.drop)
     }
 
     fn has_uv_mapping(&self) -> bool {
@@ -216,7 +222,7 @@ impl Kernel for Polygon {
 mod tests {
     use super::*;
     use crate::math::fp;
-    use crate::shape::testing::read;
+    use crate::shape::testing::read_shape;
 
     /// True if a ray hits at (x, y) of the plane that was rotated about x = y = z.
     fn at(shape: &Polygon, x: f64, y: f64) -> bool {
@@ -238,7 +244,7 @@ mod tests {
     #[test]
     fn hole_from_the_manual() {
         let p = "12 <0,0> <0,6> <4,6> <4,3> <1,3> <1,0> <0,0> <1,4> <1,5> <3,5> <3,4> <1,4>";
-        let (letter, reports) = read::<Polygon>(p);
+        let (letter, reports) = read_shape::<Polygon>(p);
         let letter = letter.unwrap();
         assert!(reports.is_empty() && letter.outlines.len() == 2);
         assert!(at(&letter, 0.5, 1.0) && at(&letter, 2.0, 3.5) && at(&letter, 3.5, 4.5));
@@ -276,13 +282,13 @@ mod tests {
 
     #[test]
     fn reports() {
-        assert_eq!(read::<Polygon>("2 0 1").0.unwrap_err().code, codes::FEW_POINTS);
-        assert_eq!(read::<Polygon>("3 <0,0> <1,0> <0,1>").1[0].code, codes::OPEN_OUTLINE);
-        assert_eq!(read::<Polygon>("4 <0,0> <1,0> <2,0> <0,0>").1[0].code, codes::NOT_FLAT);
-        let bent = read::<Polygon>("5 0 <1,0,0> <1,1,0> <0,1,1e-6> 0");
+        assert_eq!(read_shape::<Polygon>("2 0 1").0.unwrap_err().code, codes::FEW_POINTS);
+        assert_eq!(read_shape::<Polygon>("3 <0,0> <1,0> <0,1>").1[0].code, codes::OPEN_OUTLINE);
+        assert_eq!(read_shape::<Polygon>("4 <0,0> <1,0> <2,0> <0,0>").1[0].code, codes::NOT_FLAT);
+        let bent = read_shape::<Polygon>("5 0 <1,0,0> <1,1,0> <0,1,1e-6> 0");
         assert_eq!(bent.1[0].code, codes::NOT_FLAT);
         assert!(bent.0.unwrap().bounds().is_empty());
-        assert!(read::<Polygon>("5 0 <1,0,0> <1,1,0> <0,1,1e-12> 0").1.is_empty());
-        assert!(read::<Polygon>("4.7 0 <1,0,0> <1,1,0> 0").1.is_empty());
+        assert!(read_shape::<Polygon>("5 0 <1,0,0> <1,1,0> <0,1,1e-12> 0").1.is_empty());
+        assert!(read_shape::<Polygon>("4.7 0 <1,0,0> <1,1,0> 0").1.is_empty());
     }
 }

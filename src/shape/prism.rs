@@ -13,8 +13,8 @@
 //! }
 //! ```
 
-use super::spline::{Curve, Interpolation, KINDS, outlines, read_points, report_open};
-use super::{Hit, Hits, Kernel, finite, moved_box, nearest};
+use super::spline::{Curve, Interpolation, KINDS, closed_outlines, read_points, report_open};
+use super::{Hit, Hits, Kernel, check_finite, nearest_hit, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, bernstein_roots};
 use crate::source::Span;
@@ -22,65 +22,65 @@ use crate::value::words::{Row, joined, specs, word};
 use crate::value::{Param, Readable, Reader, ReaderExt, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// Part number of a lid; other parts are segments of the outline.
+/// Part number of a prism's lid; other parts are segments of the outline.
 const LID: u32 = u32::MAX;
 
-/// An outline that is swept along y.
+/// Prism: an outline that is swept along y.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Prism {
-    /// Interpolation of the outlines between their points.
+    /// Interpolation of the prism's outlines between their points.
     pub interpolation: Interpolation,
-    /// True if the outline grows with y from an apex at the origin.
+    /// True if the prism's outline grows with y from an apex at the origin.
     pub conic: bool,
-    /// The y coordinate of the lower end.
+    /// The y coordinate of the prism's lower end.
     pub bottom: f64,
-    /// The y coordinate of the upper end.
+    /// The y coordinate of the prism's upper end.
     pub top: f64,
-    /// The outlines, as x and z.
+    /// Outlines of the prism, as x and z.
     pub outlines: Curve,
     /// True if the prism has no lids at its ends.
     pub open: bool,
     #[serde(skip)]
     unclosed: bool,
-    /// Bounding rectangle of the outlines.
+    /// Bounding rectangle of the prism's outlines.
     #[serde(skip)]
     ends: (DVec2, DVec2),
 }
 
-/// Margin of bounds, relative to a distance: far above rounding.
+/// Margin of a prism's bounds, relative to a distance: far above rounding.
 const MARGIN: f64 = 1e-6;
 
 impl Prism {
-    /// A prism between two heights in any order. Outlines end where their first point is repeated.
+    /// Creates a prism between two heights in any order. Outlines end where their first point is repeated.
     pub fn new(interpolation: Interpolation, conic: bool, heights: [f64; 2], points: &[DVec2], open: bool) -> Self {
-        let (outlines, unclosed) = outlines(interpolation, points);
+        let (outlines, unclosed) = closed_outlines(interpolation, points);
         let (bottom, top) = (heights[0].min(heights[1]), heights[0].max(heights[1]));
-        let ends = outlines.ends();
+        let ends = outlines.point_bounds();
         Self { interpolation, conic, bottom, top, outlines, open, unclosed, ends }
     }
 
-    /// Scale of the outline at a height.
-    fn size(&self, y: f64) -> f64 {
+    /// Scale of the prism's outline at a height.
+    fn outline_scale(&self, y: f64) -> f64 {
         if self.conic { y } else { 1.0 }
     }
 
-    fn covers(&self, p: DVec3) -> bool {
-        let size = self.size(p.y);
+    fn outline_contains(&self, p: DVec3) -> bool {
+        let size = self.outline_scale(p.y);
         let (at, (min, max)) = (DVec2::new(p.x, p.z) / size, self.ends);
-        size != 0.0 && at.cmpge(min).all() && at.cmple(max).all() && self.outlines.surrounds(at.y, |x| x > at.x)
+        size != 0.0 && at.cmpge(min).all() && at.cmple(max).all() && self.outlines.is_crossed_oddly(at.y, |x| x > at.x)
     }
 
-    /// Bounding box for outlines within a rectangle.
-    fn box_of(&self, (min, max): (DVec2, DVec2)) -> Aabb {
+    /// Bounding box of the prism for outlines within a rectangle.
+    fn bounds_of_outline(&self, (min, max): (DVec2, DVec2)) -> Aabb {
         let at = |y: f64| {
-            let size = self.size(y);
+            let size = self.outline_scale(y);
             Aabb::from_corners(DVec3::new(min.x * size, y, min.y * size), DVec3::new(max.x * size, y, max.y * size))
         };
         at(self.bottom).union(at(self.top))
     }
 
-    /// Parameter of the ray where it hits the wall over a point of the outline.
-    fn wall(&self, ray: &Ray, p: DVec2) -> f64 {
+    /// Returns the parameter of the ray where it hits the prism's wall over a point of the outline.
+    fn wall_hit_parameter(&self, ray: &Ray, p: DVec2) -> f64 {
         let (o, v) = (ray.origin, ray.dir);
         if self.conic {
             // (oₓ + t·vₓ) = pₓ·(o_y + t·v_y), and z likewise: divide by the larger divisor
@@ -90,7 +90,7 @@ impl Prism {
         if v.x.abs() > v.z.abs() { (p.x - o.x) / v.x } else { (p.y - o.z) / v.z }
     }
 
-    fn walls(&self, ray: &Ray, range: Range, out: &mut Hits) {
+    fn add_wall_hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         let (o, v) = (ray.origin, ray.dir);
         // Intersect the outline with the plane of the ray and the y axis' direction (or the apex): c + n·p = 0
         let (n, c) = if self.conic {
@@ -101,11 +101,11 @@ impl Prism {
         if n == DVec2::ZERO {
             return;
         }
-        let way = self.way_between_lids(ray, range);
-        for segment in (0..self.outlines.segments.len()).filter(|segment| self.is_on_way(ray, *segment, way)) {
-            let b = self.outlines.coordinates(segment, |p| c + n.dot(p));
+        let way = self.range_between_lids(ray, range);
+        for segment in (0..self.outlines.segments.len()).filter(|segment| self.may_hit_segment(ray, *segment, way)) {
+            let b = self.outlines.affine_coefficients(segment, |p| c + n.dot(p));
             bernstein_roots(&b, &mut |at| {
-                let t = self.wall(ray, self.outlines.at(segment, at));
+                let t = self.wall_hit_parameter(ray, self.outlines.point_at(segment, at));
                 let y = ray.at(t).y;
                 if range.contains(t) && y >= self.bottom && y <= self.top {
                     out.push(Hit { t, part: segment as u32, uv: DVec2::new(at, 0.0) });
@@ -115,8 +115,8 @@ impl Prism {
         }
     }
 
-    /// Returns the part of the range between the heights of the lids, with a margin.
-    fn way_between_lids(&self, ray: &Ray, range: Range) -> Range {
+    /// Returns the part of the ray's range between the heights of the prism's lids, with a margin.
+    fn range_between_lids(&self, ray: &Ray, range: Range) -> Range {
         if ray.dir.y == 0.0 {
             return range;
         }
@@ -126,29 +126,29 @@ impl Prism {
         if margin.is_finite() { Range { min: min - margin, max: max + margin } } else { range }
     }
 
-    /// True if the ray can hit a segment's wall there: a hit over a point of the segment is between the hits over its
-    /// control points.
-    fn is_on_way(&self, ray: &Ray, segment: usize, way: Range) -> bool {
+    /// True if the ray can hit the wall of a prism's segment in the range `range`: a hit over a point of the segment is
+    /// between the hits over its control points.
+    fn may_hit_segment(&self, ray: &Ray, segment: usize, range: Range) -> bool {
         if self.conic {
             return true;
         }
         let (mut min, mut max) = (f64::INFINITY, f64::NEG_INFINITY);
-        for p in self.outlines.controls(segment) {
-            let t = self.wall(ray, *p);
+        for p in self.outlines.control_points(segment) {
+            let t = self.wall_hit_parameter(ray, *p);
             (min, max) = (min.min(t), max.max(t));
         }
         let margin = MARGIN * min.abs().max(max.abs());
-        !(min - margin > way.max || max + margin < way.min)
+        !(min - margin > range.max || max + margin < range.min)
     }
 
-    fn lids(&self, ray: &Ray, range: Range, out: &mut Hits) {
+    fn add_lid_hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if self.open || ray.dir.y == 0.0 {
             return;
         }
         for y in [self.bottom, self.top] {
             let t = (y - ray.origin.y) / ray.dir.y;
-            if range.contains(t) && self.covers(ray.at(t).with_y(y)) {
-                out.push(Hit::on(t, LID));
+            if range.contains(t) && self.outline_contains(ray.at(t).with_y(y)) {
+                out.push(Hit::on_piece(t, LID));
             }
         }
     }
@@ -195,7 +195,7 @@ impl Readable for Prism {
         }
         let span = r.span();
         let heights = [r.float()?, r.float()?];
-        finite(span, &[], &heights)?;
+        check_finite(span, &[], &heights)?;
         let points = read_points("prism", interpolation, 3, r)?;
         let prism = Self::new(interpolation, conic, heights, &points, false);
         if prism.outlines.segments.is_empty() {
@@ -221,32 +221,32 @@ const SWEEPS: [WordSpec; 2] = [
 
 impl Kernel for Prism {
     fn bounds(&self) -> Aabb {
-        self.box_of(self.ends)
+        self.bounds_of_outline(self.ends)
     }
 
-    /// For a `bezier_spline`, the box of all control points (quirk: `extent_boxes`).
+    /// Bounding box of the prism; for a `bezier_spline`, that of all control points (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        let ends = if self.interpolation == Interpolation::Bezier { self.outlines.hull() } else { self.ends };
-        moved_box(m, &self.box_of(ends))
+        let ends = if self.interpolation == Interpolation::Bezier { self.outlines.control_bounds() } else { self.ends };
+        transformed_box(m, &self.bounds_of_outline(ends))
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.walls(ray, range, out);
-        self.lids(ray, range, out);
+        self.add_wall_hits(ray, range, out);
+        self.add_lid_hits(ray, range, out);
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(&all)
+        nearest_hit(&all)
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        p.y >= self.bottom && p.y <= self.top && self.covers(p)
+        p.y >= self.bottom && p.y <= self.top && self.outline_contains(p)
     }
 
-    /// The normal of walls points to the right of the outline's direction, seen from above, and to the left of a
-    /// `bezier_spline`; the normal of both lids is y (quirk: `sweep_normal_side`).
+    /// Normal of the prism. That of walls points to the right of the outline's direction, seen from above, and to the
+    /// left of a `bezier_spline`; the normal of both lids is y (quirk: `sweep_normal_side`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         if hit.part == LID {
             return DVec3::Y;
@@ -258,11 +258,11 @@ impl Kernel for Prism {
         if !self.conic {
             return n;
         }
-        let at = self.outlines.at(segment, t);
+        let at = self.outlines.point_at(segment, t);
         n.with_y(-(n.x * at.x + n.z * at.y))
     }
 
-    /// POV-Ray has no mapping for prisms.
+    /// Returns false: POV-Ray defines no uv mapping for prisms.
     fn has_uv_mapping(&self) -> bool {
         false
     }
@@ -271,10 +271,10 @@ impl Kernel for Prism {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, assert_hits, read};
+    use crate::shape::testing::{all_hits, assert_hits, read_shape};
 
     fn made(text: &str) -> Prism {
-        read::<Prism>(text).0.unwrap()
+        read_shape::<Prism>(text).0.unwrap()
     }
 
     #[test]
@@ -286,21 +286,21 @@ mod tests {
         assert!((leaf.normal(ray.at(hit.t), &hit).normalize() + DVec3::Z).length() < 1e-12);
         let wedge = made("linear_spline 0 1 5 <0,0> <2,0> <2,1> <1,3> <0,0>");
         let ray = Ray::new(DVec3::new(-9.0, 0.2, 0.5), DVec3::X);
-        let hits = all(&wedge, &ray);
+        let hits = all_hits(&wedge, &ray);
         assert!((hits[0].t - 9.0 - 1.0 / 6.0).abs() < 1e-12 && (hits[1].t - 11.0).abs() < 1e-12);
         let n = wedge.normal(ray.at(hits[0].t), &hits[0]).normalize();
         assert!(n.distance(DVec3::new(-0.948683298051, 0.0, 0.316227766017)) < 1e-9);
-        assert_hits(&all(&wedge, &Ray::new(DVec3::new(0.4, 9.0, 0.3), -DVec3::Y)), &[(8.0, LID), (9.0, LID)]);
+        assert_hits(&all_hits(&wedge, &Ray::new(DVec3::new(0.4, 9.0, 0.3), -DVec3::Y)), &[(8.0, LID), (9.0, LID)]);
         assert!(wedge.inside(DVec3::new(0.4, 0.7, 0.3)) && !wedge.inside(DVec3::new(0.4, 1.5, 0.2)));
         let smooth = made("cubic_spline 0 1 7 <1,-1> <0,0> <6,0> <6,8> <0,8> <0,0> <-1,1>");
         let ray = Ray::new(DVec3::new(-9.0, 0.7, 0.1), DVec3::X);
-        let hits = all(&smooth, &ray);
+        let hits = all_hits(&smooth, &ray);
         for (hit, (x, n)) in hits.iter().zip([(0.010383472762, -0.997437481032), (6.068514430064, 0.846563196038)]) {
             assert!((ray.at(hit.t).x - x).abs() < 1e-7, "{hit:?}");
             assert!((smooth.normal(ray.at(hit.t), hit).normalize().x - n).abs() < 1e-7);
         }
         let parabolas = made("quadratic_spline 0 1 6 <1,-1> <0,0> <6,0> <6,8> <0,8> <0,0>");
-        let found: Vec<f64> = all(&parabolas, &ray).iter().map(|h| ray.at(h.t).x).collect();
+        let found: Vec<f64> = all_hits(&parabolas, &ray).iter().map(|h| ray.at(h.t).x).collect();
         for (x, want) in found.iter().zip([-0.024860334106, 0.958359213500, 3.641640786500, 6.071426544510]) {
             assert!((x - want).abs() < 1e-7, "{found:?}");
         }
@@ -310,12 +310,12 @@ mod tests {
     fn conic() {
         let hopper = made("linear_spline conic_sweep -1 1 5 <-1,-1> <1,-1> <1,1> <-1,1> <-1,-1>");
         let ray = Ray::new(DVec3::new(-9.0, 0.7, 0.1), DVec3::X);
-        let hits = all(&hopper, &ray);
+        let hits = all_hits(&hopper, &ray);
         assert!((hits[0].t - 8.3).abs() < 1e-12 && (hits[1].t - 9.7).abs() < 1e-12 && hits.len() == 2);
         let n = hopper.normal(ray.at(hits[0].t), &hits[0]).normalize();
         assert!(n.distance(DVec3::new(-0.5_f64.sqrt(), -0.5_f64.sqrt(), 0.0)) < 1e-12, "{n}");
         // Down beside the apex: out through the wall, and in again.
-        let down = all(&hopper, &Ray::new(DVec3::new(0.4, 9.0, 0.3), -DVec3::Y));
+        let down = all_hits(&hopper, &Ray::new(DVec3::new(0.4, 9.0, 0.3), -DVec3::Y));
         let found: Vec<f64> = down.iter().map(|h| 9.0 - h.t).collect();
         assert!(found.iter().zip([1.0, 0.4, -0.4, -1.0]).all(|(y, want)| (y - want).abs() < 1e-12), "{found:?}");
         assert!(hopper.inside(DVec3::new(0.4, 0.5, 0.4)) && !hopper.inside(DVec3::new(0.4, 0.3, 0.1)));
@@ -323,16 +323,16 @@ mod tests {
 
     #[test]
     fn reading() {
-        assert_eq!(read::<Prism>("0 1 2 <0,0> <1,1>").0.unwrap_err().code, codes::FEW_POINTS);
+        assert_eq!(read_shape::<Prism>("0 1 2 <0,0> <1,1>").0.unwrap_err().code, codes::FEW_POINTS);
         assert_eq!(
-            read::<Prism>("bezier_spline 0 1 5 <0,0> <1,1> <1,1> <0,0> <0,0>").0.unwrap_err().code,
+            read_shape::<Prism>("bezier_spline 0 1 5 <0,0> <1,1> <1,1> <0,0> <0,0>").0.unwrap_err().code,
             codes::FEW_POINTS
         );
         assert_eq!(
-            read::<Prism>("cubic_spline 0 1 6 <1,-1> <0,0> <6,0> <6,8> <0,8> <1,1>").0.unwrap_err().code,
+            read_shape::<Prism>("cubic_spline 0 1 6 <1,-1> <0,0> <6,0> <6,8> <0,8> <1,1>").0.unwrap_err().code,
             codes::FEW_POINTS
         );
-        let (prism, said) = read::<Prism>("0 1 3 <0,0> <1,1> <0,1> open sturm");
+        let (prism, said) = read_shape::<Prism>("0 1 3 <0,0> <1,1> <0,1> open sturm");
         assert!(prism.unwrap().open && said[0].code == codes::OPEN_OUTLINE);
         let hull = made("bezier_spline 0 1 8 <0,0> <1,1> <2,1> <3,0> <3,0> <2,-1> <1,-1> <0,0>");
         assert_eq!(hull.pov_bounds(&Transform::IDENTITY).max, DVec3::ONE.with_x(3.0));

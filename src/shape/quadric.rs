@@ -7,50 +7,50 @@
 //! quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 clipped_by { plane { y, 1.6 } } pigment { color rgb <0.9, 0.6, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, finite, moved_box};
+use super::{Crossing, End, HUGE, Hit, Hits, Kernel, Quirks, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, stable_pair};
+use crate::math::{Aabb, DMat3, DVec3, Quadratic, Range, Ray, Transform, solve_quadratic_with_discriminant};
 use crate::source::Span;
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Curvature along a line, relative to its maximum, below which the line is left to `hits` and `inside`.
+/// Curvature of a quadric along a line, relative to its maximum, below which the line is left to `hits` and `inside`.
 const STRAIGHT: f64 = 1e-6;
 
-/// A surface of second order.
+/// Quadric: a surface of second order.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Quadric {
-    /// Coefficients of x², y² and z².
+    /// Coefficients of x², y² and z² in the quadric.
     pub squares: DVec3,
-    /// Coefficients of x·y, x·z and y·z.
+    /// Coefficients of x·y, x·z and y·z in the quadric.
     pub mixed: DVec3,
-    /// Coefficients of x, y and z.
+    /// Coefficients of x, y and z in the quadric.
     pub linear: DVec3,
-    /// Constant term J of the equation.
+    /// Constant term J of the quadric's equation.
     pub constant: f64,
     #[serde(skip)]
     centered: Centered,
 }
 
-/// The quadratic form about its centre: q·Qq + 2·h·q + c with q = p - centre.
+/// Quadric about its centre: q·Qq + 2·h·q + c with q = p - centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Centered {
-    /// Q, a symmetric matrix.
+    /// Symmetric matrix Q of the centred quadric.
     q: DMat3,
-    /// Zero, unless there is no unique centre.
+    /// Linear term h of the centred quadric: zero, unless there is no unique centre.
     h: DVec3,
     c: f64,
     center: DVec3,
-    /// Largest element of Q.
+    /// Largest element of the quadric's matrix Q.
     size: f64,
-    /// Bounding box of a closed surface; empty if there is no surface.
+    /// Bounding box of a closed quadric; empty if there is no surface. `None` for other quadrics.
     ends: Option<Aabb>,
-    /// True for a filled ellipsoid.
+    /// True if the quadric is a filled ellipsoid.
     convex: bool,
 }
 
 impl Quadric {
-    /// Coefficients in the order of the manual: A B C, D E F, G H I, J.
+    /// Creates a quadric from coefficients in the order of the manual: A B C, D E F, G H I, J.
     pub fn new(squares: DVec3, mixed: DVec3, linear: DVec3, constant: f64) -> Self {
         let (xy, xz, yz) = (0.5 * mixed.x, 0.5 * mixed.y, 0.5 * mixed.z);
         let q = DMat3::from_cols_array(&[squares.x, xy, xz, xy, squares.y, yz, xz, yz, squares.z]);
@@ -65,50 +65,51 @@ impl Quadric {
         let has_center = determinant.abs() > 1e-9;
         let h = if has_center { DVec3::ZERO } else { h };
         let mut centered = Centered { q, h, c, center, size, ends: None, convex: false };
-        centered.ends = centered.box_around().filter(|_| has_center);
-        centered.convex = centered.ends.is_some_and(|b| !b.is_empty()) && centered.definite() > 0.0;
+        centered.ends = centered.bounding_box().filter(|_| has_center);
+        centered.convex = centered.ends.is_some_and(|b| !b.is_empty()) && centered.definiteness() > 0.0;
         Self { squares, mixed, linear, constant, centered }
     }
 
-    /// Value of the form; negative inside.
-    fn implicit(&self, p: DVec3) -> f64 {
-        self.centered.value(p - self.centered.center)
+    /// Value of the quadric's form at a point; negative inside.
+    fn value_at(&self, p: DVec3) -> f64 {
+        self.centered.value_about_center(p - self.centered.center)
     }
 
-    fn roots(&self, ray: &Ray) -> Option<(f64, f64)> {
-        self.curve(ray).1
+    fn ray_roots(&self, ray: &Ray) -> Option<(f64, f64)> {
+        self.curvature_and_roots(ray).1
     }
 
-    /// Curvature of the form along a ray, and its roots.
-    fn curve(&self, ray: &Ray) -> (f64, Option<(f64, f64)>) {
+    /// Returns the curvature of the quadric's form along a ray, and its roots.
+    fn curvature_and_roots(&self, ray: &Ray) -> (f64, Option<(f64, f64)>) {
         let Centered { q, h, center, .. } = &self.centered;
         // Start from the ray's point nearest to the centre, so that a distant eye costs no digits.
         let from = ray.origin - *center;
         let shift = -from.dot(ray.dir) / ray.dir.length_squared();
         let o = from + ray.dir * shift;
         let qv = *q * ray.dir;
-        let (a, half_b, c) = (qv.dot(ray.dir), qv.dot(o) + h.dot(ray.dir), self.centered.value(o));
-        let roots = stable_pair(a, half_b, c, half_b * half_b - a * c);
+        let (a, half_b, c) = (qv.dot(ray.dir), qv.dot(o) + h.dot(ray.dir), self.centered.value_about_center(o));
+        let roots = solve_quadratic_with_discriminant(a, half_b, c, half_b * half_b - a * c);
         (a, roots.map(|(t1, t2)| (t1 + shift, t2 + shift)))
     }
 }
 
 impl Centered {
-    fn value(&self, q: DVec3) -> f64 {
+    fn value_about_center(&self, q: DVec3) -> f64 {
         q.dot(self.q * q + 2.0 * self.h) + self.c
     }
 
-    /// Returns 1 if Q is positive definite, -1 if negative definite, 0 otherwise (Sylvester's criterion).
-    fn definite(&self) -> f64 {
+    /// Returns 1 if the quadric's matrix Q is positive definite, -1 if negative definite, 0 otherwise (Sylvester's
+    /// criterion).
+    fn definiteness(&self) -> f64 {
         let (a, b) = (self.q.x_axis, self.q.y_axis);
         let sign = a.x.signum();
         let minor = a.x * b.y - a.y * b.x;
         if a.x != 0.0 && minor > 0.0 && self.q.determinant() * sign > 0.0 { sign } else { 0.0 }
     }
 
-    /// Bounding box: an ellipsoid extends √(-c·(Q⁻¹)ᵢᵢ) along axis i.
-    fn box_around(&self) -> Option<Aabb> {
-        let sign = self.definite();
+    /// Bounding box of the quadric: an ellipsoid extends √(-c·(Q⁻¹)ᵢᵢ) along axis i.
+    fn bounding_box(&self) -> Option<Aabb> {
+        let sign = self.definiteness();
         if sign == 0.0 {
             return None;
         }
@@ -138,7 +139,7 @@ impl Readable for Quadric {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (squares, mixed, linear, constant) = (r.vector()?, r.vector()?, r.vector()?, r.float()?);
-        finite(span, &[squares, mixed, linear], &[constant])?;
+        check_finite(span, &[squares, mixed, linear], &[constant])?;
         Ok(Self::new(squares, mixed, linear, constant))
     }
 
@@ -159,49 +160,50 @@ impl Kernel for Quadric {
         self.centered.ends.unwrap_or(Aabb::INFINITE)
     }
 
-    /// Box of an axis-parallel ellipsoid; infinite for all others (quirk: `extent_boxes`).
+    /// Box that POV-Ray reports for the quadric: that of an axis-parallel ellipsoid; infinite for all others (quirk:
+    /// `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
         match self.centered.ends {
-            Some(ends) if self.mixed == DVec3::ZERO && !ends.is_empty() => moved_box(m, &ends),
+            Some(ends) if self.mixed == DVec3::ZERO && !ends.is_empty() => transformed_box(m, &ends),
             _ => HUGE,
         }
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        if let Some((t1, t2)) = self.roots(ray) {
-            out.extend([t1, t2].into_iter().filter(|&t| range.contains(t) && t.is_finite()).map(Hit::at));
+        if let Some((t1, t2)) = self.ray_roots(ray) {
+            out.extend([t1, t2].into_iter().filter(|&t| range.contains(t) && t.is_finite()).map(Hit::on_single_piece));
         }
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        let (t1, t2) = self.roots(ray)?;
+        let (t1, t2) = self.ray_roots(ray)?;
         let counts = |t: &f64| range.contains(*t) && t.is_finite();
-        Some(t1).filter(counts).into_iter().chain(Some(t2).filter(counts)).reduce(f64::min).map(Hit::at)
+        Some(t1).filter(counts).into_iter().chain(Some(t2).filter(counts)).reduce(f64::min).map(Hit::on_single_piece)
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        self.implicit(p) <= 0.0
+        self.value_at(p) <= 0.0
     }
 
-    fn quadratic(&self) -> Option<Quadratic> {
+    fn bounding_quadratic(&self) -> Option<Quadratic> {
         let Centered { q, h, c, center, .. } = self.centered;
         Some(Quadratic { q, h, c, center })
     }
 
     fn is_solid_unbounded(&self) -> bool {
-        self.centered.definite() < 0.0
+        self.centered.definiteness() < 0.0
     }
 
     fn is_convex(&self) -> bool {
         self.centered.convex
     }
 
-    fn knows_crossings(&self) -> bool {
+    fn computes_crossings(&self) -> bool {
         true
     }
 
     fn crossing(&self, ray: &Ray) -> Crossing {
-        let (bend, roots) = self.curve(ray);
+        let (bend, roots) = self.curvature_and_roots(ray);
         // Along a nearly straight line in the wall of a pipe or cone `t` is inaccurate; an ellipsoid has no such lines.
         let straight = STRAIGHT * self.centered.size * ray.dir.length_squared();
         if self.centered.ends.is_none() && bend.abs() <= straight {
@@ -211,7 +213,7 @@ impl Kernel for Quadric {
             None if bend > 0.0 => Crossing::Misses,
             None if bend < 0.0 => Crossing::Stays,
             Some((t1, t2)) if t1.is_finite() && t2.is_finite() => {
-                let ends = [End::at(t1), End::at(t2)];
+                let ends = [End::on_single_piece(t1), End::on_single_piece(t2)];
                 if bend > 0.0 { Crossing::Through(ends) } else { Crossing::Around(ends) }
             }
             _ => Crossing::Unknown,
@@ -224,7 +226,7 @@ impl Kernel for Quadric {
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
 
-    /// POV-Ray has no mapping for them.
+    /// Returns false: POV-Ray defines no uv mapping for quadrics.
     fn has_uv_mapping(&self) -> bool {
         false
     }
@@ -233,24 +235,24 @@ impl Kernel for Quadric {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, assert_hits, read};
+    use crate::shape::testing::{all_hits, assert_hits, read_shape};
 
     fn made(text: &str) -> Quadric {
-        read::<Quadric>(text).0.unwrap()
+        read_shape::<Quadric>(text).0.unwrap()
     }
 
     #[test]
     fn closed_forms() {
         let ball = made("<1,1,1> 0 0 -1");
-        assert_hits(&all(&ball, &Ray::new(DVec3::Z * -5.0, DVec3::Z * 2.0)), &[(2.0, 0), (3.0, 0)]);
+        assert_hits(&all_hits(&ball, &Ray::new(DVec3::Z * -5.0, DVec3::Z * 2.0)), &[(2.0, 0), (3.0, 0)]);
         assert!(ball.inside(DVec3::ZERO) && !ball.inside(DVec3::Y * 1.01));
         assert_eq!(ball.bounds(), Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE });
         // A bowl y = x² + z², hit from above and from the side.
         let bowl = made("<1,0,1> 0 <0,-1,0> 0");
-        assert_hits(&all(&bowl, &Ray::new(DVec3::new(0.5, 9.0, 0.5), -DVec3::Y)), &[(8.5, 0)]);
-        assert_hits(&all(&bowl, &Ray::new(DVec3::new(-9.0, 4.0, 0.0), DVec3::X)), &[(7.0, 0), (11.0, 0)]);
+        assert_hits(&all_hits(&bowl, &Ray::new(DVec3::new(0.5, 9.0, 0.5), -DVec3::Y)), &[(8.5, 0)]);
+        assert_hits(&all_hits(&bowl, &Ray::new(DVec3::new(-9.0, 4.0, 0.0), DVec3::X)), &[(7.0, 0), (11.0, 0)]);
         assert!(bowl.inside(DVec3::Y) && !bowl.inside(-DVec3::Y) && bowl.bounds() == Aabb::INFINITE);
-        assert!(bowl.normal(DVec3::ZERO, &Hit::at(0.0)).normalize().distance(-DVec3::Y) < 1e-15);
+        assert!(bowl.normal(DVec3::ZERO, &Hit::on_single_piece(0.0)).normalize().distance(-DVec3::Y) < 1e-15);
         assert!(bowl.pov_bounds(&Transform::IDENTITY) == HUGE);
     }
 
@@ -276,7 +278,7 @@ mod tests {
             let (sin, cos) = crate::math::fp::sin_cos(f64::from(k) * 2.4);
             let v = DVec3::new(cos * (1.0 - y * y).sqrt(), y, sin * (1.0 - y * y).sqrt());
             let hit = egg.closest(&Ray::new(DVec3::ZERO, v), Range::FORWARD).unwrap();
-            seen = seen.with(v * hit.t);
+            seen = seen.including(v * hit.t);
         }
         assert!(b.grown(1e-9).contains(seen.min) && b.grown(1e-9).contains(seen.max));
         assert!(seen.grown(1e-3).contains(b.min) && seen.grown(1e-3).contains(b.max));
@@ -285,7 +287,7 @@ mod tests {
     #[test]
     fn far_eye_and_turned_inside_out() {
         let ball = made("<1,1,1> 0 <0,0,0> -1");
-        let hits = all(&ball, &Ray::new(DVec3::new(0.0, 0.6, -1e7), DVec3::Z));
+        let hits = all_hits(&ball, &Ray::new(DVec3::new(0.0, 0.6, -1e7), DVec3::Z));
         assert!((hits[0].t - 1e7 + 0.8).abs() < 1e-8, "{hits:?}");
         let hole = made("<-1,-1,-1> 0 0 1");
         assert!(!hole.inside(DVec3::ZERO) && hole.inside(DVec3::X * 9.0) && hole.is_solid_unbounded());
@@ -306,7 +308,7 @@ mod tests {
         let (mut known, mut rng) = ([0; 4], crate::math::rng::Stream::new(&[7]));
         for surface in surfaces.map(made) {
             for _ in 0..400 {
-                let mut any = || 3.0 * DVec3::from_array(std::array::from_fn(|_| rng.next() - 0.5));
+                let mut any = || 3.0 * DVec3::from_array(std::array::from_fn(|_| rng.next_random() - 0.5));
                 let ray = Ray::new(any(), any());
                 let holds: (usize, Box<dyn Fn(f64) -> bool>) = match surface.crossing(&ray) {
                     Crossing::Unknown => continue,
@@ -330,9 +332,9 @@ mod tests {
 
     #[test]
     fn no_surface() {
-        assert_eq!(read::<Quadric>("1 0 0 1").1[0].code, codes::NO_SURFACE);
-        assert_eq!(read::<Quadric>("0 0 0 1").1[0].code, codes::NO_SURFACE);
-        assert!(read::<Quadric>("0 0 <0,1,0> 1").1.is_empty());
-        assert!(all(&made("1 0 0 1"), &Ray::new(DVec3::ZERO, DVec3::X)).is_empty());
+        assert_eq!(read_shape::<Quadric>("1 0 0 1").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read_shape::<Quadric>("0 0 0 1").1[0].code, codes::NO_SURFACE);
+        assert!(read_shape::<Quadric>("0 0 <0,1,0> 1").1.is_empty());
+        assert!(all_hits(&made("1 0 0 1"), &Ray::new(DVec3::ZERO, DVec3::X)).is_empty());
     }
 }

@@ -7,39 +7,39 @@
 //! smooth_triangle { <0, 0, 0>, <-1, 0, -2>, <1, 0, 0>, <1, 0, -2>, <0, 1, 0>, <0, 1, -2> pigment { color rgb 1 } }
 //! ```
 
-use super::{Hit, Hits, Kernel, Shape, Triangle, finite};
+use super::{Hit, Hits, Kernel, Shape, Triangle, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A triangle with a normal at each corner.
+/// Smooth triangle, with a normal at each corner.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SmoothTriangle {
     /// The flat triangle that rays hit; the normals only shade it.
     pub flat: Triangle,
-    /// Normals of length 1, in the order of the corners; zero where the scene gives no direction, and then nothing is
-    /// rendered.
+    /// Normals of the smooth triangle, of length 1, in the order of the corners; zero where the scene gives no
+    /// direction, and then nothing is rendered.
     pub normals: [DVec3; 3],
 }
 
 impl SmoothTriangle {
-    /// A triangle with normals of any length.
+    /// Creates a smooth triangle with normals of any length.
     pub fn new(flat: Triangle, normals: [DVec3; 3]) -> Self {
         Self { flat, normals: normals.map(DVec3::normalize_or_zero) }
     }
 
-    /// True if the normals point to both sides of the triangle, or into its plane.
+    /// True if the smooth triangle's normals point to both sides of it, or into its plane.
     fn is_twisted(&self) -> bool {
         self.is_twisted_under(&Transform::IDENTITY)
     }
 
-    /// True if the normals point to both sides under the transform M, which can change their angles (quirk:
-    /// `twisted_smooth_triangle`).
+    /// True if the smooth triangle's normals point to both sides under the transform M, which can change their angles
+    /// (quirk: `twisted_smooth_triangle`).
     fn is_twisted_under(&self, m: &Transform) -> bool {
-        let face = m.normal(self.flat.face_normal());
-        let sides = self.normals.map(|n| m.normal(n).dot(face));
+        let face = m.transform_normal(self.flat.face_normal());
+        let sides = self.normals.map(|n| m.transform_normal(n).dot(face));
         !(sides.iter().all(|s| *s > 0.0) || sides.iter().all(|s| *s < 0.0))
     }
 }
@@ -63,7 +63,7 @@ impl Readable for SmoothTriangle {
         let span = r.span();
         let (a, na, b, nb) = (r.vector()?, r.vector()?, r.vector()?, r.vector()?);
         let (c, nc) = (r.vector()?, r.vector()?);
-        finite(span, &[a, na, b, nb, c, nc], &[])?;
+        check_finite(span, &[a, na, b, nb, c, nc], &[])?;
         Ok(Self::new(Triangle::new(a, b, c), [na, nb, nc]))
     }
 
@@ -106,12 +106,12 @@ impl Kernel for SmoothTriangle {
         true
     }
 
-    /// The triangle with normals of length 1 under M, so that interpolation weighs them equally (quirk:
+    /// Returns the smooth triangle with normals of length 1 under M, so that interpolation weighs them equally (quirk:
     /// `smooth_triangle_normals`).
-    fn changed_under(&self, m: &Transform) -> Option<Shape> {
+    fn adapted_to_transform(&self, m: &Transform) -> Option<Shape> {
         let normals = match self.is_twisted_under(m) {
             true => [DVec3::ZERO; 3],
-            false => self.normals.map(|n| n / m.normal(n).length().max(f64::MIN_POSITIVE)),
+            false => self.normals.map(|n| n / m.transform_normal(n).length().max(f64::MIN_POSITIVE)),
         };
         Some(Self { normals, ..self.clone() }.into())
     }
@@ -122,7 +122,8 @@ impl Kernel for SmoothTriangle {
         (1.0 - hit.uv.x - hit.uv.y) * n1 + hit.uv.x * n2 + hit.uv.y * n3
     }
 
-    /// The lecture's (u, v). POV-Ray has no mapping for triangles outside meshes.
+    /// Surface coordinates of a smooth triangle: the lecture's (u, v). POV-Ray defines no uv mapping for triangles
+    /// outside meshes.
     fn uv(&self, _: DVec3, hit: &Hit) -> DVec2 {
         hit.uv
     }
@@ -135,12 +136,12 @@ impl Kernel for SmoothTriangle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::read;
+    use crate::shape::testing::read_shape;
 
     #[test]
     fn normals_are_interpolated() {
         // POV-Ray's trace(): the given normals are normalised first.
-        let (shape, reports) = read::<SmoothTriangle>("0 <0,0,-3> <1,0,0> <-1,0,-1> <0,1,0> <0,0,-1>");
+        let (shape, reports) = read_shape::<SmoothTriangle>("0 <0,0,-3> <1,0,0> <-1,0,-1> <0,1,0> <0,0,-1>");
         let (shape, ray) = (shape.unwrap(), Ray::new(DVec3::new(0.5, 0.25, -5.0), DVec3::Z));
         assert!(reports.is_empty());
         let hit = shape.closest(&ray, Range::FORWARD).unwrap();
@@ -150,7 +151,7 @@ mod tests {
 
     #[test]
     fn twisted() {
-        let with = |n: &str| read::<SmoothTriangle>(&format!("0 <0,0,1> <1,0,0> <0,0,1> <0,1,0> {n}"));
+        let with = |n: &str| read_shape::<SmoothTriangle>(&format!("0 <0,0,1> <1,0,0> <0,0,1> <0,1,0> {n}"));
         for bad in ["<0,0,-1>", "<1,0,0>", "0", "<1,0,-0.01>"] {
             let (shape, reports) = with(bad);
             assert_eq!(reports[0].code, codes::TWISTED_TRIANGLE, "{bad}");

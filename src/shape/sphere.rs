@@ -4,15 +4,15 @@
 //! sphere { <0, 1, 0>, 1 pigment { color rgb <1, 0.5, 0> } }
 //! ```
 
-use super::{Crossing, End, Hit, Hits, Kernel, finite, moved_box};
+use super::{Crossing, End, Hit, Hits, Kernel, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, solve_quadratic_with_discriminant};
 use crate::source::Span;
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// A solid ball.
+/// Sphere: a solid ball.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sphere {
     /// Centre of the ball.
@@ -35,7 +35,7 @@ impl Readable for Sphere {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (center, radius) = (r.vector()?, r.float()?.abs());
-        finite(span, &[center], &[radius])?;
+        check_finite(span, &[center], &[radius])?;
         Ok(Self { center, radius })
     }
 
@@ -54,34 +54,34 @@ impl Kernel for Sphere {
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
         // The image of a ball extends r·|row i of M| along axis i.
-        let (x, y, z) = (m.vector(DVec3::X), m.vector(DVec3::Y), m.vector(DVec3::Z));
+        let (x, y, z) = (m.transform_vector(DVec3::X), m.transform_vector(DVec3::Y), m.transform_vector(DVec3::Z));
         let reach = (x * x + y * y + z * z).map(f64::sqrt) * self.radius;
-        let center = m.point(self.center);
+        let center = m.transform_point(self.center);
         Aabb { min: center - reach, max: center + reach }
     }
 
-    /// A sphere that stays a sphere keeps its width (quirk: `extent_boxes`).
+    /// Box that POV-Ray reports for the sphere: a sphere that stays a sphere keeps its width (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        let axes = DVec3::AXES.map(|axis| m.vector(axis));
+        let axes = DVec3::AXES.map(|axis| m.transform_vector(axis));
         let same = |a: DVec3, b: DVec3| {
             (a.length() - b.length()).abs() < 1e-9 * a.length() && a.dot(b).abs() < 1e-9 * a.length_squared()
         };
         if same(axes[0], axes[1]) && same(axes[1], axes[2]) && same(axes[0], axes[2]) {
-            let (center, r) = (m.point(self.center), DVec3::splat(self.radius * axes[0].length()));
+            let (center, r) = (m.transform_point(self.center), DVec3::splat(self.radius * axes[0].length()));
             return Aabb { min: center - r, max: center + r };
         }
-        moved_box(m, &self.bounds())
+        transformed_box(m, &self.bounds())
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        if let Some((t1, t2)) = self.roots(ray) {
-            out.extend([t1, t2].into_iter().filter(|&t| range.contains(t)).map(Hit::at));
+        if let Some((t1, t2)) = self.ray_roots(ray) {
+            out.extend([t1, t2].into_iter().filter(|&t| range.contains(t)).map(Hit::on_single_piece));
         }
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        let (t1, t2) = self.roots(ray)?;
-        [t1, t2].into_iter().find(|&t| range.contains(t)).map(Hit::at)
+        let (t1, t2) = self.ray_roots(ray)?;
+        [t1, t2].into_iter().find(|&t| range.contains(t)).map(Hit::on_single_piece)
     }
 
     fn inside(&self, p: DVec3) -> bool {
@@ -93,7 +93,9 @@ impl Kernel for Sphere {
     }
 
     fn crossing(&self, ray: &Ray) -> Crossing {
-        self.roots(ray).map_or(Crossing::Misses, |(t1, t2)| Crossing::Through([End::at(t1), End::at(t2)]))
+        self.ray_roots(ray).map_or(Crossing::Misses, |(t1, t2)| {
+            Crossing::Through([End::on_single_piece(t1), End::on_single_piece(t2)])
+        })
     }
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
@@ -102,13 +104,14 @@ impl Kernel for Sphere {
 
     fn uv(&self, p: DVec3, _: &Hit) -> DVec2 {
         let n = (p - self.center) / self.radius;
-        DVec2::new(fp::turn(n.z, n.x), 0.5 + fp::asin(n.y) / PI)
+        DVec2::new(fp::angle_in_turns(n.z, n.x), 0.5 + fp::asin(n.y) / PI)
     }
 }
 
 impl Sphere {
-    /// Returns both roots of |p₀ + t·v - c|² = r² (lecture, "Ray – sphere intersection").
-    fn roots(&self, ray: &Ray) -> Option<(f64, f64)> {
+    /// Returns both roots of |p₀ + t·v - c|² = r², where a ray crosses the sphere (lecture, "Ray – sphere
+    /// intersection").
+    fn ray_roots(&self, ray: &Ray) -> Option<(f64, f64)> {
         if self.radius == 0.0 {
             return None;
         }
@@ -120,7 +123,7 @@ impl Sphere {
         // D/4 = a·(r² - d²), where d is the distance of the line from the centre: for a distant eye, b²/4 - a·c loses
         // all digits (Haines et al., Precision Improvements for Ray/Sphere Intersection, 2019)
         let nearest = to_origin - ray.dir * (half_b / a);
-        stable_pair(a, half_b, c, a * (r2 - nearest.length_squared()))
+        solve_quadratic_with_discriminant(a, half_b, c, a * (r2 - nearest.length_squared()))
     }
 }
 
@@ -132,9 +135,9 @@ mod tests {
     fn closed_form() {
         let ball = Sphere { center: DVec3::new(0.0, 0.0, 5.0), radius: 1.0 };
         let ray = Ray::new(DVec3::ZERO, DVec3::Z);
-        assert_eq!(ball.closest(&ray, Range::FORWARD), Some(Hit::at(4.0)));
+        assert_eq!(ball.closest(&ray, Range::FORWARD), Some(Hit::on_single_piece(4.0)));
         let inside = Ray::new(DVec3::new(0.0, 0.0, 5.0), DVec3::Z * 2.0);
-        assert_eq!(ball.closest(&inside, Range::FORWARD), Some(Hit::at(0.5)));
+        assert_eq!(ball.closest(&inside, Range::FORWARD), Some(Hit::on_single_piece(0.5)));
     }
 
     #[test]
@@ -143,7 +146,7 @@ mod tests {
         let ball = Sphere { center: DVec3::new(0.0, 0.5, 1e8), radius: 1.0 };
         let ray = Ray::new(DVec3::ZERO, DVec3::Z);
         let h = 0.75_f64.sqrt();
-        let found = crate::shape::testing::all(&ball, &ray);
+        let found = crate::shape::testing::all_hits(&ball, &ray);
         assert!((found[0].t - 1e8 + h).abs() < 3e-8 && (found[1].t - 1e8 - h).abs() < 3e-8, "{found:?}");
         // Just outside the rim, and just inside.
         let past = |d: f64| ball.closest(&Ray::new(DVec3::Y * (1.5 + d), DVec3::Z), Range::FORWARD);
@@ -153,18 +156,19 @@ mod tests {
     #[test]
     fn three_cases_of_the_discriminant() {
         let ball = Sphere { center: DVec3::ZERO, radius: 2.0 };
-        let count = |x: f64| crate::shape::testing::all(&ball, &Ray::new(DVec3::new(x, 0.0, -9.0), DVec3::Z)).len();
+        let count =
+            |x: f64| crate::shape::testing::all_hits(&ball, &Ray::new(DVec3::new(x, 0.0, -9.0), DVec3::Z)).len();
         assert_eq!((count(0.0), count(2.5)), (2, 0));
-        let touch = crate::shape::testing::all(&ball, &Ray::new(DVec3::new(2.0, 0.0, -9.0), DVec3::Z));
+        let touch = crate::shape::testing::all_hits(&ball, &Ray::new(DVec3::new(2.0, 0.0, -9.0), DVec3::Z));
         assert!(touch.iter().all(|h| h.t == 9.0) && !touch.is_empty());
         assert_eq!(ball.closest(&Ray::new(DVec3::Z * 3.0, DVec3::Z), Range::FORWARD), None, "behind the eye");
     }
 
     #[test]
     fn reading() {
-        use crate::shape::testing::read;
-        assert_eq!(read::<Sphere>("0 -2").0.unwrap(), Sphere { center: DVec3::ZERO, radius: 2.0 });
-        assert_eq!(read::<Sphere>("0 0").1[0].code, codes::NO_SURFACE);
-        assert_eq!(read::<Sphere>("0 inf").0.unwrap_err().code, codes::NOT_FINITE);
+        use crate::shape::testing::read_shape;
+        assert_eq!(read_shape::<Sphere>("0 -2").0.unwrap(), Sphere { center: DVec3::ZERO, radius: 2.0 });
+        assert_eq!(read_shape::<Sphere>("0 0").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read_shape::<Sphere>("0 inf").0.unwrap_err().code, codes::NOT_FINITE);
     }
 }

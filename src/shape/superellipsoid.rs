@@ -9,7 +9,7 @@
 //! superellipsoid { <0.3, 0.5> rotate x*30 translate y pigment { color rgb <0.9, 0.4, 0.2> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, finite, moved_box};
+use super::{Hit, Hits, Kernel, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec3, Range, Ray, Transform, fp, tolerance};
 use crate::source::Span;
@@ -17,25 +17,25 @@ use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 const CUBE: Aabb = Aabb { min: DVec3::NEG_ONE, max: DVec3::ONE };
-/// Accuracy of roots; closer roots are one.
+/// Accuracy of a superellipsoid's roots; closer roots are one.
 const STEP: f64 = 1e-15;
-/// Length of a Newton step after which no other is needed.
+/// Length of a Newton step for a superellipsoid's root after which no other is needed.
 const SHORT: f64 = 1e-9;
-/// Logarithm of the gauge beyond which a point is inside or outside despite rounding.
+/// Logarithm of a superellipsoid's gauge beyond which a point is inside or outside despite rounding.
 const CLEAR: f64 = 1e-12;
-/// Maximum number of factors in a power by multiplication.
+/// Maximum number of factors in a power that is computed by multiplication.
 const MOST_FACTORS: u32 = 64;
 
-/// A superquadric ellipsoid, whose roundness two exponents define.
+/// Superellipsoid, whose roundness two exponents define.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Superellipsoid {
-    /// East-west exponent, not negative; 0 is square.
+    /// East-west exponent of the superellipsoid, not negative; 0 is square.
     pub e: f64,
-    /// North-south exponent, not negative.
+    /// North-south exponent of the superellipsoid, not negative.
     pub n: f64,
 }
 
-/// xᵃ, for an exponent that is usually whole.
+/// Computes xᵃ, for an exponent that is usually whole.
 fn power(x: f64, a: f64) -> f64 {
     let whole = a as u32;
     if f64::from(whole) != a || whole > MOST_FACTORS {
@@ -52,18 +52,18 @@ fn power(x: f64, a: f64) -> f64 {
     product
 }
 
-/// x^(1/a) of a number between 1 and 2, for an exponent that is often a power of two.
-fn root(x: f64, a: f64) -> f64 {
-    match a {
-        _ if x == 1.0 || a == 1.0 => x,
+/// Computes x^(1/degree) of a number between 1 and 2, for a degree that is often a power of two.
+fn nth_root(x: f64, degree: f64) -> f64 {
+    match degree {
+        _ if x == 1.0 || degree == 1.0 => x,
         2.0 => x.sqrt(),
         4.0 => x.sqrt().sqrt(),
         8.0 => x.sqrt().sqrt().sqrt(),
-        _ => fp::pow(x, 1.0 / a),
+        _ => fp::pow(x, 1.0 / degree),
     }
 }
 
-/// (xᵃ + yᵃ)^(1/a) of positive numbers, and its derivatives by x and y.
+/// Computes (xᵃ + yᵃ)^(1/a) of positive numbers, and its derivatives by x and y.
 fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
     let (big, small) = if x > y { (x, y) } else { (y, x) };
     if big == 0.0 {
@@ -78,41 +78,41 @@ fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
         _ => f64::INFINITY,
     };
     let sum = if ratio > 0.0 { 1.0 + slope * ratio } else { 1.0 };
-    let root = root(sum, a);
+    let root = nth_root(sum, a);
     let (value, by_big) = (big * root, root / sum);
     let by_small = by_big * slope;
     if x > y { (value, by_big, by_small) } else { (value, by_small, by_big) }
 }
 
-/// An end of a piece of a line.
+/// End of a piece of a line in a superellipsoid's cube.
 #[derive(Clone, Copy)]
 struct End {
     s: f64,
-    /// The point, with absolute coordinates.
+    /// Point of the line at this end, with absolute coordinates.
     p: DVec3,
-    /// Logarithms of its coordinates.
+    /// Logarithms of the point's absolute coordinates.
     ln: DVec3,
 }
 
 impl End {
     fn new(line: &Line, s: f64) -> Self {
-        let p = line.at(s).abs();
+        let p = line.point_at(s).abs();
         Self { s, p, ln: p.map(fp::ln) }
     }
 }
 
-/// Logarithms at a point.
+/// Logarithms of a superellipsoid's terms at a point.
 struct Corner {
-    /// Logarithms of the coordinates.
+    /// Logarithms of the point's coordinates.
     of: DVec3,
     /// Logarithm of (|x|^(2/e) + |y|^(2/e))^(e/2).
     across: f64,
-    /// Logarithm of the gauge: the factor by which the shape must grow to reach the point.
+    /// Logarithm of the gauge: the factor by which the superellipsoid must grow to reach the point.
     gauge: f64,
 }
 
-/// xⁿ of a number with this logarithm; 1 where powers have no limit.
-fn exp_of(ln: f64, n: f64) -> f64 {
+/// Computes xⁿ of a number with this logarithm; 1 where powers have no limit.
+fn power_of_logarithm(ln: f64, n: f64) -> f64 {
     let product = ln * n;
     if product.is_nan() { 1.0 } else { fp::exp(product) }
 }
@@ -120,12 +120,12 @@ fn exp_of(ln: f64, n: f64) -> f64 {
 /// Logarithm of (xᵃ + yᵃ)^(1/a) from the logarithms of x and y.
 fn ln_norm(x: f64, y: f64, a: f64) -> f64 {
     let (big, small) = if x > y { (x, y) } else { (y, x) };
-    big + fp::ln(1.0 + exp_of(small - big, a)) / a
+    big + fp::ln(1.0 + power_of_logarithm(small - big, a)) / a
 }
 
 impl Superellipsoid {
-    /// Returns the factor by which the shape must grow to reach the point, and its gradient. For exponents up to 2 the
-    /// factor is a norm.
+    /// Returns the factor by which the superellipsoid must grow to reach the point, and its gradient. For exponents up
+    /// to 2 the factor is a norm.
     fn gauge(&self, p: DVec3) -> (f64, DVec3) {
         let q = p.abs();
         let (across, by_x, by_y) = norm(q.x, q.y, 2.0 / self.e);
@@ -139,14 +139,14 @@ impl Superellipsoid {
         !(self.e >= 0.0 && self.n >= 0.0)
     }
 
-    /// For a convex shape: Newton's method from one end of a line's piece in the cube to the surface. A tangent of a
-    /// convex function is below the function, so steps approach the root and never pass it; `None` where the function
-    /// no longer falls.
-    fn seen_from(&self, line: &Line, from: f64, to: f64) -> Option<f64> {
+    /// Finds the surface of a convex superellipsoid by Newton's method from one end of a line's piece in the cube to
+    /// the surface. A tangent of a convex function is below the function, so steps approach the root and never pass it;
+    /// `None` where the function no longer falls.
+    fn newton_from_end(&self, line: &Line, from: f64, to: f64) -> Option<f64> {
         let toward = (to - from).signum();
         let mut s = from;
         for _ in 0..200 {
-            let (value, gradient) = self.gauge(line.at(s));
+            let (value, gradient) = self.gauge(line.point_at(s));
             let excess = value - 1.0;
             if excess <= 0.0 {
                 return Some(s);
@@ -168,43 +168,57 @@ impl Superellipsoid {
         Some(s)
     }
 
-    /// Calls `found` with the roots between two points within one octant, ascending, if they are in the range. Returns
-    /// true if `found` did. Pieces do not depend on the range, so neither do the last digits of roots.
-    fn in_octant(&self, line: &Line, lo: End, hi: End, within: Range, found: &mut dyn FnMut(f64) -> bool) -> bool {
+    /// Calls `found` with the roots on a superellipsoid between two points within one octant, ascending, if they are in
+    /// the range. Returns true if `found` did. Pieces do not depend on the range, so neither do the last digits of
+    /// roots.
+    fn find_roots_in_octant(
+        &self,
+        line: &Line,
+        lo: End,
+        hi: End,
+        within: Range,
+        found: &mut dyn FnMut(f64) -> bool,
+    ) -> bool {
         if hi.s < within.min || lo.s > within.max {
             return false;
         }
         // The gauge grows along each axis, so it is bounded by its values at two corners of the piece's box.
-        let far = self.corner(lo.ln.max(hi.ln));
+        let far = self.logarithms_at(lo.ln.max(hi.ln));
         if far.gauge < -CLEAR {
             return false;
         }
-        let near = self.corner(lo.ln.min(hi.ln));
+        let near = self.logarithms_at(lo.ln.min(hi.ln));
         if near.gauge > CLEAR {
             return false;
         }
         let length = hi.s - lo.s;
-        let slopes = self.slopes(&near, &far, (hi.p - lo.p) / length);
+        let slopes = self.derivative_bounds(&near, &far, (hi.p - lo.p) / length);
         if slopes.0 > 0.0 || slopes.1 < 0.0 || length < 1e-13 {
             let begins_inside = self.gauge(lo.p).0 <= 1.0;
             let differ = begins_inside != (self.gauge(hi.p).0 <= 1.0);
-            return differ && found(self.between(line, if begins_inside { (lo.s, hi.s) } else { (hi.s, lo.s) }));
+            return differ
+                && found(
+                    self.root_between_inside_and_outside(line, if begins_inside { (lo.s, hi.s) } else { (hi.s, lo.s) }),
+                );
         }
         let middle = End::new(line, 0.5 * (lo.s + hi.s));
-        self.in_octant(line, lo, middle, within, found) || self.in_octant(line, middle, hi, within, found)
+        self.find_roots_in_octant(line, lo, middle, within, found)
+            || self.find_roots_in_octant(line, middle, hi, within, found)
     }
 
-    /// Returns the logarithms at a point from those of its coordinates; each power costs one exponential.
-    fn corner(&self, of: DVec3) -> Corner {
+    /// Returns the logarithms of the superellipsoid's terms at a point from those of its coordinates; each power costs
+    /// one exponential.
+    fn logarithms_at(&self, of: DVec3) -> Corner {
         let across = ln_norm(of.x, of.y, 2.0 / self.e);
         Corner { of, across, gauge: ln_norm(across, of.z, 2.0 / self.n) }
     }
 
-    /// Bounds of the derivative of (xᵃ + yᵃ)^(b/a) + zᵇ between two corners, along v, divided by b.
-    fn slopes(&self, near: &Corner, far: &Corner, v: DVec3) -> (f64, f64) {
+    /// Bounds of the derivative of the superellipsoid's (xᵃ + yᵃ)^(b/a) + zᵇ between two corners, along v, divided by
+    /// b.
+    fn derivative_bounds(&self, near: &Corner, far: &Corner, v: DVec3) -> (f64, f64) {
         let (a, b) = (2.0 / self.e, 2.0 / self.n);
         let power = |lo: f64, hi: f64, n: f64| {
-            let (x, y) = (exp_of(lo, n), exp_of(hi, n));
+            let (x, y) = (power_of_logarithm(lo, n), power_of_logarithm(hi, n));
             (x.min(y), x.max(y))
         };
         let times = |(lo, hi): (f64, f64), v: f64| {
@@ -224,11 +238,12 @@ impl Superellipsoid {
         plus((scaled(in_plane.0, true), scaled(in_plane.1, false)), along(2, b - 1.0))
     }
 
-    /// Returns the root between a point inside and one outside: Newton's method, or bisection where that is slow.
-    fn between(&self, line: &Line, (mut inner, mut outer): (f64, f64)) -> f64 {
+    /// Returns the root of a superellipsoid between a point inside and one outside: Newton's method, or bisection where
+    /// that is slow.
+    fn root_between_inside_and_outside(&self, line: &Line, (mut inner, mut outer): (f64, f64)) -> f64 {
         let (mut s, mut last) = (0.5 * (inner + outer), (outer - inner).abs());
         for _ in 0..100 {
-            let (value, gradient) = self.gauge(line.at(s));
+            let (value, gradient) = self.gauge(line.point_at(s));
             if value <= 1.0 {
                 inner = s;
             } else {
@@ -246,27 +261,27 @@ impl Superellipsoid {
         s
     }
 
-    /// Calls `visit` with the entry and exit of a convex shape, unless they are before `start`.
+    /// Calls `visit` with the entry and exit of a convex superellipsoid, unless they are before `start`.
     fn search_convex(&self, line: &Line, (lo, hi): (f64, f64), start: f64, visit: &mut dyn FnMut(f64) -> bool) {
         let mut last = start;
         // Within the cube one evaluation decides whether a ray starts inside or moves away: most are shadow rays that
         // leave the surface.
-        let (value, gradient) = if start > lo { self.gauge(line.at(start)) } else { (f64::INFINITY, -line.v) };
+        let (value, gradient) = if start > lo { self.gauge(line.point_at(start)) } else { (f64::INFINITY, -line.v) };
         if value > 1.0 {
             if gradient.dot(line.v) >= 0.0 {
                 return;
             }
-            let Some(first) = self.seen_from(line, lo, hi) else { return };
+            let Some(first) = self.newton_from_end(line, lo, hi) else { return };
             if visit(first) {
                 return;
             }
             last = first;
         }
         // At a grazing ray rounding can put the exit before the entry.
-        visit(self.seen_from(line, hi, lo).map_or(last, |s| s.max(last)));
+        visit(self.newton_from_end(line, hi, lo).map_or(last, |s| s.max(last)));
     }
 
-    /// Calls `found` with each hit in the range, ascending, until it returns true.
+    /// Calls `found` with each hit on the superellipsoid in the range, ascending, until it returns true.
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
         let Some((near, far)) = CUBE.slabs(ray, Range::ALL).filter(|_| !self.is_empty()) else { return };
         if near >= range.max || far <= range.min {
@@ -274,7 +289,7 @@ impl Superellipsoid {
         }
         // Start from the point nearest to the origin.
         let length = ray.dir.length();
-        let range = range.ahead(tolerance::OWN_SURFACE / length);
+        let range = range.with_min_distance(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let line = Line { o: ray.origin + middle * v, v };
@@ -291,18 +306,20 @@ impl Superellipsoid {
         cuts.extend((0..3).map(|axis| -line.o[axis] / v[axis]).filter(|s| *s > lo && *s < hi));
         cuts.sort_by(f64::total_cmp);
         let ends: smallvec::SmallVec<[End; 5]> = cuts.iter().map(|&s| End::new(&line, s)).collect();
-        let _ = ends.windows(2).any(|w| w[0].s < w[1].s && self.in_octant(&line, w[0], w[1], within, &mut visit));
+        let _ = ends
+            .windows(2)
+            .any(|w| w[0].s < w[1].s && self.find_roots_in_octant(&line, w[0], w[1], within, &mut visit));
     }
 }
 
-/// A line o + s·v.
+/// A line o + s·v in a superellipsoid's space.
 struct Line {
     o: DVec3,
     v: DVec3,
 }
 
 impl Line {
-    fn at(&self, s: f64) -> DVec3 {
+    fn point_at(&self, s: f64) -> DVec3 {
         self.o + self.v * s
     }
 }
@@ -322,7 +339,7 @@ impl Readable for Superellipsoid {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let both = r.vector2()?;
-        finite(span, &[], &[both.x, both.y])?;
+        check_finite(span, &[], &[both.x, both.y])?;
         Ok(Self { e: both.x, n: both.y })
     }
 
@@ -340,14 +357,14 @@ impl Kernel for Superellipsoid {
         if self.is_empty() { Aabb::EMPTY } else { CUBE }
     }
 
-    /// Slightly larger than the shape (quirk: `extent_boxes`).
+    /// Box that POV-Ray reports for a superellipsoid, slightly larger than the shape (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        moved_box(m, &CUBE.grown(1e-4))
+        transformed_box(m, &CUBE.grown(1e-4))
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.search(ray, range, &mut |t| {
-            out.push(Hit::at(t));
+            out.push(Hit::on_single_piece(t));
             false
         });
     }
@@ -355,7 +372,7 @@ impl Kernel for Superellipsoid {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
         self.search(ray, range, &mut |t| {
-            first = Some(Hit::at(t));
+            first = Some(Hit::on_single_piece(t));
             true
         });
         first
@@ -375,7 +392,7 @@ impl Kernel for Superellipsoid {
         if edge == DVec3::ZERO { DVec3::Z } else { edge }
     }
 
-    /// POV-Ray has no mapping for this shape.
+    /// Returns false: POV-Ray defines no uv mapping for a superellipsoid.
     fn has_uv_mapping(&self) -> bool {
         false
     }
@@ -384,7 +401,7 @@ impl Kernel for Superellipsoid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, read};
+    use crate::shape::testing::{all_hits, read_shape};
 
     fn near(found: &[Hit], want: &[f64]) {
         let same = found.len() == want.len() && found.iter().zip(want).all(|(h, t)| (h.t - t).abs() < 1e-12);
@@ -395,11 +412,14 @@ mod tests {
     fn ball_and_octahedron() {
         let ball = Superellipsoid { e: 1.0, n: 1.0 };
         let h = (1.0_f64 - 0.25).sqrt();
-        near(&all(&ball, &Ray::new(DVec3::new(0.3, 0.4, -5.0), DVec3::Z * 2.0)), &[(5.0 - h) / 2.0, (5.0 + h) / 2.0]);
-        near(&all(&ball, &Ray::new(DVec3::new(0.8, 0.7, -5.0), DVec3::Z)), &[]);
+        near(
+            &all_hits(&ball, &Ray::new(DVec3::new(0.3, 0.4, -5.0), DVec3::Z * 2.0)),
+            &[(5.0 - h) / 2.0, (5.0 + h) / 2.0],
+        );
+        near(&all_hits(&ball, &Ray::new(DVec3::new(0.8, 0.7, -5.0), DVec3::Z)), &[]);
         let octahedron = Superellipsoid { e: 2.0, n: 2.0 };
-        near(&all(&octahedron, &Ray::new(DVec3::new(0.3, 0.4, -5.0), DVec3::Z)), &[4.7, 5.3]);
-        near(&all(&octahedron, &Ray::new(DVec3::new(-5.0, 0.0, 0.0), DVec3::X)), &[4.0, 6.0]);
+        near(&all_hits(&octahedron, &Ray::new(DVec3::new(0.3, 0.4, -5.0), DVec3::Z)), &[4.7, 5.3]);
+        near(&all_hits(&octahedron, &Ray::new(DVec3::new(-5.0, 0.0, 0.0), DVec3::X)), &[4.0, 6.0]);
     }
 
     #[test]
@@ -410,8 +430,9 @@ mod tests {
             let hit = shape.closest(&Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z), Range::FORWARD).unwrap();
             assert!((hit.t - 5.0 + z).abs() < 1e-10, "{e} {n} {hit:?}");
         }
-        let n =
-            Superellipsoid { e: 2.0, n: 0.5 }.normal(DVec3::new(0.1, 0.2, 0.997968819820), &Hit::at(0.0)).normalize();
+        let n = Superellipsoid { e: 2.0, n: 0.5 }
+            .normal(DVec3::new(0.1, 0.2, 0.997968819820), &Hit::on_single_piece(0.0))
+            .normalize();
         assert!(n.distance(DVec3::new(0.027145172107, 0.027145172107, 0.999262867949)) < 1e-9, "{n}");
     }
 
@@ -424,7 +445,7 @@ mod tests {
                     let (sin, cos) = fp::sin_cos(f64::from(k) * 2.4);
                     let from = DVec3::new(3.0 * cos, 3.0 * sin, 0.1 * f64::from(k) - 3.0);
                     let ray = Ray::new(from, DVec3::new(0.11, -0.07, 0.05) * (f64::from(k % 7) - 3.0) - from);
-                    let hits = all(&shape, &ray);
+                    let hits = all_hits(&shape, &ray);
                     assert!(hits.len().is_multiple_of(2), "{shape:?} {ray:?} {hits:?}");
                     for hit in &hits {
                         let (value, _) = shape.gauge(ray.at(hit.t));
@@ -446,8 +467,8 @@ mod tests {
 
     #[test]
     fn reading() {
-        assert_eq!(read::<Superellipsoid>("<0.5,2,0>").0.unwrap(), Superellipsoid { e: 0.5, n: 2.0 });
-        assert_eq!(read::<Superellipsoid>("<-1,1,0>").1[0].code, codes::NO_SURFACE);
-        assert_eq!(read::<Superellipsoid>("<inf,1,0>").0.unwrap_err().code, codes::NOT_FINITE);
+        assert_eq!(read_shape::<Superellipsoid>("<0.5,2,0>").0.unwrap(), Superellipsoid { e: 0.5, n: 2.0 });
+        assert_eq!(read_shape::<Superellipsoid>("<-1,1,0>").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read_shape::<Superellipsoid>("<inf,1,0>").0.unwrap_err().code, codes::NOT_FINITE);
     }
 }

@@ -7,7 +7,7 @@
 //! text { ttf "timrom.ttf" "durer" 0.2, 0 pigment { color rgb <0.8, 0.3, 0.1> } scale 1.6 translate -1.6*x }
 //! ```
 
-use super::{Hit, Hits, Kernel, finite};
+use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::font::{Curve, Outline};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, solve_quadratic};
@@ -18,48 +18,48 @@ use serde::Serialize;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Fonts that come with POV-Ray, by number; any other number is the first.
+/// Fonts that come with POV-Ray, by the number in `text`; any other number is the first.
 const INTERNAL: [&str; 4] = ["povlogo.ttf", "timrom.ttf", "cyrvetic.ttf", "crystal.ttf"];
 
-/// Rotation of letters about each axis, in degrees (quirk: `text_tilt`).
+/// Rotation of a text's letters about each axis, in degrees (quirk: `text_tilt`).
 const TILT: f64 = 0.001;
 
-/// Part numbers of a letter: both ends, then its curves.
+/// Part numbers of a text's letter: both ends, then its curves.
 const FRONT: u32 = 0;
 const BACK: u32 = 1;
 const WALLS: u32 = 2;
 
-/// Letters in a row.
+/// Shape `text`: solid letters in a row.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Text {
-    /// Name of the font, as written.
+    /// Name of the text's font, as written.
     pub font: String,
-    /// Path of the font's file.
+    /// Path of the text's font file.
     pub file: PathBuf,
-    /// Text whose letters the shape shows.
+    /// Text whose letters the shape `text` consists of.
     pub string: String,
-    /// Extent of letters along z.
+    /// Extent of the text's letters along z.
     pub depth: f64,
-    /// Letters with an outline.
+    /// Letters of the text that have an outline.
     #[serde(skip)]
     letters: Vec<Letter>,
-    /// The text's space from the letters' space.
+    /// Transform from the letters' space to the text's space.
     #[serde(skip)]
     tilt: Box<Transform>,
     #[serde(skip)]
     bounds: Aabb,
 }
 
-/// A letter at its position.
+/// Letter of a text at its position.
 #[derive(Clone, Debug, PartialEq)]
 struct Letter {
     shape: Arc<Glyph>,
     at: DVec3,
-    /// Number of its first part among the parts of all letters.
+    /// Number of the letter's first part among the parts of all letters.
     first: u32,
 }
 
-/// Outline of a letter.
+/// Outline of a text's letter.
 #[derive(Debug, PartialEq)]
 struct Glyph {
     curves: Outline,
@@ -70,15 +70,15 @@ struct Glyph {
 impl Glyph {
     fn new(curves: Outline) -> Self {
         let ends = |better: fn(DVec2, DVec2) -> DVec2| {
-            curves.iter().flat_map(|curve| [curve[0], extreme(curve, better), curve[2]]).reduce(better)
+            curves.iter().flat_map(|curve| [curve[0], curve_extremum(curve, better), curve[2]]).reduce(better)
         };
         let (min, max) = (ends(DVec2::min).unwrap_or_default(), ends(DVec2::max).unwrap_or_default());
         Self { curves, min, max }
     }
 
-    /// True if the half-line along +x crosses the outlines an odd number of times. Each monotonic piece of a curve
-    /// includes its lower end but not its upper end.
-    fn covers(&self, p: DVec2) -> bool {
+    /// True if the half-line from the point along +x crosses the letter's outlines an odd number of times. Each
+    /// monotonic piece of a curve includes its lower end but not its upper end.
+    fn outline_contains(&self, p: DVec2) -> bool {
         if p.y < self.min.y || p.y > self.max.y || p.x < self.min.x || p.x > self.max.x {
             return false;
         }
@@ -89,11 +89,11 @@ impl Glyph {
             let turn = (a.y - b.y) / (a.y - 2.0 * b.y + c.y);
             let mut piece = |s0: f64, y0: f64, s1: f64, y1: f64| {
                 if (y0 <= 0.0) != (y1 <= 0.0) {
-                    odd ^= at([a, b, c], root(a.y, b.y, c.y, s0, s1)).x > 0.0;
+                    odd ^= curve_point([a, b, c], quadratic_root_between(a.y, b.y, c.y, s0, s1)).x > 0.0;
                 }
             };
             if turn > 0.0 && turn < 1.0 {
-                let top = at([a, b, c], turn).y;
+                let top = curve_point([a, b, c], turn).y;
                 piece(0.0, a.y, turn, top);
                 piece(turn, top, 1.0, c.y);
             } else {
@@ -104,20 +104,20 @@ impl Glyph {
     }
 }
 
-/// Returns the extremum of a curve along each axis, if it is between the ends.
-fn extreme(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
+/// Returns the extremum of a letter's curve along each axis, if it is between the ends.
+fn curve_extremum(curve: &Curve, better: fn(DVec2, DVec2) -> DVec2) -> DVec2 {
     let turn = (curve[0] - curve[1]) / (curve[0] - 2.0 * curve[1] + curve[2]);
-    let inner = |s: f64| if s > 0.0 && s < 1.0 { at(*curve, s) } else { curve[0] };
+    let inner = |s: f64| if s > 0.0 && s < 1.0 { curve_point(*curve, s) } else { curve[0] };
     better(inner(turn.x), inner(turn.y))
 }
 
-fn at([a, b, c]: Curve, s: f64) -> DVec2 {
+fn curve_point([a, b, c]: Curve, s: f64) -> DVec2 {
     let r = 1.0 - s;
     a * (r * r) + b * (2.0 * r * s) + c * (s * s)
 }
 
 /// Returns the only root of (1 - s)²·a + 2s(1 - s)·b + s²·c between s0 and s1.
-fn root(a: f64, b: f64, c: f64, s0: f64, s1: f64) -> f64 {
+fn quadratic_root_between(a: f64, b: f64, c: f64, s0: f64, s1: f64) -> f64 {
     let middle = (s0 + s1) / 2.0;
     let off = |s: &f64| (s - middle).abs();
     match solve_quadratic(a - 2.0 * b + c, 2.0 * (b - a), a) {
@@ -147,11 +147,11 @@ impl Readable for Text {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let name = match r.next()? {
             Next::Word("ttf") => {
-                r.take()?;
+                r.take_token()?;
                 None
             }
             Next::Word("internal") => {
-                r.take()?;
+                r.take_token()?;
                 let number = r.float()?;
                 Some(INTERNAL.get(number as usize).copied().unwrap_or(INTERNAL[0]))
             }
@@ -159,11 +159,11 @@ impl Readable for Text {
         };
         let at = r.span();
         let name = name.map_or_else(|| r.text(), |name| Ok(name.to_string()))?;
-        let font = r.font(&name, at)?;
+        let font = r.find_font(&name, at)?;
         let string = r.text()?;
         let span = r.span();
         let (depth, offset) = (r.float()?, r.vector()?);
-        finite(span, &[offset], &[depth])?;
+        check_finite(span, &[offset], &[depth])?;
         let file = font.path().to_path_buf();
         let tilt = Box::new(Transform::rotate(DVec3::splat(TILT)));
         let mut text = Self { font: name, file, string, depth, letters: vec![], tilt, bounds: Aabb::EMPTY };
@@ -180,7 +180,7 @@ impl Readable for Text {
                 first += count;
             }
         }
-        let boxes = text.letters.iter().map(|letter| text.tilt.aabb(&text.box_of(letter)));
+        let boxes = text.letters.iter().map(|letter| text.tilt.transform_aabb(&text.letter_bounds(letter)));
         text.bounds = boxes.fold(Aabb::EMPTY, Aabb::union);
         Ok(text)
     }
@@ -194,12 +194,12 @@ impl Readable for Text {
 }
 
 impl Text {
-    fn box_of(&self, Letter { shape, at, .. }: &Letter) -> Aabb {
+    fn letter_bounds(&self, Letter { shape, at, .. }: &Letter) -> Aabb {
         Aabb::from_corners(at + shape.min.extend(0.0), at + shape.max.extend(self.depth))
     }
 
-    /// Appends the hits on one letter, with the ray in the letter's space.
-    fn meet(&self, letter: &Letter, ray: &Ray, range: Range, out: &mut Hits) {
+    /// Appends the hits on one letter of the text, with the ray in the letter's space.
+    fn add_letter_hits(&self, letter: &Letter, ray: &Ray, range: Range, out: &mut Hits) {
         let (o, d) = (ray.origin - letter.at, ray.dir);
         let mut push = |t: f64, part: u32, s: f64| {
             if range.contains(t) {
@@ -208,7 +208,7 @@ impl Text {
         };
         for (part, z) in [(FRONT, 0.0), (BACK, self.depth)] {
             let t = (z - o.z) / d.z;
-            if t.is_finite() && letter.shape.covers((o + d * t).truncate()) {
+            if t.is_finite() && letter.shape.outline_contains((o + d * t).truncate()) {
                 push(t, part, 0.0);
             }
         }
@@ -228,7 +228,7 @@ impl Text {
             for s in [s1, s2] {
                 // A curve includes its first end but not its last, so that a corner is hit once.
                 if (0.0..1.0).contains(&s) {
-                    let t = across.dot(at(from, s)) / length;
+                    let t = across.dot(curve_point(from, s)) / length;
                     let z = o.z + d.z * t;
                     if z >= 0.0 && z <= self.depth {
                         push(t, part, s);
@@ -238,8 +238,8 @@ impl Text {
         }
     }
 
-    /// Returns the letter of a part, and the part's number within the letter.
-    fn part(&self, number: u32) -> (&Letter, u32) {
+    /// Returns the text's letter that has this part, and the part's number within the letter.
+    fn letter_of_part(&self, number: u32) -> (&Letter, u32) {
         let letter = &self.letters[self.letters.partition_point(|letter| letter.first <= number) - 1];
         (letter, number - letter.first)
     }
@@ -251,25 +251,25 @@ impl Kernel for Text {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        let ray = self.tilt.inverse_ray(ray);
+        let ray = self.tilt.inverse_transform_ray(ray);
         for letter in &self.letters {
-            if self.box_of(letter).slabs(&ray, range).is_some() {
-                self.meet(letter, &ray, range, out);
+            if self.letter_bounds(letter).slabs(&ray, range).is_some() {
+                self.add_letter_hits(letter, &ray, range, out);
             }
         }
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        let p = self.tilt.inverse_point(p);
+        let p = self.tilt.inverse_transform_point(p);
         self.letters.iter().any(|letter| {
             let local = p - letter.at;
-            local.z > 0.0 && local.z < self.depth && letter.shape.covers(local.truncate())
+            local.z > 0.0 && local.z < self.depth && letter.shape.outline_contains(local.truncate())
         })
     }
 
-    /// Walls point inwards (quirk: `text_walls`).
+    /// Normal of a text; walls point inwards (quirk: `text_walls`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
-        let (letter, part) = self.part(hit.part);
+        let (letter, part) = self.letter_of_part(hit.part);
         let n = match part {
             FRONT => DVec3::NEG_Z,
             BACK => DVec3::Z,
@@ -281,7 +281,7 @@ impl Kernel for Text {
             }
         };
         // A rotation transforms normals as vectors.
-        self.tilt.vector(n)
+        self.tilt.transform_vector(n)
     }
 
     fn has_uv_mapping(&self) -> bool {
@@ -292,10 +292,10 @@ impl Kernel for Text {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::all;
+    use crate::shape::testing::all_hits;
 
     fn text(string: &str) -> Text {
-        crate::shape::testing::read::<Text>(&format!("ttf \"roboto\" \"{string}\" 0.5 0")).0.unwrap()
+        crate::shape::testing::read_shape::<Text>(&format!("ttf \"roboto\" \"{string}\" 0.5 0")).0.unwrap()
     }
 
     #[test]
@@ -306,7 +306,7 @@ mod tests {
             let at = |m: usize| (k * m % 997) as f64 / 997.0;
             let from = DVec3::new(at(13) * 3.0, at(29) - 0.2, at(5) - 0.2);
             let ray = Ray::new(from, DVec3::new(at(7) - 0.5, at(11) - 0.5, at(3) - 0.5));
-            let hits = all(&shape, &ray);
+            let hits = all_hits(&shape, &ray);
             assert!(hits.len().is_multiple_of(2), "{ray:?}: {hits:?}");
             met += hits.len();
             for pair in hits.windows(2) {
@@ -342,18 +342,18 @@ mod tests {
 
     #[test]
     fn of_a_negative_depth_only_the_ends_are_left() {
-        let shape = crate::shape::testing::read::<Text>("ttf \"roboto\" \"l\" -0.5 0").0.unwrap();
+        let shape = crate::shape::testing::read_shape::<Text>("ttf \"roboto\" \"l\" -0.5 0").0.unwrap();
         let middle = shape.bounds().center();
-        let hits = all(&shape, &Ray::new(middle.with_z(-5.0), DVec3::Z));
+        let hits = all_hits(&shape, &Ray::new(middle.with_z(-5.0), DVec3::Z));
         assert!(hits.len() == 2 && (hits[0].t - 4.5).abs() < 1e-4 && (hits[1].t - 5.0).abs() < 1e-4, "{hits:?}");
-        assert!(all(&shape, &Ray::new(middle.with_x(-5.0), DVec3::X)).is_empty() && !shape.inside(middle));
+        assert!(all_hits(&shape, &Ray::new(middle.with_x(-5.0), DVec3::X)).is_empty() && !shape.inside(middle));
         // Both ends exist even without depth (quirk: `text_without_depth`).
-        let flat = crate::shape::testing::read::<Text>("ttf \"roboto\" \"l\" 0 0").0.unwrap();
-        assert_eq!(all(&flat, &Ray::new(middle.with_z(-5.0), DVec3::Z)).len(), 2);
+        let flat = crate::shape::testing::read_shape::<Text>("ttf \"roboto\" \"l\" 0 0").0.unwrap();
+        assert_eq!(all_hits(&flat, &Ray::new(middle.with_z(-5.0), DVec3::Z)).len(), 2);
     }
 
     #[test]
     fn nothing_to_show() {
-        assert_eq!(crate::shape::testing::read::<Text>("ttf \"a\" \"\" 1 0").1[0].code, codes::NO_SURFACE);
+        assert_eq!(crate::shape::testing::read_shape::<Text>("ttf \"a\" \"\" 1 0").1[0].code, codes::NO_SURFACE);
     }
 }

@@ -8,9 +8,9 @@
 //! torus { 1, 0.25 pigment { color rgb <0.9, 0.2, 0.2> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, finite};
+use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, bernstein_roots, fp, stable_pair, tolerance};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, bernstein_roots, fp, solve_quadratic_with_discriminant, tolerance};
 use crate::source::Span;
 use crate::value::words::{Row, specs, word};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
@@ -18,31 +18,31 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-/// A ring with a round tube, about the y axis.
+/// Torus: a ring with a round tube, about the y axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Torus {
-    /// Distance from the axis to the centre of the tube.
+    /// Distance from the torus's axis to the centre of its tube.
     pub major: f64,
-    /// Radius of the tube.
+    /// Radius of the torus's tube.
     pub minor: f64,
 }
 
 impl Torus {
-    /// True if no ray hits any part.
+    /// True if no ray hits any part of the torus.
     fn is_empty(&self) -> bool {
         self.minor == 0.0 || self.minor < 0.0 && self.major >= 0.0 || self.major + self.minor == 0.0
     }
 
-    /// Bounding box of the ring, whatever the signs of its radii.
-    fn pipe(&self) -> Aabb {
+    /// Bounding box of the torus, whatever the signs of its radii.
+    fn bounding_pipe(&self) -> Aabb {
         let across = self.major.abs() + self.minor.abs();
         let corner = DVec3::new(across, self.minor.abs(), across);
         Aabb { min: -corner, max: corner }
     }
 
-    /// True if a ray shows a ring with a negative radius: the ray must hit the outer wall of the bounding pipe if
+    /// True if a ray shows a torus with a negative radius: the ray must hit the outer wall of the bounding pipe if
     /// `minor` is positive, else its upper or lower disc (quirk: `negative_torus`).
-    fn shows(&self, ray: &Ray) -> bool {
+    fn is_visible_along(&self, ray: &Ray) -> bool {
         if self.major >= 0.0 {
             return true;
         }
@@ -57,42 +57,44 @@ impl Torus {
         }
         let (o, v) = (DVec2::new(ray.origin.x, ray.origin.z), DVec2::new(ray.dir.x, ray.dir.z));
         let (a, half_b, c) = (v.length_squared(), o.dot(v), o.length_squared() - outer);
-        let ends = stable_pair(a, half_b, c, half_b * half_b - a * c);
+        let ends = solve_quadratic_with_discriminant(a, half_b, c, half_b * half_b - a * c);
         let meets = |t: f64| t > 0.0 && ray.at(t).y.abs() < self.minor;
         ends.is_some_and(|(near, far)| meets(near) || meets(far))
     }
 
-    /// (ρ - R)² + y² - r²: negative inside.
-    fn implicit(&self, p: DVec3) -> f64 {
+    /// Implicit function of the torus, (ρ - R)² + y² - r²: negative inside.
+    fn value_at(&self, p: DVec3) -> f64 {
         let across = fp::hypot(p.x, p.z) - self.major;
         across * across + p.y * p.y - self.minor * self.minor
     }
 
-    /// Calls `visit` with each hit in `range`, in ascending `t`, until it returns `Break`.
-    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
+    /// Calls `visit` with each hit on the torus in `range`, in ascending `t`, until it returns `Break`.
+    fn visit_hits(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
         // Search roots in the bounding pipe only. The range is not used, since it must not change the last digit of a
         // hit.
-        let around = self.pipe().grown(0.01 * self.minor.abs());
-        let Some((near, far)) = around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.shows(ray)) else {
+        let around = self.bounding_pipe().grown(0.01 * self.minor.abs());
+        let Some((near, far)) =
+            around.slabs(ray, Range::ALL).filter(|_| !self.is_empty() && self.is_visible_along(ray))
+        else {
             return;
         };
         if near >= range.max || far <= range.min {
             return;
         }
         let length = ray.dir.length();
-        let range = range.ahead(tolerance::OWN_SURFACE / length);
+        let range = range.with_min_distance(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let o = ray.origin + middle * v;
-        self.roots(o, v, near * length - middle, far * length - middle, &mut |s| {
+        self.find_ray_roots(o, v, near * length - middle, far * length - middle, &mut |s| {
             let t = (s + middle) / length;
             t >= range.max || range.contains(t) && visit(t).is_break()
         });
     }
 
-    /// Calls `found` with the roots in units of |dir|, ascending, until it returns true. `o` is the point of the ray
-    /// nearest to the origin, so that o·v = 0.
-    fn roots(&self, o: DVec3, v: DVec3, lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
+    /// Calls `found` with the roots of a ray on the torus, in units of |dir|, ascending, until it returns true. `o` is
+    /// the point of the ray nearest to the origin, so that o·v = 0.
+    fn find_ray_roots(&self, o: DVec3, v: DVec3, lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
         let (major2, minor2) = (self.major * self.major, self.minor * self.minor);
         // (s² + K)² = 4R²·((oₓ + s·vₓ)² + (o_z + s·v_z)²) with K = o² + R² - r²
         let k = o.length_squared() + major2 - minor2;
@@ -141,7 +143,7 @@ impl Readable for Torus {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (major, minor) = (r.float()?, r.float()?);
-        finite(span, &[], &[major, minor])?;
+        check_finite(span, &[], &[major, minor])?;
         Ok(Self { major, minor })
     }
 
@@ -159,27 +161,27 @@ impl Kernel for Torus {
         if self.minor == 0.0 {
             return Aabb::EMPTY;
         }
-        self.pipe()
+        self.bounding_pipe()
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.meet(ray, range, |t| {
-            out.push(Hit::at(t));
+        self.visit_hits(ray, range, |t| {
+            out.push(Hit::on_single_piece(t));
             ControlFlow::Continue(())
         });
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut found = None;
-        self.meet(ray, range, |t| {
-            found = Some(Hit::at(t));
+        self.visit_hits(ray, range, |t| {
+            found = Some(Hit::on_single_piece(t));
             ControlFlow::Break(())
         });
         found
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        self.minor != 0.0 && self.implicit(p) <= 0.0
+        self.minor != 0.0 && self.value_at(p) <= 0.0
     }
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
@@ -201,7 +203,7 @@ impl Kernel for Torus {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, assert_hits, read};
+    use crate::shape::testing::{all_hits, assert_hits, read_shape};
     use proptest::prelude::*;
 
     const RING: Torus = Torus { major: 1.0, minor: 0.25 };
@@ -209,14 +211,14 @@ mod tests {
     #[test]
     fn closed_forms() {
         let through = Ray::new(DVec3::new(-3.0, 0.0, 0.0), DVec3::X * 2.0);
-        assert_hits(&all(&RING, &through), &[(0.875, 0), (1.125, 0), (1.875, 0), (2.125, 0)]);
+        assert_hits(&all_hits(&RING, &through), &[(0.875, 0), (1.125, 0), (1.875, 0), (2.125, 0)]);
         let down = Ray::new(DVec3::new(1.15, 4.0, 0.0), -DVec3::Y);
-        assert_hits(&all(&RING, &down), &[(3.8, 0), (4.2, 0)]);
-        assert_hits(&all(&RING, &Ray::new(DVec3::Y, -DVec3::Y)), &[]);
+        assert_hits(&all_hits(&RING, &down), &[(3.8, 0), (4.2, 0)]);
+        assert_hits(&all_hits(&RING, &Ray::new(DVec3::Y, -DVec3::Y)), &[]);
         // The rays touch the top along a tangent, and the outer equator.
-        let grazing = all(&RING, &Ray::new(DVec3::new(1.0, 0.25, -2.0), DVec3::Z));
+        let grazing = all_hits(&RING, &Ray::new(DVec3::new(1.0, 0.25, -2.0), DVec3::Z));
         assert!(grazing.iter().all(|h| (h.t - 2.0).abs() < 1e-3), "{grazing:?}");
-        let n = RING.normal(DVec3::new(1.0, 0.25, 0.0), &Hit::at(0.0));
+        let n = RING.normal(DVec3::new(1.0, 0.25, 0.0), &Hit::on_single_piece(0.0));
         assert!(n.normalize().distance(DVec3::Y) < 1e-15);
     }
 
@@ -225,7 +227,7 @@ mod tests {
         let ray = Ray::new(DVec3::new(0.0, 0.1, -1e7), DVec3::Z);
         let h = (0.0625_f64 - 0.01).sqrt();
         let want = [-1.0 - h, -1.0 + h, 1.0 - h, 1.0 + h];
-        for (hit, z) in all(&RING, &ray).iter().zip(want) {
+        for (hit, z) in all_hits(&RING, &ray).iter().zip(want) {
             assert!((hit.t - 1e7 - z).abs() < 1e-8, "{hit:?} {z}");
         }
     }
@@ -234,21 +236,21 @@ mod tests {
     fn odd_radii() {
         assert!(!Torus { major: -1.0, minor: 0.5 }.inside(DVec3::X));
         let ball = Torus { major: 0.0, minor: 1.0 };
-        let hits = all(&ball, &Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z));
+        let hits = all_hits(&ball, &Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z));
         let h = (1.0_f64 - 0.05).sqrt();
         assert!(hits.iter().all(|x| (x.t - 5.0 + h).abs() < 1e-6 || (x.t - 5.0 - h).abs() < 1e-6) && hits.len() >= 2);
         // POV-Ray's `inside()` for a closed hole.
         let spindle = Torus { major: 0.25, minor: 1.0 };
         assert!(spindle.inside(DVec3::ZERO) && spindle.inside(DVec3::Y * 0.9) && !spindle.inside(DVec3::X * 1.3));
-        assert_eq!(read::<Torus>("1 0.25 sturm on").0.unwrap(), RING);
-        assert_eq!(read::<Torus>("1 -0.25").1[0].code, codes::NO_SURFACE);
+        assert_eq!(read_shape::<Torus>("1 0.25 sturm on").0.unwrap(), RING);
+        assert_eq!(read_shape::<Torus>("1 -0.25").1[0].code, codes::NO_SURFACE);
     }
 
     /// All numbers from POV-Ray's `trace()` and `inside()`.
     #[test]
     fn negative_radii() {
         let hits = |major: f64, minor: f64, from: [f64; 3], dir: DVec3| {
-            all(&Torus { major, minor }, &Ray::new(from.into(), dir)).len()
+            all_hits(&Torus { major, minor }, &Ray::new(from.into(), dir)).len()
         };
         // Through the outer wall, of radius 0.8, or not; with the wall behind the origin.
         assert_eq!(hits(-1.0, 0.2, [-3.0, 0.0, 0.0], DVec3::X), 4);
@@ -269,7 +271,7 @@ mod tests {
 
     #[test]
     fn uv_around_ring_and_tube() {
-        let uv = |x: f64, y: f64, z: f64| RING.uv(DVec3::new(x, y, z), &Hit::at(0.0));
+        let uv = |x: f64, y: f64, z: f64| RING.uv(DVec3::new(x, y, z), &Hit::on_single_piece(0.0));
         assert!(uv(0.0, 0.0, -1.25).distance(DVec2::new(0.75, 0.5)) < 1e-12);
         assert!(uv(0.0, 0.25, 1.0).distance(DVec2::new(0.25, 0.75)) < 1e-12);
     }
@@ -284,15 +286,15 @@ mod tests {
             let torus = Torus { major, minor };
             let (o, at) = (DVec3::from(o), DVec3::from(at));
             let ray = Ray::new(o, (at - o) * 1.7);
-            let hits = all(&torus, &ray);
+            let hits = all_hits(&torus, &ray);
             for hit in &hits {
                 // A closed hole has an inner surface, on which -R takes the place of R.
                 let (p, within) = (ray.at(hit.t), Torus { major: -major, minor });
-                prop_assert!(torus.implicit(p).abs().min(within.implicit(p).abs()) < 1e-10, "{hit:?}");
+                prop_assert!(torus.value_at(p).abs().min(within.value_at(p).abs()) < 1e-10, "{hit:?}");
             }
             prop_assert!(hits.len().is_multiple_of(2));
             // Sign changes of the implicit function between samples are crossings that must be found.
-            let value = |i: i32| torus.implicit(ray.at(f64::from(i) * 0.01));
+            let value = |i: i32| torus.value_at(ray.at(f64::from(i) * 0.01));
             for i in -400..400 {
                 if value(i) * value(i + 1) < 0.0 && torus.major > torus.minor {
                     let (lo, hi) = (f64::from(i) * 0.01, f64::from(i + 1) * 0.01);

@@ -4,7 +4,7 @@
 //! triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> pigment { color rgb <0.3, 0.7, 0.3> } }
 //! ```
 
-use super::{Hit, Hits, Kernel, finite};
+use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
@@ -14,34 +14,34 @@ use serde::Serialize;
 /// A flat triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Triangle {
-    /// First corner.
+    /// First corner of the triangle.
     pub a: DVec3,
-    /// Second corner.
+    /// Second corner of the triangle.
     pub b: DVec3,
-    /// Third corner.
+    /// Third corner of the triangle.
     pub c: DVec3,
 }
 
 impl Triangle {
-    /// The triangle with these corners.
+    /// Creates the triangle with these corners.
     pub const fn new(a: DVec3, b: DVec3, c: DVec3) -> Self {
         Self { a, b, c }
     }
 
-    /// (c - a) × (b - a): its length is twice the area (lecture, "Ray and triangle intersection II"). Seen from its
-    /// side the corners are clockwise in POV-Ray's left-handed system, as in POV-Ray's `trace()`.
+    /// Normal of the triangle, (c - a) × (b - a): its length is twice the area (lecture, "Ray and triangle intersection
+    /// II"). Seen from its side the corners are clockwise in POV-Ray's left-handed system, as in POV-Ray's `trace()`.
     pub fn face_normal(&self) -> DVec3 {
         (self.c - self.a).cross(self.b - self.a)
     }
 
-    /// True if the area is zero, to rounding.
+    /// True if the triangle's area is zero, to rounding.
     pub fn is_degenerate(&self) -> bool {
         let (ab, ac) = (self.b - self.a, self.c - self.a);
         self.face_normal().length() <= f64::EPSILON * ab.length() * ac.length()
     }
 
-    /// Intersects a ray with the plane a + u·(b - a) + v·(c - a) (lecture, "Ray and triangle intersection I"): Cramer's
-    /// rule on p₀ - a = -t·v + u·(b - a) + v·(c - a), in the order of Möller and Trumbore (1997).
+    /// Intersects a ray with the triangle's plane a + u·(b - a) + v·(c - a) (lecture, "Ray and triangle intersection
+    /// I"): Cramer's rule on p₀ - a = -t·v + u·(b - a) + v·(c - a), in the order of Möller and Trumbore (1997).
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
         let (ab, ac) = (self.b - self.a, self.c - self.a);
         let p = ray.dir.cross(ac);
@@ -57,8 +57,9 @@ impl Triangle {
         (v >= 0.0 && u + v <= 1.0).then_some(Hit { t, part: 0, uv: DVec2::new(u, v) })
     }
 
-    /// Returns the barycentric coordinates (λ₁, λ₂, λ₃) of a point of the plane, in the coordinate plane with the
-    /// largest projection (lecture, "Point on triangle"). The point is in the triangle if and only if none is negative.
+    /// Returns the barycentric coordinates (λ₁, λ₂, λ₃) of a point of the triangle's plane, in the coordinate plane
+    /// with the largest projection (lecture, "Point on triangle"). The point is in the triangle if and only if none is
+    /// negative.
     pub fn barycentric(&self, p: DVec3) -> DVec3 {
         // Drop the axis along which the normal is longest.
         let drop = self.face_normal().abs().max_position();
@@ -69,7 +70,7 @@ impl Triangle {
         DVec3::new(l1, l2, 1.0 - l1 - l2)
     }
 
-    /// Bounding box; empty for a triangle without area.
+    /// Bounding box of the triangle; empty without area.
     pub fn bounds(&self) -> Aabb {
         if self.is_degenerate() { Aabb::EMPTY } else { Aabb::from_points([self.a, self.b, self.c]) }
     }
@@ -90,7 +91,7 @@ impl Readable for Triangle {
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
         let (a, b, c) = (r.vector()?, r.vector()?, r.vector()?);
-        finite(span, &[a, b, c], &[])?;
+        check_finite(span, &[a, b, c], &[])?;
         Ok(Self::new(a, b, c))
     }
 
@@ -108,7 +109,7 @@ impl Kernel for Triangle {
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        let corners = [self.a, self.b, self.c].map(|p| m.point(p));
+        let corners = [self.a, self.b, self.c].map(|p| m.transform_point(p));
         if self.is_degenerate() { Aabb::EMPTY } else { Aabb::from_points(corners) }
     }
 
@@ -132,7 +133,8 @@ impl Kernel for Triangle {
         self.face_normal()
     }
 
-    /// The lecture's (u, v). POV-Ray has no mapping for triangles outside meshes.
+    /// Surface coordinates of a triangle: the lecture's (u, v). POV-Ray defines no uv mapping for triangles outside
+    /// meshes.
     fn uv(&self, _: DVec3, hit: &Hit) -> DVec2 {
         hit.uv
     }
@@ -145,7 +147,7 @@ impl Kernel for Triangle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::read;
+    use crate::shape::testing::read_shape;
     use proptest::prelude::*;
 
     fn corner() -> Triangle {
@@ -174,9 +176,9 @@ mod tests {
 
     #[test]
     fn degenerate() {
-        assert_eq!(read::<Triangle>("0 <1,0,0> <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
-        assert_eq!(read::<Triangle>("0 0 <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
-        assert!(read::<Triangle>("0 <1,0,0> <0,1e-7,0>").1.is_empty(), "thin is not degenerate");
+        assert_eq!(read_shape::<Triangle>("0 <1,0,0> <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
+        assert_eq!(read_shape::<Triangle>("0 0 <2,0,0>").1[0].code, codes::FLAT_TRIANGLE);
+        assert!(read_shape::<Triangle>("0 <1,0,0> <0,1e-7,0>").1.is_empty(), "thin is not degenerate");
         let line = Triangle::new(DVec3::ZERO, DVec3::X, DVec3::X * 2.0);
         assert!(line.bounds().is_empty());
         assert_eq!(line.intersect(&Ray::new(DVec3::new(0.5, 0.0, -1.0), DVec3::Z)), None);

@@ -1,4 +1,4 @@
-//! What the calling thread does at present, for messages about exhausted memory.
+//! Present activity of the calling thread, for messages about exhausted memory.
 
 use std::cell::Cell;
 

@@ -2,7 +2,7 @@
 //! "Normal Maps", "Texture Maps").
 
 use super::Texture;
-use super::doubts::tell_falling;
+use super::doubts::warn_of_descending_map;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::cancel;
 use crate::pattern::{CellPattern, Cells, Pattern, PatternKind};
@@ -11,73 +11,74 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// Values at numbers, in the order in which they were written; between two numbers their values are blended.
+/// Map from numbers to values, such as colours, in the order written; between two numbers their values are blended.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Map<T> {
-    /// Entries with the numbers at which they are placed; never empty.
+    /// Entries of the map with the numbers at which they are placed; never empty.
     pub entries: Vec<(f64, T)>,
 }
 
-/// One or two values with their weights.
+/// Values of a map with their weights, usually one or two.
 pub type Shares<'a, T> = SmallVec<[(&'a T, f64); 2]>;
 
 impl<T> Map<T> {
-    /// The entries below and above a number, and the number's position between them, from 0 to 1. The last entry from
-    /// its own number on, the first up to its own number.
-    pub fn around(&self, v: f64) -> (&T, Option<(&T, f64)>) {
+    /// Returns the map's entries below and above a number, and the number's position between them, from 0 to 1. The
+    /// last entry from its own number on, the first up to its own number.
+    pub fn entries_around(&self, number: f64) -> (&T, Option<(&T, f64)>) {
         let (first, last) = (&self.entries[0], &self.entries[self.entries.len() - 1]);
         // The last entry takes precedence over the first, also where both have one number; NaN gives the first (quirk:
         // map_ends).
-        if v >= last.0 {
+        if number >= last.0 {
             return (&last.1, None);
         }
-        if v <= first.0 || v.is_nan() {
+        if number <= first.0 || number.is_nan() {
             return (&first.1, None);
         }
         // No binary search: entries may be in any order, and the first that fits counts (quirk: map_ends).
-        let Some(i) = self.entries.iter().position(|e| e.0 >= v) else { return (&last.1, None) };
+        let Some(i) = self.entries.iter().position(|e| e.0 >= number) else { return (&last.1, None) };
         let ((a, below), (b, above)) = (&self.entries[i - 1], &self.entries[i]);
-        (below, Some((above, (v - a) / (b - a))))
+        (below, Some((above, (number - a) / (b - a))))
     }
 
-    /// The values at a number, with their weights.
-    pub fn shares(&self, v: f64) -> Shares<'_, T> {
-        match self.around(v) {
+    /// Returns the map's values at a number, with their weights.
+    pub fn weighted_entries(&self, number: f64) -> Shares<'_, T> {
+        match self.entries_around(number) {
             (only, None) => SmallVec::from_slice(&[(only, 1.0)]),
             (below, Some((above, t))) => SmallVec::from_slice(&[(below, 1.0 - t), (above, t)]),
         }
     }
 
-    /// All values, weighted by their numbers.
-    pub fn average(&self) -> Shares<'_, T> {
+    /// Returns all values of the map, weighted by their numbers.
+    pub fn entries_weighted_by_numbers(&self) -> Shares<'_, T> {
         let sum: f64 = self.entries.iter().map(|(weight, _)| weight).sum();
         self.entries.iter().map(|(weight, entry)| (entry, weight / sum)).collect()
     }
 }
 
-/// Values of a map or list: pigments, normals, textures, slopes, densities.
+/// Value of a map or list: a pigment, normal, texture, slope or density.
 pub trait Entry: Clone {
     /// The block of a map of these values, such as `pigment_map`.
     const MAP: &'static str;
     /// The block of one value, such as `pigment`; empty if it has none.
     const BLOCK: &'static str;
 
-    /// Reads an entry after its number, or the contents of its block, on top of the default texture.
+    /// Reads the value of a map's entry after its number, or the contents of the value's block, on top of the default
+    /// texture.
     fn read_entry(r: &mut dyn Reader, defaults: &Texture) -> Result<Self>;
 
-    /// Reads a declared value if one comes next.
-    fn declared(r: &mut dyn Reader) -> Result<Option<Self>>;
+    /// Reads a declared value of a map if one comes next.
+    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>>;
 }
 
 impl<T: Entry> Map<T>
 where
     Map<T>: Thing,
 {
-    /// Reads `{ [0.0 …] [1.0 …] }` after the brace, or a declared map. With `average` the numbers are weights; a
-    /// missing weight is 1, but a weight must precede a colour (quirk: `average_weights`).
+    /// Reads the entries of a map, `{ [0.0 …] [1.0 …] }`, after the brace, or a declared map. With `average` the
+    /// numbers are weights; a missing weight is 1, but a weight must precede a colour (quirk: `average_weights`).
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read_entries(r: &mut dyn Reader, defaults: &Texture, average: bool) -> Result<Self> {
         if let Some(map) = r.thing::<Self>()? {
             return Ok((*map).clone());
@@ -85,34 +86,34 @@ where
         let span = r.span();
         let mut entries = vec![];
         while r.next()? == Next::Entry {
-            r.take()?;
+            r.take_token()?;
             let number = match r.optional_float()? {
                 Some(number) => number,
-                None if average && !r.at_color()? => 1.0,
-                None => return Err(r.unexpected("the entry's number").help(example::<T>()).into()),
+                None if average && !r.is_at_color()? => 1.0,
+                None => return Err(r.unexpected("the entry's number").help(example_entry::<T>()).into()),
             };
             entries.push((number, T::read_entry(r, defaults)?));
-            r.leave()?;
+            r.leave_block()?;
         }
         if entries.is_empty() {
             if r.next()? != Next::End {
                 return Err(r.unknown_word(T::MAP, &["[0.5 …]"]).into());
             }
             return Diagnostic::new(codes::EMPTY_MAP, span, format!("a `{}` needs at least one entry", T::MAP))
-                .help(example::<T>())
+                .help(example_entry::<T>())
                 .into();
         }
         entries.shrink_to_fit();
         let map = Self { entries };
         if !average {
-            tell_falling(r, span, &map);
+            warn_of_descending_map(r, span, &map);
         }
         Ok(map)
     }
 }
 
-/// The text of a help line: an example of an entry.
-fn example<T: Entry>() -> String {
+/// Returns an example of a map's entry, for the help line of a message.
+fn example_entry<T: Entry>() -> String {
     format!("entries look like `[0.5 {} … ]`", T::BLOCK)
 }
 
@@ -133,45 +134,45 @@ pub fn read_list<T: Entry>(
         return Ok(None);
     }
     let mut list = vec![];
-    while list.len() < pattern.count() {
+    while list.len() < pattern.cell_kind_count() {
         if r.next()? == Next::Block(T::BLOCK) {
-            r.take()?;
+            r.take_token()?;
             list.push(T::read_entry(r, defaults)?);
-            r.leave()?;
-        } else if let Some(declared) = T::declared(r)? {
+            r.leave_block()?;
+        } else if let Some(declared) = T::read_declared(r)? {
             list.push(declared);
         } else {
             break;
         }
     }
     if matches!(name, Next::Block(_)) {
-        r.leave()?;
+        r.leave_block()?;
     }
-    list.extend((list.len()..pattern.count()).map(|cell| default(pattern, cell)));
+    list.extend((list.len()..pattern.cell_kind_count()).map(|cell| default(pattern, cell)));
     Ok(Some(Blend::List(list.into())))
 }
 
-/// The values that a pattern chooses from.
+/// Values from which a pattern selects.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Blend<T> {
-    /// By the pattern's number; all values with `average`.
+    /// Values selected by the pattern's number; all values are mixed with `average`.
     Map(Arc<Map<T>>),
-    /// One for each cell.
+    /// Values in a list, one for each kind of the pattern's cells.
     List(Arc<[T]>),
 }
 
 impl<T> Blend<T> {
-    /// The values at a number, with their weights; all with `average`.
-    pub fn shares(&self, number: f64, average: bool) -> Shares<'_, T> {
+    /// Returns the values at a pattern's number, with their weights; all of them if `all` is true.
+    pub fn weighted_values(&self, number: f64, all: bool) -> Shares<'_, T> {
         match self {
-            Blend::Map(map) if average => map.average(),
-            Blend::Map(map) => map.shares(number),
-            Blend::List(list) => between(list, number),
+            Blend::Map(map) if all => map.entries_weighted_by_numbers(),
+            Blend::Map(map) => map.weighted_entries(number),
+            Blend::List(list) => weighted_list_values(list, number),
         }
     }
 
-    /// Applies `f` to all values.
+    /// Applies `f` to all values from which the pattern selects.
     pub fn map<U>(&self, mut f: impl FnMut(&T) -> U) -> Blend<U> {
         match self {
             Blend::Map(map) => {
@@ -182,8 +183,8 @@ impl<T> Blend<T> {
         }
     }
 
-    /// True if both share one allocation.
-    pub(super) fn shares_with(&self, other: &Self) -> bool {
+    /// True if both maps or lists share one allocation.
+    pub(super) fn shares_allocation_with(&self, other: &Self) -> bool {
         match (self, other) {
             (Blend::Map(a), Blend::Map(b)) => Arc::ptr_eq(a, b),
             (Blend::List(a), Blend::List(b)) => Arc::ptr_eq(a, b),
@@ -191,8 +192,9 @@ impl<T> Blend<T> {
         }
     }
 
-    /// Applies `f` to all values, once for each run of equal neighbours. In cancelled work all values count as equal, so
-    /// that nested maps, whose number of values is exponential in their depth, end soon.
+    /// Applies `f` to all values from which the pattern selects, once for each run of equal neighbours. In cancelled
+    /// work all values count as equal, so that nested maps, whose number of values is exponential in their depth, end
+    /// soon.
     pub fn map_runs<U: Clone>(&self, same: impl Fn(&T, &T) -> bool, mut f: impl FnMut(&T) -> U) -> Blend<U> {
         let mut before: Option<(&T, U)> = None;
         let entries: &mut dyn Iterator<Item = &T> = match self {
@@ -212,7 +214,7 @@ impl<T> Blend<T> {
         }
     }
 
-    /// Iterates over all values in order; over none in cancelled work.
+    /// Iterates over all values from which the pattern selects, in order; over none in cancelled work.
     pub fn iter(&self) -> Box<dyn Iterator<Item = &T> + '_> {
         match self {
             _ if cancel::is_cancelled() => Box::new([].iter()),
@@ -222,9 +224,9 @@ impl<T> Blend<T> {
     }
 }
 
-/// The values of a list at a number, as of a map with its entries at whole numbers: a `frequency` gives numbers between
-/// them.
-fn between<T>(list: &[T], number: f64) -> Shares<'_, T> {
+/// Returns the values of a list at a pattern's number, as of a map with its entries at whole numbers: a `frequency`
+/// gives numbers between them.
+fn weighted_list_values<T>(list: &[T], number: f64) -> Shares<'_, T> {
     let (i, t) = (number as usize, number.fract());
     let (Some(below), Some(above)) = (list.get(i).or(list.last()), list.get(i.saturating_add(1)).or(list.last()))
     else {
@@ -242,7 +244,7 @@ mod tests {
     fn blends_between_and_holds_at_the_ends() {
         let gray = |x: f64| Color::opaque(Rgb::splat(x));
         let map = Map { entries: vec![(0.25, gray(0.0)), (0.5, gray(1.0)), (0.5, gray(0.25)), (1.0, gray(0.75))] };
-        let at = |v| map.at(v).rgb.x;
+        let at = |v| map.color_at(v).rgb.x;
         assert_eq!([at(0.0), at(0.375), at(0.5), at(0.75), at(2.0)], [0.0, 0.5, 1.0, 0.5, 0.75]);
         assert_eq!(at(f64::NAN), 0.0);
     }
@@ -252,7 +254,7 @@ mod tests {
         // POV-Ray 3.7's choice
         let shown = |numbers: &[f64], v: f64| {
             let map = Map { entries: numbers.iter().copied().enumerate().map(|(i, number)| (number, i)).collect() };
-            match map.around(v) {
+            match map.entries_around(v) {
                 (i, None) => (*i, *i),
                 (below, Some((above, _))) => (*below, *above),
             }
@@ -267,6 +269,6 @@ mod tests {
     #[test]
     fn weights_of_an_average_add_up_to_one() {
         let map = Map { entries: vec![(1.0, 'a'), (3.0, 'b')] };
-        assert_eq!(map.average().to_vec(), [(&'a', 0.25), (&'b', 0.75)]);
+        assert_eq!(map.entries_weighted_by_numbers().to_vec(), [(&'a', 0.25), (&'b', 0.75)]);
     }
 }

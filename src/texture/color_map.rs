@@ -1,29 +1,30 @@
 //! `color_map`: colours along a line of numbers (manual, "Color Maps").
 
 use super::blend::Map;
-use super::doubts::tell_falling;
+use super::doubts::warn_of_descending_map;
 use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Interval;
 use crate::function::LocalBounds;
 use crate::value::{FloatOrColor, Next, Reader, ReaderExt};
 
-/// A map from numbers to colours.
+/// Colour map: a map from numbers to colours.
 pub type ColorMap = Map<Color>;
 
 impl ColorMap {
-    /// The colour at a number.
-    pub fn at(&self, v: f64) -> Color {
-        match self.around(v) {
+    /// Returns the map's colour at a number.
+    pub fn color_at(&self, number: f64) -> Color {
+        match self.entries_around(number) {
             (only, None) => *only,
             (below, Some((above, t))) => below.lerp(*above, t),
         }
     }
 
-    /// Bounds on the components (red, green, blue, filter, transmit) for numbers with the bounds `near`.
+    /// Bounds on the components of the map's colour (red, green, blue, filter, transmit) for numbers with the bounds
+    /// `near`.
     pub fn bounds_near(&self, near: LocalBounds) -> [LocalBounds; 5] {
         let Interval { lo, hi } = near.range;
-        let (first, last) = (self.at(lo).to_array(), self.at(hi).to_array());
+        let (first, last) = (self.color_at(lo).to_array(), self.color_at(hi).to_array());
         let mut all = [0, 1, 2, 3, 4].map(|i: usize| LocalBounds {
             range: Interval::new(first[i], last[i]),
             steepest: 0.0,
@@ -50,11 +51,11 @@ impl ColorMap {
         })
     }
 
-    /// Reads `{ [0.0 color …] [1.0 color …] }` after the brace; also the old entries of two numbers and two colours,
-    /// and a declared map.
+    /// Reads a colour map, `{ [0.0 color …] [1.0 color …] }`, after the brace; also the old entries of two numbers and
+    /// two colours, and a declared map.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         if let Some(map) = r.thing::<ColorMap>()? {
             return Ok((*map).clone());
@@ -62,16 +63,16 @@ impl ColorMap {
         let span = r.span();
         let mut entries = vec![];
         while r.next()? == Next::Entry {
-            r.take()?;
+            r.take_token()?;
             let from = r.float()?;
             match r.float_or_color()? {
-                FloatOrColor::Color(color) => entries.push((from, color.as_paint())),
+                FloatOrColor::Color(color) => entries.push((from, color.without_infinities())),
                 FloatOrColor::Float(to) => {
-                    entries.push((from, r.color()?.as_paint()));
-                    entries.push((to, r.color()?.as_paint()));
+                    entries.push((from, r.color()?.without_infinities()));
+                    entries.push((to, r.color()?.without_infinities()));
                 }
             }
-            r.leave()?;
+            r.leave_block()?;
         }
         if entries.is_empty() {
             if r.next()? != Next::End {
@@ -83,7 +84,7 @@ impl ColorMap {
         }
         entries.shrink_to_fit();
         let map = Self { entries };
-        tell_falling(r, span, &map);
+        warn_of_descending_map(r, span, &map);
         Ok(map)
     }
 }

@@ -10,40 +10,40 @@ use crate::value::{Next, Reader, ReaderExt, SharedDefault, StaticDefault, Unsupp
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// All parameters of a finish.
+/// Finish of a texture: how the surface reflects and emits light.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finish {
-    /// Reflected ambient light, times `global_settings { ambient_light }`.
+    /// Ambient light that the finish reflects, times `global_settings { ambient_light }`.
     pub ambient: Rgb,
-    /// Factor of the pigment's colour in the emitted light.
+    /// Factor of the pigment's colour in the light that the finish emits.
     pub emission: Rgb,
-    /// Fraction of incident light that is scattered on its own side.
+    /// Fraction of incident light that the finish scatters on its own side.
     pub diffuse: f64,
-    /// Fraction of light on the far side that is scattered through the surface.
+    /// Fraction of light on the far side that the finish scatters through the surface.
     pub diffuse_back: f64,
-    /// True for `diffuse albedo`: `diffuse` is the total of scattered light.
+    /// True for `diffuse albedo` of a finish: `diffuse` is the total of scattered light.
     pub diffuse_albedo: bool,
-    /// Exponent of the cosine.
+    /// Exponent of the cosine in the finish's diffuse light.
     pub brilliance: f64,
-    /// Strength of the highlight about the mirrored ray.
+    /// Strength of the finish's Phong highlight, about the mirrored ray.
     pub phong: f64,
-    /// True for `phong albedo`: `phong` is the total of light in the highlight.
+    /// True for `phong albedo` of a finish: `phong` is the total of light in the highlight.
     pub phong_albedo: bool,
-    /// Exponent of the Phong highlight.
+    /// Exponent of the finish's Phong highlight.
     pub phong_size: f64,
-    /// Strength of the highlight about the half-way vector.
+    /// Strength of the finish's specular highlight, about the half-way vector.
     pub specular: f64,
-    /// True for `specular albedo`: `specular` is the total of light in the highlight.
+    /// True for `specular albedo` of a finish: `specular` is the total of light in the highlight.
     pub specular_albedo: bool,
-    /// Inverse of the exponent of the specular highlight.
+    /// Inverse of the exponent of the finish's specular highlight.
     pub roughness: f64,
-    /// Share of the pigment's colour in the highlights, 0 to 1.
+    /// Share of the pigment's colour in the finish's highlights, 0 to 1.
     pub metallic: f64,
-    /// Random darkening of the diffuse light.
+    /// Random darkening of the finish's diffuse light.
     pub crand: f64,
-    /// Strength and colour of the mirror reflection.
+    /// Strength and colour of the finish's mirror reflection.
     pub reflection: SharedDefault<Reflection>,
-    /// Thin-film interference; `None` without `irid`.
+    /// Thin-film interference of the finish; `None` without `irid`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub irid: Option<Box<Irid>>,
     /// True if the transmitted light is reduced by the reflected light.
@@ -53,47 +53,47 @@ pub struct Finish {
     pub uncommon: SharedDefault<Uncommon>,
 }
 
-/// Rare parameters of a finish.
+/// Parameters of a finish that few scenes set.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Uncommon {
-    /// Index of refraction in old scenes, overridden by the interior's.
+    /// Index of refraction in the finish of an old scene, overridden by the interior's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
-    /// Caustics in old scenes, in their old unit.
+    /// Caustics in the finish of an old scene, in their old unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub caustics: Option<f64>,
-    /// Factor of the transmitted light in old scenes, if the layer is the topmost.
+    /// Factor of the transmitted light in the finish of an old scene, if the layer is the topmost.
     pub refraction: f64,
-    /// Parameters that durer reads and does not render yet.
+    /// Parameters of the finish that durer reads and does not render yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
 
-/// `irid`: thin-film interference (manual, "Iridescence").
+/// Thin-film interference of a finish, from `irid` (manual, "Iridescence").
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Irid {
-    /// Strength of the interference colours.
+    /// Strength of the thin film's interference colours.
     pub amount: f64,
     /// Thickness of the film, in the units of `irid_wavelength`.
     pub thickness: f64,
-    /// Random variation of the thickness.
+    /// Random variation of the thin film's thickness.
     pub turbulence: f64,
 }
 
-/// All parameters of a mirror.
+/// Mirror reflection of a finish.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reflection {
-    /// Reflectance at perpendicular incidence.
+    /// Reflectance of the mirror at perpendicular incidence.
     pub min: Rgb,
-    /// Reflectance at grazing incidence.
+    /// Reflectance of the mirror at grazing incidence.
     pub max: Rgb,
-    /// True if the reflectance follows Fresnel's equations, false for a power of the cosine.
+    /// True if the mirror's reflectance follows Fresnel's equations, false for a power of the cosine.
     pub fresnel: bool,
-    /// Exponent of that power.
+    /// Exponent of the cosine in the mirror's reflectance.
     pub falloff: f64,
-    /// Exponent of the reflected light.
+    /// Exponent that is applied to the light that the mirror reflects.
     pub exponent: f64,
-    /// Share of the pigment's colour in the reflection, 0 to 1.
+    /// Share of the pigment's colour in the mirror reflection, 0 to 1.
     pub metallic: f64,
 }
 
@@ -136,10 +136,10 @@ impl Default for Reflection {
 }
 
 impl Finish {
-    /// Reads the contents of the braces, on top of `base` (the default finish).
+    /// Reads the items of a `finish` block, on top of `base` (the default finish).
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: &Finish) -> Result<Self> {
         let mut f = base.without_albedo();
         loop {
@@ -150,14 +150,14 @@ impl Finish {
                     None => return Err(r.unknown_word_in(&FINISH)),
                 },
                 Next::Block("reflection") => {
-                    r.take()?;
+                    r.take_token()?;
                     f.reflection = Reflection::read(r, &f.reflection)?.into();
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Block("irid") => {
-                    r.take()?;
+                    r.take_token()?;
                     f.irid = Some(Box::new(Irid::read(r)?));
-                    r.leave()?;
+                    r.leave_block()?;
                 }
                 Next::Word(word) | Next::Block(word) if FINISH.is_unsupported(word) => {
                     f.uncommon.unsupported.push(r.read_unsupported(word)?)
@@ -168,8 +168,8 @@ impl Finish {
         }
     }
 
-    /// The finish without `albedo`: each lobe is divided by its integral over the hemisphere instead. A finish on top
-    /// of another begins with these numbers (quirk: `albedo_stays`).
+    /// Returns the finish without `albedo`: each lobe is divided by its integral over the hemisphere instead. A finish
+    /// on top of another begins with these numbers (quirk: `albedo_stays`).
     pub fn without_albedo(&self) -> Self {
         let scaled = |amount: f64, albedo: bool, factor: f64| if albedo { amount * factor } else { amount };
         let diffuse = |amount| scaled(amount, self.diffuse_albedo, (self.brilliance + 1.0) / 2.0);
@@ -186,27 +186,27 @@ impl Finish {
         }
     }
 
-    /// Reads one of the words that need no braces, if it comes next; before version 3.1, textures could contain them
-    /// too.
+    /// Reads one of the finish's words that need no braces, if it comes next; before version 3.1, textures could
+    /// contain them too.
     pub(super) fn read_word(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
             Next::Word(word) if FINISH.ignores(word) => {
-                r.take()?;
+                r.take_token()?;
                 r.float().map(|_| true)
             }
             _ => read_row(FINISH_ROWS, self, next, r),
         }
     }
 
-    /// `diffuse [albedo] front [back]`. Once given, `albedo` stays, here and for the highlights (quirk:
-    /// `albedo_stays`).
+    /// Reads the word `diffuse [albedo] front [back]` of a finish. Once given, `albedo` stays, here and for the
+    /// highlights (quirk: `albedo_stays`).
     pub(super) fn read_diffuse(&mut self, r: &mut dyn Reader) -> Result<()> {
         self.diffuse_albedo |= r.accept("albedo")?;
         self.diffuse = r.float()?;
         set(&mut self.diffuse_back, r.optional_float().map(|x| x.unwrap_or(0.0)))
     }
 
-    /// `reflection colour`, without braces; it switches `fresnel` off (quirk: `reflection_again`).
+    /// Reads `reflection colour`, without braces; it switches `fresnel` off (quirk: `reflection_again`).
     pub(super) fn read_plain_reflection(&mut self, r: &mut dyn Reader) -> Result<()> {
         let color = r.color()?.rgb;
         let reflection = &mut *self.reflection;
@@ -216,7 +216,7 @@ impl Finish {
 }
 
 impl Irid {
-    /// `irid { amount … }`
+    /// Reads the block `irid { amount … }` of a finish.
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut out = Self { amount: r.float()?, thickness: 0.0, turbulence: 0.0 };
         loop {
@@ -228,9 +228,9 @@ impl Irid {
         }
     }
 
-    /// Interference factor for light at these cosines of incidence and view: 1 + a·cos(2π·path/λ) (quirk:
-    /// `irid_formula`).
-    pub fn tint(&self, p: DVec3, cosines: f64, wavelength: Rgb, noise: NoiseGenerator) -> Rgb {
+    /// Returns the interference factor of the thin film for light at these cosines of incidence and view: 1 +
+    /// a·cos(2π·path/λ) (quirk: `irid_formula`).
+    pub fn interference_factor(&self, p: DVec3, cosines: f64, wavelength: Rgb, noise: NoiseGenerator) -> Rgb {
         let mut thickness = self.thickness;
         if self.turbulence != 0.0 {
             let series = Turbulence::new(2.0, 0.5, 5.0);
@@ -247,17 +247,17 @@ impl StaticDefault for Reflection {
 }
 
 impl Reflection {
-    /// The reflection of a surface that mirrors nothing.
+    /// Reflection of a finish that mirrors nothing.
     pub const NONE: Self =
         Self { min: Rgb::ZERO, max: Rgb::ZERO, fresnel: false, falloff: 1.0, exponent: 1.0, metallic: 0.0 };
 
-    /// `reflection { [min,] max … }`. Fresnel, metallic, falloff and exponent of an earlier reflection in the same
-    /// finish stay (quirk: `reflection_again`).
+    /// Reads the block `reflection { [min,] max … }`. Fresnel, metallic, falloff and exponent of an earlier reflection
+    /// in the same finish stay (quirk: `reflection_again`).
     fn read(r: &mut dyn Reader, before: &Self) -> Result<Self> {
         let first = r.color()?.rgb;
         let mut out = Self { min: Rgb::ZERO, max: first, ..before.clone() };
         let mut said_fresnel = false;
-        let two = r.at_color()?;
+        let two = r.is_at_color()?;
         if two {
             (out.min, out.max) = (first, r.color()?.rgb);
         }
@@ -275,8 +275,8 @@ impl Reflection {
         Ok(out)
     }
 
-    /// True without any reflection. (Negative amounts are not traced.)
-    pub fn is_none(&self) -> bool {
+    /// True if the finish has no mirror reflection. (Negative amounts are not traced.)
+    pub fn is_without_reflection(&self) -> bool {
         self.min.max(self.max).cmple(Rgb::ZERO).all()
     }
 }

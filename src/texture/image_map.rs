@@ -9,42 +9,42 @@ use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 
-/// A picture that gives colours.
+/// Pigment `image_map`: a picture that gives colours.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ImageMap {
-    /// Pixels of the picture.
+    /// Pixels of the `image_map`'s picture.
     pub texels: Texels,
-    /// Projection of the picture.
+    /// Projection of the `image_map`'s picture.
     pub mapping: Mapping,
-    /// Transparency that `filter` and `transmit` add to the picture's.
+    /// Transparency that `filter` and `transmit` add to the `image_map`'s picture.
     #[serde(flatten)]
     pub clearness: Clearness,
 }
 
-/// Parameters of `filter` and `transmit`.
+/// Values of `filter` and `transmit` in an `image_map`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Clearness {
-    /// Filter of all colours, from `filter all`.
+    /// Filter of all colours of the `image_map`, from `filter all`.
     pub filter: Option<f64>,
-    /// For all colours; added to the picture's transparency.
+    /// Transmittance of all colours of the `image_map`, from `transmit all`; added to the picture's transparency.
     pub transmit: Option<f64>,
-    /// (palette index, filter, transmit): for single colours of the palette.
+    /// Palette index, filter and transmit for single colours of the `image_map`'s palette.
     pub palette: Vec<(u8, Option<f64>, Option<f64>)>,
 }
 
 impl Clearness {
-    /// `filter all A` or `filter N, A`
+    /// Reads the words `filter all A` or `filter N, A` of an `image_map`.
     pub(super) fn read_filter(&mut self, r: &mut dyn Reader) -> Result<()> {
-        match read_amount(r)? {
+        match read_transparency(r)? {
             (None, amount) => self.filter = Some(amount),
             (Some(number), amount) => self.palette.push((number, Some(amount), None)),
         }
         Ok(())
     }
 
-    /// `transmit all A` or `transmit N, A`
+    /// Reads the words `transmit all A` or `transmit N, A` of an `image_map`.
     pub(super) fn read_transmit(&mut self, r: &mut dyn Reader) -> Result<()> {
-        match read_amount(r)? {
+        match read_transparency(r)? {
             (None, amount) => self.transmit = Some(amount),
             (Some(number), amount) => self.palette.push((number, None, Some(amount))),
         }
@@ -52,8 +52,8 @@ impl Clearness {
     }
 }
 
-/// The palette index, or `None` for all, and the amount.
-fn read_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
+/// Reads the palette index, or `None` for `all`, and the amount after `filter` or `transmit`.
+fn read_transparency(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
     if r.accept("all")? {
         return Ok((None, r.float()?));
     }
@@ -61,10 +61,10 @@ fn read_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
 }
 
 impl ImageMap {
-    /// Reads the contents of the braces.
+    /// Reads the items of an `image_map` block.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut bitmap = Bitmap::read(r)?;
         let mut clearness = Clearness::default();
@@ -72,33 +72,33 @@ impl ImageMap {
             match r.next()? {
                 Next::End => break,
                 next if read_row(IMAGE_MAP_ROWS, &mut clearness, next, r)? => {}
-                next if bitmap.read_word(r, next)? => {}
+                next if bitmap.read_bitmap_word(r, next)? => {}
                 _ => {
-                    let words: Vec<_> = bitmap::word_names().chain(IMAGE_MAP.word_names()).collect();
+                    let words: Vec<_> = bitmap::bitmap_word_names().chain(IMAGE_MAP.word_names()).collect();
                     return Err(r.unknown_word("image_map", &words).into());
                 }
             }
         }
-        Ok(Self { texels: bitmap.colors(r), mapping: bitmap.mapping, clearness })
+        Ok(Self { texels: bitmap.color_texels(r), mapping: bitmap.mapping, clearness })
     }
 
-    /// The colour at a point; transparent beyond the edges of a picture with `once`.
-    pub fn at(&self, p: DVec3) -> Color {
-        let Some(place) = self.mapping.place(p) else {
+    /// Returns the `image_map`'s colour at a point; transparent beyond the edges of a picture with `once`.
+    pub fn color_at(&self, p: DVec3) -> Color {
+        let Some(place) = self.mapping.project_to_picture(p) else {
             return Color { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
         };
-        let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
-        pixels.iter().fold(Color::BLACK, |sum, (i, weight)| sum.plus(self.pixel(*i), *weight))
+        let pixels = self.mapping.weighted_pixels(place, self.texels.width(), self.texels.height());
+        pixels.iter().fold(Color::BLACK, |sum, (i, weight)| sum.plus_scaled(self.pixel_color(*i), *weight))
     }
 
-    /// True if the point is on the picture.
-    pub fn holds(&self, p: DVec3) -> bool {
-        self.mapping.place(p).is_some()
+    /// True if the `image_map`'s picture covers the point.
+    pub fn covers_point(&self, p: DVec3) -> bool {
+        self.mapping.project_to_picture(p).is_some()
     }
 
-    fn pixel(&self, i: usize) -> Color {
+    fn pixel_color(&self, i: usize) -> Color {
         let [r, g, b, a] = self.texels.rgba(i);
-        let index = self.texels.index(i);
+        let index = self.texels.palette_index(i);
         let transmit = match (self.clearness.transmit, index) {
             (None, _) => 1.0 - a,
             // In a palette, `transmit all` replaces alpha (quirk: image_palette_transmit).
@@ -113,25 +113,25 @@ impl ImageMap {
         color
     }
 
-    /// True if no pixel transmits light.
+    /// True if no pixel of the `image_map` transmits light.
     pub fn is_opaque(&self) -> bool {
         let none = |amount: Option<f64>| amount.is_none_or(|x| x == 0.0);
         let solid = none(self.clearness.filter) && none(self.clearness.transmit) && self.clearness.palette.is_empty();
         solid && !self.mapping.once && !self.is_clear_somewhere()
     }
 
-    /// True if some pixel is transparent. An alpha channel that is 1 everywhere does not count (quirk:
-    /// `image_alpha_of_one`).
+    /// True if some pixel of the `image_map` is transparent. An alpha channel that is 1 everywhere does not count
+    /// (quirk: `image_alpha_of_one`).
     fn is_clear_somewhere(&self) -> bool {
         let pixels = self.texels.width() * self.texels.height();
         self.texels.has_alpha() && (0..pixels).any(|i| self.texels.rgba(i)[3] < 1.0)
     }
 
-    /// True if the picture, as one of several pigments, counts as opaque: only its own alpha and palette count, not
-    /// `filter`, nor `transmit all` of a picture without a palette (quirk: `image_seems_opaque`).
+    /// True if the `image_map`'s picture, as one of several pigments, counts as opaque: only its own alpha and palette
+    /// count, not `filter`, nor `transmit all` of a picture without a palette (quirk: `image_seems_opaque`).
     pub fn counts_as_opaque(&self) -> bool {
-        let clear = |i: usize| match self.texels.index(i) {
-            Some(_) => self.pixel(i).transmit != 0.0,
+        let clear = |i: usize| match self.texels.palette_index(i) {
+            Some(_) => self.pixel_color(i).transmit != 0.0,
             None => self.texels.rgba(i)[3] < 1.0,
         };
         let pixels = self.texels.width() * self.texels.height();

@@ -11,17 +11,17 @@ use crate::value::{Next, Readable, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// One layer of a texture; a transparent one shows the layer below.
+/// Layer of a texture; a transparent one shows the layer below.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Layer {
-    /// Colour of the layer.
+    /// Colour of the texture's layer.
     pub pigment: Pigment,
-    /// Bumps of the layer; `None` without bumps.
+    /// Bumps of the texture's layer; `None` without bumps.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Arc<Normal>>,
-    /// Reflection and emission of light by the layer.
+    /// Reflection and emission of light by the texture's layer.
     pub finish: Arc<Finish>,
-    /// Patterned textures, which replace the fields above.
+    /// Patterned textures of the layer, which replace its pigment, normal and finish.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub choice: Option<Box<Choice>>,
 }
@@ -36,14 +36,14 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// True if a `material_map` chooses the texture.
+    /// True if a `material_map` selects the texture.
     pub fn is_material_map(&self) -> bool {
         matches!(self.pattern.kind, PatternKind::Cells(CellPattern::MaterialMap(_)))
     }
 }
 
 impl Layer {
-    /// Appends a transform to those of the layer.
+    /// Appends a transform to those of the texture's layer.
     fn transform(&mut self, by: &Transform) {
         self.pigment.pattern.transform(by);
         if let Some(normal) = &mut self.normal {
@@ -55,10 +55,10 @@ impl Layer {
     }
 }
 
-/// Layers from the lowest to the topmost.
+/// Texture of a surface: layers from the lowest to the topmost.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Texture {
-    /// Layers from the lowest to the topmost; never empty.
+    /// Layers of the texture from the lowest to the topmost; never empty.
     pub layers: Vec<Layer>,
 }
 
@@ -71,18 +71,18 @@ impl Default for Texture {
 /// State of the reader of a texture.
 #[derive(Default)]
 struct Draft {
-    /// Pattern of the textures to choose from.
+    /// Pattern that selects from several textures.
     pattern: Pattern,
     parts: Option<Blend<Texture>>,
-    /// True if `uv_mapping` precedes the part that it is for.
+    /// True if `uv_mapping` precedes the texture's part that it is for.
     uv: bool,
 }
 
 impl Texture {
-    /// Reads the contents of the braces, on top of `base` (the default texture).
+    /// Reads the items of a `texture` block, on top of `base` (the default texture).
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut draft = Draft { uv: read_uv_mapping(r)?.unwrap_or(false), ..Draft::default() };
         let declared = if r.next()? == Next::Thing("texture") { r.thing::<Texture>()? } else { None };
@@ -93,13 +93,13 @@ impl Texture {
                 next => out.read_element(r, next, &mut draft, base)?,
             }
         }
-        let top = out.top();
-        top.pigment.finish();
+        let top = out.top_layer();
+        top.pigment.set_default_colors();
         if let Some(parts) = draft.parts {
             top.choice = Some(Box::new(Choice { pattern: draft.pattern, parts }));
         }
         if draft.uv {
-            out.set_uv();
+            out.use_uv();
         }
         Ok(out)
     }
@@ -114,11 +114,11 @@ impl Texture {
                 }
             }
             Next::Word("uv_mapping") => {
-                r.take()?;
+                r.take_token()?;
                 draft.uv = r.flag()?;
             }
             Next::Word("no_bump_scale") => {
-                r.take()?;
+                r.take_token()?;
                 let on = r.flag()?;
                 for layer in &mut self.layers {
                     if let Some(normal) = &mut layer.normal {
@@ -127,29 +127,29 @@ impl Texture {
                 }
             }
             Next::Block("texture_map") => {
-                r.take()?;
-                draft.parts = Some(Blend::Map(Arc::new(Map::read_entries(r, base, draft.pattern.averages())?)));
-                r.leave()?;
+                r.take_token()?;
+                draft.parts = Some(Blend::Map(Arc::new(Map::read_entries(r, base, draft.pattern.is_average())?)));
+                r.leave_block()?;
             }
             Next::Block("tiles") => {
-                r.take()?;
+                r.take_token()?;
                 draft.parts = Some(read_tiles(r, &mut draft.pattern, base)?);
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Word(word) if bare && (FINISH.has_effect(word) || FINISH.ignores(word)) => {
-                Arc::make_mut(&mut self.top().finish).read_word(next, r)?;
+                Arc::make_mut(&mut self.top_layer().finish).read_word(next, r)?;
             }
             // A lone number was the texture's grain.
             Next::Value if bare => drop(r.float()?),
             next if self.read_part(r, next, base)? => {}
             // Before version 3.0, a texture could contain the pigment's words.
             Next::Word(_) | Next::Value | Next::Block("color_map" | "colour_map") if bare => {
-                self.top().pigment.read_element(r, next, base)?;
+                self.top_layer().pigment.read_element(r, next, base)?;
             }
             Next::Block("material_map") => {
-                r.take()?;
+                r.take_token()?;
                 draft.parts = Some(read_material_map(r, &mut draft.pattern, base)?);
-                r.leave()?;
+                r.leave_block()?;
             }
             next if draft.pattern.read_element(next, r)? => {
                 if let Some(list) = blend::read_list(r, next, &draft.pattern, base, &|_, _| base.clone())? {
@@ -161,32 +161,33 @@ impl Texture {
         Ok(())
     }
 
-    fn top(&mut self) -> &mut Layer {
+    fn top_layer(&mut self) -> &mut Layer {
         let top = self.layers.len() - 1;
         &mut self.layers[top]
     }
 
-    /// Reads a `pigment`, `normal` or `finish`, in braces or declared; false if something else comes next.
+    /// Reads a `pigment`, `normal` or `finish` of a texture, in braces or declared; returns false if something else
+    /// comes next.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read_part(&mut self, r: &mut dyn Reader, next: Next, base: &Texture) -> Result<bool> {
-        let layer = self.top();
+        let layer = self.top_layer();
         match next {
             Next::Block("pigment") => {
-                r.take()?;
+                r.take_token()?;
                 layer.pigment = Pigment::read(r, &layer.pigment, base)?;
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Block("finish") => {
-                r.take()?;
+                r.take_token()?;
                 layer.finish = Arc::new(Finish::read(r, &layer.finish)?);
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Block("normal") => {
-                r.take()?;
+                r.take_token()?;
                 layer.normal = Some(Arc::new(Normal::read(r, layer.normal.as_deref(), base)?));
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Thing("normal") => match r.thing::<Normal>()? {
                 Some(normal) => layer.normal = Some(normal),
@@ -205,30 +206,30 @@ impl Texture {
         Ok(true)
     }
 
-    /// True if both are certainly equal. Parts that take long to compare, such as pictures, must be the same
+    /// True if both textures are certainly equal. Parts that take long to compare, such as pictures, must be the same
     /// allocation.
-    pub fn is_plainly(&self, other: &Self) -> bool {
+    pub fn is_certainly_equal(&self, other: &Self) -> bool {
         let same = |a: &Layer, b: &Layer| {
             let normal = match (&a.normal, &b.normal) {
                 (Some(a), Some(b)) => Arc::ptr_eq(a, b),
                 (a, b) => a.is_none() && b.is_none(),
             };
             let choice = match (&a.choice, &b.choice) {
-                (Some(a), Some(b)) => a.parts.shares_with(&b.parts) && a.pattern == b.pattern,
+                (Some(a), Some(b)) => a.parts.shares_allocation_with(&b.parts) && a.pattern == b.pattern,
                 (a, b) => a.is_none() && b.is_none(),
             };
-            normal && choice && Arc::ptr_eq(&a.finish, &b.finish) && a.pigment.is_plainly(&b.pigment)
+            normal && choice && Arc::ptr_eq(&a.finish, &b.finish) && a.pigment.is_certainly_equal(&b.pigment)
         };
         self.layers.len() == other.layers.len() && self.layers.iter().zip(&other.layers).all(|(a, b)| same(a, b))
     }
 
-    /// True if `is` holds for any layer, including those of patterned textures.
+    /// True if `is` holds for any layer of the texture, including those of patterned textures.
     pub fn any_layer(&self, is: &dyn Fn(&Layer) -> bool) -> bool {
         let inner = |choice: &Choice| choice.parts.iter().any(|part| part.any_layer(is));
         self.layers.iter().any(|layer| is(layer) || layer.choice.as_deref().is_some_and(inner))
     }
 
-    /// True if `is` holds for any pattern.
+    /// True if `is` holds for any pattern of the texture.
     pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
         self.any_layer(&|layer| {
             layer.pigment.any_pattern(is)
@@ -244,8 +245,8 @@ impl Texture {
         }
     }
 
-    /// Makes every layer receive (u, v, 0) instead of points.
-    pub fn set_uv(&mut self) {
+    /// Makes every layer of the texture receive (u, v, 0) instead of points.
+    pub fn use_uv(&mut self) {
         for layer in &mut self.layers {
             layer.pigment.pattern.framed = !layer.pigment.pattern.uv;
             map_by_uv(&mut layer.pigment.pattern);
@@ -263,20 +264,20 @@ impl Texture {
 
 fn map_by_uv(pattern: &mut Pattern) {
     pattern.uv = true;
-    pattern.end();
+    pattern.end_block();
 }
 
-/// `tiles { texture A tile2 texture B }`: a checker of textures in old scenes.
+/// Reads `tiles { texture A tile2 texture B }`, a checker of textures in old scenes.
 fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Blend<Texture>> {
     let mut list = vec![];
     loop {
         match r.next()? {
             Next::End => break,
-            Next::Word("tile2") => drop(r.take()?),
+            Next::Word("tile2") => drop(r.take_token()?),
             Next::Block("texture") => {
-                r.take()?;
+                r.take_token()?;
                 list.push(Texture::read(r, base)?);
-                r.leave()?;
+                r.leave_block()?;
             }
             _ => match r.thing::<Texture>()? {
                 Some(texture) => list.push((*texture).clone()),
@@ -291,18 +292,18 @@ fn read_tiles(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Resu
     Ok(Blend::List(list.into()))
 }
 
-/// `material_map { "file" … texture … texture … }`
+/// Reads the block `material_map { "file" … texture … texture … }`.
 fn read_material_map(r: &mut dyn Reader, pattern: &mut Pattern, base: &Texture) -> Result<Blend<Texture>> {
     let mut map = MaterialMap::read(r)?;
     let mut list = vec![];
     loop {
         match r.next()? {
             Next::Block("texture") => {
-                r.take()?;
+                r.take_token()?;
                 list.push(Texture::read(r, base)?);
-                r.leave()?;
+                r.leave_block()?;
             }
-            Next::Thing("texture") => list.extend(Texture::declared(r)?),
+            Next::Thing("texture") => list.extend(Texture::read_declared(r)?),
             Next::End if !list.is_empty() => break,
             _ => return Err(r.unexpected("`texture`").into()),
         }
@@ -316,13 +317,13 @@ impl Entry for Texture {
     const MAP: &'static str = "texture_map";
     const BLOCK: &'static str = "texture";
 
-    /// Reads one layer without braces, or several with them.
+    /// Reads one layer of a texture without braces, or several with them.
     fn read_entry(r: &mut dyn Reader, base: &Texture) -> Result<Self> {
         let mut out: Option<Texture> = None;
         while r.next()? == Next::Block("texture") {
-            r.take()?;
+            r.take_token()?;
             let layer = Texture::read(r, base)?;
-            r.leave()?;
+            r.leave_block()?;
             match &mut out {
                 Some(out) => out.layers.extend(layer.layers),
                 None => out = Some(layer),
@@ -334,7 +335,7 @@ impl Entry for Texture {
         }
     }
 
-    fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(r.thing::<Texture>()?.map(|texture| (*texture).clone()))
     }
 }

@@ -15,7 +15,7 @@ pub mod words;
 
 pub use blend::{Blend, Map, Shares};
 pub use color_map::ColorMap;
-pub use doubts::tell_bytes;
+pub use doubts::warn_of_byte_color;
 pub use finish::{Finish, Irid, Reflection, Uncommon};
 pub use image_map::ImageMap;
 pub use layers::{Choice, Layer, Texture};
@@ -35,9 +35,9 @@ macro_rules! things {
 things! { Finish "finish" ColorMap "color_map" Pigment "pigment" Texture "texture"
 Normal "normal" SlopeMap "slope_map" PigmentMap "pigment_map" NormalMap "normal_map" TextureMap "texture_map" }
 
-/// A map of pigments.
+/// Pigment map: a map from numbers to pigments.
 pub type PigmentMap = Map<Pigment>;
-/// A map of normals.
+/// Normal map: a map from numbers to normals.
 pub type NormalMap = Map<Normal>;
-/// A map of textures.
+/// Texture map: a map from numbers to textures.
 pub type TextureMap = Map<Texture>;

@@ -14,38 +14,38 @@ use std::sync::Arc;
 /// A height and a slope of a `slope_map`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Slope {
-    /// Apparent height of the surface.
+    /// Apparent height of the surface in a `slope_map`.
     pub height: f64,
-    /// Derivative of the height.
+    /// Derivative of the height in a `slope_map`.
     pub slope: f64,
 }
 
-/// A map of heights and slopes.
+/// Slope map: a map from numbers to heights and slopes.
 pub type SlopeMap = Map<Slope>;
 
-/// Source of the bumps.
+/// Source of a normal's bumps.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Relief {
-    /// The pattern's number is the height.
+    /// Bumps whose height is the pattern's number.
     #[default]
     Own,
-    /// A map from the pattern's numbers to heights and slopes.
+    /// Bumps from a map from the pattern's numbers to heights and slopes.
     Slopes(Arc<SlopeMap>),
-    /// Other normals, with their transforms.
+    /// Bumps from other normals, with their transforms.
     Normals(Blend<Normal>),
 }
 
-/// Bumps in their own space.
+/// Bumps of a texture, from its `normal` block.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Normal {
-    /// Pattern that gives the bumps.
+    /// Pattern that gives the normal's bumps.
     pub pattern: Pattern,
-    /// Source of the bumps.
+    /// Source of the normal's bumps.
     pub relief: Relief,
-    /// `bump_size`, or the number after the pattern's name: apparent depth of the bumps.
+    /// Apparent depth of the normal's bumps, from `bump_size` or the number after the pattern's name.
     pub amount: f64,
-    /// Half the distance between the sampled points.
+    /// Half the distance between the points at which the pattern of a normal is sampled.
     pub accuracy: f64,
     /// True if `uv_mapping` is in the normal itself: bumps then ignore the object's rotation (quirk:
     /// `uv_normal_stays`).
@@ -72,17 +72,17 @@ impl Default for Normal {
 }
 
 impl Normal {
-    /// Reads the contents of the braces, on top of `base`; nested normals begin with the default one.
+    /// Reads the items of a `normal` block, on top of `base`; nested normals begin with the default one.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: Option<&Normal>, defaults: &Texture) -> Result<Self> {
         let uv = read_uv_mapping(r)?;
         let begun = match r.thing::<Normal>()? {
             Some(declared) => (*declared).clone(),
             None => base.cloned().unwrap_or_default(),
         };
-        let mut out = begun.opened();
+        let mut out = begun.wrap_uv_mapping();
         if let Some(on) = uv {
             (out.pattern.uv, out.stays) = (on, out.stays || on);
         }
@@ -92,14 +92,14 @@ impl Normal {
                 next => out.read_element(r, next, defaults)?,
             }
         }
-        out = out.closed();
-        out.pattern.end();
+        out = out.unwrap_uv_mapping();
+        out.pattern.end_block();
         Ok(out)
     }
 
-    /// A normal that was mapped by uv, as the only entry of a map with the pattern `Surface`.
-    fn opened(mut self) -> Self {
-        match self.pattern.take_around() {
+    /// Wraps a normal that was mapped by uv, as the only entry of a map with the pattern `Surface`.
+    fn wrap_uv_mapping(mut self) -> Self {
+        match self.pattern.take_outer_space() {
             Some(pattern) => Self {
                 pattern,
                 relief: Relief::Normals(Blend::Map(Arc::new(Map { entries: vec![(0.0, self)] }))),
@@ -109,12 +109,13 @@ impl Normal {
         }
     }
 
-    /// Undoes [`Self::opened`] if no other pattern or map was named. (Other parameters of the surface have no effect.)
-    fn closed(self) -> Self {
+    /// Undoes [`Self::wrap_uv_mapping`] for a normal if no other pattern or map was named. (Other parameters of the
+    /// surface have no effect.)
+    fn unwrap_uv_mapping(self) -> Self {
         match &self.relief {
             Relief::Normals(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();
-                inner.pattern.put_around(self.pattern);
+                inner.pattern.restore_outer_space(self.pattern);
                 inner.bump_scale &= self.bump_scale;
                 inner
             }
@@ -125,8 +126,8 @@ impl Normal {
     fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
         if self.pattern.read_element(next, r)? {
             self.stays |= next == Next::Word("uv_mapping") && self.pattern.uv;
-            if Pattern::is_named_by(next) {
-                self.read_amount(r)?;
+            if Pattern::begins_pattern(next) {
+                self.read_bump_amount(r)?;
             }
             // Cells without a list make bumps where their numbers jump.
             let listed = matches!(r.next()?, Next::Block(Self::BLOCK) | Next::Thing(Self::BLOCK));
@@ -142,12 +143,12 @@ impl Normal {
         match next {
             next if read_row(NORMAL_ROWS, self, next, r)? => {}
             Next::Block("bump_map") => {
-                r.take()?;
+                r.take_token()?;
                 let amount = &mut self.amount;
                 let image = ImagePattern::read_words(r, "bump_map", &mut |r, next| {
                     let sized = next == Next::Word("bump_size");
                     if sized {
-                        r.take()?;
+                        r.take_token()?;
                         *amount = r.float()?;
                     }
                     Ok(sized)
@@ -155,41 +156,41 @@ impl Normal {
                 self.relief = Relief::Own;
                 self.pattern.kind =
                     PatternKind::Field(FieldPattern::ImagePattern(ImagePattern { bumps: true, ..image }));
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Block("slope_map") => {
-                r.take()?;
+                r.take_token()?;
                 self.relief = Relief::Slopes(Arc::new(Map::read_entries(r, defaults, false)?));
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Block("normal_map") => {
-                r.take()?;
+                r.take_token()?;
                 self.relief =
-                    Relief::Normals(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.averages())?)));
-                r.leave()?;
+                    Relief::Normals(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.is_average())?)));
+                r.leave_block()?;
             }
             _ => return Err(r.unknown_word_in(&NORMAL)),
         }
         Ok(())
     }
 
-    /// Reads the number after the pattern's name. (A map of the default or declared normal stays; quirk:
-    /// `declared_slope_map_stays`.)
-    fn read_amount(&mut self, r: &mut dyn Reader) -> Result<()> {
+    /// Reads the amount of a normal's bumps after the pattern's name. (A map of the default or declared normal stays;
+    /// quirk: `declared_slope_map_stays`.)
+    fn read_bump_amount(&mut self, r: &mut dyn Reader) -> Result<()> {
         if let Some(amount) = r.optional_float()? {
             self.amount = amount;
         }
         Ok(())
     }
 
-    /// True if `is` holds for any pattern.
+    /// True if `is` holds for any pattern of the normal.
     pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
         let inner = matches!(&self.relief, Relief::Normals(parts) if parts.iter().any(|part| part.any_pattern(is)));
         is(&self.pattern) || inner
     }
 
-    /// True if both are certainly equal, see [`Texture::is_plainly`].
-    pub fn is_plainly(&self, other: &Self) -> bool {
+    /// True if both normals are certainly equal, see [`Texture::is_certainly_equal`].
+    pub fn is_certainly_equal(&self, other: &Self) -> bool {
         let large = matches!(&self.relief, Relief::Normals(_))
             || matches!(
                 &self.pattern.kind,
@@ -198,7 +199,7 @@ impl Normal {
         !large && self == other
     }
 
-    /// True if the normal changes nothing.
+    /// True if the normal has no bumps.
     pub fn is_flat(&self) -> bool {
         match &self.relief {
             Relief::Normals(parts) => parts.iter().all(Normal::is_flat),
@@ -215,7 +216,7 @@ impl Entry for Normal {
         Self::read(r, defaults.layers[0].normal.as_deref(), defaults)
     }
 
-    fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(r.thing::<Normal>()?.map(|normal| (*normal).clone()))
     }
 }
@@ -229,7 +230,7 @@ impl Entry for Slope {
         Ok(Self { height: pair.x, slope: pair.y })
     }
 
-    fn declared(_: &mut dyn Reader) -> Result<Option<Self>> {
+    fn read_declared(_: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(None)
     }
 }

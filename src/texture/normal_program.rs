@@ -8,26 +8,26 @@ use serde::Serialize;
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
-/// A [`Normal`] lowered to the form that is evaluated.
+/// Lowered normal of a texture, which perturbs normals.
 #[derive(Clone, Debug, Serialize)]
 pub struct NormalProgram {
     pattern: PatternProgram,
-    /// Space of the pattern: normals are transformed differently from points.
+    /// Space of the normal's pattern: normals are transformed differently from points.
     space: Space,
     relief: ReliefProgram,
-    /// Apparent depth of the bumps.
+    /// Apparent depth of the lowered normal's bumps.
     amount: f64,
-    /// Half the distance between the sampled points.
+    /// Half the distance between the points at which the lowered normal's pattern is sampled.
     accuracy: f64,
-    /// True if bumps ignore the object's rotation; see [`Normal::stays`].
+    /// True if the lowered normal's bumps ignore the object's rotation; see [`Normal::stays`].
     pub stays: bool,
-    /// True if `uv_mapping` is in the texture; see [`Normal::framed`].
+    /// True if `uv_mapping` is in the texture of the lowered normal; see [`Normal::framed`].
     pub framed: bool,
-    /// True if scaling changes the depth of bumps; see [`Normal::bump_scale`].
+    /// True if scaling changes the depth of the lowered normal's bumps; see [`Normal::bump_scale`].
     bump_scale: bool,
 }
 
-/// Source of the bumps; see [`Relief`].
+/// Source of a lowered normal's bumps; see [`Relief`].
 #[derive(Clone, Debug, Serialize)]
 enum ReliefProgram {
     Own,
@@ -36,8 +36,8 @@ enum ReliefProgram {
 }
 
 impl Slope {
-    /// The height at `t` on the cubic Hermite spline from this entry to another.
-    fn curve_to(&self, other: &Slope, t: f64) -> f64 {
+    /// Returns the height at `t` on the cubic Hermite spline from this entry of a `slope_map` to another.
+    fn hermite_height(&self, other: &Slope, t: f64) -> f64 {
         let (t2, t3) = (t * t, t * t * t);
         (2.0 * t3 - 3.0 * t2 + 1.0) * self.height
             + (t3 - 2.0 * t2 + t) * self.slope
@@ -55,7 +55,7 @@ const TETRAHEDRON: [DVec3; 4] = [
 ];
 
 impl NormalProgram {
-    /// Lowers a normal to the form that is evaluated.
+    /// Lowers a texture's normal to the form that is evaluated.
     pub fn new(normal: &Normal) -> Self {
         let relief = match &normal.relief {
             Relief::Own => ReliefProgram::Own,
@@ -67,41 +67,48 @@ impl NormalProgram {
         Self { pattern, space, relief, amount, accuracy, stays, framed, bump_scale }
     }
 
-    /// The normal with bumps, at a point in the outer space; `n` is in the same space, of any length. Each space
-    /// transforms the normal by the transpose of its matrix, so that stretching flattens bumps (quirk:
-    /// `normals_by_transpose`).
+    /// Perturbs a surface normal by the texture's bumps, at a point in the outer space; `n` is in the same space, of
+    /// any length. Each space transforms the normal by the transpose of its matrix, so that stretching flattens bumps
+    /// (quirk: `normals_by_transpose`).
     pub fn perturb(&self, ctx: &TextureContext, n: DVec3) -> DVec3 {
-        self.perturb_as(ctx, n, !self.bump_scale)
+        self.perturb_keeping_length(ctx, n, !self.bump_scale)
     }
 
-    /// True for `no_bump_scale`: the resulting normal has a length of its own.
+    /// True for `no_bump_scale`: the perturbed normal has a length of its own.
     pub fn keeps_length(&self) -> bool {
         !self.bump_scale && !matches!(self.relief, ReliefProgram::Normals(_))
     }
 
-    /// [`Self::perturb`]; `keep_length` is true if this normal or one around it has `no_bump_scale`.
-    fn perturb_as(&self, ctx: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
+    /// Perturbs a surface normal; `keep_length` is true if this normal or one around it has `no_bump_scale`.
+    fn perturb_keeping_length(&self, ctx: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
         let space = &self.space;
-        let inside = space.normal_inside(n);
+        let inside = space.normal_to_pattern_space(n);
         let n = if keep_length { inside } else { inside.normalize_or(inside) };
-        let inner = self.pattern.enter(ctx);
+        let inner = self.pattern.to_pattern_space(ctx);
         let bumped = match &self.relief {
-            ReliefProgram::Normals(parts) => self.blended(parts, &inner, n, keep_length),
-            _ => match self.pattern.bumped(&inner, n, self.amount) {
+            ReliefProgram::Normals(parts) => self.blend_normals(parts, &inner, n, keep_length),
+            _ => match self.pattern.bumped_normal(&inner, n, self.amount) {
                 Some(bumped) => bumped,
-                None => n + self.slant(&inner),
+                None => n + self.height_gradient(&inner),
             },
         };
-        space.normal_outside(bumped)
+        space.normal_from_pattern_space(bumped)
     }
 
-    /// Blends the normals of several entries. The patterns of an entry receive the normal that the entry before has
-    /// bumped, and the upper of two is first, which only `slope` and `aoi` show (quirk: `blended_normals`).
-    fn blended(&self, parts: &Blend<NormalProgram>, inner: &TextureContext, n: DVec3, keep_length: bool) -> DVec3 {
-        let average = self.pattern.averages();
-        let number = if average { 0.0 } else { self.pattern.number(inner) };
+    /// Blends the surface normals of several entries of a normal map. The patterns of an entry receive the normal that
+    /// the entry before has bumped, and the upper of two is first, which only `slope` and `aoi` show (quirk:
+    /// `blended_normals`).
+    fn blend_normals(
+        &self,
+        parts: &Blend<NormalProgram>,
+        inner: &TextureContext,
+        n: DVec3,
+        keep_length: bool,
+    ) -> DVec3 {
+        let average = self.pattern.is_average();
+        let number = if average { 0.0 } else { self.pattern.number_in_pattern_space(inner) };
         let (mut sum, mut seen) = (DVec3::ZERO, *inner);
-        let mut shares = parts.shares(number, average);
+        let mut shares = parts.weighted_values(number, average);
         if !average {
             shares.reverse();
         }
@@ -110,9 +117,9 @@ impl NormalProgram {
                 return n;
             }
             let keep = keep_length || !entry.bump_scale;
-            let one = entry.perturb_as(&seen, n, keep);
+            let one = entry.perturb_keeping_length(&seen, n, keep);
             let one = if keep { one } else { one.normalize_or(one) };
-            if seen.has_surface() && one.is_finite() {
+            if seen.is_on_surface() && one.is_finite() {
                 seen.normal = one;
             }
             sum += share * one;
@@ -121,23 +128,23 @@ impl NormalProgram {
         if average { sum } else { sum.normalize_or(sum) }
     }
 
-    /// Gradient of the height: the heights at the corners of a tetrahedron around the point are compared.
-    fn slant(&self, inner: &TextureContext) -> DVec3 {
-        if self.pattern.is_plain() || self.pattern.averages() {
+    /// Gradient of the bumps' height: the heights at the corners of a tetrahedron around the point are compared.
+    fn height_gradient(&self, inner: &TextureContext) -> DVec3 {
+        if self.pattern.is_constant() || self.pattern.is_average() {
             return DVec3::ZERO;
         }
         let h = self.accuracy;
-        let sum: DVec3 = TETRAHEDRON.iter().map(|&d| self.height(&inner.at(inner.p + h * d)) * d).sum();
+        let sum: DVec3 = TETRAHEDRON.iter().map(|&d| self.height_at(&inner.with_point(inner.p + h * d)) * d).sum();
         sum * (-self.amount * 0.1 / h)
     }
 
-    /// Apparent height of the surface.
-    fn height(&self, inner: &TextureContext) -> f64 {
-        let number = self.pattern.number(inner);
+    /// Apparent height of the surface with bumps.
+    fn height_at(&self, inner: &TextureContext) -> f64 {
+        let number = self.pattern.number_in_pattern_space(inner);
         match &self.relief {
-            ReliefProgram::Slopes(map) => match map.around(number) {
+            ReliefProgram::Slopes(map) => match map.entries_around(number) {
                 (only, None) => only.height,
-                (below, Some((above, t))) => below.curve_to(above, t),
+                (below, Some((above, t))) => below.hermite_height(above, t),
             },
             _ => number,
         }

@@ -9,8 +9,9 @@ use crate::value::Reader;
 use std::sync::Arc;
 
 impl Texture {
-    /// The texture of a file's material: the default texture with the material's colour or picture, and its highlight.
-    pub fn of_file(
+    /// Creates the texture of a mesh file's material: the default texture with the material's colour or picture, and
+    /// its highlight.
+    pub fn from_mesh_material(
         material: &MeshMaterial,
         picture: Option<&Arc<Picture>>,
         r: &dyn Reader,
@@ -22,9 +23,9 @@ impl Texture {
             Some(picture) => {
                 let mapping = Mapping { between: Between::Bilinear, ..Mapping::default() };
                 let bitmap = Bitmap { picture: picture.clone(), gamma: None, premultiplied: false, mapping };
-                let mut image = ImageMap { texels: bitmap.colors(r), mapping, clearness: Default::default() };
+                let mut image = ImageMap { texels: bitmap.color_texels(r), mapping, clearness: Default::default() };
                 image.clearness.transmit = (transmit > 0.0).then_some(transmit);
-                Pigment::by_uv(Paint::Image(Arc::new(image)))
+                Pigment::mapped_by_uv(Paint::Image(Arc::new(image)))
             }
             None => {
                 let language = r.language();

@@ -1,7 +1,7 @@
 //! `pigment`: colour and transparency of every point (manual, "Pigment").
 
 use super::blend::{self, Blend, Entry, Map};
-use super::doubts::tell_bytes;
+use super::doubts::warn_of_byte_color;
 use super::words::{PIGMENT, PIGMENT_ROWS, pigment_names};
 use super::{ColorMap, ImageMap, Texture};
 use crate::color::Color;
@@ -12,28 +12,28 @@ use crate::value::{Next, Reader, ReaderExt, SharedDefault};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Source of the colour.
+/// Source of a pigment's colour.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Paint {
-    /// Constant where there is no pattern; else the pattern's default colours.
+    /// Pigment of one colour; where a pattern follows, its default colours.
     Solid(Color),
-    /// The colour of a map at the pattern's number.
+    /// Pigment whose colour is that of a map at the pattern's number.
     Colors(Arc<ColorMap>),
-    /// Other pigments, with their transforms.
+    /// Pigment that selects from other pigments, with their transforms.
     Pigments(Blend<Pigment>),
-    /// A picture, projected onto the points.
+    /// Pigment that is a picture, projected onto the points.
     Image(Arc<ImageMap>),
 }
 
-/// Colours in their own space.
+/// Pigment: colours in a space of their own.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pigment {
-    /// Pattern whose number or cell selects the colour.
+    /// Pattern whose number or cell selects the pigment's colour.
     pub pattern: SharedDefault<Pattern>,
-    /// Source of the colour.
+    /// Source of the pigment's colour.
     pub paint: Paint,
-    /// `quick_color`: the colour at quality 5 and below.
+    /// Colour of the pigment at quality 5 and below, from `quick_color`.
     pub quick_color: Option<Box<Color>>,
 }
 
@@ -49,30 +49,30 @@ impl Pigment {
         Self { pattern: SharedDefault::DEFAULT, paint: Paint::Solid(color), quick_color: None }
     }
 
-    /// Paint that is mapped by surface coordinates.
-    pub fn by_uv(paint: Paint) -> Self {
+    /// Creates a pigment that is mapped by surface coordinates.
+    pub fn mapped_by_uv(paint: Paint) -> Self {
         let mut pigment = Self { paint, ..Self::default() };
         pigment.pattern.uv = true;
-        pigment.pattern.end();
+        pigment.pattern.end_block();
         pigment
     }
 
-    /// Reads the contents of the braces, on top of `base`; nested pigments begin with the default one.
+    /// Reads the items of a `pigment` block, on top of `base`; nested pigments begin with the default one.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader, base: &Pigment, defaults: &Texture) -> Result<Self> {
         let uv = read_uv_mapping(r)?;
         let declared = r.thing::<Pigment>()?;
         let mut after_name = declared.is_some();
-        let mut pigment = declared.map_or_else(|| base.clone(), |declared| (*declared).clone()).opened();
+        let mut pigment = declared.map_or_else(|| base.clone(), |declared| (*declared).clone()).wrap_uv_mapping();
         if let Some(on) = uv {
             pigment.pattern.uv = on;
         }
         loop {
             match r.next()? {
                 Next::End => break,
-                Next::Word("uv_mapping") if after_name => pigment.lose_to_uv_mapping(r)?,
+                Next::Word("uv_mapping") if after_name => pigment.reset_by_uv_mapping(r)?,
                 next => pigment.read_element(r, next, defaults)?,
             }
             after_name = false;
@@ -82,22 +82,22 @@ impl Pigment {
             // `uv_mapping` too (quirk: uv_mapping_pigments).
             pigment.quick_color = base.quick_color.clone();
         }
-        pigment = pigment.closed();
-        pigment.finish();
+        pigment = pigment.unwrap_uv_mapping();
+        pigment.set_default_colors();
         // (A default pattern takes no memory.)
         if pigment.pattern.uv {
-            pigment.pattern.end();
+            pigment.pattern.end_block();
         }
         Ok(pigment)
     }
 
-    /// A pigment that was mapped by uv, as the only entry of a map with the pattern `Surface`. Its quick colour belongs
-    /// to the entry, and is lost with it (quirk: `uv_mapping_pigments`).
-    fn opened(mut self) -> Self {
+    /// Wraps a pigment that was mapped by uv, as the only entry of a map with the pattern `Surface`. Its quick colour
+    /// belongs to the entry, and is lost with it (quirk: `uv_mapping_pigments`).
+    fn wrap_uv_mapping(mut self) -> Self {
         if self.pattern.around.is_none() {
             return self;
         }
-        let around = self.pattern.take_around();
+        let around = self.pattern.take_outer_space();
         let map = Map { entries: vec![(0.0, self)] };
         Self {
             pattern: around.map_or(SharedDefault::DEFAULT, SharedDefault::new),
@@ -106,12 +106,12 @@ impl Pigment {
         }
     }
 
-    /// Undoes [`Self::opened`] if no other pattern or map was named.
-    fn closed(self) -> Self {
+    /// Undoes [`Self::wrap_uv_mapping`] for a pigment if no other pattern or map was named.
+    fn unwrap_uv_mapping(self) -> Self {
         match &self.paint {
             Paint::Pigments(Blend::Map(map)) if self.pattern.kind == PatternKind::Surface && map.entries.len() == 1 => {
                 let mut inner = map.entries[0].1.clone();
-                inner.pattern.put_around((*self.pattern).clone());
+                inner.pattern.restore_outer_space((*self.pattern).clone());
                 inner.quick_color = self.quick_color.or(inner.quick_color);
                 inner
             }
@@ -119,9 +119,10 @@ impl Pigment {
         }
     }
 
-    /// After the name of a declared pigment, `uv_mapping` begins a new, black pigment (quirk: `uv_mapping_pigments`).
-    fn lose_to_uv_mapping(&mut self, r: &mut dyn Reader) -> Result<()> {
-        let at = r.take()?;
+    /// Begins a new, black pigment for `uv_mapping` after the name of a declared pigment (quirk:
+    /// `uv_mapping_pigments`).
+    fn reset_by_uv_mapping(&mut self, r: &mut dyn Reader) -> Result<()> {
+        let at = r.take_token()?;
         r.flag()?;
         self.forget_pattern();
         self.paint = Paint::Solid(Color::BLACK);
@@ -132,7 +133,7 @@ impl Pigment {
 
     /// Reads one element of a pigment: a word of its pattern, a map, a list, a colour.
     pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
-        if Pattern::is_named_by(next) && self.has_default_paint() {
+        if Pattern::begins_pattern(next) && self.has_default_paint() {
             self.paint = Paint::Solid(Color::BLACK);
         }
         if self.pattern.modify_if(|pattern| pattern.read_element(next, r))? {
@@ -145,27 +146,27 @@ impl Pigment {
         match next {
             next if read_row(PIGMENT_ROWS, self, next, r)? => Ok(()),
             Next::Word(word) if PIGMENT.ignores(word) => {
-                r.take()?;
+                r.take_token()?;
                 r.flag().map(drop)
             }
             Next::Block("color_map" | "colour_map") => {
-                let at = r.take()?;
+                let at = r.take_token()?;
                 let map = ColorMap::read(r)?;
                 if let Some((_, color)) =
                     map.entries.iter().max_by(|(_, a), (_, b)| brightness(a).total_cmp(&brightness(b)))
                 {
-                    tell_bytes(r, at, color);
+                    warn_of_byte_color(r, at, color);
                 }
                 self.paint = Paint::Colors(Arc::new(map));
-                r.leave()
+                r.leave_block()
             }
             Next::Block("image_map") => {
-                r.take()?;
+                r.take_token()?;
                 self.paint = Paint::Image(Arc::new(ImageMap::read(r)?));
                 self.forget_pattern();
                 // A pattern named later begins with frequency 0 (quirk: uv_mapping_pigments).
                 self.pattern.modifiers.frequency = Some(0.0);
-                r.leave()
+                r.leave_block()
             }
             Next::Thing("color_map") => {
                 if let Some(map) = r.thing::<ColorMap>()? {
@@ -174,16 +175,16 @@ impl Pigment {
                 Ok(())
             }
             Next::Block("pigment_map") => {
-                r.take()?;
+                r.take_token()?;
                 self.paint =
-                    Paint::Pigments(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.averages())?)));
-                r.leave()
+                    Paint::Pigments(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.is_average())?)));
+                r.leave_block()
             }
-            Next::Word(_) if !r.at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
+            Next::Word(_) if !r.is_at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
             Next::Word(_) | Next::Value => {
                 let at = r.span();
-                let color = r.color()?.as_paint();
-                tell_bytes(r, at, &color);
+                let color = r.color()?.without_infinities();
+                warn_of_byte_color(r, at, &color);
                 self.paint = Paint::Solid(color);
                 self.forget_pattern();
                 Ok(())
@@ -207,27 +208,27 @@ impl Pigment {
         }
     }
 
-    /// Gives a pattern of numbers without a map its default colours.
-    pub(super) fn finish(&mut self) {
+    /// Sets the default colours of a pigment whose pattern of numbers has no map.
+    pub(super) fn set_default_colors(&mut self) {
         if let (PatternKind::Field(field), Paint::Solid(_)) = (&self.pattern.kind, &self.paint) {
             self.paint = Paint::Colors(Arc::new(Map { entries: field.default_colors() }));
         }
     }
 
-    /// The pigment at low quality, if it differs: `quick_color` replaces the pigment or those nested in it.
-    pub fn quick(&self) -> Option<Pigment> {
+    /// Returns the pigment at low quality, if it differs: `quick_color` replaces the pigment or those nested in it.
+    pub fn at_low_quality(&self) -> Option<Pigment> {
         if let Some(color) = &self.quick_color {
             return Some(Self::solid(**color));
         }
         let Paint::Pigments(parts) = &self.paint else { return None };
-        if !parts.iter().any(|part| part.quick().is_some()) {
+        if !parts.iter().any(|part| part.at_low_quality().is_some()) {
             return None;
         }
-        let parts = parts.map(|part| part.quick().unwrap_or_else(|| part.clone()));
+        let parts = parts.map(|part| part.at_low_quality().unwrap_or_else(|| part.clone()));
         Some(Self { paint: Paint::Pigments(parts), ..self.clone() })
     }
 
-    /// The colour, if it is constant.
+    /// Returns the pigment's colour, if it is constant.
     pub fn as_solid(&self) -> Option<Color> {
         match &self.paint {
             Paint::Solid(color) => Some(*color),
@@ -235,30 +236,30 @@ impl Pigment {
         }
     }
 
-    /// True if both are certainly equal, see [`Texture::is_plainly`].
-    pub(super) fn is_plainly(&self, other: &Self) -> bool {
+    /// True if both pigments are certainly equal, see [`Texture::is_certainly_equal`].
+    pub(super) fn is_certainly_equal(&self, other: &Self) -> bool {
         let paint = match (&self.paint, &other.paint) {
             (Paint::Solid(a), Paint::Solid(b)) => a == b,
             (Paint::Colors(a), Paint::Colors(b)) => Arc::ptr_eq(a, b),
             (Paint::Image(a), Paint::Image(b)) => Arc::ptr_eq(a, b),
-            (Paint::Pigments(a), Paint::Pigments(b)) => a.shares_with(b),
+            (Paint::Pigments(a), Paint::Pigments(b)) => a.shares_allocation_with(b),
             _ => false,
         };
         paint && self.pattern.shares_with(&other.pattern) && self.quick_color == other.quick_color
     }
 
-    /// True if `is` holds for any pattern.
+    /// True if `is` holds for any pattern of the pigment.
     pub fn any_pattern(&self, is: &dyn Fn(&Pattern) -> bool) -> bool {
         let inner = matches!(&self.paint, Paint::Pigments(parts) if parts.iter().any(|part| part.any_pattern(is)));
         is(&self.pattern) || inner
     }
 
-    /// True if no point transmits light.
+    /// True if no point of the pigment transmits light.
     pub fn is_opaque(&self) -> bool {
         self.is_opaque_if(&ImageMap::is_opaque)
     }
 
-    /// True if the surface counts as opaque for shadows (see [`ImageMap::counts_as_opaque`]).
+    /// True if a surface with this pigment counts as opaque for shadows (see [`ImageMap::counts_as_opaque`]).
     pub fn counts_as_opaque(&self) -> bool {
         match &self.paint {
             Paint::Pigments(parts) => parts.iter().all(|part| part.is_opaque_if(&ImageMap::counts_as_opaque)),
@@ -277,13 +278,13 @@ impl Pigment {
     }
 }
 
-/// The largest of red, green and blue.
+/// Returns the largest of a colour's red, green and blue.
 fn brightness(color: &Color) -> f64 {
     color.rgb.max_element()
 }
 
-/// Reads `uv_mapping`, once or more, which may precede a declared pigment, normal or texture: `None` if absent, else
-/// its value.
+/// Reads `uv_mapping`, once or more, which may precede a declared pigment, normal or texture; returns `None` if it is
+/// absent, else its value.
 pub(super) fn read_uv_mapping(r: &mut dyn Reader) -> Result<Option<bool>> {
     let mut uv = None;
     while r.accept("uv_mapping")? {
@@ -300,11 +301,11 @@ impl Entry for Pigment {
         Self::read(r, &defaults.layers[0].pigment, defaults)
     }
 
-    /// Reads a pigment; a colour is one too.
-    fn declared(r: &mut dyn Reader) -> Result<Option<Self>> {
+    /// Reads a declared pigment, or a colour, which is a pigment too.
+    fn read_declared(r: &mut dyn Reader) -> Result<Option<Self>> {
         Ok(match r.thing::<Pigment>()? {
             Some(pigment) => Some((*pigment).clone()),
-            None if r.at_color()? => Some(Self::solid(r.color()?)),
+            None if r.is_at_color()? => Some(Self::solid(r.color()?)),
             None => None,
         })
     }

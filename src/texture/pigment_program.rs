@@ -8,76 +8,82 @@ use crate::pattern::{Pattern, PatternKind, PatternProgram, PigmentBrightness, Te
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A [`Pigment`] lowered to the form that is evaluated.
+/// Lowered pigment, in the form that is evaluated.
 #[derive(Clone, Debug, Serialize)]
 pub struct PigmentProgram {
-    /// Each node follows the nodes that it refers to; the last one is the whole pigment.
+    /// Nodes of the lowered pigment and of those nested in it. Each node follows the nodes that it refers to; the last
+    /// one is the whole pigment.
     nodes: Box<[PigmentNode]>,
-    /// True if the whole texture has `uv_mapping`.
+    /// True if the whole texture of the lowered pigment has `uv_mapping`.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     framed: bool,
 }
 
-/// A pigment nested in a pigment.
+/// Node of a lowered pigment: the pigment itself, or one nested in it.
 #[derive(Clone, Debug, Serialize)]
 struct PigmentNode {
     pattern: PatternProgram,
     shows: Shows,
 }
 
-/// Source of the colour.
+/// Source of the colour of a lowered pigment's node.
 #[derive(Clone, Debug, Serialize)]
 enum Shows {
     Solid(Color),
     Colors(Arc<ColorMap>),
-    /// Other pigments, by the indices of their nodes.
+    /// Selection from other pigments, by the indices of their nodes.
     Pigments(Blend<u32>),
     Image(Arc<ImageMap>),
 }
 
 impl PigmentProgram {
-    /// Lowers a pigment to the form that is evaluated.
+    /// Lowers a pigment whose brightness a pattern uses.
     pub fn new(pigment: &Pigment) -> Self {
         let mut nodes = vec![];
-        push(pigment, &mut nodes);
+        push_nodes(pigment, &mut nodes);
         Self { nodes: nodes.into(), framed: pigment.pattern.framed }
     }
 
-    /// The colour at a point of the outer space.
-    pub fn at(&self, ctx: &TextureContext) -> Color {
-        self.node(self.nodes.len() - 1, ctx)
+    /// Returns the pigment's colour at a point of the outer space.
+    pub fn color_at(&self, ctx: &TextureContext) -> Color {
+        self.node_color(self.nodes.len() - 1, ctx)
     }
 
-    /// True if the point has no colour because it is outside of pictures with `once`.
-    pub fn is_nothing(&self, ctx: &TextureContext) -> bool {
-        self.has_nothing(self.nodes.len() - 1, ctx, self.framed)
+    /// True if the pigment has no colour at the point because it is outside of pictures with `once`.
+    pub fn has_no_color_at(&self, ctx: &TextureContext) -> bool {
+        self.node_has_no_color(self.nodes.len() - 1, ctx, self.framed)
     }
 
-    /// (False for an average and for a pigment with a `uv_mapping` of its own; quirk: `pictures_once`.)
-    fn has_nothing(&self, i: usize, ctx: &TextureContext, framed: bool) -> bool {
+    /// True if a node of the lowered pigment has no colour at the point. (False for an average and for a pigment with a
+    /// `uv_mapping` of its own; quirk: `pictures_once`.)
+    fn node_has_no_color(&self, i: usize, ctx: &TextureContext, framed: bool) -> bool {
         let PigmentNode { pattern, shows } = &self.nodes[i];
         match shows {
-            _ if pattern.averages() || (pattern.by_uv() && !framed) => false,
+            _ if pattern.is_average() || (pattern.uses_uv() && !framed) => false,
             Shows::Solid(_) | Shows::Colors(_) => false,
-            Shows::Image(image) => !image.holds(pattern.enter(ctx).p),
+            Shows::Image(image) => !image.covers_point(pattern.to_pattern_space(ctx).p),
             Shows::Pigments(parts) => {
-                let (number, inner) = pattern.see(ctx);
-                parts.shares(number, false).iter().all(|(i, _)| self.has_nothing(**i as usize, &inner, false))
+                let (number, inner) = pattern.evaluate(ctx);
+                parts
+                    .weighted_values(number, false)
+                    .iter()
+                    .all(|(i, _)| self.node_has_no_color(**i as usize, &inner, false))
             }
         }
     }
 
-    /// The pattern's number at a point, without the map: the index of the cell, or the number after the wave.
-    pub fn number_at(&self, ctx: &TextureContext) -> f64 {
-        self.nodes.last().map_or(0.0, |node| node.pattern.number_at(ctx))
+    /// Returns the number of the pigment's pattern at a point, without the map: the index of the cell, or the number
+    /// after the wave.
+    pub fn pattern_number_at(&self, ctx: &TextureContext) -> f64 {
+        self.nodes.last().map_or(0.0, |node| node.pattern.pattern_number_at(ctx))
     }
 
-    /// Bounds on [`Self::number_at`] within a radius of a point.
+    /// Bounds on [`Self::pattern_number_at`] within a radius of a point.
     pub fn bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
         self.nodes.last().map_or(LocalBounds::UNKNOWN, |node| node.pattern.bounds_near(ctx, radius))
     }
 
-    /// Bounds on the components of [`Self::at`] (red, green, blue, filter, transmit) within a radius of a point.
+    /// Bounds on the components of [`Self::color_at`] (red, green, blue, filter, transmit) within a radius of a point.
     pub fn colors_near(&self, ctx: &TextureContext, radius: f64) -> [LocalBounds; 5] {
         match self.nodes.last() {
             Some(PigmentNode { shows: Shows::Solid(color), .. }) => color.to_array().map(LocalBounds::constant),
@@ -88,19 +94,19 @@ impl PigmentProgram {
         }
     }
 
-    fn node(&self, i: usize, ctx: &TextureContext) -> Color {
+    fn node_color(&self, i: usize, ctx: &TextureContext) -> Color {
         let PigmentNode { pattern, shows } = &self.nodes[i];
         match shows {
             Shows::Solid(color) => *color,
-            Shows::Colors(map) => map.at(pattern.number_at(ctx)),
-            Shows::Image(image) => image.at(pattern.enter(ctx).p),
+            Shows::Colors(map) => map.color_at(pattern.pattern_number_at(ctx)),
+            Shows::Image(image) => image.color_at(pattern.to_pattern_space(ctx).p),
             Shows::Pigments(parts) => {
-                let (number, inner) = pattern.see(ctx);
-                match parts.shares(number, pattern.averages())[..] {
-                    [(i, 1.0)] => self.node(*i as usize, &inner),
+                let (number, inner) = pattern.evaluate(ctx);
+                match parts.weighted_values(number, pattern.is_average())[..] {
+                    [(i, 1.0)] => self.node_color(*i as usize, &inner),
                     // Both neighbours are the same node.
-                    [(i, _), (j, _)] if i == j && !pattern.averages() => self.node(*i as usize, &inner),
-                    ref shares => self.sum(shares, &inner),
+                    [(i, _), (j, _)] if i == j && !pattern.is_average() => self.node_color(*i as usize, &inner),
+                    ref shares => self.sum_colors(shares, &inner),
                 }
             }
         }
@@ -110,15 +116,15 @@ impl PigmentProgram {
 impl PigmentProgram {
     /// Returns the sum of the nodes' colours, each times its share. Nodes that follow each other and are the same one
     /// are evaluated once, so that nested averages of one pigment do not take exponential time.
-    fn sum(&self, shares: &[(&u32, f64)], inner: &TextureContext) -> Color {
+    fn sum_colors(&self, shares: &[(&u32, f64)], inner: &TextureContext) -> Color {
         let (mut sum, mut last) = (Color::BLACK, None);
         for &(&i, share) in shares {
             let color = match last {
                 Some((known, color)) if known == i => color,
                 _ if cancel::is_cancelled() => return sum,
-                _ => self.node(i as usize, inner),
+                _ => self.node_color(i as usize, inner),
             };
-            sum = sum.plus(color, share);
+            sum = sum.plus_scaled(color, share);
             last = Some((i, color));
         }
         sum
@@ -133,7 +139,7 @@ pub struct Brightness {
 }
 
 impl Brightness {
-    /// Lowers a pigment to the form that is evaluated.
+    /// Lowers a pigment whose brightness a pattern uses.
     pub fn new(pigment: &Pigment) -> Self {
         Self { pigment: PigmentProgram::new(pigment), depends_on_uv: pigment.any_pattern(&Pattern::depends_on_uv) }
     }
@@ -142,7 +148,7 @@ impl Brightness {
 impl PigmentBrightness for Brightness {
     fn brightness(&self, at: &TextureContext) -> f64 {
         // Points without a colour are dark, although their colour is a clear white (quirk: pictures_once).
-        if self.pigment.is_nothing(at) { 0.0 } else { gray(self.pigment.at(at).rgb) }
+        if self.pigment.has_no_color_at(at) { 0.0 } else { gray(self.pigment.color_at(at).rgb) }
     }
 
     fn depends_on_uv(&self) -> bool {
@@ -150,8 +156,8 @@ impl PigmentBrightness for Brightness {
     }
 }
 
-/// Appends the nodes of a pigment; returns the index of its own node.
-fn push(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
+/// Appends the nodes of a lowered pigment; returns the index of its own node.
+fn push_nodes(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
     let shows = match &pigment.paint {
         // A map without a pattern is black (quirk: map_without_pattern).
         Paint::Colors(_) | Paint::Pigments(Blend::Map(_)) if matches!(pigment.pattern.kind, PatternKind::Plain) => {
@@ -160,7 +166,9 @@ fn push(pigment: &Pigment, nodes: &mut Vec<PigmentNode>) -> u32 {
         Paint::Solid(color) => Shows::Solid(*color),
         Paint::Colors(map) => Shows::Colors(map.clone()),
         Paint::Image(image) => Shows::Image(image.clone()),
-        Paint::Pigments(parts) => Shows::Pigments(parts.map_runs(Pigment::is_plainly, |entry| push(entry, nodes))),
+        Paint::Pigments(parts) => {
+            Shows::Pigments(parts.map_runs(Pigment::is_certainly_equal, |entry| push_nodes(entry, nodes)))
+        }
     };
     nodes.push(PigmentNode { pattern: PatternProgram::new(&pigment.pattern), shows });
     nodes.len() as u32 - 1

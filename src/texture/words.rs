@@ -9,7 +9,7 @@ use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Family, ReaderExt, Spec, WordSpec};
 
-/// The contents of a `pigment` with braces of its own.
+/// Parts of a `pigment` block that have braces of their own.
 const PIGMENT_PARTS: &[WordSpec] = &[
     word(
         "color_map",
@@ -22,7 +22,7 @@ const PIGMENT_PARTS: &[WordSpec] = &[
     word("image_map", Block, "", "a picture"),
 ];
 
-/// The readers of [`PIGMENT`]'s other words.
+/// Words of a `pigment` block without braces, and how each is read.
 pub(super) const PIGMENT_ROWS: &[Row<Pigment>] = &[
     word("quick_color", Color, "", "drawn in its place with `--quality 5` and less")
         .sets(|s, r| set(&mut s.quick_color, r.color().map(|c| Some(Box::new(c))))),
@@ -30,7 +30,7 @@ pub(super) const PIGMENT_ROWS: &[Row<Pigment>] = &[
         .sets(|s, r| set(&mut s.quick_color, r.color().map(|c| Some(Box::new(c))))),
 ];
 
-/// `pigment { … }`, except colours, patterns and [`Modifiers::WORDS`].
+/// Description of `pigment { … }`, except colours, patterns and [`Modifiers::WORDS`].
 pub const PIGMENT: Spec = Spec {
     name: "pigment",
     summary: "the colour of every point: one colour, or a pattern with its colours",
@@ -40,7 +40,7 @@ pub const PIGMENT: Spec = Spec {
     ..Spec::EMPTY
 };
 
-/// The readers of [`IMAGE_MAP`]'s words.
+/// Words of an `image_map` block, and how each is read.
 pub(super) const IMAGE_MAP_ROWS: &[Row<Clearness>] = &[
     word("filter", Float, "0", "`filter all A` or, for one colour of a palette, `filter N, A`")
         .sets(Clearness::read_filter),
@@ -48,7 +48,8 @@ pub(super) const IMAGE_MAP_ROWS: &[Row<Clearness>] = &[
         .sets(Clearness::read_transmit),
 ];
 
-/// `image_map { … }`, except the words of all pictures ([`bitmap::WORDS`](crate::pattern::bitmap::WORDS)).
+/// Description of `image_map { … }`, except the words of all pictures
+/// ([`bitmap::WORDS`](crate::pattern::bitmap::WORDS)).
 pub const IMAGE_MAP: Spec = Spec {
     name: "image_map",
     summary: "a picture as the colours of a surface",
@@ -65,7 +66,7 @@ pub fn pigment_names() -> Vec<&'static str> {
     colors.into_iter().chain(patterns).chain(PIGMENT.word_names()).chain(own).collect()
 }
 
-/// `texture { … }`
+/// Description of `texture { … }`.
 pub const TEXTURE: Spec = Spec {
     name: "texture",
     summary: "what a surface looks like; several in a row are layers, the last on top",
@@ -83,14 +84,14 @@ pub const TEXTURE: Spec = Spec {
     ..Spec::EMPTY
 };
 
-/// The contents of a `normal` with braces of its own.
+/// Parts of a `normal` block that have braces of their own.
 const NORMAL_PARTS: &[WordSpec] = &[
     word("slope_map", Block, "", "`[number <height, slope>]` entries: the form of the bumps"),
     word("bump_map", Block, "", "a picture whose brightness is the height"),
     word("normal_map", Block, "", "`[number normal]` entries: which bumps each number of the pattern gets"),
 ];
 
-/// The readers of [`NORMAL`]'s other words.
+/// Words of a `normal` block without braces, and how each is read.
 pub(super) const NORMAL_ROWS: &[Row<Normal>] = &[
     word("bump_size", Float, "0.5", "how deep the bumps seem; also as a number after the pattern's name")
         .sets(|s, r| set(&mut s.amount, r.float())),
@@ -105,7 +106,7 @@ pub(super) const NORMAL_ROWS: &[Row<Normal>] = &[
         .sets(|s, r| set(&mut s.bump_scale, r.flag().map(|on| !on))),
 ];
 
-/// `normal { … }`, except patterns and their words.
+/// Description of `normal { … }`, except patterns and their words.
 pub const NORMAL: Spec = Spec {
     name: "normal",
     summary: "bumps that only light sees: a pattern and how deep it seems, `normal { bumps 0.5 }`",
@@ -114,7 +115,7 @@ pub const NORMAL: Spec = Spec {
     ..Spec::EMPTY
 };
 
-/// The readers of [`FINISH`]'s words.
+/// Words of a `finish` block, and how each is read.
 pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
     word("ambient", Color, "0.1", "light that comes from everywhere, times `ambient_light` of `global_settings`")
         .sets(|s, r| set(&mut s.ambient, r.color().map(|c| c.rgb))),
@@ -171,7 +172,7 @@ pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
     .sets(|s, r| set(&mut s.uncommon.refraction, r.float())),
 ];
 
-/// `finish { … }`
+/// Description of `finish { … }`.
 pub const FINISH: Spec = Spec {
     name: "finish",
     summary: "how a surface answers to light",
@@ -181,14 +182,14 @@ pub const FINISH: Spec = Spec {
     ..Spec::EMPTY
 };
 
-/// The readers of [`IRID`]'s words.
+/// Words of a finish's `irid` block, and how each is read.
 pub(super) const IRID_ROWS: &[Row<Irid>] = &[
     word("thickness", Float, "0", "of the film, in the units of `irid_wavelength`")
         .sets(|s, r| set(&mut s.thickness, r.float())),
     word("turbulence", Float, "0", "how much the thickness varies").sets(|s, r| set(&mut s.turbulence, r.float())),
 ];
 
-/// `finish { irid { … } }`
+/// Description of `finish { irid { … } }`.
 pub const IRID: Spec = Spec {
     name: "irid",
     summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
@@ -196,7 +197,7 @@ pub const IRID: Spec = Spec {
     ..Spec::EMPTY
 };
 
-/// The readers of [`REFLECTION`]'s words.
+/// Words of a finish's `reflection` block, and how each is read.
 pub(super) const REFLECTION_ROWS: &[Row<Reflection>] = &[
     word("fresnel", Flag, "off", "the angle counts as for glass and water, by the `ior` of the interior")
         .sets(|s, r| set(&mut s.fresnel, r.flag())),
@@ -206,7 +207,7 @@ pub(super) const REFLECTION_ROWS: &[Row<Reflection>] = &[
         .sets(|s, r| set(&mut s.metallic, r.optional_float().map(|x| x.unwrap_or(1.0)))),
 ];
 
-/// `finish { reflection { … } }`
+/// Description of `finish { reflection { … } }`.
 pub const REFLECTION: Spec = Spec {
     name: "reflection",
     summary: "a mirror: `{ colour }`, or `{ colour seen straight on, colour seen at a slant }`",

@@ -34,8 +34,9 @@ enum Known {
 }
 
 impl Tracer<'_> {
-    /// Returns the mean visibility of a grid of lights. The grid is halved both ways down to single lights; a piece counts as the mean of
-    /// its corners, so inner lights count twice and four times as much as those at edges and corners (quirk: `area_light_subdivision`).
+    /// Returns the mean visibility of a grid of lights. The grid is halved both ways down to single lights; a piece
+    /// counts as the mean of its corners, so inner lights count twice and four times as much as those at edges and
+    /// corners (quirk: `area_light_subdivision`).
     pub(super) fn area_visibility(
         &mut self,
         light: &LightSource,
@@ -124,8 +125,8 @@ impl Tracer<'_> {
     }
 }
 
-/// Returns the weights of the lights of one side of a grid, whose sum is 1: the side is halved down to pairs of lights, and
-/// the lights of a pair count alike.
+/// Returns the weights of the lights of one side of a grid, whose sum is 1: the side is halved down to pairs of lights,
+/// and the lights of a pair count alike.
 fn weights(n: u32) -> Vec<f64> {
     let mut out = vec![0.0; n as usize];
     let mut pieces = vec![(0, n - 1, 1.0)];
@@ -141,10 +142,11 @@ fn weights(n: u32) -> Vec<f64> {
     out
 }
 
-/// Returns the offset of a light of the grid from the grid's centre, with jitter; `toward` is the direction from the light to the point.
+/// Returns the offset of a light of the grid from the grid's centre, with jitter; `toward` is the direction from the
+/// light to the point.
 pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomSequence) -> DVec3 {
     let number = 2 * (u64::from(cell[1]) << 32 | u64::from(cell[0]));
-    area.offset(cell, toward, area.jitter.then(|| [random.at(number), random.at(number + 1)]))
+    area.light_offset(cell, toward, area.jitter.then(|| [random.at(number), random.at(number + 1)]))
 }
 
 /// True if the light of all corners hardly differs.

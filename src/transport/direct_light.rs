@@ -28,13 +28,14 @@ struct Incidence {
 #[derive(Clone, Copy)]
 struct Source<'a> {
     light: &'a LightSource,
-    /// Direction to the light's location, the centre of an `area_light`; films use this one direction (quirk: `irid_of_area_center`).
+    /// Direction to the light's location, the centre of an `area_light`; films use this one direction (quirk:
+    /// `irid_of_area_center`).
     center: DVec3,
 }
 
 impl Tracer<'_> {
-    /// Returns the radiance that a surface sends along the ray by its own emission and by diffuse and specular reflection of light
-    /// sources, without `reflection` and transmission.
+    /// Returns the radiance that a surface sends along the ray by its own emission and by diffuse and specular
+    /// reflection of light sources, without `reflection` and transmission.
     pub(super) fn direct_light(&mut self, state: &RayState, shading: &ShadingPoint) -> Rgb {
         if !self.context.quality.lights {
             return shading.sum(|shaded| shaded.weight * shaded.color.rgb);
@@ -73,7 +74,8 @@ impl Tracer<'_> {
         sum / (f64::from(n) * f64::from(m))
     }
 
-    /// The radiance that light from one direction causes; `visibility` is only asked for light that the surface reflects.
+    /// The radiance that light from one direction causes; `visibility` is only asked for light that the surface
+    /// reflects.
     fn reflected_sample(
         &mut self,
         sample: &LightSample,
@@ -161,8 +163,8 @@ fn lobe(lobe: &Lobe, cos: f64) -> f64 {
     if cos <= 0.0 { 0.0 } else { lobe.strength * power(cos, lobe.exponent) }
 }
 
-/// Returns the colour of light that metal reflects: the pigment's, but white at a grazing angle, by F of Strauss, A realistic lighting
-/// model for computer animators, 1990.
+/// Returns the colour of light that metal reflects: the pigment's, but white at a grazing angle, by F of Strauss, A
+/// realistic lighting model for computer animators, 1990.
 pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
     if metallic == 0.0 {
         return Rgb::ONE;
@@ -179,5 +181,5 @@ pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
 /// Returns x to a power. Most exponents are whole numbers, for which a few products are enough.
 fn power(x: f64, exponent: f64) -> f64 {
     let whole = exponent as u32;
-    if f64::from(whole) == exponent && whole < 4096 { fp::power_of(x, whole) } else { fp::pow(x, exponent) }
+    if f64::from(whole) == exponent && whole < 4096 { fp::integer_power(x, whole) } else { fp::pow(x, exponent) }
 }

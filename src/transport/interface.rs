@@ -21,7 +21,8 @@ pub(super) struct Interface {
     pub n1: f64,
     /// Index of refraction beyond the surface.
     pub n2: f64,
-    /// The indices (n1, n2) for Fresnel's equations; they differ from the above where the ray is in more than one interior.
+    /// The indices (n1, n2) for Fresnel's equations; they differ from the above where the ray is in more than one
+    /// interior.
     mirror: (f64, f64),
     /// Position of the interior that the ray leaves in the list of interiors; `None` if the ray enters.
     leaves: Option<usize>,
@@ -31,7 +32,8 @@ impl Interface {
     /// No boundary: one medium on both sides.
     pub const NONE: Interface = Interface { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
-    /// The boundary of interior `own` for a ray inside `inside`: the ray leaves the interior if it is in the list, and enters it otherwise.
+    /// The boundary of interior `own` for a ray inside `inside`: the ray leaves the interior if it is in the list, and
+    /// enters it otherwise.
     pub fn new(inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<&u32>| i.and_then(|&i| interiors.get(i as usize)).map_or(1.0, |interior| interior.ior);
         let (n1, own_ior) = (ior(inside.last()), ior(Some(&own)));
@@ -44,14 +46,15 @@ impl Interface {
         Self { n1, n2, mirror: (own_ior, beyond), leaves: Some(at) }
     }
 
-    /// Returns the boundary for one hue (see [`Interior::ior_of`]); reflection stays that of white light (quirk: `dispersion_ior`).
+    /// Returns the boundary for one hue (see [`Interior::ior_of_hue`]); reflection stays that of white light (quirk:
+    /// `dispersion_ior`).
     pub fn of_hue(self, hue: f64, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
-        let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of(hue));
+        let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of_hue(hue));
         Self { n1: ior(inside.last().copied()), n2: ior(self.beyond(inside, own)), ..self }
     }
 
-    /// Number of colours into which white light splits here; `None` if both sides have the same dispersion. The interior beyond the
-    /// boundary says how many (quirk: `dispersion_samples_beyond`).
+    /// Number of colours into which white light splits here; `None` if both sides have the same dispersion. The
+    /// interior beyond the boundary says how many (quirk: `dispersion_samples_beyond`).
     pub fn samples(&self, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Option<u32> {
         let interior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize));
         let dispersion = |interior: Option<&Arc<Interior>>| interior.map_or(1.0, |interior| interior.dispersion);
@@ -86,8 +89,9 @@ impl Interface {
         }
     }
 
-    /// Reflectance of a dielectric for unpolarised light (Fresnel's equations). `cos` is the cosine of the angle between ray and normal;
-    /// bumps that are seen from behind (`cos` < 0) reflect all light (quirk: `bumps_from_behind`).
+    /// Reflectance of a dielectric for unpolarised light (Fresnel's equations). `cos` is the cosine of the angle
+    /// between ray and normal; bumps that are seen from behind (`cos` < 0) reflect all light (quirk:
+    /// `bumps_from_behind`).
     pub fn fresnel(&self, cos: f64) -> f64 {
         let (n1, n2) = self.mirror;
         if cos < 0.0 {
@@ -107,8 +111,8 @@ impl Interface {
         (perpendicular * perpendicular + parallel * parallel) / 2.0
     }
 
-    /// Direction beyond the boundary by Snell's law, length 1; `None` for total internal reflection. The side of `normal` does not matter
-    /// (quirk: `bumps_from_behind`).
+    /// Direction beyond the boundary by Snell's law, length 1; `None` for total internal reflection. The side of
+    /// `normal` does not matter (quirk: `bumps_from_behind`).
     pub fn refract(&self, dir: DVec3, normal: DVec3) -> Option<DVec3> {
         if !self.bends() {
             return Some(dir);

@@ -58,12 +58,12 @@ impl Random {
     pub fn sequence(&mut self, purpose: Purpose) -> RandomSequence {
         let draws = &mut self.draws[purpose as usize];
         *draws += 1;
-        RandomSequence(rng::word(&[self.frame, self.pixel, self.sample, self.vertex, purpose as u64, *draws]))
+        RandomSequence(rng::random_word(&[self.frame, self.pixel, self.sample, self.vertex, purpose as u64, *draws]))
     }
 
     /// Returns a sequence that all samples of the pixel share.
     pub fn pixel_sequence(&self, purpose: Purpose) -> RandomSequence {
-        RandomSequence(rng::word(&[self.frame, self.pixel, u64::MAX, purpose as u64]))
+        RandomSequence(rng::random_word(&[self.frame, self.pixel, u64::MAX, purpose as u64]))
     }
 }
 
@@ -74,7 +74,7 @@ pub struct RandomSequence(u64);
 impl RandomSequence {
     /// Returns one of the numbers, in [0, 1).
     pub fn at(self, number: u64) -> f64 {
-        rng::unit(&[self.0, number])
+        rng::random_unit(&[self.0, number])
     }
 }
 

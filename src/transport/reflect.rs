@@ -78,20 +78,21 @@ pub(super) fn total(material: &MaterialSample, point: DVec3, out: DVec3, world: 
     material.layers.first().map_or(Rgb::ONE, |top| film(point, top, out, world))
 }
 
-/// Returns the factor that a thin film (`irid`) on a layer applies to light out of a direction. Bumps that are seen or lit from behind
-/// count as from the front (quirk: `bumps_from_behind`).
+/// Returns the factor that a thin film (`irid`) on a layer applies to light out of a direction. Bumps that are seen or
+/// lit from behind count as from the front (quirk: `bumps_from_behind`).
 pub(super) fn film(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &World) -> Rgb {
     match &shaded.layer.finish.irid {
         Some(irid) => {
             let cosines = shaded.normal.dot(from).abs() + shaded.cos.abs();
-            irid.tint(point, cosines, world.irid_wavelength, world.noise)
+            irid.interference_factor(point, cosines, world.irid_wavelength, world.noise)
         }
         None => Rgb::ONE,
     }
 }
 
-/// Returns the ray that one layer reflects; `None` if its weight is below `adc_bailout`. The gray of the layers above lowers the weight,
-/// shares of a blend and the tint of a metal do not; without `fresnel` the angle does not count either (quirk: `reflection_weight`).
+/// Returns the ray that one layer reflects; `None` if its weight is below `adc_bailout`. The gray of the layers above
+/// lowers the weight, shares of a blend and the tint of a metal do not; without `fresnel` the angle does not count
+/// either (quirk: `reflection_weight`).
 fn bounce(mirror: &Mirror, context: MirrorContext) -> Option<Bounce> {
     let Mirror { reflection, shaded, .. } = mirror;
     let part = match reflection.fresnel {
@@ -102,7 +103,8 @@ fn bounce(mirror: &Mirror, context: MirrorContext) -> Option<Bounce> {
     (weight > context.world.adc_bailout).then_some(Bounce { normal: shaded.normal, weight })
 }
 
-/// Returns the share of light that a layer with `conserve_energy` leaves to other terms: what it does not reflect. 1 for other layers.
+/// Returns the share of light that a layer with `conserve_energy` leaves to other terms: what it does not reflect. 1
+/// for other layers.
 pub(super) fn left_over(shaded: &ShadedLayer, interface: &Interface) -> Rgb {
     match shaded.layer.finish.mirror.as_deref().filter(|_| shaded.layer.finish.conserve_energy) {
         Some(mirror) => Rgb::ONE - reflectance(mirror, shaded, interface),

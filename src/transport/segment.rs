@@ -26,8 +26,8 @@ impl Span {
 }
 
 impl Tracer<'_> {
-    /// Returns the radiance added and the transmittance of the air along a span of a ray of length 1. Solid (not `hollow`) interiors
-    /// hold no air (quirk: `fog_needs_hollow`).
+    /// Returns the radiance added and the transmittance of the air along a span of a ray of length 1. Solid (not
+    /// `hollow`) interiors hold no air (quirk: `fog_needs_hollow`).
     #[inline]
     pub(super) fn segment(&mut self, ray: &Ray, span: &Span, inside: &Interiors) -> Segment {
         if self.has_air() { self.air(ray, span, inside) } else { Segment::NONE }
@@ -40,9 +40,11 @@ impl Tracer<'_> {
         }
         let start = if span.from == 0.0 { *ray } else { Ray::new(ray.at(span.from), ray.dir) };
         let length = span.to - span.from;
-        let fogs = atmosphere::fogs(&world.fogs, &start, length, world.noise);
+        let fogs = atmosphere::combine_fogs(&world.fogs, &start, length, world.noise);
         let random = &mut self.random;
-        fogs.in_front_of(atmosphere::rainbows(&world.rainbows, &start, length, &mut || random.next(Purpose::Rainbow)))
+        fogs.in_front_of(atmosphere::combine_rainbows(&world.rainbows, &start, length, &mut || {
+            random.next(Purpose::Rainbow)
+        }))
     }
 
     /// True if the scene has fog or a rainbow, and the quality shows it.
@@ -51,13 +53,15 @@ impl Tracer<'_> {
         self.context.quality.atmosphere && (!world.fogs.is_empty() || !world.rainbows.is_empty())
     }
 
-    /// Returns the transmittance of an interior over the segment that ends where a ray leaves the interior. The transmittance applies to
-    /// light from beyond that surface, not to light of the surface itself (quirk: `attenuation_beyond_surface`).
+    /// Returns the transmittance of an interior over the segment that ends where a ray leaves the interior. The
+    /// transmittance applies to light from beyond that surface, not to light of the surface itself (quirk:
+    /// `attenuation_beyond_surface`).
     pub(super) fn attenuation(&self, interior: u32, length: f64) -> Rgb {
         self.context.world.interiors[interior as usize].attenuation(length)
     }
 
-    /// Returns the transmittance of an interior for a shadow ray, which a `fade_power` of 0 does not attenuate (quirk: `fade_power_0_shadow`).
+    /// Returns the transmittance of an interior for a shadow ray, which a `fade_power` of 0 does not attenuate (quirk:
+    /// `fade_power_0_shadow`).
     pub(super) fn shadow_attenuation(&self, interior: u32, length: f64) -> Rgb {
         let interior = &self.context.world.interiors[interior as usize];
         if interior.fade_power > 0.0 { interior.attenuation(length) } else { Rgb::ONE }

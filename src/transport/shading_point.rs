@@ -26,8 +26,8 @@ pub(super) struct ShadedLayer<'w> {
     pub cos: f64,
 }
 
-/// One texture, evaluated at a point. Where a pattern blends several textures, each is lit, reflects and refracts by itself, and the
-/// result is their sum by shares (quirk: `blend_by_light`).
+/// One texture, evaluated at a point. Where a pattern blends several textures, each is lit, reflects and refracts by
+/// itself, and the result is their sum by shares (quirk: `blend_by_light`).
 pub(super) struct MaterialSample<'w> {
     /// Share of the point that shows the texture.
     pub share: f64,
@@ -96,18 +96,19 @@ struct Painter<'w, 'a> {
     interface: &'a Interface,
     opacity_by_color: bool,
     bailout: f64,
-    /// Normal that the patterns `slope` and `aoi` use: the result of the last bumps before them, in the space of those bumps
-    /// (quirk: `slope_after_bumps`).
+    /// Normal that the patterns `slope` and `aoi` use: the result of the last bumps before them, in the space of those
+    /// bumps (quirk: `slope_after_bumps`).
     pattern_normal: DVec3,
     materials: &'a mut SmallVec<[MaterialSample<'w>; 1]>,
 }
 
 impl<'w> Painter<'w, '_> {
-    /// Adds a material with its share. A texture that a pattern chooses is the only layer: others are refused when the scene is read.
+    /// Adds a material with its share. A texture that a pattern chooses is the only layer: others are refused when the
+    /// scene is read.
     fn paint(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
             Some(choice) => {
-                let (number, inner) = choice.pattern.see(&self.pattern_context(ctx));
+                let (number, inner) = choice.pattern.evaluate(&self.pattern_context(ctx));
                 let inner = TextureContext { normal: ctx.normal, ..inner };
                 let within = PatternSpaces { space: &choice.space, outer: frame };
                 let mut shares = choice.shares(number);
@@ -131,7 +132,8 @@ impl<'w> Painter<'w, '_> {
         TextureContext { normal: self.pattern_normal, ..*ctx }
     }
 
-    /// Evaluates the layers of a material. At qualities without light, the lowest visible layer is shown alone (quirk: `unlit_layers`).
+    /// Evaluates the layers of a material. At qualities without light, the lowest visible layer is shown alone (quirk:
+    /// `unlit_layers`).
     fn add(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         // (The sample is large and therefore filled in place.)
         let number = self.materials.len();
@@ -161,7 +163,7 @@ impl<'w> Painter<'w, '_> {
             }
             let weight = if self.quality.lights { weight } else { Rgb::ONE };
             let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos };
-            transmittance *= color.passing();
+            transmittance *= color.transmittance();
             // quirk: conserve_energy_without_pigment
             if layer.finish.conserve_energy && !layer.is_nothing(&seen, quick) {
                 transmittance *= left_over(&shaded, self.interface);
@@ -180,17 +182,18 @@ impl<'w> Painter<'w, '_> {
         material.transmittance = refraction * transmittance;
     }
 
-    /// Perturbs the normal: into the space of the texture by Mᵀ, back by M⁻ᵀ. Within the entry of a map, or a texture with `uv_mapping`,
-    /// bumps start from a normal of length 1, and the pigment uses the normal of that space (quirk: `bumps_within_maps`).
+    /// Perturbs the normal: into the space of the texture by Mᵀ, back by M⁻ᵀ. Within the entry of a map, or a texture
+    /// with `uv_mapping`, bumps start from a normal of length 1, and the pigment uses the normal of that space (quirk:
+    /// `bumps_within_maps`).
     fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> Bumped {
         let within = frame.is_some() || bumps.framed;
         let place = self.placed.place.as_deref().filter(|_| within || !bumps.stays);
-        let local = place.map_or(ctx.normal, |m| m.inverse_normal(ctx.normal));
+        let local = place.map_or(ctx.normal, |m| m.inverse_transform_normal(ctx.normal));
         let local = frame.map_or(local, |frame| frame.inside(local));
         let local = if within { local.normalize_or(local) } else { local };
         let inner = bumps.perturb(&self.pattern_context(ctx), local);
         let outer = frame.map_or(inner, |frame| frame.outside(inner));
-        let lit = place.map_or(outer, |m| m.normal(outer));
+        let lit = place.map_or(outer, |m| m.transform_normal(outer));
         let seen = if within { inner } else { lit };
         Bumped { lit, seen: if bumps.keeps_length() { seen } else { seen.normalize_or(seen) } }
     }
@@ -212,11 +215,11 @@ struct PatternSpaces<'a> {
 
 impl PatternSpaces<'_> {
     fn inside(&self, n: DVec3) -> DVec3 {
-        self.space.normal_inside(self.outer.map_or(n, |outer| outer.inside(n)))
+        self.space.normal_to_pattern_space(self.outer.map_or(n, |outer| outer.inside(n)))
     }
 
     fn outside(&self, n: DVec3) -> DVec3 {
-        let n = self.space.normal_outside(n);
+        let n = self.space.normal_from_pattern_space(n);
         self.outer.map_or(n, |outer| outer.outside(n))
     }
 }
@@ -309,12 +312,12 @@ pub(super) fn shadow_transmittance(world: &World, ray: &Ray, found: &Intersectio
 fn material_transmittance(material: &Material, ctx: &TextureContext, quick: bool) -> Rgb {
     material.layers.iter().fold(Rgb::ONE, |pass, layer| match &layer.choice {
         Some(choice) => {
-            let (number, inner) = choice.pattern.see(ctx);
+            let (number, inner) = choice.pattern.evaluate(ctx);
             let shares = choice.shares(number);
             pass * shares
                 .iter()
                 .fold(Rgb::ZERO, |sum, (part, share)| sum + *share * material_transmittance(part, &inner, quick))
         }
-        None => pass * layer.color(ctx, quick).passing(),
+        None => pass * layer.color(ctx, quick).transmittance(),
     })
 }

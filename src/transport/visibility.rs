@@ -140,7 +140,7 @@ impl Tracer<'_> {
         if interior.caustics != 0.0 {
             let shading = ShadingPoint::new(world, ray, hit, &self.context.quality, &Interface::NONE);
             let normal = shading.materials.last().map_or(shading.smooth, |material| material.normal);
-            transmittance *= interior.caustic(normal.dot(ray.dir).abs());
+            transmittance *= interior.caustic_factor(normal.dot(ray.dir).abs());
         }
         transmittance
     }

@@ -16,62 +16,62 @@ const COLORS: &[(&str, &[usize])] = &[
     ("srgbft", &[0, 1, 2, 3, 4]),
 ];
 
-/// Parses a number, string, vector or colour.
+/// Parses the value of a scene's variable that is given on the command line: a number, string, vector or colour.
 ///
 /// # Errors
 /// A description of what is wrong with the text.
 pub fn parse_value(text: &str) -> Result<Value, String> {
     let text = text.trim();
-    if let Some(x) = number(text) {
+    if let Some(x) = parse_number(text) {
         return Ok(Value::Float(x));
     }
     if text.len() >= 2 && text.starts_with('"') && text.ends_with('"') {
         return Ok(Value::Text(text[1..text.len() - 1].into()));
     }
     if text.starts_with('<') {
-        return vector(text).map(Value::Vector);
+        return parse_vector(text).map(Value::Vector);
     }
     let first = text.split(|c: char| !c.is_ascii_alphanumeric()).next().unwrap_or_default();
     let rest = text[first.len()..].trim_start();
     match first {
-        "color" | "colour" if rest.starts_with('<') => color("rgbft", rest),
+        "color" | "colour" if rest.starts_with('<') => parse_color("rgbft", rest),
         "color" | "colour" if !rest.is_empty() => parse_value(rest).and_then(|value| match value {
             Value::Color(_) => Ok(value),
             _ => Err(format!("`{rest}` is no colour, which is written as rgb <1, 0.5, 0>")),
         }),
-        _ if COLORS.iter().any(|(word, _)| *word == first) => color(first, rest),
+        _ if COLORS.iter().any(|(word, _)| *word == first) => parse_color(first, rest),
         _ => Err(format!("`{text}` is no number, vector (<1, 2, 3>) or colour (rgb <1, 0, 0>)")),
     }
 }
 
-fn number(text: &str) -> Option<f64> {
+fn parse_number(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|x: &f64| x.is_finite())
 }
 
-/// Parses two to five components between `<` and `>`.
-fn vector(text: &str) -> Result<VecN, String> {
+/// Parses a vector of two to five components between `<` and `>`.
+fn parse_vector(text: &str) -> Result<VecN, String> {
     let inner = text.strip_prefix('<').and_then(|text| text.strip_suffix('>'));
     let inner = inner.ok_or_else(|| format!("`{text}` is no vector: `>` is missing at its end"))?;
     let parts: Vec<&str> = inner.split(',').collect();
     if !(2..=5).contains(&parts.len()) {
         return Err(format!("`{text}` is no vector, which has 2 to 5 numbers with commas between them: <1, 2, 3>"));
     }
-    let read = |part: &&str| number(part).ok_or_else(|| format!("`{}` in `{text}` is no number", part.trim()));
+    let read = |part: &&str| parse_number(part).ok_or_else(|| format!("`{}` in `{text}` is no number", part.trim()));
     let numbers = parts.iter().map(read).collect::<Result<Vec<f64>, String>>()?;
     Ok(VecN::from_slice(&numbers))
 }
 
 /// Parses a colour: its word and a vector, or one number for all components.
-fn color(word: &str, rest: &str) -> Result<Value, String> {
+fn parse_color(word: &str, rest: &str) -> Result<Value, String> {
     let slots = COLORS.iter().find(|(name, _)| *name == word).map_or(&[0, 1, 2][..], |(_, slots)| slots);
-    let given = match number(rest) {
+    let given = match parse_number(rest) {
         Some(x) => VecN::splat(x, slots.len() as u8),
-        None if rest.starts_with('<') => vector(rest)?,
-        None => return Err(format!("`{word}` needs numbers behind it: {word} <{}>", example(slots.len()))),
+        None if rest.starts_with('<') => parse_vector(rest)?,
+        None => return Err(format!("`{word}` needs numbers behind it: {word} <{}>", example_of_length(slots.len()))),
     };
     // `color <1, 0, 0>` may have fewer components than five.
     if usize::from(given.len) != slots.len() && !(word == "rgbft" && given.len >= 3) {
-        let example = example(slots.len());
+        let example = example_of_length(slots.len());
         return Err(format!("`{word}` has {} numbers, not {}: {word} <{example}>", slots.len(), given.len));
     }
     let mut c = [0.0; 5];
@@ -83,7 +83,7 @@ fn color(word: &str, rest: &str) -> Result<Value, String> {
     Ok(Value::Color(color))
 }
 
-fn example(count: usize) -> &'static str {
+fn example_of_length(count: usize) -> &'static str {
     match count {
         3 => "1, 0.5, 0",
         4 => "1, 0.5, 0, 0.3",

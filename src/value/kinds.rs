@@ -16,14 +16,14 @@ pub struct VecN {
 }
 
 impl VecN {
-    /// A vector of `len` equal components, as POV-Ray promotes a number.
+    /// Creates a vector of `len` equal components, as POV-Ray promotes a number.
     pub fn splat(x: f64, len: u8) -> Self {
         let mut c = [0.0; 5];
         c[..len as usize].fill(x);
         Self { c, len }
     }
 
-    /// A vector from a slice of at most five components.
+    /// Creates a vector from a slice of at most five components.
     pub fn from_slice(s: &[f64]) -> Self {
         let mut c = [0.0; 5];
         c[..s.len()].copy_from_slice(s);
@@ -42,8 +42,8 @@ impl From<DVec3> for VecN {
     }
 }
 
-/// A thing built from a block: a texture, an object, a camera. Its type belongs to a module of a higher layer, so
-/// values hold it as a trait object; [`crate::value::ReaderExt::thing`] recovers the type.
+/// A thing built from a block of the scene language: a texture, an object, a camera. Its type belongs to a module of a
+/// higher layer, so values hold it as a trait object; [`crate::value::ReaderExt::thing`] recovers the type.
 pub trait Thing: Any + Send + Sync + std::fmt::Debug {
     /// Returns the word of the thing's block, such as `texture` or `object`.
     fn kind(&self) -> &'static str;
@@ -58,7 +58,7 @@ pub fn downcast<T: Thing>(thing: &Arc<dyn Thing>) -> Option<Arc<T>> {
 /// A value of the scene language.
 #[derive(Clone, Debug)]
 pub enum Value {
-    /// A number, also the result 0 or 1 of a condition.
+    /// Value that is a number, also the result 0 or 1 of a condition.
     Float(f64),
     /// Value that is a vector of two to five components.
     Vector(VecN),

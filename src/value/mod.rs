@@ -12,7 +12,7 @@ mod spec;
 mod unsupported;
 pub mod words;
 
-pub use decimal::{decimal, without_zeros};
+pub use decimal::{format_decimal, trim_zeros};
 pub use given::parse_value;
 pub use kinds::{Thing, Value, VecN, downcast};
 pub use readable::Readable;

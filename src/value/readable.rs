@@ -27,8 +27,8 @@ pub trait Readable: Sized + 'static {
         Self::read(r)
     }
 
-    /// Reads the positional parameters, if `next` names the block. The name has been consumed, with the opening brace of a
-    /// `Next::Block`.
+    /// Reads the positional parameters, if `next` names the block. The name has been consumed, with the opening brace
+    /// of a `Next::Block`.
     fn read_params(next: Next, r: &mut dyn Reader) -> Option<Result<Self>> {
         match next {
             Next::Word(name) if name == Self::SPEC.name => Some(Self::read(r)),

@@ -12,14 +12,14 @@ use crate::source::{Files, Span};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Kind of the next token; directives and macro calls before it have run.
+/// Kind of the next token of the scene; directives and macro calls before it have run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Next {
     /// Next token is a keyword without a `{`.
     Word(&'static str),
     /// Next tokens are a keyword and its `{`.
     Block(&'static str),
-    /// A declared thing, with the word of its block: `texture`, `object` …
+    /// Next token is the name of a declared thing, with the word of its block: `texture`, `object` …
     Thing(&'static str),
     /// Next token begins an expression: number, vector, colour or string.
     Value,
@@ -69,13 +69,13 @@ pub enum FloatOrColor {
     Color(Color),
 }
 
-/// An object with an inside, such as a sphere.
+/// Interface of an object with an inside, such as a sphere.
 pub trait Solid: std::fmt::Debug + Send + Sync {
     /// True if the point is inside of the object.
     fn contains(&self, p: DVec3) -> bool;
 }
 
-/// A function of a picture, with the picture's width and height in pixels.
+/// Function that fills a picture, with the picture's width and height in pixels.
 pub type SizedFunction = ([usize; 2], Arc<dyn Thing>);
 
 /// Function that builds a shape from a mesh file and the pictures of its materials; `None` for a material without a
@@ -88,25 +88,25 @@ pub type BuildMesh = fn(MeshFile, Vec<Option<Arc<Picture>>>) -> Arc<dyn Thing>;
 /// Methods that read fail with the span of the unexpected token and the expectation, or with a fault in a directive or
 /// macro before the token.
 pub trait Reader {
-    /// The next token, which is not consumed. Commas and semicolons are skipped.
+    /// Returns the kind of the scene's next token, which is not consumed. Commas and semicolons are skipped.
     fn next(&mut self) -> Result<Next>;
-    /// The next token, or `Next::End` if a directive or a `;` precedes it. Directives do not run: they may use the name
-    /// that is being declared.
-    fn continued(&mut self) -> Result<Next>;
+    /// Returns the kind of the next token, or `Next::End` if a directive or a `;` precedes it. Directives do not run:
+    /// they may use the name that is being declared.
+    fn next_in_statement(&mut self) -> Result<Next>;
     /// Returns the span of the next token in the scene.
     fn span(&mut self) -> Span;
     /// Consumes the word, or the opening `name {`, `[` or `{`, that [`Reader::next`] returned.
-    fn take(&mut self) -> Result<Span>;
+    fn take_token(&mut self) -> Result<Span>;
     /// Consumes the end of the block; any other token is an error.
-    fn leave(&mut self) -> Result<()>;
+    fn leave_block(&mut self) -> Result<()>;
     /// Reads an expression of the scene to its value.
     fn value(&mut self) -> Result<(Value, Span)>;
     /// Consumes the declared thing announced by [`Next::Thing`], or the function announced by [`Next::Function`].
     fn take_thing(&mut self) -> Result<(Arc<dyn Thing>, Span)>;
     /// Reads an object, of which only the inside is used.
-    fn solid(&mut self) -> Result<Arc<dyn Solid>>;
+    fn read_solid(&mut self) -> Result<Arc<dyn Solid>>;
     /// Reads the inside of a pigment as a pattern: the pigment's brightness.
-    fn pigment(&mut self) -> Result<Arc<dyn Thing>>;
+    fn read_pigment_pattern(&mut self) -> Result<Arc<dyn Thing>>;
     /// Reads a number; a vector is an error.
     fn float(&mut self) -> Result<f64>;
     /// Reads a number, if an expression comes next.
@@ -117,72 +117,72 @@ pub trait Reader {
     fn vector2(&mut self) -> Result<DVec2>;
     /// Reads exactly `n` numbers in `< >`; more than five only as a literal, as in `matrix`.
     fn numbers(&mut self, n: usize) -> Result<Vec<f64>>;
-    /// Consumes up to `most` items of a literal list, while each is a vector of `width` components that `take` accepts;
-    /// returns the number consumed. The result can be 0 although vectors come next: the other methods read the first
-    /// and last item of a list, and anything that is not a literal.
-    fn literals(&mut self, _width: usize, _most: usize, _take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
+    /// Consumes up to `most` items of the scene's literal list, while each is a vector of `width` components that
+    /// `take` accepts; returns the number consumed. The result can be 0 although vectors come next: the other methods
+    /// read the first and last item of a list, and anything that is not a literal.
+    fn read_literals(&mut self, _width: usize, _most: usize, _take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
         0
     }
     /// Reads exactly `n` numbers in parentheses.
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>>;
     /// Consumes a `:` in the scene.
-    fn colon(&mut self) -> Result<()>;
+    fn read_colon(&mut self) -> Result<()>;
     /// Reads a colour, with or without the word `color` or `rgb` before it.
     fn color(&mut self) -> Result<Color>;
     /// Reads a number or a colour.
     fn float_or_color(&mut self) -> Result<FloatOrColor>;
     /// True if a colour can come next: one of its words, or an expression.
-    fn at_color(&mut self) -> Result<bool>;
+    fn is_at_color(&mut self) -> Result<bool>;
     /// Reads one `translate`, `rotate`, `scale`, `matrix`, `transform { … }` or declared transform, if one comes next.
     ///
     /// Boxed, because a transform is large and mostly passed on.
     fn transform(&mut self) -> Result<Option<Box<Transform>>>;
     /// Reads a string expression of the scene.
     fn text(&mut self) -> Result<String>;
-    /// Reads `on`, `off` or a number; true if none comes next.
+    /// Reads a switch of the scene: `on`, `off` or a number; true if none comes next.
     fn flag(&mut self) -> Result<bool>;
     /// Returns the language version and gamma in force.
     fn language(&self) -> Language;
     /// Reads a word or block that durer does not render yet, with its contents, and warns.
     fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported>;
     /// Reads the next token with its contents, and appends it to `row`.
-    fn skip_into(&mut self, row: &mut Vec<Unsupported>) -> Result<()>;
+    fn skip_unsupported(&mut self, row: &mut Vec<Unsupported>) -> Result<()>;
     /// Finds a file in the folders that a scene searches; `None` if it does not exist, an error if the scene may not
     /// read it. `at` is the span of the name.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;
     /// Returns the file storage that the scene may read.
     fn files(&self) -> &dyn Files;
     /// Finds a font, or with a warning one with a similar design. `at` is the span of the name.
-    fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
+    fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
     /// Reads the name of a picture file, and decodes the file.
-    fn picture(&mut self) -> Result<Arc<Picture>>;
+    fn read_picture(&mut self) -> Result<Arc<Picture>>;
     /// Reads the name of a mesh file, and builds its shape with `build`. Each file is read once per run.
-    fn mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>>;
+    fn read_mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>>;
     /// Reads `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.
-    fn sized_function(&mut self) -> Result<Option<SizedFunction>>;
+    fn read_sized_function(&mut self) -> Result<Option<SizedFunction>>;
     /// Reports a diagnostic about the scene, and continues reading.
     fn report(&mut self, diagnostic: Diagnostic);
-    /// The error "expected …, found …" about the next token.
+    /// Returns the error "expected …, found …" about the scene's next token.
     fn unexpected(&mut self, expected: &str) -> Diagnostic;
-    /// The error for the next word, which `block` does not take: suggests the nearest of the words in `takes`, or lists
-    /// them.
+    /// Returns the error for the next word, which `block` does not take: suggests the nearest of the words in `takes`,
+    /// or lists them.
     fn unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic;
 }
 
 /// Methods of every reader, built from those of [`Reader`].
 pub trait ReaderExt: Reader {
-    /// Consumes the word if it comes next.
+    /// Consumes the scene's next word if it equals `word`; returns true if so.
     fn accept(&mut self, word: &str) -> Result<bool>;
     /// Consumes a declared thing of type `T`, if a thing comes next.
     fn thing<T: Thing>(&mut self) -> Result<Option<Arc<T>>>;
-    /// The error for the next word, which the block does not take; see [`Reader::unknown_word`].
+    /// Returns the error for the next word, which the block does not take; see [`Reader::unknown_word`].
     fn unknown_word_in(&mut self, block: &Spec) -> Fault;
 }
 
 impl<R: Reader + ?Sized> ReaderExt for R {
     fn accept(&mut self, word: &str) -> Result<bool> {
         match self.next()? {
-            Next::Word(w) if w == word => self.take().map(|_| true),
+            Next::Word(w) if w == word => self.take_token().map(|_| true),
             _ => Ok(false),
         }
     }

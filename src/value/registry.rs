@@ -11,10 +11,10 @@ use std::sync::Arc;
 
 /// A closed set of blocks of one kind, whose members are [`Readable`](super::Readable).
 pub trait Family: Sized {
-    /// Descriptions of all members.
+    /// Descriptions of all members of the family of blocks.
     const SPECS: &'static [&'static Spec];
 
-    /// Description of the member.
+    /// Description of this member's block.
     fn spec(&self) -> &'static Spec;
 
     /// Reads the positional parameters of the member that `next` names, if any does. The name has been consumed, with
@@ -27,18 +27,18 @@ pub trait Family: Sized {
     /// A diagnostic at the first item that is not understood.
     fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool>;
 
-    /// Checks the complete block; `span` is the block's name.
+    /// Checks the member's complete block; `span` is the block's name.
     ///
     /// # Errors
     /// A diagnostic for a block that is complete but invalid.
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()>;
 
-    /// Description of the member with this name.
+    /// Returns the description of the family's member with this name.
     fn spec_of(name: &str) -> Option<&'static Spec> {
         Self::SPECS.iter().find(|spec| spec.name == name).copied()
     }
 
-    /// True if a member has this name.
+    /// True if a member of the family has this name.
     fn is_name(name: &str) -> bool {
         Self::spec_of(name).is_some()
     }
@@ -50,7 +50,7 @@ pub trait Family: Sized {
     fn read_named(next: Next, r: &mut dyn Reader) -> Result<Option<Self>> {
         match next {
             Next::Word(name) | Next::Block(name) if Self::is_name(name) => {
-                r.take()?;
+                r.take_token()?;
                 Self::read_params(next, r).transpose()
             }
             _ => Ok(None),
@@ -60,7 +60,7 @@ pub trait Family: Sized {
 
 /// Storage of a member of type `T` in its family's enum: `T` itself, or an [`Arc`] that clones of the enum share.
 pub trait Stored<T> {
-    /// The member, for changes; a shared member is cloned first.
+    /// Returns the member for modification; a shared member is cloned first.
     fn member_mut(&mut self) -> &mut T;
 }
 
@@ -76,9 +76,9 @@ impl<T: Clone> Stored<T> for Arc<T> {
     }
 }
 
-/// Defines the enum of a family from the types of its members, with [`Family`] and `From` for it. A macro with the enum's
-/// name evaluates an expression for a member of any type: `Shape!(self, member => member.bounds())`, and for a member
-/// that is changed `Shape!(mut self, member => member.finish(span, r))`.
+/// Defines the enum of a family from the types of its members, with [`Family`] and `From` for it. A macro with the
+/// enum's name evaluates an expression for a member of any type: `Shape!(self, member => member.bounds())`, and for a
+/// member that is changed `Shape!(mut self, member => member.finish(span, r))`.
 macro_rules! family {
     ($(#[$doc:meta])* pub enum $enum:ident { $($name:ident)* }) => {
         family! { @ $(#[$doc])* $enum { $($name($name in $name))* } }

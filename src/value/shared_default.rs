@@ -18,7 +18,7 @@ pub trait StaticDefault: Clone + 'static {
 pub struct SharedDefault<T>(Option<Arc<T>>);
 
 impl<T> SharedDefault<T> {
-    /// The shared default value, which allocates nothing.
+    /// The default value, which is shared and allocates nothing.
     pub const DEFAULT: Self = Self(None);
 
     /// Creates a value that is not the shared default.
@@ -26,7 +26,7 @@ impl<T> SharedDefault<T> {
         Self(Some(Arc::new(part)))
     }
 
-    /// True if both share one value, or both are the default.
+    /// True if both share one value, or both are the shared default.
     pub fn shares_with(&self, other: &Self) -> bool {
         match (&self.0, &other.0) {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
@@ -34,8 +34,8 @@ impl<T> SharedDefault<T> {
         }
     }
 
-    /// The value, if one was set. It may equal the default.
-    pub fn explicit(&self) -> Option<&Arc<T>> {
+    /// Returns the value if one was set; `None` for the shared default. It may equal the default.
+    pub fn explicit_value(&self) -> Option<&Arc<T>> {
         self.0.as_ref()
     }
 }
@@ -89,7 +89,7 @@ impl<T: StaticDefault> Deref for SharedDefault<T> {
 }
 
 impl<T: StaticDefault> DerefMut for SharedDefault<T> {
-    /// Makes the value its own before the change.
+    /// Makes the value independent of its copies before a change.
     fn deref_mut(&mut self) -> &mut T {
         Arc::make_mut(self.0.get_or_insert_with(|| Arc::new(T::static_default().clone())))
     }
@@ -127,12 +127,12 @@ mod tests {
         assert_eq!(size_of::<SharedDefault<Transform>>(), size_of::<usize>());
         let mut moved = SharedDefault::<Transform>::default();
         assert_eq!(*moved, Transform::IDENTITY);
-        assert!(moved.explicit().is_none());
+        assert!(moved.explicit_value().is_none());
         let before = moved.clone();
         *moved = moved.then(&Transform::translate(DVec3::X));
         let copy = moved.clone();
         *moved = moved.then(&Transform::translate(DVec3::X));
-        assert_eq!([&before, &copy, &moved].map(|m| m.point(DVec3::ZERO).x), [0.0, 1.0, 2.0]);
+        assert_eq!([&before, &copy, &moved].map(|m| m.transform_point(DVec3::ZERO).x), [0.0, 1.0, 2.0]);
         assert!(before == SharedDefault::new(Transform::IDENTITY) && before != copy);
     }
 }

@@ -65,12 +65,12 @@ pub enum ValueKind {
     Color,
     /// Value type: a string.
     Text,
-    /// A block in braces, or several values that the manual's text describes.
+    /// Value type: a block in braces, or several values that the manual's text describes.
     Block,
 }
 
 impl Spec {
-    /// The description of a block without parameters and words, for struct updates.
+    /// Description of a block without parameters and words, for struct updates.
     pub const EMPTY: Self =
         Self { name: "", summary: "", params: &[], words: &[], has_transforms: false, ignored: &[], unsupported: &[] };
 

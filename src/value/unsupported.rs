@@ -6,15 +6,15 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::source::Span;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// A word, a value or a block. `area_light x*4, z*4, 5, 5` serializes as `{"area_light": [[4, 0, 0], [0, 0, 4], 5,
-/// 5]}`.
+/// Item of a scene that durer does not render yet: a word, a value or a block. `area_light x*4, z*4, 5, 5` serializes
+/// as `{"area_light": [[4, 0, 0], [0, 0, 4], 5, 5]}`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unsupported {
     /// Unsupported item: a keyword without a value.
     Word(&'static str),
-    /// Consecutive numbers, or consecutive vectors of one length: a mesh has millions.
+    /// Unsupported item: consecutive numbers, or consecutive vectors of one length: a mesh has millions.
     Numbers {
-        /// Components per item: 1 for numbers.
+        /// Number of components of each unsupported vector; 1 for numbers.
         width: usize,
         /// Components of all items in an unsupported list.
         all: Vec<f64>,
@@ -23,9 +23,10 @@ pub enum Unsupported {
     Color(Color),
     /// Unsupported item: a string.
     Text(Box<str>),
-    /// A declared thing, with the word of its block.
+    /// Unsupported item: a declared thing, with the word of its block.
     Declared(&'static str),
-    /// A word with its block or the values after it. `[ … ]` has the word `entry`, `{ … }` the word `group`.
+    /// Unsupported item: a word with its block or the values after it. `[ … ]` has the word `entry`, `{ … }` the word
+    /// `group`.
     Block(&'static str, Box<[Unsupported]>),
 }
 
@@ -35,7 +36,7 @@ pub fn unsupported_warning(word: &str, at: Span) -> Diagnostic {
 }
 
 impl Unsupported {
-    /// Appends a number, or a vector of any length.
+    /// Appends a number, or a vector of any length, to a row of unsupported items.
     pub fn push_numbers(row: &mut Vec<Unsupported>, c: &[f64]) {
         match row.last_mut() {
             Some(Unsupported::Numbers { width, all }) if *width == c.len() => all.extend(c),
@@ -57,15 +58,15 @@ impl Unsupported {
         }
     }
 
-    /// Serializes the contents of a block: numbers and vectors become single items.
+    /// Serializes the unsupported contents of a block: numbers and vectors become single items.
     ///
     /// # Errors
     /// The serializer's error.
-    pub fn print_row<S: Serializer>(row: &[Unsupported], s: S) -> Result<S::Ok, S::Error> {
+    pub fn serialize_row<S: Serializer>(row: &[Unsupported], s: S) -> Result<S::Ok, S::Error> {
         s.collect_seq(items(row))
     }
 
-    /// Calls `visit` with each vector of two to five components, in order.
+    /// Calls `visit` with each vector of two to five components of the unsupported item, in order.
     pub fn visit_vectors(&self, visit: &mut dyn FnMut(VecN)) {
         match self {
             Unsupported::Numbers { width: n @ 2..=5, all } => all.chunks(*n).for_each(|c| visit(VecN::from_slice(c))),
@@ -75,7 +76,7 @@ impl Unsupported {
     }
 }
 
-/// A declared media, radiosity or the like.
+/// Unsupported items can be declared: media, radiosity or the like.
 impl Thing for Unsupported {
     fn kind(&self) -> &'static str {
         match self {
@@ -91,32 +92,34 @@ impl Serialize for Unsupported {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
         match self {
             Unsupported::Word(word) => s.serialize_str(word),
-            Unsupported::Numbers { .. } => Self::print_row(std::slice::from_ref(self), s),
-            Unsupported::Color(c) if c.filter == 0.0 && c.transmit == 0.0 => named(s, "rgb", &c.rgb.to_array()),
-            Unsupported::Color(c) => named(s, "rgbft", &c.to_array()),
-            Unsupported::Text(text) => named(s, "text", text),
-            Unsupported::Declared(kind) => named(s, "declared", kind),
-            Unsupported::Block(word, inner) => named(s, word, &Row(inner)),
+            Unsupported::Numbers { .. } => Self::serialize_row(std::slice::from_ref(self), s),
+            Unsupported::Color(c) if c.filter == 0.0 && c.transmit == 0.0 => {
+                serialize_named(s, "rgb", &c.rgb.to_array())
+            }
+            Unsupported::Color(c) => serialize_named(s, "rgbft", &c.to_array()),
+            Unsupported::Text(text) => serialize_named(s, "text", text),
+            Unsupported::Declared(kind) => serialize_named(s, "declared", kind),
+            Unsupported::Block(word, inner) => serialize_named(s, word, &Row(inner)),
         }
     }
 }
 
-fn named<S: Serializer>(s: S, name: &str, value: &impl Serialize) -> Result<S::Ok, S::Error> {
+fn serialize_named<S: Serializer>(s: S, name: &str, value: &impl Serialize) -> Result<S::Ok, S::Error> {
     let mut map = s.serialize_map(Some(1))?;
     map.serialize_entry(name, value)?;
     map.end()
 }
 
 impl<'s> Item<'s> {
-    fn of(c: &'s [f64]) -> Self {
+    fn from_components(c: &'s [f64]) -> Self {
         if let [x] = c { Item::Number(*x) } else { Item::Vector(c) }
     }
 }
 
-/// Contents of a block, for serialization.
+/// Unsupported contents of a block, for serialization.
 struct Row<'s>(&'s [Unsupported]);
 
-/// One item of a block's contents.
+/// One item of a block's unsupported contents, for serialization.
 enum Item<'s> {
     Number(f64),
     Vector(&'s [f64]),
@@ -129,13 +132,13 @@ fn items(row: &[Unsupported]) -> impl Iterator<Item = Item<'_>> {
             Unsupported::Numbers { width, all } => ((*width).max(1), &all[..], None),
             other => (1, &[][..], Some(Item::Other(other))),
         };
-        all.chunks(width).map(Item::of).chain(other)
+        all.chunks(width).map(Item::from_components).chain(other)
     })
 }
 
 impl Serialize for Row<'_> {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        Unsupported::print_row(self.0, s)
+        Unsupported::serialize_row(self.0, s)
     }
 }
 

@@ -34,7 +34,7 @@ impl WordSpec {
 pub fn read_row<T>(rows: &[Row<T>], thing: &mut T, next: Next, r: &mut dyn Reader) -> Result<bool> {
     let Next::Word(word) = next else { return Ok(false) };
     let Some(row) = rows.iter().find(|row| row.spec.name == word) else { return Ok(false) };
-    r.take()?;
+    r.take_token()?;
     (row.set)(thing, r).map(|()| true)
 }
 

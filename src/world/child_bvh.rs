@@ -20,7 +20,8 @@ pub struct ChildBvh {
 impl ChildBvh {
     /// Builds a hierarchy over the children's boxes; `None` if there are too few children.
     pub fn over(boxes: &[Aabb]) -> Option<Box<ChildBvh>> {
-        let (inner, rest): (Vec<u32>, Vec<u32>) = (0..boxes.len() as u32).partition(|&i| bvh::fits(&boxes[i as usize]));
+        let (inner, rest): (Vec<u32>, Vec<u32>) =
+            (0..boxes.len() as u32).partition(|&i| bvh::fits_single_precision(&boxes[i as usize]));
         if inner.len() < MANY {
             return None;
         }
@@ -44,7 +45,7 @@ impl ChildBvh {
     pub fn around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) -> ControlFlow<()> {
         self.rest.iter().try_for_each(|&child| visit(child as usize))?;
         let mut flow = ControlFlow::Continue(());
-        self.bvh.around(p, |i| {
+        self.bvh.visit_boxes_around(p, |i| {
             flow = visit(self.order[i] as usize);
             flow
         });

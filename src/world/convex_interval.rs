@@ -46,7 +46,7 @@ impl ConvexInterval {
         if self.inverse {
             return range;
         }
-        range.and(Range { min: self.ends[0].t - self.slack, max: self.ends[1].t + self.slack })
+        range.intersection(Range { min: self.ends[0].t - self.slack, max: self.ends[1].t + self.slack })
     }
 
     /// Returns whether the point at `t` is inside the part; `None` if the part itself must decide.
@@ -133,7 +133,7 @@ impl<'a> Gathered<'a> {
     /// Finds the interval of a child. If only hits inside the child are of interest (`only_inside`), shrinks the range
     /// to it. Returns the range.
     pub(super) fn look(&mut self, i: usize, child: &SolidNode, ray: &Ray, range: Range, only_inside: bool) -> Range {
-        self.range = self.range.and(range);
+        self.range = self.range.intersection(range);
         if let SolidKind::Leaf(leaf) = child.kind()
             && child.is_whole()
             && let Some(interval) = ConvexInterval::of(leaf, ray)

@@ -58,13 +58,13 @@ impl GeometryBuilder {
             NodeParts::One(node) => match node.bounds() {
                 bounds if bounds.is_empty() && !node.is_unbounded() => {}
                 bounds if bounds.is_empty() => self.infinite.push(node),
-                bounds if bvh::fits(&bounds) => self.finite.push(Item::Solid(node)),
+                bounds if bvh::fits_single_precision(&bounds) => self.finite.push(Item::Solid(node)),
                 _ => self.infinite.push(node),
             },
         }
     }
 
-    /// Adds an instance, whose box must satisfy [`bvh::fits`].
+    /// Adds an instance, whose box must satisfy [`bvh::fits_single_precision`].
     pub fn add_copied(&mut self, copied: Instance) {
         self.finite.push(Item::Instance(copied));
     }
@@ -124,7 +124,7 @@ impl Geometry {
         })
     }
 
-    /// True if all surfaces and insides are in boxes that satisfy [`bvh::fits`].
+    /// True if all surfaces and insides are in boxes that satisfy [`bvh::fits_single_precision`].
     pub(super) fn is_finite(&self) -> bool {
         self.finite == self.items.len() && self.unbounded.is_empty()
     }
@@ -237,7 +237,7 @@ impl Geometry {
         };
         self.items[self.finite..].iter().for_each(&mut ask);
         self.unbounded.iter().for_each(|&i| ask(&self.items[i as usize]));
-        self.bvh.around(p, |i| {
+        self.bvh.visit_boxes_around(p, |i| {
             if !self.items[i].is_unbounded() {
                 ask(&self.items[i]);
             }

@@ -180,7 +180,7 @@ mod tests {
         assert!(near(cut(Aabb::INFINITE, &octahedron(&Transform::IDENTITY)), unit));
         // Far away from the origin, and of any size.
         let far = Transform::scale(DVec3::splat(0.01)).unwrap().then(&Transform::translate(DVec3::splat(900.0)));
-        assert!(near(cut(Aabb::INFINITE, &octahedron(&far)), far.aabb(&unit)));
+        assert!(near(cut(Aabb::INFINITE, &octahedron(&far)), far.transform_aabb(&unit)));
         // Four faces are unbounded; seven are bounded, as the neighbours of the missing face meet above it.
         let open = octahedron(&Transform::IDENTITY);
         assert_eq!(cut(Aabb::INFINITE, &open[4..]), Aabb::INFINITE);

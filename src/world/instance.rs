@@ -54,12 +54,12 @@ impl Instance {
 
     /// M⁻¹·ray.
     pub fn local(&self, ray: &Ray) -> Ray {
-        self.place().map_or(*ray, |m| m.inverse_ray(ray))
+        self.place().map_or(*ray, |m| m.inverse_transform_ray(ray))
     }
 
     /// M⁻¹·p.
     pub fn local_point(&self, p: DVec3) -> DVec3 {
-        self.place().map_or(p, |m| m.inverse_point(p))
+        self.place().map_or(p, |m| m.inverse_transform_point(p))
     }
 
     /// Converts a hit on the shared shapes to a hit on this instance.
@@ -90,7 +90,7 @@ impl Instance {
         let Some(m) = self.place() else { return node.bounds() };
         match node.kind() {
             SolidKind::Leaf(leaf) if node.is_whole() => loosened(leaf.shape.bounds_under(&leaf.transform().then(m))),
-            _ => loosened(m.aabb(&node.bounds())),
+            _ => loosened(m.transform_aabb(&node.bounds())),
         }
     }
 }

@@ -72,13 +72,13 @@ impl Leaf {
 
     /// M⁻¹·ray.
     pub(super) fn local(&self, ray: &Ray) -> Ray {
-        self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray))
+        self.place.as_ref().map_or(*ray, |m| m.inverse_transform_ray(ray))
     }
 
     #[inline]
     pub(super) fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         match &self.place {
-            Some(m) => self.shape.closest(&m.inverse_ray(ray), range),
+            Some(m) => self.shape.closest(&m.inverse_transform_ray(ray), range),
             None => self.shape.closest(ray, range),
         }
     }
@@ -86,8 +86,8 @@ impl Leaf {
     #[inline]
     pub(super) fn any(&self, ray: &Ray, range: Range) -> bool {
         match &self.place {
-            Some(m) => self.shape.any(&m.inverse_ray(ray), range),
-            None => self.shape.any(ray, range),
+            Some(m) => self.shape.any_hit(&m.inverse_transform_ray(ray), range),
+            None => self.shape.any_hit(ray, range),
         }
     }
 
@@ -102,15 +102,15 @@ impl Leaf {
 
     #[inline]
     pub(super) fn inside(&self, p: DVec3) -> bool {
-        let local = self.place.as_ref().map_or(p, |m| m.inverse_point(p));
+        let local = self.place.as_ref().map_or(p, |m| m.inverse_transform_point(p));
         !self.shape.is_open() && self.shape.inside(local) != self.inverse
     }
 
     /// The quadratic form that is not positive inside, in world space; `None` for a shape that is not a quadric.
     pub(super) fn quadratic(&self) -> Option<Quadratic> {
-        let own = self.shape.quadratic()?;
+        let own = self.shape.bounding_quadratic()?;
         let upright = if self.inverse { own.negated() } else { own };
-        Some(self.place.as_ref().map_or(upright, |m| upright.under(m)))
+        Some(self.place.as_ref().map_or(upright, |m| upright.transformed(m)))
     }
 
     /// Returns a box around all hits and a box around all inside points.
@@ -125,7 +125,7 @@ impl Leaf {
             false if self.shape.is_solid_unbounded() => Aabb::INFINITE,
             false => match (self.shape.solid_bounds(), &self.place) {
                 (None, _) => surface,
-                (Some(solid), Some(m)) => loosened(m.aabb(&solid)),
+                (Some(solid), Some(m)) => loosened(m.transform_aabb(&solid)),
                 (Some(solid), None) => loosened(solid),
             },
         };
@@ -135,7 +135,7 @@ impl Leaf {
 
 /// Returns a transform other than the identity.
 pub(super) fn place(transform: &SharedDefault<Transform>) -> Option<Arc<Transform>> {
-    transform.explicit().filter(|transform| !transform.is_identity()).cloned()
+    transform.explicit_value().filter(|transform| !transform.is_identity()).cloned()
 }
 
 impl<'a> Intersection<'a> {
@@ -191,7 +191,8 @@ impl Intersection<'_> {
         let normal = shape.normal(object_point, &self.hit);
         let around = self.copied.and_then(Instance::place);
         let places = [place.as_deref(), around].into_iter().flatten();
-        let (point, normal) = places.fold((object_point, normal), |(p, n), m| (m.point(p), m.normal(n)));
+        let (point, normal) =
+            places.fold((object_point, normal), |(p, n), m| (m.transform_point(p), m.transform_normal(n)));
         let normal = if *inverse { -normal } else { normal };
         Surface { point, normal: normal.try_normalize().unwrap_or(-ray.dir), object_point }
     }

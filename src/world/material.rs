@@ -40,13 +40,13 @@ pub struct Choice {
 impl Choice {
     /// True if all materials are shown at once (`average`).
     pub fn averages(&self) -> bool {
-        self.pattern.averages()
+        self.pattern.is_average()
     }
 
     /// Returns the materials at a pattern value, with their shares; two equal neighbours are merged where that is
     /// possible.
     pub fn shares(&self, number: f64) -> Shares<'_, Arc<Material>> {
-        let shares = self.parts.shares(number, self.averages());
+        let shares = self.parts.weighted_values(number, self.averages());
         match shares[..] {
             [(below, _), (above, _)] if Arc::ptr_eq(below, above) && !below.repeats && !self.averages() => {
                 Shares::from_slice(&[(below, 1.0)])
@@ -140,12 +140,12 @@ impl Material {
             solid: layers
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
-            pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.passing()).product(),
+            pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.transmittance()).product(),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&sends_light_on)
                 || !texture.layers.iter().any(is_opaque)
                 || (texture.any_layer(&|layer| layer.normal.is_some())
-                    && texture.any_pattern(&Pattern::may_see_normal)),
+                    && texture.any_pattern(&Pattern::may_depend_on_normal)),
             layers,
         }
     }
@@ -171,11 +171,11 @@ fn is_opaque(layer: &texture::Layer) -> bool {
 
 /// True if the layer reflects or has random grain, so that two evaluations differ.
 fn sends_light_on(layer: &texture::Layer) -> bool {
-    !layer.finish.reflection.is_none() || layer.finish.crand != 0.0
+    !layer.finish.reflection.is_without_reflection() || layer.finish.crand != 0.0
 }
 
 fn lower_choice(choice: &texture::Choice, shared: &mut dyn SharedParts) -> Choice {
-    let parts = choice.parts.map_runs(Texture::is_plainly, |texture| Arc::new(Material::new(texture, shared)));
+    let parts = choice.parts.map_runs(Texture::is_certainly_equal, |texture| Arc::new(Material::new(texture, shared)));
     let (pattern, space) = (PatternProgram::new(&choice.pattern), choice.pattern.space.clone());
     Choice { pattern, space, parts }
 }
@@ -187,7 +187,7 @@ impl Layer {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, shared))),
             normal: normal.as_ref().filter(|normal| !normal.is_flat()).map(|normal| shared.normal(normal)),
             pigment: LayerColor::new(pigment),
-            quick: pigment.quick().map(|quick| Box::new(LayerColor::new(&quick))),
+            quick: pigment.at_low_quality().map(|quick| Box::new(LayerColor::new(&quick))),
             finish: shared.finish(finish),
         }
     }
@@ -196,7 +196,7 @@ impl Layer {
     pub fn color(&self, ctx: &TextureContext, quick: bool) -> Color {
         match self.shown(quick) {
             LayerColor::Solid(color) => *color,
-            LayerColor::PigmentProgram(pigment) => pigment.at(ctx),
+            LayerColor::PigmentProgram(pigment) => pigment.color_at(ctx),
         }
     }
 
@@ -204,7 +204,7 @@ impl Layer {
     pub fn is_nothing(&self, ctx: &TextureContext, quick: bool) -> bool {
         match self.shown(quick) {
             LayerColor::Solid(_) => false,
-            LayerColor::PigmentProgram(pigment) => pigment.is_nothing(ctx),
+            LayerColor::PigmentProgram(pigment) => pigment.has_no_color_at(ctx),
         }
     }
 
@@ -232,7 +232,7 @@ impl LoweredFinish {
             metallic: f.metallic.max(0.0),
             crand: f.crand,
             irid: f.irid.clone().filter(|irid| irid.amount > 0.0),
-            mirror: (!f.reflection.is_none()).then(|| Box::new((*f.reflection).clone())),
+            mirror: (!f.reflection.is_without_reflection()).then(|| Box::new((*f.reflection).clone())),
             refraction: f.uncommon.refraction,
             conserve_energy: f.conserve_energy,
         }

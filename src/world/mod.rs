@@ -152,7 +152,7 @@ impl Part {
 impl PlacedMaterial {
     /// Transforms a point from world space to the texture's space.
     pub fn local(&self, p: DVec3) -> DVec3 {
-        self.place.as_ref().map_or(p, |m| m.inverse_point(p))
+        self.place.as_ref().map_or(p, |m| m.inverse_transform_point(p))
     }
 }
 

@@ -41,7 +41,7 @@ impl Sky {
         let SkySphere { pigments, emission, transform } = scene.sky_sphere.as_ref().unwrap_or(&none);
         let layers = pigments.iter().map(|pigment| SkyLayer {
             color: LayerColor::new(pigment),
-            quick: pigment.quick().map(|quick| LayerColor::new(&quick)),
+            quick: pigment.at_low_quality().map(|quick| LayerColor::new(&quick)),
         });
         let by_share = scene.settings.sky_by_share;
         Self { background, layers: layers.collect(), emission: *emission, place: *transform, by_share }
@@ -54,16 +54,16 @@ impl Sky {
 
     /// Returns the light from a direction of length 1, and the transmittance for what is behind the picture.
     pub fn toward(&self, dir: DVec3, beholder: ViewKind, quick: bool, noise: NoiseGenerator, waves: usize) -> Segment {
-        let behind = self.background.seen_by(beholder);
+        let behind = self.background.segment_for_view(beholder);
         if self.layers.is_empty() {
             return behind;
         }
-        let p = self.place.inverse_point(dir);
-        let ctx = TextureContext { waves, world: dir, ray: dir, ..TextureContext::free(p, noise) };
+        let p = self.place.inverse_transform_point(dir);
+        let ctx = TextureContext { waves, world: dir, ray: dir, ..TextureContext::without_surface(p, noise) };
         let colors = self.layers.iter().rev().map(|layer| {
             match layer.quick.as_ref().filter(|_| quick).unwrap_or(&layer.color) {
                 LayerColor::Solid(color) => *color,
-                LayerColor::PigmentProgram(pigment) => pigment.at(&ctx),
+                LayerColor::PigmentProgram(pigment) => pigment.color_at(&ctx),
             }
         });
         if self.by_share { self.by_share(colors, behind) } else { self.layered(colors, behind) }
@@ -73,7 +73,7 @@ impl Sky {
     fn layered(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let veil = |color: Color| Segment {
             radiance: self.emission * color.rgb * (1.0 - color.filter - color.transmit),
-            transmittance: color.passing(),
+            transmittance: color.transmittance(),
         };
         colors.fold(Segment::NONE, |above, color| above.in_front_of(veil(color))).in_front_of(behind)
     }

@@ -8,7 +8,7 @@
 
 use crate::Group;
 use durer::color::{Rgb, transfer::srgb_encode_rgb};
-use durer::image_io::{Frame, decode_file};
+use durer::image_io::{Frame, decode_picture_file};
 use durer::interpreter::{Options, interpret};
 use durer::render::{self, Unwatched};
 use durer::source::{Sandbox, SearchPath, Sources};
@@ -151,8 +151,9 @@ fn pictures(folder: &Path) -> Vec<PathBuf> {
 /// Compares a scene with POV-Ray's picture of it.
 fn looks_alike(path: &Path) -> Result<(), Failed> {
     let found = durer::on_big_stack(|| draw(path))?;
-    let wanted =
-        decode_file(&durer::source::Disk, &path.with_extension("png")).map_err(|e| e.message.clone())?.to_frame();
+    let wanted = decode_picture_file(&durer::source::Disk, &path.with_extension("png"))
+        .map_err(|e| e.message.clone())?
+        .to_linear_image();
     if (wanted.width, wanted.height) != SIZE {
         return Err(format!("POV-Ray's picture is {} by {}", wanted.width, wanted.height).into());
     }

@@ -384,7 +384,7 @@ fn picture(source: &Path, name: &str, world: &World, (width, height): (usize, us
         render::render(world, &drawing(width, height), &render::Unwatched).map_err(|e| format!("{e:?}"))?;
     let path = source.join("pictures").join(format!("{name}.png"));
     let drawn = drawn.over_black();
-    let stored = image_io::decode_file(&durer::source::Disk, &path).ok().map(|pixels| pixels.to_frame());
+    let stored = image_io::decode_picture_file(&durer::source::Disk, &path).ok().map(|pixels| pixels.to_linear_image());
     let comparison = stored.map(|stored| compare(&stored, &drawn, Tolerance::default()));
     if comparison.is_some_and(|c| c.verdict != Verdict::Differs) {
         return Ok(());

@@ -9,7 +9,7 @@ const SIZE: (usize, usize) = (80, 60);
 fn view(kind: Kind, angle: Option<f64>) -> View {
     let right = DVec3::X * 4.0 / 3.0;
     PovrayCamera { kind, angle, right, location: DVec3::new(1.0, 2.0, 3.0), ..PovrayCamera::default() }
-        .eye()
+        .lower()
         .view(SIZE.0, SIZE.1)
 }
 
@@ -83,7 +83,7 @@ fn orthographic() {
         look_at: Some(DVec3::ZERO),
         ..PovrayCamera::default()
     };
-    let view = camera.eye().view(SIZE.0, SIZE.1);
+    let view = camera.lower().view(SIZE.0, SIZE.1);
     for corner in [(0.0, 0.0), (1.0, 1.0), (0.0, 1.0)] {
         looks(&view, corner, DVec3::Z);
         begins(&view, corner, DVec3::new(10.0 * (corner.0 - 0.5), 7.5 * (corner.1 - 0.5), -5.0));
@@ -171,7 +171,7 @@ fn lecture_camera() {
         fov_y: Some(60.0),
         ..LectureCamera::default()
     };
-    let view = camera.eye().view(SIZE.0, SIZE.1);
+    let view = camera.lower().view(SIZE.0, SIZE.1);
     looks(&view, (0.5, 0.5), DVec3::NEG_Z);
     looks(&view, (1.0, 0.5), DVec3::new(1.0, 0.0, -1.0));
     let half = DVec2::new(1.0, fp::tan(30_f64.to_radians()));

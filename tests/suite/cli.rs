@@ -258,8 +258,9 @@ fn snapshots_are_accepted_and_compared() {
 
     std::fs::create_dir(scratch.path().join("other")).unwrap();
     scratch.put("other/white.ppm", [b"P6\n8 6\n255\n".as_slice(), &[255; 8 * 6 * 3]].concat());
-    let white =
-        durer::image_io::decode_file(&durer::source::Disk, &scratch.path().join("other/white.ppm")).unwrap().to_frame();
+    let white = durer::image_io::decode_picture_file(&durer::source::Disk, &scratch.path().join("other/white.ppm"))
+        .unwrap()
+        .to_linear_image();
     let png = durer::image_io::Encoding::new(durer::image_io::Format::Png);
     scratch.put("ball.snapshot.png", durer::image_io::encode(&white, &png).unwrap());
     let (out, err) = scratch.exits(3, "test --report report");

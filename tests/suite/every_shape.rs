@@ -19,11 +19,11 @@ struct Dice {
 
 impl Dice {
     fn between(&mut self, lo: f64, hi: f64) -> f64 {
-        lo + (hi - lo) * self.stream.next()
+        lo + (hi - lo) * self.stream.next_random()
     }
 
     fn below(&mut self, n: usize) -> usize {
-        (self.stream.next() * n as f64) as usize
+        (self.stream.next_random() * n as f64) as usize
     }
 
     fn vector(&mut self, size: f64) -> DVec3 {
@@ -309,7 +309,7 @@ fn hits_are_in_bounds_and_all_queries_agree() {
                     same || first.is_none() && all.is_empty(),
                     "{name} {shape:?} {ray:?} {range:?} {first:?} {all:?}"
                 );
-                assert_eq!(shape.any(&ray, range), first.is_some(), "{name} {shape:?} {ray:?} {range:?}");
+                assert_eq!(shape.any_hit(&ray, range), first.is_some(), "{name} {shape:?} {ray:?} {range:?}");
                 for hit in &all {
                     assert!(
                         range.contains(hit.t) && bounds.contains(ray.at(hit.t)),
@@ -403,11 +403,11 @@ fn hits_follow_nested_transforms() {
         let mut dice = Dice { stream: Stream::new(&[i as u64, 2]), size: 1.0 };
         let m = nested(&mut dice);
         // (A shape that stores its transform, or is rebuilt for it, is another shape in the outer space.)
-        let there = shape.under(&m).into_owned();
+        let there = shape.shape_under_transform(&m).into_owned();
         let node = SolidNode::leaf(Leaf::new(there, &m, 3), 3);
         let world = Geometry::new(vec![node.clone()]);
         for ray in rays(i as u64, 20) {
-            let moved = Ray::new(m.point(ray.origin), m.vector(ray.dir));
+            let moved = Ray::new(m.transform_point(ray.origin), m.transform_vector(ray.dir));
             let found = world.closest(&moved, Range::FORWARD, |_| true);
             let expected = shape.closest(&ray, Range::FORWARD).map(|hit| hit.t);
             assert_eq!(world.any(&moved, Range::FORWARD, |_| true), found.is_some(), "{name}");
@@ -424,7 +424,10 @@ fn hits_follow_nested_transforms() {
             }
             let local = shape.normal(ray.at(found.t()), &found.hit).normalize();
             for flat in <[DVec3; 2]>::from(local.any_orthonormal_pair()) {
-                assert!(m.vector(flat).normalize().dot(surface.normal).abs() < 1e-6, "{name} {shape:?} {surface:?}");
+                assert!(
+                    m.transform_vector(flat).normalize().dot(surface.normal).abs() < 1e-6,
+                    "{name} {shape:?} {surface:?}"
+                );
             }
         }
     }

@@ -118,14 +118,14 @@ proptest! {
         let m = (0..4).fold(Transform::IDENTITY, |m, _| m.then(&dice.transform()));
         let (p, v) = (dice.vector(5.0), dice.vector(5.0));
         // An anisotropic M magnifies rounding errors.
-        let stretch = DVec3::AXES.map(|e| m.vector(e).length()).iter().sum::<f64>();
-        let shrink = DVec3::AXES.map(|e| m.inverse_vector(e).length()).iter().sum::<f64>();
+        let stretch = DVec3::AXES.map(|e| m.transform_vector(e).length()).iter().sum::<f64>();
+        let shrink = DVec3::AXES.map(|e| m.inverse_transform_vector(e).length()).iter().sum::<f64>();
         let tolerance = 1e-13 * (1.0 + stretch) * (1.0 + shrink) * 100.0;
-        prop_assert!(m.inverse_point(m.point(p)).distance(p) < tolerance);
-        prop_assert!(m.vector(m.inverse_vector(v)).distance(v) < tolerance);
+        prop_assert!(m.inverse_transform_point(m.transform_point(p)).distance(p) < tolerance);
+        prop_assert!(m.transform_vector(m.inverse_transform_vector(v)).distance(v) < tolerance);
         // A normal stays perpendicular to its surface.
         let w = v.any_orthogonal_vector();
-        let cosine = m.normal(v).normalize().dot(m.vector(w).normalize());
+        let cosine = m.transform_normal(v).normalize().dot(m.transform_vector(w).normalize());
         prop_assert!(cosine.abs() < tolerance, "{cosine}");
     }
 
@@ -222,7 +222,7 @@ proptest! {
         }
         let is_clipped = matches!(tree.kind(), durer::world::SolidKind::Union(_));
         for _ in 0..30 {
-            let ray = Ray { origin: m.point(dice.vector(2.0)), ..dice.ray() };
+            let ray = Ray { origin: m.transform_point(dice.vector(2.0)), ..dice.ray() };
             let kept = surviving(&tree, &ray);
             for t in &kept {
                 prop_assert!(tree.bounds().contains(ray.at(*t)), "{tree:?} {ray:?} {t}");

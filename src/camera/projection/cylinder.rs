@@ -4,12 +4,12 @@
 use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 
-/// Returns the ray; `angle` is the angle of view about the axis. Bumps are evaluated at the angle and the length along
-/// the axis.
-pub(super) fn ray(kind: u8, at: DVec2, lengths: DVec3, angle: f64) -> LocalRay {
+/// Returns the ray of a cylindrical camera; `kind` is its type, from 1 to 4, and `angle` the angle of view about the
+/// axis. Bumps are evaluated at the angle and the length along the axis.
+pub(super) fn cylindrical_ray(kind: u8, position: DVec2, window_lengths: DVec3, angle: f64) -> LocalRay {
     let upright = matches!(kind, 1 | 3);
-    let turn = if upright { at.x } else { at.y };
-    let along = if upright { at.y * lengths.y } else { at.x * lengths.x };
+    let turn = if upright { position.x } else { position.y };
+    let along = if upright { position.y * window_lengths.y } else { position.x * window_lengths.x };
     let (sin, cos) = fp::sin_cos(turn * angle);
     // (Along the axis, about the axis, ahead) to (right, up, ahead).
     let turned = |along: f64, about: f64| if upright { DVec2::new(about, along) } else { DVec2::new(along, about) };

@@ -6,21 +6,22 @@ use super::LocalRay;
 use crate::math::{DVec2, DVec3, fp};
 use std::f64::consts::PI;
 
-/// Returns the ray; `angle` is the angle of the whole disc.
-pub(super) fn ray(at: DVec2, lengths: DVec3, angle: f64) -> Option<LocalRay> {
-    let p = at * lengths.truncate() * 2.0;
+/// Returns the ray of a fisheye camera; `None` outside its disc. `angle` is the angle of view of the whole disc, in
+/// radians.
+pub(super) fn fisheye_ray(position: DVec2, window_lengths: DVec3, angle: f64) -> Option<LocalRay> {
+    let p = position * window_lengths.truncate() * 2.0;
     let r = p.length();
     if r > 1.0 {
         return None;
     }
-    Some(on_disc(p, r * angle / 2.0))
+    Some(ray_through_disc(p, r * angle / 2.0))
 }
 
-/// Returns the ray at an angle to the axis, towards a point of the disc. Bumps are evaluated at the point's angle and
-/// at `angle`.
-pub(super) fn on_disc(p: DVec2, angle: f64) -> LocalRay {
-    let (sin, cos) = fp::sin_cos(angle);
+/// Returns the camera ray at an angle to the axis of view, towards a point of the disc. Bumps are evaluated at the
+/// point's angle and at `angle_to_axis`.
+pub(super) fn ray_through_disc(p: DVec2, angle_to_axis: f64) -> LocalRay {
+    let (sin, cos) = fp::sin_cos(angle_to_axis);
     // From -½π to 1½π
     let around = if p.x < 0.0 { PI - fp::atan2(p.y, -p.x) } else { fp::atan2(p.y, p.x) };
-    LocalRay::from_eye((p.normalize_or_zero() * sin).extend(cos), DVec2::new(around, angle))
+    LocalRay::from_eye((p.normalize_or_zero() * sin).extend(cos), DVec2::new(around, angle_to_axis))
 }

@@ -13,58 +13,67 @@ use crate::math::{DVec2, DVec3, Ray};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Projection of a camera. Each formula has a file of its own.
+/// Projection of a lowered camera. Each formula has a file of its own.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Projection {
-    /// Rays from one point through a window.
+    /// Camera rays from one point through a flat window.
     Perspective,
-    /// The lecture's window at distance 1; a missing tangent follows from square pixels.
+    /// The lecture's camera: a window at distance 1; a missing tangent follows from square pixels.
     Lecture {
         /// Tangent of half the horizontal angle of view.
         tan_x: Option<f64>,
         /// Tangent of half the vertical angle of view.
         tan_y: Option<f64>,
     },
-    /// Parallel rays.
+    /// Parallel camera rays.
     Orthographic,
-    /// See `fisheye`; the angle of the whole disc.
+    /// Fisheye camera, with the angle of view of the whole disc.
     Fisheye(f64),
-    /// See `ultra_wide_angle`; the horizontal angle.
+    /// Ultra wide angle camera, with the horizontal angle of view.
     UltraWideAngle(f64),
-    /// See `omnimax`.
+    /// Omnimax camera, a fisheye for domed screens.
     Omnimax,
-    /// See `panoramic`.
+    /// Panoramic camera.
     Panoramic,
-    /// See `cylinder`; the type, 1 to 4, and the angle about the axis.
+    /// Cylindrical camera, with its type, 1 to 4, and the angle of view about the axis.
     Cylinder(u8, f64),
-    /// See `spherical`; the horizontal and vertical angles.
+    /// Spherical camera, with the horizontal and vertical angles of view.
     Spherical(DVec2),
-    /// Rays from the faces of meshes.
+    /// Mesh camera: rays from the faces of meshes.
     Mesh(#[serde(skip)] Arc<MeshRays>),
 }
 
 impl Projection {
-    /// True if each ray has its own origin.
-    pub(super) fn moves_eye(&self) -> bool {
+    /// True if each ray of the projection has its own origin.
+    pub(super) fn has_origin_per_ray(&self) -> bool {
         matches!(self, Projection::Orthographic | Projection::Cylinder(3 | 4, _))
     }
 
-    /// Returns the unit ray through a position of the picture, from -½ to ½ to the right and up, and the position for bumps; `None`
-    /// where the projection has no ray, and for flat windows and faces. `axes` are the unit vectors right, up and ahead,
-    /// `lengths` are the width and height of the window and the length of the direction.
-    pub(super) fn ray(&self, at: DVec2, origin: DVec3, axes: [DVec3; 3], lengths: DVec3) -> Option<(Ray, DVec2)> {
+    /// Returns the unit camera ray through a position of the picture, from -½ to ½ to the right and up, and the
+    /// position for bumps; `None` where the projection has no ray, and for flat windows and faces. `axes` are the unit
+    /// vectors right, up and ahead, `window_lengths` are the width and height of the window and the length of the
+    /// direction.
+    pub(super) fn ray(
+        &self,
+        position: DVec2,
+        origin: DVec3,
+        axes: [DVec3; 3],
+        window_lengths: DVec3,
+    ) -> Option<(Ray, DVec2)> {
         let local = match self {
             // These have a window or faces.
             Projection::Perspective | Projection::Lecture { .. } | Projection::Mesh(_) => return None,
-            Projection::Orthographic => orthographic::ray(at, lengths),
-            Projection::Fisheye(angle) => fisheye::ray(at, lengths, *angle)?,
-            Projection::UltraWideAngle(angle) => ultra_wide_angle::ray(at, lengths, *angle),
-            Projection::Omnimax => omnimax::ray(at, lengths)?,
-            Projection::Panoramic => panoramic::ray(at, lengths),
-            Projection::Cylinder(kind, angle) => cylinder::ray(*kind, at, lengths, *angle),
+            Projection::Orthographic => orthographic::orthographic_ray(position, window_lengths),
+            Projection::Fisheye(angle) => fisheye::fisheye_ray(position, window_lengths, *angle)?,
+            Projection::UltraWideAngle(angle) => {
+                ultra_wide_angle::ultra_wide_angle_ray(position, window_lengths, *angle)
+            }
+            Projection::Omnimax => omnimax::omnimax_ray(position, window_lengths)?,
+            Projection::Panoramic => panoramic::panoramic_ray(position, window_lengths),
+            Projection::Cylinder(kind, angle) => cylinder::cylindrical_ray(*kind, position, window_lengths, *angle),
             Projection::Spherical(angles) => {
-                let (dir, place) = spherical::ray(at, *angles, axes);
+                let (dir, place) = spherical::spherical_ray_direction(position, *angles, axes);
                 return Some((Ray::new(origin, dir.try_normalize()?), place));
             }
         };
@@ -75,18 +84,18 @@ impl Projection {
     }
 }
 
-/// A ray in the camera's own axes.
+/// Camera ray in the camera's own axes: right, up and ahead.
 struct LocalRay {
-    /// Origin along right and up.
+    /// Origin of the camera ray along the axes right and up.
     origin: DVec2,
-    /// Direction along right, up and ahead, of any length.
+    /// Direction of the camera ray along right, up and ahead, of any length.
     dir: DVec3,
-    /// Position for bumps.
+    /// Position at which the pattern of the camera's `normal` is evaluated.
     place: DVec2,
 }
 
 impl LocalRay {
-    /// A ray that starts at the eye.
+    /// Returns a camera ray that starts at the eye; its bumps are evaluated at `place`.
     fn from_eye(dir: DVec3, place: DVec2) -> Self {
         Self { origin: DVec2::ZERO, dir, place }
     }

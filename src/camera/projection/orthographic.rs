@@ -4,7 +4,7 @@
 use super::LocalRay;
 use crate::math::{DVec2, DVec3};
 
-/// Returns the ray.
-pub(super) fn ray(at: DVec2, lengths: DVec3) -> LocalRay {
-    LocalRay { origin: at * lengths.truncate(), dir: DVec3::Z, place: at }
+/// Returns the ray of an orthographic camera.
+pub(super) fn orthographic_ray(position: DVec2, window_lengths: DVec3) -> LocalRay {
+    LocalRay { origin: position * window_lengths.truncate(), dir: DVec3::Z, place: position }
 }

@@ -56,10 +56,10 @@ impl<'d> PictureWriter<'d> {
 }
 
 impl Rows for PictureWriter<'_> {
-    fn take(&mut self, rows: &[[f32; 4]]) -> diagnostic::Result<()> {
+    fn take_rows(&mut self, rows: &[[f32; 4]]) -> diagnostic::Result<()> {
         let start = Instant::now();
         self.written.is_black &= rows.iter().all(|pixel| pixel[..3].iter().all(|c| *c <= BLACK));
-        let done = self.encoder.as_mut().map_or(Ok(()), |encoder| encoder.rows(rows));
+        let done = self.encoder.as_mut().map_or(Ok(()), |encoder| encoder.write_rows(rows));
         self.written.time += start.elapsed();
         done.map_err(|error| self.fault(error))
     }

@@ -158,7 +158,7 @@ impl Target {
 
     /// Bytes of memory that each pixel occupies until the file is finished.
     pub fn kept_bytes(&self) -> usize {
-        if self.location == Location::Nowhere { 0 } else { self.encoding.kept() }
+        if self.location == Location::Nowhere { 0 } else { self.encoding.buffered_bytes_per_pixel() }
     }
 }
 

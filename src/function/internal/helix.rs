@@ -5,7 +5,8 @@
 use crate::math::fp;
 use std::f64::consts::{PI, TAU};
 
-/// (|a|^p + |b|^p)^(1/p) with p = 2 / type: type 0 gives squares, 1 circles, 2 diamonds.
+/// Radius that a cross section of this type needs to contain the point (a, b): (|a|^p + |b|^p)^(1/p) with p = 2 / type.
+/// Type 0 gives squares, 1 circles, 2 diamonds.
 fn cross_section(a: f64, b: f64, kind: f64) -> f64 {
     let (a, b) = (a.abs(), b.abs());
     match kind {
@@ -16,36 +17,38 @@ fn cross_section(a: f64, b: f64, kind: f64) -> f64 {
     }
 }
 
-/// Rotates by an angle with this sine and cosine.
-fn turned(a: f64, b: f64, (sin, cos): (f64, f64)) -> (f64, f64) {
+/// Rotates the point (a, b) by an angle with this sine and cosine.
+fn rotate_point(a: f64, b: f64, (sin, cos): (f64, f64)) -> (f64, f64) {
     (a * cos - b * sin, a * sin + b * cos)
 }
 
-/// Distance of x from the middle of its period, for any sign of both.
-fn from_middle(x: f64, period: f64) -> f64 {
+/// Returns x minus the middle of the period that contains it; both may have any sign.
+fn offset_from_period_middle(x: f64, period: f64) -> f64 {
     x - period * (x / period).floor() - period / 2.0
 }
 
-/// The tube's cross section is spanned by the distance from the cylinder of the major radius, and by y. The distance
-/// never exceeds that to the cylinder's opposite side.
-pub fn helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [f64; 10]) -> f64 {
+/// Internal function `f_helix1`: The tube's cross section is spanned by the distance from the cylinder of the major
+/// radius, and by y. The distance never exceeds that to the cylinder's opposite side.
+pub fn f_helix1([x, y, z, number, period, minor, major, shape, kind, degrees]: [f64; 10]) -> f64 {
     let q = (x * x + z * z).sqrt();
     let pitch = TAU / (number * period);
-    let along = from_middle(y - fp::atan2(-z, x) / period, pitch);
-    let (a, b) = turned(q - major, along / shape, fp::sin_cos(degrees.to_radians()));
+    let along = offset_from_period_middle(y - fp::atan2(-z, x) / period, pitch);
+    let (a, b) = rotate_point(q - major, along / shape, fp::sin_cos(degrees.to_radians()));
     // `min` also drops NaN where there is no helix.
     cross_section(a, b, kind).min(q + major) - minor
 }
 
-/// A cylinder whose horizontal cross section turns around the y axis together with its centre.
-pub fn helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 {
+/// Internal function `f_helix2`: A cylinder whose horizontal cross section turns around the y axis together with its
+/// centre.
+pub fn f_helix2([x, y, z, _, period, minor, major, _, kind, _]: [f64; 10]) -> f64 {
     let (sin, cos) = fp::sin_cos(period * y);
-    let (a, b) = turned(x - major * cos, z - major * sin, (-sin, cos));
+    let (a, b) = rotate_point(x - major * cos, z - major * sin, (-sin, cos));
     cross_section(a, b, kind) - minor
 }
 
-/// Around the y axis, in the plane y = 0: the spiral of Archimedes r = winding · angle / 2π from the centre, cut by a sphere.
-pub fn spiral([x, y, z, winding, thickness, radius, _, _, kind]: [f64; 9]) -> f64 {
+/// Internal function `f_spiral`: Around the y axis, in the plane y = 0: the spiral of Archimedes r = winding · angle /
+/// 2π from the centre, cut by a sphere.
+pub fn f_spiral([x, y, z, winding, thickness, radius, _, _, kind]: [f64; 9]) -> f64 {
     let around = x * x + z * z;
     let r = (around + y * y).sqrt();
     let from_spiral = around.sqrt() - winding * fp::atan2(z, -x).rem_euclid(TAU) / TAU;
@@ -55,8 +58,9 @@ pub fn spiral([x, y, z, winding, thickness, radius, _, _, kind]: [f64; 9]) -> f6
     tube.max(r - radius)
 }
 
-/// A torus of major radius P0; P1 windings around it that turn P2 times. P5 is the radius of the windings' centres.
-pub fn helical_torus(
+/// Internal function `f_helical_torus`: A torus of major radius P0; P1 windings around it that turn P2 times. P5 is the
+/// radius of the windings' centres.
+pub fn f_helical_torus(
     [x, y, z, major, loops, twist, fatness, threshold, minor, flatness, period, amplitude, phase]: [f64; 13],
 ) -> f64 {
     let q = (x * x + z * z).sqrt();

@@ -17,21 +17,23 @@ use std::fmt;
 
 /// A function that a scene calls by number, as `internal(N)`.
 pub struct Internal {
-    /// Argument of `internal( )`.
+    /// Number of the internal function, the argument of `internal( )`.
     pub number: u32,
-    /// Name of the function in `functions.inc`.
+    /// Name of the internal function in `functions.inc`.
     pub name: &'static str,
-    /// Summary for the manual.
+    /// Summary of the internal function for the manual.
     pub summary: &'static str,
-    /// Meaning of each parameter after x, y and z, for the manual.
+    /// Meaning of each parameter after x, y and z of an internal function, for the manual.
     pub parameters: &'static [&'static str],
-    /// The function of x, y, z and the parameters; NaN for a wrong number of arguments.
+    /// Computes the internal function from x, y, z and its parameters; NaN for a wrong number of arguments.
     pub compute: fn(&[f64]) -> f64,
-    /// Bounds of the function while the arguments are in these intervals.
+    /// Returns bounds of the internal function while the arguments are in these intervals; `None` if no bounds are
+    /// known.
     pub bounds: Option<fn(&[Interval]) -> Interval>,
-    /// Upper bound of the gradient's length, for the parameters after x, y and z.
+    /// Returns an upper bound of the gradient's length of the internal function, from the parameters after x, y and z.
     pub steepest: Option<fn(&[f64]) -> f64>,
-    /// Upper bound of the gradient's change per unit of length, where the numbers are strictly between 0 and 1.
+    /// Returns an upper bound of the change of the internal function's gradient per unit of length, where the function
+    /// is strictly between 0 and 1.
     pub bend: Option<fn(&[f64]) -> f64>,
 }
 
@@ -41,33 +43,33 @@ impl fmt::Debug for Internal {
     }
 }
 
-/// Number of `f_noise3d`, whose generator is set by the scene.
+/// Number of the internal function `f_noise3d`, whose generator is set by the scene.
 pub const SCENE_NOISE: u32 = 76;
 
-/// The function with this number.
-pub fn find(number: u32) -> Option<&'static Internal> {
+/// Finds the internal function with this number.
+pub fn find_internal(number: u32) -> Option<&'static Internal> {
     TABLE.iter().find(|row| row.number == number)
 }
 
-/// Calls a function of N numbers.
+/// Calls a function of an array of N numbers; NaN for another number of arguments.
 #[inline]
-fn call<const N: usize>(arguments: &[f64], function: fn([f64; N]) -> f64) -> f64 {
+fn call_with_array<const N: usize>(arguments: &[f64], function: fn([f64; N]) -> f64) -> f64 {
     arguments.try_into().map_or(f64::NAN, function)
 }
 
-/// A polynomial times its field strength, clamped to POV-Ray's limit.
+/// Returns a polynomial times its field strength, clamped to the limit of POV-Ray's internal functions, ±10.
 #[inline]
-fn field(strength: f64, value: f64) -> f64 {
+fn clamp_field(strength: f64, value: f64) -> f64 {
     (strength * value).clamp(-10.0, 10.0)
 }
 
 /// Clamps a value to ±limit.
 #[inline]
-fn clamped(value: f64, limit: f64) -> f64 {
+fn clamp_symmetrically(value: f64, limit: f64) -> f64 {
     value.max(-limit).min(limit)
 }
 
-/// Bounds of [`field`].
+/// Bounds of an internal function that is a clamped polynomial, ±10 for any arguments.
 fn field_bounds(_: &[Interval]) -> Interval {
     Interval { lo: -10.0, hi: 10.0 }
 }

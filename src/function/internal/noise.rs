@@ -7,35 +7,35 @@ use super::super::Interval;
 use crate::math::noise::{NoiseGenerator, noise};
 use crate::math::{DVec3, fp};
 
-/// Maximum number of octaves: more would only add rounding errors, and take too long.
+/// Maximum number of octaves of noise: more would only add rounding errors, and take too long.
 const MOST_OCTAVES: f64 = 64.0;
 
-/// Noise from 0 to 1 by the default generator.
-pub fn noise3d([x, y, z]: [f64; 3]) -> f64 {
+/// Internal function `f_noise3d`: Noise from 0 to 1 by the default generator.
+pub fn f_noise3d([x, y, z]: [f64; 3]) -> f64 {
     noise(DVec3::new(x, y, z), NoiseGenerator::default())
 }
 
-/// Noise from 0 to 1.
-pub fn noise_generator([x, y, z, generator]: [f64; 4]) -> f64 {
-    noise(DVec3::new(x, y, z), NoiseGenerator::from_number(generator))
+/// Noise from 0 to 1, by the generator with this number.
+pub fn f_noise_generator([x, y, z, generator]: [f64; 4]) -> f64 {
+    noise(DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator))
 }
 
-/// Noise from -1 to 1.
-fn signed(p: DVec3, generator: NoiseGenerator) -> f64 {
+/// Noise from -1 to 1 at a point.
+fn signed_noise(p: DVec3, generator: NoiseGenerator) -> f64 {
     2.0 * noise(p, generator) - 1.0
 }
 
-/// Musgrave's `Hetero_Terrain`. The heterogeneity t, truncated, is the power of the altitude that scales the next
-/// octave.
-pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 9]) -> f64 {
-    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
+/// Internal function `f_hetero_mf`: Musgrave's `Hetero_Terrain`. The heterogeneity t, truncated, is the power of the
+/// altitude that scales the next octave.
+pub fn f_hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 9]) -> f64 {
+    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
-    let mut value = offset + signed(p, generator);
+    let mut value = offset + signed_noise(p, generator);
     let (mut i, mut frequency) = (1.0, 1.0_f64);
     let mut increment = || {
         p *= lacunarity;
         frequency *= lacunarity;
-        (signed(p, generator) + offset) * fp::pow(frequency, -h)
+        (signed_noise(p, generator) + offset) * fp::pow(frequency, -h)
     };
     let power = t.clamp(0.0, 64.0) as i32;
     while i < octaves {
@@ -48,11 +48,11 @@ pub fn hetero_mf([x, y, z, h, lacunarity, octaves, offset, t, generator]: [f64; 
     if rest > 0.0 { value + rest * increment() * value } else { value }
 }
 
-/// Ridged multifractal noise, after Musgrave's `RidgedMultifractal`.
-pub fn ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f64; 9]) -> f64 {
-    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
+/// Internal function `f_ridged_mf`: Ridged multifractal noise, after Musgrave's `RidgedMultifractal`.
+pub fn f_ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f64; 9]) -> f64 {
+    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator));
     let ridge = |p: DVec3| {
-        let height = offset - signed(p, generator).abs();
+        let height = offset - signed_noise(p, generator).abs();
         height * height
     };
     let mut signal = ridge(p);
@@ -68,10 +68,10 @@ pub fn ridged_mf([x, y, z, h, lacunarity, octaves, offset, gain, generator]: [f6
     sum
 }
 
-/// The mean of octaves of |noise - ridge|, minus the offset; both differences are divided by the larger of the two
-/// parts into which the ridge divides the range from 0 to 1.
-pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 9]) -> f64 {
-    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_number(generator));
+/// Internal function `f_ridge`: The mean of octaves of |noise - ridge|, minus the offset; both differences are divided
+/// by the larger of the two parts into which the ridge divides the range from 0 to 1.
+pub fn f_ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 9]) -> f64 {
+    let (mut p, generator) = (DVec3::new(x, y, z), NoiseGenerator::from_generator_number(generator));
     let octaves = octaves.min(MOST_OCTAVES);
     let height = |p: DVec3| (noise(p, generator) - ridge).abs() / ridge.max(1.0 - ridge);
     let (mut sum, mut weights, mut weight) = (height(p), 1.0, 1.0);
@@ -95,23 +95,23 @@ pub fn ridge([x, y, z, lambda, octaves, omega, offset, ridge, generator]: [f64; 
     (sum / weights - offset) / offset.max(1.0 - offset)
 }
 
-/// Upper bound of the gradient of [`noise_generator`].
-pub fn steepest(generator: &[f64]) -> f64 {
-    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).steepest())
+/// Upper bound of the length of the gradient of noise, by the number of its generator.
+pub fn max_noise_gradient(generator: &[f64]) -> f64 {
+    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_generator_number(*n).max_gradient())
 }
 
-/// Upper bound of the gradient's change.
-pub fn bend(generator: &[f64]) -> f64 {
-    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_number(*n).bend())
+/// Upper bound of the change of the gradient of noise per unit of length, by the number of its generator.
+pub fn max_noise_gradient_change(generator: &[f64]) -> f64 {
+    generator.first().map_or(f64::INFINITY, |n| NoiseGenerator::from_generator_number(*n).max_gradient_change())
 }
 
-/// Bounds of noise, which is between 0 and 1.
+/// Bounds of the internal functions of noise: 0 to 1.
 pub fn noise_bounds(_: &[Interval]) -> Interval {
     Interval::TRUTH
 }
 
-/// The parameters after x, y and z, if each is a constant.
-fn known<const N: usize>(a: &[Interval]) -> Option<[f64; N]> {
+/// The parameters after x, y and z of an internal function, if each interval is a single number.
+fn constant_parameters<const N: usize>(a: &[Interval]) -> Option<[f64; N]> {
     let mut all = [0.0; N];
     for (to, i) in all.iter_mut().zip(a.get(3..3 + N)?) {
         *to = i.lo;
@@ -119,10 +119,11 @@ fn known<const N: usize>(a: &[Interval]) -> Option<[f64; N]> {
     a[3..].iter().all(|i| i.lo == i.hi).then_some(all)
 }
 
-/// Octaves of noise over a box: each octave is within its steepness times the radius of its value at the centre.
+/// Bounds of octaves of noise over a box: each octave differs from its value at the centre by at most its steepness
+/// times the radius.
 struct Octaves {
     p: DVec3,
-    /// Distance from the centre to the corners.
+    /// Distance from the centre of the box to its corners.
     radius: f64,
     generator: NoiseGenerator,
 }
@@ -135,38 +136,38 @@ impl Octaves {
         (p.is_finite() && radius.is_finite()).then(|| Self {
             p,
             radius,
-            generator: NoiseGenerator::from_number(generator),
+            generator: NoiseGenerator::from_generator_number(generator),
         })
     }
 
-    /// Noise from 0 to 1 at this multiple of the frequency.
-    fn noise(&self, frequency: f64) -> Interval {
+    /// Bounds of noise from 0 to 1 over the box, at this multiple of the frequency.
+    fn octave_bounds(&self, frequency: f64) -> Interval {
         let value = noise(self.p * frequency, self.generator);
-        let far = self.generator.steepest() * self.radius * frequency.abs();
-        Interval { lo: value - far, hi: value + far }.widened().shared(Interval::TRUTH)
+        let far = self.generator.max_gradient() * self.radius * frequency.abs();
+        Interval { lo: value - far, hi: value + far }.widened().intersection_or_self(Interval::TRUTH)
     }
 
-    /// Noise from -1 to 1 at this multiple of the frequency.
-    fn signed(&self, frequency: f64) -> Interval {
-        Interval::point(2.0) * self.noise(frequency) + Interval::point(-1.0)
+    /// Bounds of noise from -1 to 1 over the box, at this multiple of the frequency.
+    fn signed_octave_bounds(&self, frequency: f64) -> Interval {
+        Interval::point(2.0) * self.octave_bounds(frequency) + Interval::point(-1.0)
     }
 }
 
-/// Replaces bounds that are not numbers by no bounds.
-fn sound(bounds: Interval) -> Interval {
+/// Replaces bounds that are NaN by the interval of all numbers; widens all others by a rounding error.
+fn without_nan(bounds: Interval) -> Interval {
     if bounds.lo.is_nan() || bounds.hi.is_nan() { Interval::ALL } else { bounds.widened() }
 }
 
-/// Bounds of [`hetero_mf`].
+/// Bounds of the internal function [`f_hetero_mf`] over a box of arguments.
 pub fn hetero_bounds(a: &[Interval]) -> Interval {
-    let Some([h, lacunarity, octaves, offset, t, generator]) = known(a) else { return Interval::ALL };
+    let Some([h, lacunarity, octaves, offset, t, generator]) = constant_parameters(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
     let octaves = octaves.min(MOST_OCTAVES);
-    let mut value = noise.signed(1.0) + Interval::point(offset);
+    let mut value = noise.signed_octave_bounds(1.0) + Interval::point(offset);
     let (mut i, mut frequency) = (1.0, 1.0_f64);
     let mut increment = || {
         frequency *= lacunarity;
-        (noise.signed(frequency) + Interval::point(offset)) * Interval::point(fp::pow(frequency, -h))
+        (noise.signed_octave_bounds(frequency) + Interval::point(offset)) * Interval::point(fp::pow(frequency, -h))
     };
     let power = t.clamp(0.0, 64.0) as usize;
     while i < octaves {
@@ -174,14 +175,14 @@ pub fn hetero_bounds(a: &[Interval]) -> Interval {
         i += 1.0;
     }
     let rest = octaves - octaves.floor();
-    sound(if rest > 0.0 { value + Interval::point(rest) * increment() * value } else { value })
+    without_nan(if rest > 0.0 { value + Interval::point(rest) * increment() * value } else { value })
 }
 
-/// Bounds of [`ridged_mf`].
+/// Bounds of the internal function [`f_ridged_mf`] over a box of arguments.
 pub fn ridged_bounds(a: &[Interval]) -> Interval {
-    let Some([h, lacunarity, octaves, offset, gain, generator]) = known(a) else { return Interval::ALL };
+    let Some([h, lacunarity, octaves, offset, gain, generator]) = constant_parameters(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
-    let ridge = |frequency: f64| (Interval::point(offset) + -noise.signed(frequency).abs()).square();
+    let ridge = |frequency: f64| (Interval::point(offset) + -noise.signed_octave_bounds(frequency).abs()).square();
     let mut signal = ridge(1.0);
     let mut sum = signal;
     let (mut i, mut frequency) = (1.0, 1.0_f64);
@@ -192,16 +193,16 @@ pub fn ridged_bounds(a: &[Interval]) -> Interval {
         sum = sum + signal * Interval::point(fp::pow(frequency, -h));
         i += 1.0;
     }
-    sound(sum)
+    without_nan(sum)
 }
 
-/// Bounds of [`ridge`].
+/// Bounds of the internal function [`f_ridge`] over a box of arguments.
 pub fn ridge_bounds(a: &[Interval]) -> Interval {
-    let Some([lambda, octaves, omega, offset, ridge, generator]) = known(a) else { return Interval::ALL };
+    let Some([lambda, octaves, omega, offset, ridge, generator]) = constant_parameters(a) else { return Interval::ALL };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
     let octaves = octaves.min(MOST_OCTAVES);
     let part = Interval::point(1.0 / ridge.max(1.0 - ridge));
-    let height = |frequency: f64| (noise.noise(frequency) + Interval::point(-ridge)).abs() * part;
+    let height = |frequency: f64| (noise.octave_bounds(frequency) + Interval::point(-ridge)).abs() * part;
     let (mut sum, mut weights, mut weight, mut frequency) = (height(1.0), 1.0, 1.0, 1.0);
     let mut add = |share: f64| {
         frequency *= lambda;
@@ -219,5 +220,5 @@ pub fn ridge_bounds(a: &[Interval]) -> Interval {
         add(rest);
     }
     let mean = sum * Interval::point(1.0 / weights) + Interval::point(-offset);
-    sound(mean * Interval::point(1.0 / offset.max(1.0 - offset)))
+    without_nan(mean * Interval::point(1.0 / offset.max(1.0 - offset)))
 }

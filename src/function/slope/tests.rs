@@ -3,12 +3,12 @@ use crate::function::{Id, numeric};
 use crate::math::noise::NoiseGenerator;
 use proptest::prelude::*;
 
-/// Description of one operation: its type, and its operands.
+/// Recipe of a random function's operation: its type, its two operands and a constant.
 type Recipe = Vec<(u8, u32, u32, f64)>;
 
 fn graph(recipe: &Recipe) -> Graph {
     let mut graph = Graph::default();
-    let mut ids: Vec<Id> = (0..3).map(|i| graph.add(Operation::Parameter(i))).collect();
+    let mut ids: Vec<Id> = (0..3).map(|i| graph.add_operation(Operation::Parameter(i))).collect();
     let rows =
         ["abs", "sin", "cos", "exp", "sqrt", "atan", "tanh", "max", "min", "atan2", "floor", "sinh", "asinh", "mod"];
     for &(kind, a, b, x) in recipe {
@@ -16,17 +16,17 @@ fn graph(recipe: &Recipe) -> Graph {
         let (a, b) = (pick(a), pick(b));
         let ops = [Operator::Add, Operator::Sub, Operator::Mul, Operator::Div];
         let id = match kind % 20 {
-            0 => graph.constant(x),
-            k @ 1..=4 => graph.add(Operation::Binary(ops[k as usize - 1], a, b)),
+            0 => graph.add_constant(x),
+            k @ 1..=4 => graph.add_operation(Operation::Binary(ops[k as usize - 1], a, b)),
             5 => {
-                let power = graph.constant((x * 2.0).round());
-                graph.add(Operation::Two(numeric::find("pow").unwrap(), a, power))
+                let power = graph.add_constant((x * 2.0).round());
+                graph.add_operation(Operation::Two(numeric::find_numeric("pow").unwrap(), a, power))
             }
             k => {
-                let row = numeric::find(rows[k as usize - 6]).unwrap();
+                let row = numeric::find_numeric(rows[k as usize - 6]).unwrap();
                 match numeric::TABLE[row as usize].kernel {
-                    numeric::Kernel::One(_) => graph.add(Operation::One(row, a)),
-                    _ => graph.add(Operation::Two(row, a, b)),
+                    numeric::Kernel::One(_) => graph.add_operation(Operation::One(row, a)),
+                    _ => graph.add_operation(Operation::Two(row, a, b)),
                 }
             }
         };
@@ -39,7 +39,7 @@ fn graph(recipe: &Recipe) -> Graph {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1000, max_global_rejects: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The difference between two points of a box is at most the slope times their distance.
+    /// Test: the difference of a function between two points of a box is at most the slope times their distance.
     #[test]
     fn slopes_bound_differences(
         recipe in prop::collection::vec((any::<u8>(), any::<u32>(), any::<u32>(), -2.0..2.0), 1..12),
@@ -52,19 +52,19 @@ proptest! {
         let boxes = [0, 1, 2].map(|i| Interval::new(corner[i], corner[i] + size[i]));
         let at = |s: [f64; 3]| [0, 1, 2].map(|i: usize| f64::min(corner[i] + s[i] * size[i], boxes[i].hi));
         let (p, q) = (at(inner), at(other));
-        let value = |p: &[f64; 3]| crate::function::program::slow(&graph, p);
-        let list = [0, 1, 2].map(|i| Slope::parameter(i, boxes[i]));
-        let slope = graph.slope(&list, &mut vec![]);
+        let value = |p: &[f64; 3]| crate::function::program::evaluate_recursively(&graph, p);
+        let list = [0, 1, 2].map(|i| Slope::slope_of_parameter(i, boxes[i]));
+        let slope = graph.slope_over_box(&list, &mut vec![]);
         let (a, b) = (value(&p), value(&q));
         let d = DVec3::from_array(q) - DVec3::from_array(p);
-        let rise = slope.along(d);
+        let rise = slope.derivative_along(d);
         prop_assume!(a.is_finite() && b.is_finite() && rise.lo.is_finite() && rise.hi.is_finite());
         let every = (0..=8).all(|k| {
             let r = (DVec3::from_array(p) + d * (f64::from(k) / 8.0)).to_array();
             (0..graph.nodes.len() as Id).all(|id| {
                 let mut part = graph.clone();
                 part.result = id;
-                crate::function::program::slow(&part, &r).is_finite()
+                crate::function::program::evaluate_recursively(&part, &r).is_finite()
             })
         });
         prop_assume!(every);
@@ -87,20 +87,20 @@ fn noise_gradients_are_within_their_bound() {
                 (DVec3::new(at(k, 7), at(k, 1009), at(k, 7919)), DVec3::new(at(k, 31), at(k, 13), at(k, 17)));
             let q = p + step.normalize_or(DVec3::X) * 1e-3;
             let rate = (noise(q, generator) - noise(p, generator)).abs() / 1e-3;
-            assert!(rate < generator.steepest(), "{generator:?} {p} {q}");
+            assert!(rate < generator.max_gradient(), "{generator:?} {p} {q}");
         }
     }
 }
 
-/// Over balls of many sizes, noise is within the stated range, and differences between points are within the bounds of
-/// its gradients.
+/// Test: over balls of many sizes, noise is within the stated range, and differences between points are within the
+/// bounds of its gradients.
 #[test]
 fn local_bounds_of_noise_hold() {
     for number in [1.0, 2.0, 3.0] {
-        let callee = Callee::Internal(crate::function::internal::find(78).unwrap());
+        let callee = Callee::Internal(crate::function::internal::find_internal(78).unwrap());
         let at = |p: DVec3| callee.call(0, &[p.x, p.y, p.z, number]);
         let mut stream = crate::math::rng::Stream::new(&[number as u64]);
-        let mut vector = |size: f64| DVec3::from([(); 3].map(|()| (2.0 * stream.next() - 1.0) * size));
+        let mut vector = |size: f64| DVec3::from([(); 3].map(|()| (2.0 * stream.next_random() - 1.0) * size));
         let mut bent = 0;
         for k in 0..20_000 {
             let (p, radius) = (vector(50.0), 0.5f64.powi(k % 12));

@@ -7,15 +7,15 @@ use crate::value::Value;
 
 /// Calls a function; the number of arguments has been checked.
 pub(super) fn compute(row: &Numeric, a: &Arguments) -> Result<Value> {
-    let first = row.clamped(a.float(0)?);
+    let first = row.clamp_to_domain(a.float(0)?);
     match row.kernel {
-        Kernel::One(f) => match row.fault(first, first) {
+        Kernel::One(f) => match row.domain_fault(first, first) {
             Some(why) => a.bad(0, why),
             None => float(f(first)),
         },
         Kernel::Two(f) => {
             let second = a.float(1)?;
-            match row.fault(first, second) {
+            match row.domain_fault(first, second) {
                 Some(why) => a.bad(0, why),
                 None => float(f(first, second)),
             }

@@ -17,7 +17,7 @@ pub(super) const TABLE: &[Builtin] = &[
             if axis == DVec3::ZERO {
                 return a.bad(1, "an axis of length 0 points nowhere".into());
             }
-            vector(Transform::rotate_about(axis, degrees).vector(v))
+            vector(Transform::rotate_about(axis, degrees).transform_vector(v))
         },
     },
     Builtin {
@@ -61,7 +61,7 @@ pub(super) const TABLE: &[Builtin] = &[
         usage: "(Vector, Degrees)",
         summary: "turned about the x axis, then y, then z, as `rotate` does",
         arity: 2..=2,
-        run: |a| vector(Transform::rotate(a.vector(1)?).vector(a.vector(0)?)),
+        run: |a| vector(Transform::rotate(a.vector(1)?).transform_vector(a.vector(0)?)),
     },
 ];
 

@@ -2,7 +2,7 @@
 
 use crate::interpreter::builtin::leading_number;
 use crate::interpreter::evaluator::numbers_of;
-use crate::value::{Value, VecN, decimal, without_zeros};
+use crate::value::{Value, VecN, format_decimal, trim_zeros};
 
 /// Skips blanks, commas and comments; returns the new offset.
 pub(super) fn skip_blanks(text: &str, at: usize) -> usize {
@@ -93,10 +93,10 @@ fn general(x: f64) -> String {
     let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
     if (-4..6).contains(&exponent) {
-        return decimal(x, (5 - exponent) as usize);
+        return format_decimal(x, (5 - exponent) as usize);
     }
     let sign = if exponent < 0 { '-' } else { '+' };
-    format!("{}e{sign}{:02}", without_zeros(digits), exponent.abs())
+    format!("{}e{sign}{:02}", trim_zeros(digits), exponent.abs())
 }
 
 /// Binary format of integers, such as `uint16be`.

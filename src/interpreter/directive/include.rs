@@ -20,7 +20,7 @@ impl<'a> Interpreter<'a> {
         }
         let (path, ast) = match self.find_read_file(&text, name)? {
             Some(path) => (path.clone(), self.load(&path, &text, name)?),
-            None => match library::find(&text) {
+            None => match library::find_builtin(&text) {
                 Some(built_in) => self.load_built_in(&text, built_in, name)?,
                 None => return Err(self.missing_include(&text, name).into()),
             },
@@ -136,7 +136,7 @@ impl<'a> Interpreter<'a> {
         if let Some(found) = similar_file(name, &there) {
             return d.help(format!("did you mean `{found}`?"));
         }
-        if library::is_standard(name) {
+        if library::is_standard_include(name) {
             return d.help(format!(
                 "`{name}` comes with POV-Ray: install its include files (Debian: apt-get install povray-includes), or name their folder with -I DIR"
             ));

@@ -151,14 +151,14 @@ impl Evaluator<'_> {
     }
 
     fn quick_call(&self, name: &str, arguments: &[Expr]) -> Option<f64> {
-        let row = &numeric::TABLE[numeric::find(name)? as usize];
-        let first = row.clamped(self.quick_number(arguments.first()?)?);
+        let row = &numeric::TABLE[numeric::find_numeric(name)? as usize];
+        let first = row.clamp_to_domain(self.quick_number(arguments.first()?)?);
         let second = match arguments.get(1) {
             Some(e) => self.quick_number(e)?,
             None => first,
         };
         let divides = second == 0.0 && row.domain == Domain::Divides;
-        if divides || row.fault(first, second).is_some() {
+        if divides || row.domain_fault(first, second).is_some() {
             return None;
         }
         match (row.kernel, arguments) {

@@ -1,7 +1,7 @@
 //! Calls of functions and splines in scripts.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::{Function, Gives, Spline, SplineKind};
+use crate::function::{Function, ResultType, Spline, SplineKind};
 use crate::interpreter::Interpreter;
 use crate::interpreter::evaluator::as_float;
 use crate::interpreter::stream::Token;
@@ -52,14 +52,14 @@ impl<'a> Interpreter<'a> {
     fn read_spline_arguments(&mut self, spline: &Spline) -> Result<Value> {
         let t = self.float()?;
         let kind = match self.peek()? {
-            Token::Word(word) if SplineKind::of(word).is_some() => {
+            Token::Word(word) if SplineKind::from_word(word).is_some() => {
                 self.stream.advance();
-                SplineKind::of(word).unwrap_or(spline.kind)
+                SplineKind::from_word(word).unwrap_or(spline.kind)
             }
             _ => spline.kind,
         };
         if self.peek()?.ends() {
-            return Ok(Value::Vector(VecN { c: spline.at(t, kind), len: spline.len }));
+            return Ok(Value::Vector(VecN { c: spline.point_at(t, kind), len: spline.len }));
         }
         Err(self.unexpected_token("one number and, at most, the kind of spline").into())
     }
@@ -86,9 +86,9 @@ impl<'a> Interpreter<'a> {
 
 fn answer(function: &Function, numbers: &[f64]) -> Value {
     let c = function.call(numbers);
-    match function.gives() {
-        Gives::Number => Value::Float(c[0]),
-        Gives::Vector(len) => Value::Vector(VecN { c, len }),
-        Gives::Color => Value::Color(crate::color::Color::from_array(c)),
+    match function.result_type() {
+        ResultType::Number => Value::Float(c[0]),
+        ResultType::Vector(len) => Value::Vector(VecN { c, len }),
+        ResultType::Color => Value::Color(crate::color::Color::from_array(c)),
     }
 }

@@ -9,7 +9,8 @@ use super::Interpreter;
 use super::evaluator::component_index;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::{
-    self, Body, Callee, Function, Gives, Graph, Id, Operation, Program, Sampler, Spline, SplineKind, internal, numeric,
+    self, Body, Callee, Function, Graph, Id, Operation, Program, ResultType, Sampler, Spline, SplineKind, internal,
+    numeric,
 };
 use crate::pattern::PigmentPattern;
 use crate::source::Span;
@@ -39,23 +40,23 @@ impl<'a> Interpreter<'a> {
         }
         let sampler: Arc<dyn Sampler> = match word {
             "pigment" => {
-                self.take()?;
+                self.take_token()?;
                 let defaults = self.builder.defaults().texture.clone();
                 let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
-                self.leave()?;
+                self.leave_block()?;
                 Arc::new(PigmentSampler(PigmentProgram::new(&pigment), self.builder.noise_generator().clone()))
             }
             "pattern" => {
-                self.take()?;
+                self.take_token()?;
                 let defaults = self.builder.defaults().texture.clone();
                 let pattern = Pigment::read(self, &Pigment::default(), &defaults)?;
-                self.leave()?;
+                self.leave_block()?;
                 Arc::new(PatternSampler(PigmentProgram::new(&pattern), self.builder.noise_generator().clone()))
             }
             "transform" => {
-                self.take()?;
+                self.take_token()?;
                 let transform = self.transform_block()?;
-                self.leave()?;
+                self.leave_block()?;
                 Arc::new(TransformSampler(transform))
             }
             "spline" => self.read_spline()?,
@@ -81,7 +82,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads `spline { linear_spline 0, <1, 2, 3> 1, <2, 3, 4> }`.
     pub(super) fn read_spline(&mut self) -> Result<Arc<Spline>> {
-        let at = self.take()?;
+        let at = self.take_token()?;
         let mut kind = SplineKind::Linear;
         let mut points: Vec<(f64, VecN)> = vec![];
         if let Some(declared) = ReaderExt::thing::<Spline>(self)? {
@@ -89,7 +90,7 @@ impl<'a> Interpreter<'a> {
             points = declared.points().collect();
         }
         if let Next::Word(word) = Reader::next(self)?
-            && let Some(named) = SplineKind::of(word)
+            && let Some(named) = SplineKind::from_word(word)
         {
             self.stream.advance();
             kind = named;
@@ -108,7 +109,7 @@ impl<'a> Interpreter<'a> {
             };
             points.push((t, point));
         }
-        self.leave()?;
+        self.leave_block()?;
         if points.is_empty() {
             return Diagnostic::new(codes::EMPTY_MAP, at, "this spline has no points")
                 .help("`spline { linear_spline 0, <0, 0, 0> 1, <1, 2, 3> }`")
@@ -120,7 +121,7 @@ impl<'a> Interpreter<'a> {
     /// Compiles an expression of a user-defined function's body.
     fn compile(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
         match &e.kind {
-            ExprKind::Number(x) => Ok(c.graph.constant(*x)),
+            ExprKind::Number(x) => Ok(c.graph.add_constant(*x)),
             ExprKind::Name(symbol) => self.compile_name(c, *symbol, e),
             ExprKind::Paren(inner) => self.compile(c, inner),
             ExprKind::Prefix(prefix, inner) => {
@@ -131,7 +132,7 @@ impl<'a> Interpreter<'a> {
                 let mut left = self.compile(c, &chain.first)?;
                 for (op, operand) in &chain.rest {
                     let right = self.compile(c, operand)?;
-                    left = c.graph.add(Operation::Binary(*op, left, right));
+                    left = c.graph.add_operation(Operation::Binary(*op, left, right));
                 }
                 Ok(left)
             }
@@ -139,7 +140,7 @@ impl<'a> Interpreter<'a> {
                 let [condition, yes, no] = &**parts;
                 let condition = self.compile(c, condition)?;
                 let (yes, no) = (self.compile(c, yes)?, self.compile(c, no)?);
-                Ok(c.graph.add(Operation::Choice(condition, yes, no)))
+                Ok(c.graph.add_operation(Operation::Choice(condition, yes, no)))
             }
             ExprKind::Builtin(name, arguments) => self.compile_builtin(c, name.name, arguments, e.span),
             ExprKind::Call(name, arguments) => self.compile_call(c, *name, arguments, None, e.span),
@@ -165,12 +166,12 @@ impl<'a> Interpreter<'a> {
     /// Compiles an expression that does not depend on the parameters to its present value.
     fn constant_number(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
         let x = self.evaluate_number(e)?;
-        Ok(c.graph.constant(x))
+        Ok(c.graph.add_constant(x))
     }
 
     fn compile_name(&mut self, c: &mut Compiler, symbol: Symbol, e: &'a Expr) -> Result<Id> {
         if let Some(i) = c.parameters.iter().position(|p| *p == symbol) {
-            return Ok(c.graph.add(Operation::Parameter(i as u16)));
+            return Ok(c.graph.add_operation(Operation::Parameter(i as u16)));
         }
         // `u` and `v` are synonyms of `x` and `y`.
         let other = match self.inputs.names.text(symbol) {
@@ -179,7 +180,7 @@ impl<'a> Interpreter<'a> {
             _ => return self.constant_number(c, e),
         };
         match c.parameters.iter().position(|p| self.inputs.names.text(*p) == other) {
-            Some(i) => Ok(c.graph.add(Operation::Parameter(i as u16))),
+            Some(i) => Ok(c.graph.add_operation(Operation::Parameter(i as u16))),
             None => self.constant_number(c, e),
         }
     }
@@ -197,15 +198,15 @@ impl<'a> Interpreter<'a> {
         if name == "select" && (3..=4).contains(&ids.len()) {
             return Ok(c.select(ids));
         }
-        let Some(row) = numeric::find(name) else {
+        let Some(row) = numeric::find_numeric(name) else {
             let message = format!("`{name}` does not give a number of numbers: a function can't call it");
             return Diagnostic::err(codes::NOT_CALLABLE, span, message);
         };
         let (wanted, node): (&str, Option<Id>) = match (numeric::TABLE[row as usize].kernel, ids) {
-            (numeric::Kernel::One(_), [a]) => ("", Some(c.graph.add(Operation::One(row, *a)))),
-            (numeric::Kernel::Two(_), [a, b]) => ("", Some(c.graph.add(Operation::Two(row, *a, *b)))),
+            (numeric::Kernel::One(_), [a]) => ("", Some(c.graph.add_operation(Operation::One(row, *a)))),
+            (numeric::Kernel::Two(_), [a, b]) => ("", Some(c.graph.add_operation(Operation::Two(row, *a, *b)))),
             (numeric::Kernel::Many(_), [first, rest @ ..]) => {
-                ("", Some(rest.iter().fold(*first, |a, b| c.graph.add(Operation::Two(row, a, *b)))))
+                ("", Some(rest.iter().fold(*first, |a, b| c.graph.add_operation(Operation::Two(row, a, *b)))))
             }
             (numeric::Kernel::One(_), _) => ("one argument", None),
             (numeric::Kernel::Two(_), _) => ("two arguments", None),
@@ -252,7 +253,7 @@ impl<'a> Interpreter<'a> {
         for element in arguments {
             match &element.kind {
                 ElementKind::Expr(e) => ids.push(self.compile(c, e)?),
-                ElementKind::Numbers(list) => ids.extend(list.data.iter().map(|x| c.graph.constant(*x))),
+                ElementKind::Numbers(list) => ids.extend(list.data.iter().map(|x| c.graph.add_constant(*x))),
                 _ => return Diagnostic::err(codes::EXPECTED_VALUE, element.span, "expected a number"),
             }
         }
@@ -288,17 +289,17 @@ impl<'a> Interpreter<'a> {
             && let Body::Numeric(program) = &f.body
             && program.graph().nodes.len() <= MAX_COPIED
         {
-            return Ok(c.graph.inline(program.graph(), &ids));
+            return Ok(c.graph.inline_graph(program.graph(), &ids));
         }
-        let one = |c: &mut Compiler, i: u8| c.graph.call(callee.clone(), i, ids.clone().into());
+        let one = |c: &mut Compiler, i: u8| c.graph.add_call(callee.clone(), i, ids.clone().into());
         Ok(match component {
             Component::Of(i) => one(c, i),
             Component::Weighted(weights) => {
-                let mut sum = c.graph.constant(0.0);
+                let mut sum = c.graph.add_constant(0.0);
                 for (i, weight) in weights.iter().enumerate() {
-                    let (value, weight) = (one(c, i as u8), c.graph.constant(*weight));
-                    let term = c.graph.add(Operation::Binary(Operator::Mul, value, weight));
-                    sum = c.graph.add(Operation::Binary(Operator::Add, sum, term));
+                    let (value, weight) = (one(c, i as u8), c.graph.add_constant(*weight));
+                    let term = c.graph.add_operation(Operation::Binary(Operator::Mul, value, weight));
+                    sum = c.graph.add_operation(Operation::Binary(Operator::Add, sum, term));
                 }
                 sum
             }
@@ -306,10 +307,10 @@ impl<'a> Interpreter<'a> {
     }
 
     /// The function or spline in a value, its result type and its number of parameters.
-    fn callee(&mut self, callee: &Value, span: Span) -> Result<(Callee, Gives, usize)> {
+    fn callee(&mut self, callee: &Value, span: Span) -> Result<(Callee, ResultType, usize)> {
         if let Value::Thing(thing) = callee {
             if let Some(f) = downcast::<Function>(thing) {
-                let (gives, arity) = (f.gives(), f.arity());
+                let (gives, arity) = (f.result_type(), f.arity());
                 let callee = match &f.body {
                     Body::Sampled(sampler) => Callee::Sampler(sampler.clone()),
                     Body::Numeric(_) => Callee::Function(f.clone()),
@@ -317,7 +318,7 @@ impl<'a> Interpreter<'a> {
                 return Ok((callee, gives, arity));
             }
             if let Some(spline) = downcast::<Spline>(thing) {
-                let gives = Gives::Vector(spline.len);
+                let gives = ResultType::Vector(spline.len);
                 return Ok((Callee::Sampler(spline), gives, 1));
             }
         }
@@ -341,19 +342,21 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::WRONG_COUNT, called, message)
     }
 
-    fn select_component(&self, gives: Gives, component: Option<&Name>, span: Span) -> Result<Component> {
+    fn select_component(&self, gives: ResultType, component: Option<&Name>, span: Span) -> Result<Component> {
         let text = self.called_text(span);
         let Some(component) = component else {
             return match gives {
-                Gives::Number => Ok(Component::Of(0)),
-                Gives::Vector(_) => {
+                ResultType::Number => Ok(Component::Of(0)),
+                ResultType::Vector(_) => {
                     Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a vector"))
                         .help("`.x`, `.y` or `.z` after the call selects one of its components")
                         .into()
                 }
-                Gives::Color => Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a colour"))
-                    .help("`.red`, `.green`, `.blue` or `.gray` after the call selects one of its components")
-                    .into(),
+                ResultType::Color => {
+                    Diagnostic::new(codes::WRONG_TYPE, span, format!("function `{text}` gives a colour"))
+                        .help("`.red`, `.green`, `.blue` or `.gray` after the call selects one of its components")
+                        .into()
+                }
             };
         };
         let weights = crate::color::GRAY_WEIGHTS;
@@ -361,10 +364,10 @@ impl<'a> Interpreter<'a> {
             return Ok(Component::Of(i as u8));
         }
         match (self.inputs.sources.snippet(component.span), gives) {
-            ("gray" | "grey", Gives::Color) => Ok(Component::Weighted(weights)),
+            ("gray" | "grey", ResultType::Color) => Ok(Component::Weighted(weights)),
             // The 16 bits of a height field: red is the upper byte, green the lower one
             // (quirk: `hf_component_weights`).
-            ("hf", Gives::Color) => Ok(Component::Weighted([0.996093, 0.003906, 0.0])),
+            ("hf", ResultType::Color) => Ok(Component::Weighted([0.996093, 0.003906, 0.0])),
             _ => {
                 let message = format!("`.{}` is no component of this", self.inputs.sources.snippet(component.span));
                 Diagnostic::err(codes::NO_COMPONENT, component.span, message)
@@ -398,25 +401,25 @@ impl Compiler {
         match prefix {
             Prefix::Plus => a,
             Prefix::Minus => {
-                let minus = self.graph.constant(-1.0);
-                self.graph.add(Operation::Binary(Operator::Mul, a, minus))
+                let minus = self.graph.add_constant(-1.0);
+                self.graph.add_operation(Operation::Binary(Operator::Mul, a, minus))
             }
             Prefix::Not => {
-                let zero = self.graph.constant(0.0);
-                self.graph.add(Operation::Binary(Operator::Equal, a, zero))
+                let zero = self.graph.add_constant(0.0);
+                self.graph.add_operation(Operation::Binary(Operator::Equal, a, zero))
             }
         }
     }
 
     /// Compiles `select(a, below, zero, above)` or `select(a, below, not_below)`.
     fn select(&mut self, ids: &[Id]) -> Id {
-        let zero = self.graph.constant(0.0);
-        let below = self.graph.add(Operation::Binary(Operator::Less, ids[0], zero));
+        let zero = self.graph.add_constant(0.0);
+        let below = self.graph.add_operation(Operation::Binary(Operator::Less, ids[0], zero));
         let rest = match ids {
-            [a, _, at, above] => self.graph.add(Operation::Choice(*a, *above, *at)),
+            [a, _, at, above] => self.graph.add_operation(Operation::Choice(*a, *above, *at)),
             ids => ids[2],
         };
-        self.graph.add(Operation::Choice(below, ids[1], rest))
+        self.graph.add_operation(Operation::Choice(below, ids[1], rest))
     }
 
     fn finish(self, me: &Interpreter, span: Span) -> Result<Arc<dyn Thing>> {
@@ -431,8 +434,10 @@ impl Compiler {
 /// Compiles `sum` or `prod` over a range of the counter.
 fn series(c: &mut Compiler, product: bool, mut ids: Vec<Id>, inner: Compiler, span: Span) -> Result<Id> {
     let Some(body) = Program::new(inner.graph, inner.parameters.len()) else { return too_large(span) };
-    ids.extend((0..c.parameters.len()).map(|i| c.graph.add(Operation::Parameter(i as u16))).collect::<Vec<_>>());
-    Ok(c.graph.call(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
+    ids.extend(
+        (0..c.parameters.len()).map(|i| c.graph.add_operation(Operation::Parameter(i as u16))).collect::<Vec<_>>(),
+    );
+    Ok(c.graph.add_call(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
 }
 
 fn too_large<T>(span: Span) -> Result<T> {
@@ -445,15 +450,15 @@ fn default_names() -> Box<[Box<str>]> {
 
 /// The function of `functions.inc` with this number, as in `function { internal(61) }`.
 pub(super) fn internal_function(number: f64, noise: &Arc<AtomicU8>) -> Option<Function> {
-    let row = internal::find(number as u32).filter(|_| number >= 0.0)?;
+    let row = internal::find_internal(number as u32).filter(|_| number >= 0.0)?;
     let mut graph = function::Graph::default();
     let count = 3 + row.parameters.len();
-    let ids: Box<[Id]> = (0..count).map(|i| graph.add(Operation::Parameter(i as u16))).collect();
+    let ids: Box<[Id]> = (0..count).map(|i| graph.add_operation(Operation::Parameter(i as u16))).collect();
     let callee = match row.number {
         internal::SCENE_NOISE => Callee::SceneNoise(noise.clone()),
         _ => Callee::Internal(row),
     };
-    graph.result = graph.call(callee, 0, ids);
+    graph.result = graph.add_call(callee, 0, ids);
     let names =
         ["x", "y", "z"].map(Box::from).into_iter().chain((0..row.parameters.len()).map(|i| format!("P{i}").into()));
     let program = Program::new(graph, count)?;

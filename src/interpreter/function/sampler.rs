@@ -1,6 +1,6 @@
 //! Functions made from a pigment, a pattern or a transform.
 
-use crate::function::{Gives, LocalBounds, Sampler};
+use crate::function::{LocalBounds, ResultType, Sampler};
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::pattern::TextureContext;
@@ -12,8 +12,8 @@ use std::sync::atomic::{AtomicU8, Ordering};
 pub(super) type SceneNoise = Arc<AtomicU8>;
 
 fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {
-    let generator = NoiseGenerator::from_number(f64::from(noise.load(Ordering::Relaxed)));
-    TextureContext::free(DVec3::new(p[0], p[1], p[2]), generator)
+    let generator = NoiseGenerator::from_generator_number(f64::from(noise.load(Ordering::Relaxed)));
+    TextureContext::without_surface(DVec3::new(p[0], p[1], p[2]), generator)
 }
 
 /// User-defined function `function { pigment { … } }`: the colour of a pigment at a point.
@@ -25,12 +25,12 @@ impl Sampler for PigmentSampler {
         3
     }
 
-    fn gives(&self) -> Gives {
-        Gives::Color
+    fn result_type(&self) -> ResultType {
+        ResultType::Color
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        self.0.at(&ctx(p, &self.1)).to_array()
+        self.0.color_at(&ctx(p, &self.1)).to_array()
     }
 
     fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
@@ -47,16 +47,16 @@ impl Sampler for PatternSampler {
         3
     }
 
-    fn gives(&self) -> Gives {
-        Gives::Number
+    fn result_type(&self) -> ResultType {
+        ResultType::Number
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        [self.part(0, p), 0.0, 0.0, 0.0, 0.0]
+        [self.sample_component(0, p), 0.0, 0.0, 0.0, 0.0]
     }
 
-    fn part(&self, component: usize, p: &[f64]) -> f64 {
-        if component == 0 { self.0.number_at(&ctx(p, &self.1)) } else { 0.0 }
+    fn sample_component(&self, component: usize, p: &[f64]) -> f64 {
+        if component == 0 { self.0.pattern_number_at(&ctx(p, &self.1)) } else { 0.0 }
     }
 
     fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
@@ -73,12 +73,12 @@ impl Sampler for TransformSampler {
         3
     }
 
-    fn gives(&self) -> Gives {
-        Gives::Vector(3)
+    fn result_type(&self) -> ResultType {
+        ResultType::Vector(3)
     }
 
     fn sample(&self, p: &[f64]) -> [f64; 5] {
-        let v = self.0.point(DVec3::new(p[0], p[1], p[2]));
+        let v = self.0.transform_point(DVec3::new(p[0], p[1], p[2]));
         [v.x, v.y, v.z, 0.0, 0.0]
     }
 }

@@ -30,14 +30,14 @@ impl<'a> Operands<'a> for Compiled<'_> {
     }
 
     fn combine(&mut self, _: &mut Interpreter<'a>, op: Operator, left: (Id, Span), right: (Id, Span)) -> Result<Id> {
-        Ok(self.0.graph.add(Operation::Binary(op, left.0, right.0)))
+        Ok(self.0.graph.add_operation(Operation::Binary(op, left.0, right.0)))
     }
 
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Id, Span)) -> Result<(Id, Span)> {
         let (yes, _) = me.climb(self, true)?;
         expect_colon(me)?;
         let (no, span) = me.climb(self, true)?;
-        Ok((self.0.graph.add(Operation::Choice(condition.0, yes, no)), span))
+        Ok((self.0.graph.add_operation(Operation::Choice(condition.0, yes, no)), span))
     }
 
     fn precedence(&self, op: Operator) -> u8 {
@@ -77,7 +77,7 @@ impl<'a> Interpreter<'a> {
                 },
                 Token::Numbers([x]) => {
                     self.stream.advance();
-                    Ok((c.graph.constant(*x), span))
+                    Ok((c.graph.add_constant(*x), span))
                 }
                 Token::Open(Bracket::Paren, _) => {
                     self.open()?;
@@ -92,7 +92,7 @@ impl<'a> Interpreter<'a> {
                     if is_callable(&value) && self.call_follows()? {
                         return self.compile_call_by_tokens(c, &value, span);
                     }
-                    Ok((c.graph.constant(as_float(&value, span)?), span))
+                    Ok((c.graph.add_constant(as_float(&value, span)?), span))
                 }
                 Token::Callee(word) => {
                     self.stream.advance();

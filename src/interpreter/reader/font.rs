@@ -12,11 +12,11 @@ impl Interpreter<'_> {
     pub(super) fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let place = match self.find_read_file(&full, at)? {
-            Some(path) => FontLocation::first_of(path),
+            Some(path) => FontLocation::first_in_file(path),
             None => {
                 match self
                     .installed_font(name)
-                    .or_else(|| self.substitute_font(name, &full, at).map(FontLocation::first_of))
+                    .or_else(|| self.substitute_font(name, &full, at).map(FontLocation::first_in_file))
                 {
                     Some(place) => place,
                     None => return Ok(Arc::new(Font::own())),
@@ -40,7 +40,7 @@ impl Interpreter<'_> {
             return known.clone();
         }
         let files = fonts::font_files(self.inputs.files, &self.inputs.options.search.fonts);
-        let found = font::of_family(self.inputs.files, name, &files);
+        let found = font::find_family(self.inputs.files, name, &files);
         self.evaluator.assets().families.insert(name.to_string(), found.clone());
         found
     }

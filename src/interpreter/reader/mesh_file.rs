@@ -50,7 +50,7 @@ impl Interpreter<'_> {
             }
             self.inputs.files.read(&beside).map_err(|_| format!("there is no file `{name}` that can be read"))
         };
-        mesh_io::read(&bytes, ending, &mut open).map_err(|why| {
+        mesh_io::read_mesh_file(&bytes, ending, &mut open).map_err(|why| {
             let message = format!("the mesh's file `{}` can't be read: {why}", path.display());
             Box::new(Diagnostic::new(codes::MESH_BROKEN, at, message))
         })

@@ -96,11 +96,11 @@ impl Reader for Interpreter<'_> {
         self.stream.next_span()
     }
 
-    fn take(&mut self) -> Result<Span> {
+    fn take_token(&mut self) -> Result<Span> {
         self.open()
     }
 
-    fn leave(&mut self) -> Result<()> {
+    fn leave_block(&mut self) -> Result<()> {
         self.close("the end of this block")
     }
 
@@ -132,13 +132,13 @@ impl Reader for Interpreter<'_> {
         }
     }
 
-    fn solid(&mut self) -> Result<Arc<dyn Solid>> {
+    fn read_solid(&mut self) -> Result<Arc<dyn Solid>> {
         let defaults = self.builder.defaults().clone();
         let object = Object::read(self, &defaults)?;
         Ok(Arc::new(Probe::new(&object)?))
     }
 
-    fn pigment(&mut self) -> Result<Arc<dyn Thing>> {
+    fn read_pigment_pattern(&mut self) -> Result<Arc<dyn Thing>> {
         self.read_brightness()
     }
 
@@ -202,7 +202,7 @@ impl Reader for Interpreter<'_> {
         Ok(data)
     }
 
-    fn literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
+    fn read_literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
         self.stream.inner_literals(width, most, take)
     }
 
@@ -221,7 +221,7 @@ impl Reader for Interpreter<'_> {
         Ok(numbers)
     }
 
-    fn colon(&mut self) -> Result<()> {
+    fn read_colon(&mut self) -> Result<()> {
         if !matches!(self.peek()?, Token::Sign(Sign::Colon)) {
             return Err(self.unexpected_token("`:`").into());
         }
@@ -233,7 +233,7 @@ impl Reader for Interpreter<'_> {
         self.read_color()
     }
 
-    fn continued(&mut self) -> Result<Next> {
+    fn next_in_statement(&mut self) -> Result<Next> {
         match self.peek_continuation()? {
             Token::End => Ok(Next::End),
             _ => Reader::next(self),
@@ -244,7 +244,7 @@ impl Reader for Interpreter<'_> {
         self.read_float_or_color()
     }
 
-    fn at_color(&mut self) -> Result<bool> {
+    fn is_at_color(&mut self) -> Result<bool> {
         Ok(match self.peek()? {
             Token::Word(word) => begins_color(word),
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
@@ -285,7 +285,7 @@ impl Reader for Interpreter<'_> {
         self.find_read_file(name, at)
     }
 
-    fn picture(&mut self) -> Result<Arc<Picture>> {
+    fn read_picture(&mut self) -> Result<Arc<Picture>> {
         let (at, name) = (self.span(), self.text()?);
         // A name without extension is a PNG file, as POV-Ray's own output is.
         let full = if name.contains('.') { name.clone() } else { format!("{name}.png") };
@@ -296,22 +296,22 @@ impl Reader for Interpreter<'_> {
         self.picture_at(path, at)
     }
 
-    fn mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>> {
+    fn read_mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>> {
         self.read_mesh_file(build)
     }
 
-    fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
+    fn read_sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
         if !matches!(self.peek()?, Token::Function(_)) {
             return Ok(None);
         }
         self.read_sized_function()
     }
 
-    fn font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
+    fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         self.find_font(name, at)
     }
 
-    fn skip_into(&mut self, row: &mut Vec<Unsupported>) -> Result<()> {
+    fn skip_unsupported(&mut self, row: &mut Vec<Unsupported>) -> Result<()> {
         self.read_into(row)
     }
 

@@ -49,12 +49,12 @@ impl Interpreter<'_> {
 
     /// Reads a block, entry or group to its end.
     fn read_enclosed(&mut self, word: &'static str) -> Result<Unsupported> {
-        self.take()?;
+        self.take_token()?;
         let mut row = vec![];
         while !self.peek()?.ends() {
             self.read_into(&mut row)?;
         }
-        self.leave()?;
+        self.leave_block()?;
         Ok(Unsupported::Block(word, row.into()))
     }
 

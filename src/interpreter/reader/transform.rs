@@ -118,9 +118,9 @@ impl Interpreter<'_> {
                 declared.map(|t| Some(Box::new(t.0))).ok_or_else(|| Box::new(self.unexpected_token("a transform")))
             }
             Next::Block("transform") => {
-                self.take()?;
+                self.take_token()?;
                 let all = self.transform_block()?;
-                self.leave()?;
+                self.leave_block()?;
                 Ok(Some(Box::new(all)))
             }
             Next::Thing("transform") => Ok(ReaderExt::thing::<TransformThing>(self)?.map(|t| Box::new(t.0))),

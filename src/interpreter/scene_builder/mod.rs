@@ -147,7 +147,7 @@ impl SceneBuilder {
         let version = self.stated_version();
         let generator = self.noise_generator.load(Ordering::Relaxed);
         let settings = &mut self.scene.settings;
-        settings.noise_generator.get_or_insert(NoiseGenerator::from_number(f64::from(generator)));
+        settings.noise_generator.get_or_insert(NoiseGenerator::from_generator_number(f64::from(generator)));
         settings.opacity_by_color = compat::has_opacity_by_color(version);
         settings.sky_by_share = compat::has_sky_by_share(version);
         settings.gamma.get_or_insert(compat::gamma_without_setting(version));

@@ -4,7 +4,7 @@ use crate::color::transfer::{srgb_decode, srgb_encode};
 use crate::interpreter::COLOR_WORDS;
 use crate::lsp::server::{Client, Server};
 use crate::syntax::outline::{Token, TokenKind};
-use crate::value::decimal;
+use crate::value::format_decimal;
 use lsp_types::{Color, ColorInformation, ColorPresentation, ColorPresentationParams, DocumentColorParams, TextEdit};
 use std::ops::Range;
 
@@ -60,7 +60,8 @@ pub fn present<S: Client>(server: &mut Server<S>, params: &ColorPresentationPara
     let mut all = [(format!("srgb{suffix}"), screen), (format!("rgb{suffix}"), light)];
     all.sort_by_key(|(name, _)| *name != word);
     let one = |(name, numbers): (String, [f64; 3])| {
-        let numbers = numbers.iter().map(|x| decimal(*x, 3)).chain(rest.iter().cloned()).collect::<Vec<_>>().join(", ");
+        let numbers =
+            numbers.iter().map(|x| format_decimal(*x, 3)).chain(rest.iter().cloned()).collect::<Vec<_>>().join(", ");
         let text = format!("{name} <{numbers}>");
         let edit = TextEdit { range: params.range, new_text: text.clone() };
         ColorPresentation { label: text, text_edit: Some(edit), additional_text_edits: None }

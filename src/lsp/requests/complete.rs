@@ -181,7 +181,7 @@ fn of_library(document: &Document, known: &[CompletionItem], typed: &str) -> Vec
     let lower = typed.to_lowercase();
     let fits = |name: &&str| name.to_lowercase().starts_with(&lower) && !known.iter().any(|item| item.label == **name);
     let item = |name: &str| {
-        let file = library::declared_in(name)?;
+        let file = library::standard_file_of(name)?;
         Some(CompletionItem {
             kind: Some(CompletionItemKind::VARIABLE),
             sort_text: Some(format!("5{name}")),
@@ -189,7 +189,7 @@ fn of_library(document: &Document, known: &[CompletionItem], typed: &str) -> Vec
             ..item(name, format!("from {file}; adds its #include"), "")
         })
     };
-    library::index_names().filter(fits).take(MAX_NAMES).filter_map(item).collect()
+    library::standard_names().filter(fits).take(MAX_NAMES).filter_map(item).collect()
 }
 
 /// Files and folders that continue a typed path.
@@ -207,7 +207,7 @@ fn paths(document: &Document, typed: &str) -> Vec<CompletionItem> {
         out.push(CompletionItem { kind: Some(kind), ..item(&name, String::new(), "") });
     }
     if folder.is_empty() {
-        let standard = library::names().map(|name| CompletionItem {
+        let standard = library::builtin_names().map(|name| CompletionItem {
             kind: Some(CompletionItemKind::FILE),
             ..item(name, "standard include file".into(), "")
         });

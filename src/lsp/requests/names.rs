@@ -153,7 +153,7 @@ pub fn rename<S: Client>(server: &mut Server<S>, params: &RenameParams) -> Resul
             .and_then(std::path::Path::file_name)
             .and_then(|name| name.to_str())
             .unwrap_or_default();
-        library::is_standard(name) && server.document(&one.0).is_none()
+        library::is_standard_include(name) && server.document(&one.0).is_none()
     };
     if let Some((.., reached, _)) = all.iter().find(installed) {
         let file = reached.path.as_deref().unwrap_or(std::path::Path::new("")).display();

@@ -11,30 +11,30 @@ use smallvec::SmallVec;
 use std::array::from_fn;
 use std::ops::Range;
 
-/// Below this depth the binary tree is split in halves, which bounds its depth by this and the logarithm of the number
-/// of boxes.
+/// Number of levels from the root of the binary tree that are split at the cheapest plane; deeper levels are split in
+/// halves, which bounds the tree's depth.
 const LEVELS: usize = 64;
-/// Cost of testing a single item, relative to visiting a node.
+/// Cost of intersecting a single item of the BVH, relative to visiting a node.
 const ITEM: f32 = 1.5;
-/// Cost of testing a pack of items.
+/// Cost of intersecting a pack of items of the BVH, relative to visiting a node.
 const PACK: f32 = 1.0;
-/// Maximum number of boxes in a pack.
+/// Maximum number of boxes in a pack of a BVH.
 const LARGEST: usize = 8;
-/// Number of boxes of a node below which a build does not poll for cancellation.
+/// Number of boxes of a BVH node below which a build does not poll for cancellation.
 const PRIMS_BETWEEN_POLLS: usize = 1 << 14;
-/// Maximum number of items of a child.
+/// Maximum number of items in a leaf of the BVH.
 const LEAF: u32 = 4;
 
 impl Bvh {
-    /// Builds over boxes that [`super::fits`] accepts; also returns the number of the box at each position of the
-    /// order.
+    /// Builds a BVH over boxes that [`super::fits_single_precision`] accepts; also returns the index of the box at each
+    /// position of the hierarchy's order.
     pub fn build(boxes: impl ExactSizeIterator<Item = Aabb>) -> (Bvh, Vec<u32>) {
-        let (bvh, order, _) = Build::run(boxes, |items| items.len() == 1, ITEM);
+        let (bvh, order, _) = Build::build_hierarchy(boxes, |items| items.len() == 1, ITEM);
         (bvh, order)
     }
 
-    /// Builds over packs of boxes, which are the items of the hierarchy: a group of boxes that `packs` accepts becomes
-    /// one item, and `packs` accepts each single box. Also returns the range of each pack's boxes in the order.
+    /// Builds a BVH whose items are packs of boxes: a group of boxes that `packs` accepts becomes one item, and `packs`
+    /// accepts each single box. Also returns the range of each pack's boxes in the order.
     pub fn build_packs(
         boxes: impl ExactSizeIterator<Item = Aabb>,
         packs: impl Fn(&[u32]) -> bool,
@@ -43,58 +43,62 @@ impl Bvh {
             let numbers: SmallVec<[u32; LARGEST]> = items.iter().take(LARGEST + 1).map(|prim| prim.index).collect();
             items.len() <= LARGEST && packs(&numbers)
         };
-        Build::run(boxes, is_pack, PACK)
+        Build::build_hierarchy(boxes, is_pack, PACK)
     }
 }
 
-/// State of a construction.
+/// State of the construction of a BVH.
 struct Build<F> {
     prims: Vec<Prim>,
-    /// The binary tree, children before their parents.
+    /// Nodes of the binary tree from which the BVH is made, children before their parents.
     pairs: Vec<Pair>,
-    /// True if these boxes become one item.
+    /// True if these boxes become one item of the BVH.
     is_item: F,
     item_cost: f32,
     bvh: Bvh,
-    /// The boxes of each item.
+    /// Range of the boxes of each item of the BVH.
     items: Vec<Range<u32>>,
 }
 
-/// A node of the binary tree: an item, or two halves.
+/// A node of the BVH's binary tree: an item, or two halves.
 struct Pair {
-    /// Indices of the halves; for an item, the range of its boxes.
+    /// Indices of the node's two halves; for an item, the range of its boxes.
     parts: [u32; 2],
-    /// Number of items in the node and below it.
+    /// Number of items in the subtree of the node.
     items: u32,
-    /// For 2, 3, … 8 children of a wide node: how many of them the first half receives at the least cost; 0 if fewer
-    /// children cost less.
+    /// For 2, 3, … 8 children of a wide BVH node: how many of them the first half receives at the least cost; 0 if
+    /// fewer children cost less.
     first: [u8; WIDTH - 1],
-    /// True if testing all items at once costs least.
+    /// True if testing all items of the subtree at once costs least.
     is_leaf: bool,
 }
 
-/// A finished subtree, until its parent is made.
+/// A finished subtree of the BVH, until its parent is made.
 struct Half {
     number: u32,
     lo: Vec3A,
     hi: Vec3A,
     items: u32,
-    /// Least cost with at most 1, 2, … 7 children of a wide node.
+    /// Least cost of the subtree with at most 1, 2, … 7 children of a wide node.
     cost: [f32; WIDTH - 1],
 }
 
 impl<F: Fn(&[Prim]) -> bool> Build<F> {
-    fn run(boxes: impl ExactSizeIterator<Item = Aabb>, is_item: F, item_cost: f32) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
+    fn build_hierarchy(
+        boxes: impl ExactSizeIterator<Item = Aabb>,
+        is_item: F,
+        item_cost: f32,
+    ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
         let prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
         let mut build = Build { prims, pairs: vec![], is_item, item_cost, bvh: Bvh::default(), items: vec![] };
         if !build.prims.is_empty() {
             let mut around = Around::EMPTY;
             build.prims.iter().for_each(|prim| around.add(prim));
-            let root = build.grow(0..build.prims.len(), &around, LEVELS);
+            let root = build.build_subtree(0..build.prims.len(), &around, LEVELS);
             build.bvh.nodes.reserve(root.items as usize / 5 + 1);
             build.bvh.nodes.push(Wide::EMPTY);
             build.items.reserve_exact(root.items as usize);
-            build.fill(0, root.number);
+            build.fill_node(0, root.number);
         }
         build.pairs = vec![];
         build.bvh.nodes.shrink_to_fit();
@@ -107,30 +111,30 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         (build.bvh, order, build.items)
     }
 
-    /// Builds the binary tree over some boxes.
-    fn grow(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> Half {
+    /// Builds the BVH's binary tree over a range of boxes.
+    fn build_subtree(&mut self, boxes: Range<usize>, around: &Around, levels: usize) -> Half {
         let prims = &mut self.prims[boxes.clone()];
         if (self.is_item)(prims) {
             let Around { lo, hi, .. } = *around;
             let parts = [boxes.start as u32, boxes.end as u32];
-            let cost = [area(lo, hi) * self.item_cost; WIDTH - 1];
+            let cost = [half_surface_area(lo, hi) * self.item_cost; WIDTH - 1];
             self.pairs.push(Pair { parts, items: 1, first: [0; WIDTH - 1], is_leaf: true });
             return Half { number: self.pairs.len() as u32 - 1, lo, hi, items: 1, cost };
         }
         // A cancelled build ends quickly with a poor tree.
         let is_cancelled = prims.len() > PRIMS_BETWEEN_POLLS && cancel::is_cancelled();
-        let (count, [left, right]) = divide(prims, around, levels == 0 || is_cancelled);
+        let (count, [left, right]) = split_boxes(prims, around, levels == 0 || is_cancelled);
         let mid = boxes.start + count;
         let levels = levels.saturating_sub(1);
-        let a = self.grow(boxes.start..mid, &left, levels);
-        let b = self.grow(mid..boxes.end, &right, levels);
-        self.join(&a, &b)
+        let a = self.build_subtree(boxes.start..mid, &left, levels);
+        let b = self.build_subtree(mid..boxes.end, &right, levels);
+        self.join_halves(&a, &b)
     }
 
-    /// Makes the parent of two halves, at the least cost.
-    fn join(&mut self, a: &Half, b: &Half) -> Half {
+    /// Makes the parent of two halves of the BVH, at the least cost.
+    fn join_halves(&mut self, a: &Half, b: &Half) -> Half {
         let (lo, hi) = (a.lo.min(b.lo), a.hi.max(b.hi));
-        let (area, items) = (area(lo, hi), a.items + b.items);
+        let (area, items) = (half_surface_area(lo, hi), a.items + b.items);
         // Least cost with exactly this number of children.
         let mut cost = [f32::INFINITY; WIDTH + 1];
         let mut first = [0; WIDTH - 1];
@@ -156,12 +160,12 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         Half { number: self.pairs.len() as u32 - 1, lo, hi, items, cost }
     }
 
-    /// Fills a wide node with children, recursively; returns their bounds.
-    fn fill(&mut self, node: usize, pair: u32) -> Around {
+    /// Fills a wide node of the BVH with children, recursively; returns their bounds.
+    fn fill_node(&mut self, node: usize, pair: u32) -> Around {
         let mut children = SmallVec::new();
         match self.pairs[pair as usize].is_leaf {
             true => children.push(pair),
-            false => self.choose(pair, WIDTH, &mut children),
+            false => self.choose_children(pair, WIDTH, &mut children),
         }
         let mut all = Around::EMPTY;
         let mut inner: SmallVec<[(usize, usize, u32); WIDTH]> = SmallVec::new();
@@ -171,7 +175,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
                 let mut around = Around::EMPTY;
                 self.add_items(number, &mut around);
                 let child = Child::items(self.items.len() - items as usize, items as usize);
-                self.bvh.nodes[node].set(slot, (around.lo, around.hi), child);
+                self.bvh.nodes[node].set_child(slot, (around.lo, around.hi), child);
                 all.join(&around);
             } else {
                 // Siblings are adjacent in memory, since they are visited together.
@@ -180,15 +184,15 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             }
         }
         for (slot, child, number) in inner {
-            let around = self.fill(child, number);
-            self.bvh.nodes[node].set(slot, (around.lo, around.hi), Child::node(child));
+            let around = self.fill_node(child, number);
+            self.bvh.nodes[node].set_child(slot, (around.lo, around.hi), Child::node(child));
             all.join(&around);
         }
         all
     }
 
-    /// The best nodes of a subtree to be children of a wide node, at most `count`.
-    fn choose(&self, number: u32, mut count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
+    /// Collects the best nodes of a subtree to be children of a wide BVH node, at most `count`.
+    fn choose_children(&self, number: u32, mut count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
         let pair = &self.pairs[number as usize];
         while count > 1 && pair.first[count - 2] == 0 {
             count -= 1;
@@ -197,11 +201,11 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             return out.push(number);
         }
         let first = usize::from(pair.first[count - 2]);
-        self.choose(pair.parts[0], first, out);
-        self.choose(pair.parts[1], count - first, out);
+        self.choose_children(pair.parts[0], first, out);
+        self.choose_children(pair.parts[1], count - first, out);
     }
 
-    /// Appends the items of a subtree to the hierarchy, and their boxes to `around`.
+    /// Appends the items of a subtree to the BVH, and extends `around` by their boxes.
     fn add_items(&mut self, number: u32, around: &mut Around) {
         match self.pairs[number as usize] {
             Pair { items: 1, parts: [start, end], .. } => {
@@ -216,13 +220,13 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     }
 }
 
-/// Partitions the boxes into two non-empty groups at the cheapest plane; returns the start of the second group and the
-/// bounds of both.
-fn divide(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
+/// Partitions the boxes of a BVH's subtree into two non-empty groups at the cheapest plane; returns the start of the
+/// second group and the bounds of both.
+fn split_boxes(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 2]) {
     let cut = match prims.len() {
         _ if halve => None,
-        0..=32 => Cut::find::<6>(prims, around),
-        _ => Cut::find::<16>(prims, around),
+        0..=32 => Cut::find_cheapest_cut::<6>(prims, around),
+        _ => Cut::find_cheapest_cut::<16>(prims, around),
     };
     if let Some(cut) = cut {
         let (count, halves) = partition(prims, |prim| cut.is_left(prim));
@@ -236,7 +240,7 @@ fn divide(prims: &mut [Prim], around: &Around, halve: bool) -> (usize, [Around; 
     (count, halves)
 }
 
-/// A box to be sorted.
+/// A box that the construction of a BVH sorts.
 #[derive(Clone, Copy)]
 #[repr(C, align(16))]
 struct Prim {
@@ -250,21 +254,21 @@ impl Prim {
         Self { lo: b.min.to_array().map(round_down), hi: b.max.to_array().map(round_up), index }
     }
 
-    fn lo(&self) -> Vec3A {
+    fn lower_corner(&self) -> Vec3A {
         self.lo.into()
     }
 
-    fn hi(&self) -> Vec3A {
+    fn upper_corner(&self) -> Vec3A {
         self.hi.into()
     }
 
     /// Returns twice the centre of the box.
     fn center(&self) -> Vec3A {
-        self.lo() + self.hi()
+        self.lower_corner() + self.upper_corner()
     }
 }
 
-/// Bounds of some items, and of their centres.
+/// Bounds of some boxes, and of their centres, during the construction of a BVH.
 #[derive(Clone, Copy)]
 struct Around {
     lo: Vec3A,
@@ -279,7 +283,7 @@ impl Around {
 
     #[inline]
     fn add(&mut self, prim: &Prim) {
-        let (lo, hi, center) = (prim.lo(), prim.hi(), prim.center());
+        let (lo, hi, center) = (prim.lower_corner(), prim.upper_corner(), prim.center());
         *self = Around {
             lo: self.lo.min(lo),
             hi: self.hi.max(hi),
@@ -298,7 +302,7 @@ impl Around {
     }
 }
 
-fn area(lo: Vec3A, hi: Vec3A) -> f32 {
+fn half_surface_area(lo: Vec3A, hi: Vec3A) -> f32 {
     let s = (hi - lo).max(Vec3A::ZERO);
     // (Bounded, so that the sum of all stays finite.)
     (s.x * s.y + s.y * s.z + s.z * s.x).min(1e28)
@@ -320,11 +324,11 @@ impl Bin {
     }
 
     fn cost(&self) -> f32 {
-        area(self.lo, self.hi) * self.count as f32
+        half_surface_area(self.lo, self.hi) * self.count as f32
     }
 }
 
-/// A split plane between bins along an axis.
+/// A split plane of the surface-area heuristic, between bins along an axis.
 struct Cut {
     axis: usize,
     from: f32,
@@ -333,8 +337,8 @@ struct Cut {
 }
 
 impl Cut {
-    /// The cheapest plane between this number of bins along each axis; `None` if all are equally good.
-    fn find<const BINS: usize>(prims: &[Prim], around: &Around) -> Option<Cut> {
+    /// Returns the cheapest split plane between bins along each axis; `None` if all are equally good.
+    fn find_cheapest_cut<const BINS: usize>(prims: &[Prim], around: &Around) -> Option<Cut> {
         let extent = around.last - around.first;
         if extent.max_element() <= 0.0 || !extent.is_finite() {
             return None;
@@ -342,7 +346,7 @@ impl Cut {
         let scale = Vec3A::select(extent.cmpgt(Vec3A::ZERO), Vec3A::splat(BINS as f32 * 0.9999) / extent, Vec3A::ZERO);
         let mut bins = [[Bin::EMPTY; BINS]; 3];
         for prim in prims {
-            let one = Bin { lo: prim.lo(), hi: prim.hi(), count: 1 };
+            let one = Bin { lo: prim.lower_corner(), hi: prim.upper_corner(), count: 1 };
             let places = ((prim.center() - around.first) * scale).to_array();
             for axis in 0..3 {
                 let bin = &mut bins[axis][(places[axis] as i32 as usize).min(BINS - 1)];
@@ -361,7 +365,8 @@ impl Cut {
     }
 }
 
-/// Number of bins on the left of the cheapest cut, and its cost; infinite if all items are in one bin.
+/// Returns the number of bins on the left of the cheapest split plane, and its cost; infinite if all items are in one
+/// bin.
 fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
     // Cost of bins i and above.
     let mut right = [0.0; BINS];
@@ -382,7 +387,7 @@ fn cheapest_cut<const BINS: usize>(bins: &[Bin; BINS]) -> (usize, f32) {
     best
 }
 
-/// Moves the items of the left group before the others; returns their number and the bounds of both groups.
+/// Moves the boxes of the left group before the others; returns their number and the bounds of both groups.
 fn partition(prims: &mut [Prim], left: impl Fn(&Prim) -> bool) -> (usize, [Around; 2]) {
     let (mut i, mut j) = (0, prims.len());
     let [mut before, mut behind] = [Around::EMPTY; 2];

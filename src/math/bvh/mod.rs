@@ -16,30 +16,31 @@ use node::{Child, Kind, WIDTH, Wide};
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// Maximum coordinate of boxes in a hierarchy in single precision.
+/// Maximum coordinate of the boxes in a BVH, whose precision is single.
 const REACH: f64 = 1e30;
-/// Number of stack entries without allocation: each level leaves at most seven entries, and usually one.
+/// Number of entries of the traversal's stack that need no allocation: each level of the BVH leaves at most seven
+/// entries, and usually one.
 const STACK: usize = 32;
 /// Relative rounding error of the slab test in single precision: three operations at each end, each with an error of
 /// 2⁻²⁴, and a reserve.
 const SLACK: f64 = 5e-7;
 
-/// The hierarchy over boxes 0 … n-1 in the order that [`Bvh::build`] returned.
+/// Bounding volume hierarchy with eight children a node, over boxes 0 … n-1 in the order that [`Bvh::build`] returned.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bvh {
     nodes: Vec<Wide>,
 }
 
-/// True if the box is within the range of single precision.
-pub fn fits(b: &Aabb) -> bool {
+/// True if the box is within the single-precision range of a BVH.
+pub fn fits_single_precision(b: &Aabb) -> bool {
     b.min.abs().max(b.max.abs()).max_element() < REACH
 }
 
-/// A traversal with one of the two implementations of `slabs`.
+/// Traverses a BVH with one of the two implementations of `slabs`, portable or AVX2.
 macro_rules! walk {
     ($slabs:path, $bvh:ident, $ray:ident, $range:ident, $fetch:expr, $visit:ident) => {{
         let flat = FlatRay::new($ray, $range, &$bvh.nodes[0]);
-        let (mut max, mut flat_max) = ($range.max, padded($range.max));
+        let (mut max, mut flat_max) = ($range.max, pad_up($range.max));
         let mut stack = [Entry { near: 0.0, child: Child::NONE }; STACK];
         let mut open = 0;
         // Overflow of the stack.
@@ -59,7 +60,7 @@ macro_rules! walk {
                         (child, open) = nearest_child(node, mask, &near, &mut stack, open);
                         for entry in &stack[before..open] {
                             match entry.child.kind() {
-                                Kind::Node(number) => node::fetch(&$bvh.nodes, number),
+                                Kind::Node(number) => node::prefetch(&$bvh.nodes, number),
                                 Kind::Items(items) => $fetch(items.start),
                             }
                         }
@@ -73,7 +74,7 @@ macro_rules! walk {
                             ControlFlow::Break(()) => return,
                         }
                     }
-                    flat_max = padded(max);
+                    flat_max = pad_up(max);
                 }
             }
             loop {
@@ -96,11 +97,11 @@ macro_rules! walk {
 use walk;
 
 impl Bvh {
-    /// Calls `visit` with the items whose boxes the ray hits in the range, and a few of their neighbours, near boxes
-    /// first. `visit` receives the item's position and the current end of the range, and returns the new end, or
-    /// breaks. A ray with a coordinate that is not finite hits nothing.
+    /// Calls `visit` with the items of the BVH whose boxes the ray hits in the range, and a few of their neighbours,
+    /// near boxes first. `visit` receives the item's position and the current end of the range, and returns the new
+    /// end, or breaks. A ray with a coordinate that is not finite hits nothing.
     pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
-        if !self.can_be_met(ray) {
+        if !self.can_be_hit(ray) {
             return;
         }
         #[cfg(target_arch = "x86_64")]
@@ -109,15 +110,15 @@ impl Bvh {
             #[expect(unsafe_code, reason = "the compiler can't know the processor")]
             return unsafe { self.traverse_avx2(ray, range, visit) };
         }
-        self.traverse_plainly(ray, range, visit);
+        self.traverse_portably(ray, range, visit);
     }
 
     #[inline(always)]
-    fn can_be_met(&self, ray: &Ray) -> bool {
+    fn can_be_hit(&self, ray: &Ray) -> bool {
         !self.nodes.is_empty() && ray.origin.is_finite() && ray.dir.is_finite()
     }
 
-    fn traverse_plainly(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
+    fn traverse_portably(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
         walk!(node::slabs, self, ray, range, |_| (), visit);
     }
 
@@ -127,8 +128,9 @@ impl Bvh {
         walk!(node::avx2::slabs, self, ray, range, |_| (), visit);
     }
 
-    /// Calls `visit` with the items whose boxes contain the point, and a few of their neighbours, until it breaks.
-    pub fn around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
+    /// Calls `visit` with the items of the BVH whose boxes contain the point, and a few of their neighbours, until it
+    /// breaks.
+    pub fn visit_boxes_around(&self, p: DVec3, mut visit: impl FnMut(usize) -> ControlFlow<()>) {
         let below = p.to_array().map(|x| Vec4::splat(round_down(x)));
         let above = p.to_array().map(|x| Vec4::splat(round_up(x)));
         let mut stack: SmallVec<[Child; 64]> = SmallVec::new();
@@ -156,15 +158,15 @@ impl Bvh {
     }
 }
 
-/// A node or item to be visited, and the earliest `t` at which the ray enters its box.
+/// A node or item that the traversal of a BVH is to visit, and the earliest `t` at which the ray enters its box.
 #[derive(Clone, Copy)]
 struct Entry {
     near: f32,
     child: Child,
 }
 
-/// The nearest child of a non-empty mask; the others are pushed onto the stack, near ones last. Also returns the new
-/// length of the stack.
+/// Returns the nearest child of a BVH node among those in a non-empty mask, and pushes the others onto the stack, near
+/// ones last. Also returns the new length of the stack.
 #[inline(always)]
 fn nearest_child(
     node: &Wide,
@@ -202,14 +204,15 @@ fn nearest_child(
     }
 }
 
-/// The ray in single precision, once for the planes of entry and once for those of exit, so that it enters earlier and
-/// leaves later: origins are shifted away, and distances of planes in front are scaled.
+/// The ray of a BVH traversal in single precision, once for the planes of entry and once for those of exit, so that it
+/// enters earlier and leaves later: origins are shifted away, and distances of planes in front are scaled.
 struct FlatRay {
     enter: [f32; 3],
     leave: [f32; 3],
     enter_inverse: [f32; 3],
     leave_inverse: [f32; 3],
-    /// 1 where the direction is negative: the ray enters through the upper plane.
+    /// For each axis, 1 where the ray's direction is negative, so that the ray enters through the upper plane; 0
+    /// otherwise.
     side: [usize; 3],
     min: f32,
 }
@@ -223,7 +226,7 @@ impl FlatRay {
         let mut slack = SLACK;
         if range.min < 0.0 {
             // For planes behind the origin, distances can't be scaled: shift all planes instead.
-            error += (ray.origin.abs() + f64::from(root.reach())) * SLACK;
+            error += (ray.origin.abs() + f64::from(root.max_coordinate())) * SLACK;
             slack = 0.0;
         }
         let error = error.copysign(ray.dir);
@@ -241,20 +244,20 @@ impl FlatRay {
             enter_inverse: scaled(1.0 - slack, 0.0).to_array(),
             leave_inverse: scaled(1.0 + slack, f32::MIN_POSITIVE).to_array(),
             side: ray.dir.to_array().map(|x| usize::from(x.is_sign_negative())),
-            min: padded_down(range.min),
+            min: pad_down(range.min),
         }
     }
 }
 
 /// Enlarges a distance by the rounding error of the slab test and of the distance itself.
 #[inline(always)]
-fn padded(max: f64) -> f32 {
+fn pad_up(max: f64) -> f32 {
     let max = max as f32;
     max + max.abs() * SLACK as f32 + f32::MIN_POSITIVE
 }
 
-fn padded_down(min: f64) -> f32 {
-    -padded(-min)
+fn pad_down(min: f64) -> f32 {
+    -pad_up(-min)
 }
 
 fn round_down(x: f64) -> f32 {
@@ -334,7 +337,7 @@ mod tests {
                     found.push(i);
                     ControlFlow::Continue(max)
                 });
-                bvh.traverse_plainly(&ray, range, |i, max| {
+                bvh.traverse_portably(&ray, range, |i, max| {
                     plainly.push(i);
                     ControlFlow::Continue(max)
                 });
@@ -393,7 +396,7 @@ mod tests {
             let ray = Ray::new(DVec3::new(at(13), at(29), at(31)), DVec3::new(at(7) - 5.0, at(11) - 5.0, at(5) - 4.0));
             for range in [Range::ALL, Range::FORWARD] {
                 let (mut plain, mut wide) = (vec![], vec![]);
-                bvh.traverse_plainly(&ray, range, |i, max| {
+                bvh.traverse_portably(&ray, range, |i, max| {
                     plain.push(i);
                     ControlFlow::Continue(max)
                 });
@@ -426,7 +429,7 @@ mod tests {
         for k in 0..200 {
             let p = DVec3::new((k % 27) as f64, (k % 19) as f64, (k % 25) as f64) * 0.5;
             let mut found = vec![];
-            bvh.around(p, |i| {
+            bvh.visit_boxes_around(p, |i| {
                 found.push(order[i] as usize);
                 ControlFlow::Continue(())
             });

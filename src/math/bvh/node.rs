@@ -3,30 +3,30 @@
 use super::FlatRay;
 use glam::{Vec3A, Vec4};
 
-/// Children of a node.
+/// Number of children of a BVH node.
 pub(super) const WIDTH: usize = 8;
 
-/// Eight children side by side; unused ones have a box that no ray hits.
+/// BVH node with eight children side by side; unused children have a box that no ray hits.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub(super) struct Wide {
-    /// `planes[0]` contains the lower ends along x, y, z, `planes[1]` the upper ones.
+    /// Planes of the children's boxes: `planes[0]` contains the lower ends along x, y, z, `planes[1]` the upper ones.
     pub planes: [[[Vec4; 2]; 3]; 2],
     pub child: [Child; WIDTH],
 }
 
-/// Index of a node, or the number of items and the first one's index.
+/// Child of a BVH node: index of a node, or the first item's index and the number of items.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Child(u32);
 
-/// Type of a child.
+/// Decoded child of a BVH node.
 pub(super) enum Kind {
     Node(usize),
     Items(std::ops::Range<usize>),
 }
 
 impl Child {
-    /// A child without items.
+    /// Child of a BVH node without items.
     pub const NONE: Child = Child(Self::LEAF);
     const LEAF: u32 = 1 << 31;
     const COUNT: u32 = 28;
@@ -35,7 +35,7 @@ impl Child {
         Child(number as u32)
     }
 
-    /// At most seven items; their indices are below 2²⁸.
+    /// Creates a child of a BVH node with at most seven items, whose indices are below 2²⁸.
     pub fn items(first: usize, count: usize) -> Self {
         Child(Self::LEAF | (count as u32) << Self::COUNT | first as u32)
     }
@@ -54,13 +54,13 @@ impl Wide {
     pub const EMPTY: Wide =
         Wide { planes: [[[Vec4::INFINITY; 2]; 3], [[Vec4::NEG_INFINITY; 2]; 3]], child: [Child::NONE; WIDTH] };
 
-    /// Maximum absolute coordinate of all planes.
-    pub fn reach(&self) -> f32 {
+    /// Maximum absolute coordinate of all planes of the BVH node.
+    pub fn max_coordinate(&self) -> f32 {
         let used = |plane: Vec4| Vec4::select(plane.is_finite_mask(), plane.abs(), Vec4::ZERO).max_element();
         self.planes.as_flattened().as_flattened().iter().map(|plane| used(*plane)).fold(0.0, f32::max)
     }
 
-    pub fn set(&mut self, slot: usize, (lo, hi): (Vec3A, Vec3A), child: Child) {
+    pub fn set_child(&mut self, slot: usize, (lo, hi): (Vec3A, Vec3A), child: Child) {
         for axis in 0..3 {
             self.planes[0][axis][slot / 4][slot % 4] = lo[axis];
             self.planes[1][axis][slot / 4][slot % 4] = hi[axis];
@@ -69,11 +69,12 @@ impl Wide {
     }
 }
 
-/// The boxes that a ray hits before `max`, as bits, and its entries into them: the portable implementation.
+/// Returns the children of a BVH node whose boxes a ray hits before `max`, as bits, and the values of `t` where it
+/// enters them: the portable implementation.
 #[inline]
 pub(super) fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH]) {
-    let (a, near_a) = half(node, ray, max, 0);
-    let (b, near_b) = half(node, ray, max, 1);
+    let (a, near_a) = half_slabs(node, ray, max, 0);
+    let (b, near_b) = half_slabs(node, ray, max, 1);
     let mut near = [0.0; WIDTH];
     near[..4].copy_from_slice(&near_a);
     near[4..].copy_from_slice(&near_b);
@@ -81,7 +82,7 @@ pub(super) fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH])
 }
 
 #[inline]
-fn half(node: &Wide, ray: &FlatRay, max: f32, which: usize) -> (u32, [f32; 4]) {
+fn half_slabs(node: &Wide, ray: &FlatRay, max: f32, which: usize) -> (u32, [f32; 4]) {
     let at = |side: usize, axis: usize, origin: f32, inverse: f32| {
         (node.planes[side & 1][axis][which] - Vec4::splat(origin)) * Vec4::splat(inverse)
     };
@@ -92,7 +93,8 @@ fn half(node: &Wide, ray: &FlatRay, max: f32, which: usize) -> (u32, [f32; 4]) {
     (near.cmple(far).bitmask(), near.to_array())
 }
 
-/// The implementation for AVX2, with eight numbers at once: the same operations in the same order, and none are fused.
+/// Slab test of a BVH node for AVX2, with eight numbers at once: the same operations in the same order, and none are
+/// fused.
 #[cfg(target_arch = "x86_64")]
 pub(super) mod avx2 {
     use super::{FlatRay, WIDTH, Wide};
@@ -107,7 +109,7 @@ pub(super) mod avx2 {
 
     #[target_feature(enable = "avx2")]
     #[inline]
-    fn at(node: &Wide, side: usize, axis: usize, origin: f32, inverse: f32) -> __m256 {
+    fn plane_distances(node: &Wide, side: usize, axis: usize, origin: f32, inverse: f32) -> __m256 {
         let planes = load(&node.planes[side & 1][axis]);
         _mm256_mul_ps(_mm256_sub_ps(planes, _mm256_set1_ps(origin)), _mm256_set1_ps(inverse))
     }
@@ -115,8 +117,9 @@ pub(super) mod avx2 {
     #[target_feature(enable = "avx2")]
     #[inline]
     pub fn slabs(node: &Wide, ray: &FlatRay, max: f32) -> (u32, [f32; WIDTH]) {
-        let enter = |axis: usize| at(node, ray.side[axis], axis, ray.enter[axis], ray.enter_inverse[axis]);
-        let leave = |axis: usize| at(node, ray.side[axis] ^ 1, axis, ray.leave[axis], ray.leave_inverse[axis]);
+        let enter = |axis: usize| plane_distances(node, ray.side[axis], axis, ray.enter[axis], ray.enter_inverse[axis]);
+        let leave =
+            |axis: usize| plane_distances(node, ray.side[axis] ^ 1, axis, ray.leave[axis], ray.leave_inverse[axis]);
         let z = _mm256_max_ps(enter(2), _mm256_set1_ps(ray.min));
         let near = _mm256_max_ps(_mm256_max_ps(enter(0), enter(1)), z);
         let z = _mm256_min_ps(leave(2), _mm256_set1_ps(max));
@@ -136,9 +139,9 @@ pub(super) mod avx2 {
     }
 }
 
-/// Prefetches an element that will be used soon.
+/// Prefetches an element of a list into the processor's cache.
 #[inline(always)]
-pub(super) fn fetch<T>(list: &[T], at: usize) {
+pub(super) fn prefetch<T>(list: &[T], at: usize) {
     #[cfg(target_arch = "x86_64")]
     if let Some(thing) = list.get(at) {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};

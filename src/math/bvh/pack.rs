@@ -4,65 +4,65 @@ use crate::math::{DVec2, Sheared};
 use std::array::from_fn;
 use std::ops::Range;
 
-/// Maximum number of corners, and of triangles, in a pack.
+/// Maximum number of corners, and of triangles, in a pack of a BVH.
 const MANY: usize = 8;
-/// Number of triangles that are tested at once.
+/// Number of triangles of a pack that are tested at once.
 const HALF: usize = 4;
 
-/// A pack of triangles: two cache lines.
+/// Pack of up to eight triangles of a BVH: two cache lines.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(align(64))]
 pub(super) struct Pack {
-    /// x, y and z of all corners.
+    /// Coordinates x, y and z of all corners of the pack.
     corners: [[f32; MANY]; 3],
-    /// Indices of the first, second and third corners of the triangles.
+    /// Indices of the first, second and third corners of the pack's triangles.
     numbers: [[[u8; HALF]; 2]; 3],
     first: u32,
     count: u32,
 }
 
-/// Results for half a pack: a number for each triangle.
+/// Results of the ray test for half a pack of triangles: a number for each triangle.
 pub(super) struct Areas {
-    /// Bits of the triangles that the line hits.
+    /// Mask of the pack's triangles that the ray hits, a bit for each.
     mask: u32,
-    /// Twice the signed areas between the ray and each side.
+    /// Twice the signed areas between the ray and each side of the pack's triangles.
     areas: [[f64; HALF]; 3],
-    /// Depths of the corners along the longest axis of the direction.
+    /// Depths of the triangles' corners along the longest axis of the ray's direction.
     depths: [[f64; HALF]; 3],
 }
 
 impl Pack {
     /// True if these triangles fit into a pack.
-    pub fn holds(triangles: impl Iterator<Item = [[f32; 3]; 3]>) -> bool {
+    pub fn fit_in_pack(triangles: impl Iterator<Item = [[f32; 3]; 3]>) -> bool {
         let mut corners = [[0.0; 3]; MANY];
         let mut len = 0;
-        triangles.flatten().all(|p| place(&mut corners, &mut len, p).is_some())
+        triangles.flatten().all(|p| find_or_add_corner(&mut corners, &mut len, p).is_some())
     }
 
-    /// Packs the triangles of these indices, of which there are at most [`Pack::MANY`].
+    /// Packs the triangles with these indices, at most [`Pack::MANY`].
     pub fn new(row: Range<u32>, triangle: impl Fn(u32) -> [[f32; 3]; 3]) -> Self {
         let mut corners = [[0.0; 3]; MANY];
         let mut numbers = [[[0; HALF]; 2]; 3];
         let mut len = 0;
         for (lane, number) in row.clone().enumerate().take(MANY) {
             for (numbers, p) in numbers.iter_mut().zip(triangle(number)) {
-                numbers[lane / HALF][lane % HALF] = place(&mut corners, &mut len, p).unwrap_or_default();
+                numbers[lane / HALF][lane % HALF] = find_or_add_corner(&mut corners, &mut len, p).unwrap_or_default();
             }
         }
         let corners = from_fn(|axis| corners.map(|p| p[axis]));
         Self { corners, numbers, first: row.start, count: row.end - row.start }
     }
 
-    /// The halves that are not empty.
+    /// Returns the indices of the pack's halves that are not empty.
     #[inline(always)]
-    pub fn halves(&self) -> Range<usize> {
+    pub fn used_halves(&self) -> Range<usize> {
         0..(self.count as usize).div_ceil(HALF)
     }
 
-    /// Number, t and weights of the second and third corner of a triangle that the line hits; removes the triangle from
-    /// `found`.
+    /// Returns index, t, and the barycentric weights of the second and third corner of a triangle that the ray hits,
+    /// and removes the triangle from `found`.
     #[inline(always)]
-    pub fn next(&self, line: &Sheared, half: usize, found: &mut Areas) -> Option<(u32, f64, DVec2)> {
+    pub fn next_hit(&self, line: &Sheared, half: usize, found: &mut Areas) -> Option<(u32, f64, DVec2)> {
         while found.mask != 0 {
             let i = found.mask.trailing_zeros() as usize % HALF;
             found.mask &= found.mask - 1;
@@ -77,37 +77,38 @@ impl Pack {
         None
     }
 
-    /// Bits of the triangles in half a pack.
+    /// Mask of the triangles in half a pack, a bit for each.
     #[inline(always)]
-    fn used(&self, half: usize) -> u32 {
+    fn used_mask(&self, half: usize) -> u32 {
         ((1 << self.count) - 1) >> (HALF * half) & ((1 << HALF) - 1)
     }
 }
 
-/// Tests half a pack as [`Sheared::meet`] tests one triangle: the portable implementation.
+/// Tests half a pack of triangles as [`Sheared::intersect`] tests one triangle: the portable implementation.
 #[inline(always)]
-pub(super) fn areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
+pub(super) fn signed_areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
     let (mut areas, mut depths, mut mask) = ([[0.0; HALF]; 3], [[0.0; HALF]; 3], 0);
     for i in 0..HALF {
         let [a, b, c] = pack.numbers.each_ref().map(|numbers| {
             let number = usize::from(numbers[half % 2][i]) % MANY;
-            line.place(line.axes.map(|axis| pack.corners[axis % 3][number].into()))
+            line.shear_corner(line.axes.map(|axis| pack.corners[axis % 3][number].into()))
         });
-        let found = Sheared::areas(a, b, c);
-        mask |= u32::from(Sheared::is_within(found)) << i;
+        let found = Sheared::signed_areas(a, b, c);
+        mask |= u32::from(Sheared::have_equal_signs(found)) << i;
         (0..3).for_each(|k| (areas[k][i], depths[k][i]) = (found[k], [a, b, c][k].z));
     }
-    Areas { mask: mask & pack.used(half), areas, depths }
+    Areas { mask: mask & pack.used_mask(half), areas, depths }
 }
 
-/// The implementation for AVX2, with four numbers at once: the same operations in the same order, and none are fused.
+/// Test of half a pack of triangles for AVX2, with four numbers at once: the same operations in the same order, and
+/// none are fused.
 #[cfg(target_arch = "x86_64")]
 pub(super) mod avx2 {
     use super::{Areas, HALF, MANY, Pack, Sheared, from_fn};
     use glam::Vec4;
     use std::arch::x86_64::*;
 
-    /// Sheared x, y and z of a corner of each triangle.
+    /// Sheared x, y and z of a corner of each of four triangles.
     type Corner = [__m256d; 3];
 
     #[target_feature(enable = "avx2")]
@@ -129,16 +130,16 @@ pub(super) mod avx2 {
         ]
     }
 
-    /// The component of a × b along the ray.
+    /// Computes the component of a × b along the ray for four triangles.
     #[target_feature(enable = "avx2")]
     #[inline]
-    fn side(a: &Corner, b: &Corner) -> __m256d {
+    fn cross_along_ray(a: &Corner, b: &Corner) -> __m256d {
         _mm256_sub_pd(_mm256_mul_pd(a[0], b[1]), _mm256_mul_pd(a[1], b[0]))
     }
 
     #[target_feature(enable = "avx2")]
     #[inline]
-    pub fn areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
+    pub fn signed_areas(pack: &Pack, line: &Sheared, half: usize) -> Areas {
         let values = line.axes.map(|axis| load(&pack.corners[axis % 3]));
         let from = line.from.to_array().map(|x| _mm256_set1_pd(x));
         let [lean_x, lean_y] = [line.shear.x, line.shear.y].map(|x| _mm256_set1_pd(x));
@@ -151,21 +152,21 @@ pub(super) mod avx2 {
             });
             [_mm256_sub_pd(x, _mm256_mul_pd(lean_x, z)), _mm256_sub_pd(y, _mm256_mul_pd(lean_y, z)), z]
         });
-        let (u, v, w) = (side(&c, &b), side(&a, &c), side(&b, &a));
+        let (u, v, w) = (cross_along_ray(&c, &b), cross_along_ray(&a, &c), cross_along_ray(&b, &a));
         let least = _mm256_min_pd(_mm256_min_pd(u, v), w);
         let most = _mm256_max_pd(_mm256_max_pd(u, v), w);
         let zero = _mm256_setzero_pd();
         let within = _mm256_or_pd(_mm256_cmp_pd::<_CMP_GE_OQ>(least, zero), _mm256_cmp_pd::<_CMP_LE_OQ>(most, zero));
         Areas {
-            mask: _mm256_movemask_pd(within) as u32 & pack.used(half),
+            mask: _mm256_movemask_pd(within) as u32 & pack.used_mask(half),
             areas: [u, v, w].map(|v| store(v)),
             depths: [a[2], b[2], c[2]].map(|v| store(v)),
         }
     }
 }
 
-/// Index of a corner among those of the pack, appending it if it is new; `None` if the pack is full.
-fn place(corners: &mut [[f32; 3]; MANY], len: &mut usize, p: [f32; 3]) -> Option<u8> {
+/// Finds the index of a corner in the pack, appending it if it is new; `None` if the pack is full.
+fn find_or_add_corner(corners: &mut [[f32; 3]; MANY], len: &mut usize, p: [f32; 3]) -> Option<u8> {
     let known = corners[..*len].iter().position(|q| *q == p);
     if known.is_none() {
         *corners.get_mut(*len)? = p;

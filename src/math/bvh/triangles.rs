@@ -2,29 +2,29 @@
 
 use super::node::{self, Child, Kind, WIDTH};
 use super::pack::{self, Pack};
-use super::{Bvh, Entry, FlatRay, STACK, nearest_child, padded};
+use super::{Bvh, Entry, FlatRay, STACK, nearest_child, pad_up};
 use crate::math::{Aabb, DVec2, Range, Ray, Sheared};
 use glam::Vec3;
 use std::ops::ControlFlow;
 
-/// The hierarchy over triangles 0 … n-1 in the order that [`Triangles::build`] returned.
+/// Bounding volume hierarchy over triangles 0 … n-1 in the order that [`Triangles::build`] returned.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Triangles {
-    /// The hierarchy of packs.
+    /// The hierarchy over the packs of triangles.
     bvh: Bvh,
     packs: Vec<Pack>,
 }
 
-/// A traversal with one of the two implementations of `slabs` and `areas`.
+/// Traverses a BVH of triangles with one of the two implementations of `slabs` and `areas`, portable or AVX2.
 macro_rules! meet {
     ($slabs:path, $areas:path, $all:ident, $ray:ident, $range:ident, $visit:ident) => {{
         let line = Sheared::new($ray);
         let bvh = &$all.bvh;
         let mut look = |pack: usize, mut max: f64| {
             let pack = &$all.packs[pack];
-            for half in pack.halves() {
+            for half in pack.used_halves() {
                 let mut found = $areas(pack, &line, half);
-                while let Some((number, t, uv)) = pack.next(&line, half, &mut found) {
+                while let Some((number, t, uv)) = pack.next_hit(&line, half, &mut found) {
                     if t > $range.min && t < max {
                         max = match $visit(number, t, uv) {
                             ControlFlow::Continue(max) => max,
@@ -35,45 +35,50 @@ macro_rules! meet {
             }
             ControlFlow::Continue(max)
         };
-        super::walk!($slabs, bvh, $ray, $range, |pack| node::fetch(&$all.packs, pack), look);
+        super::walk!($slabs, bvh, $ray, $range, |pack| node::prefetch(&$all.packs, pack), look);
     }};
 }
 
 impl Triangles {
-    /// Builds over the triangles of these corners, whose boxes [`super::fits`] accepts; also returns the index of the
-    /// triangle at each position of the order.
+    /// Builds a BVH over the triangles with these corners, whose boxes [`super::fits_single_precision`] accepts; also
+    /// returns the index of the triangle at each position of the order.
     pub fn build(count: usize, corners: impl Fn(u32) -> [[f32; 3]; 3]) -> (Self, Vec<u32>) {
         let bounds = |i: usize| Aabb::from_points(corners(i as u32).map(|p| Vec3::from(p).as_dvec3()));
         let (bvh, order, rows) =
-            Bvh::build_packs((0..count).map(bounds), |items| Pack::holds(items.iter().map(|i| corners(*i))));
+            Bvh::build_packs((0..count).map(bounds), |items| Pack::fit_in_pack(items.iter().map(|i| corners(*i))));
         let packs = rows.into_iter().map(|row| Pack::new(row, |place| corners(order[place as usize]))).collect();
         (Self { bvh, packs }, order)
     }
 
-    /// Calls `visit` with index, t and weights of the second and third corner of each triangle that the ray hits in the
-    /// range, near ones mostly first. `visit` returns the new end of the range, or breaks. A ray with a coordinate that
-    /// is not finite hits nothing.
-    pub fn meet(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
-        if !self.bvh.can_be_met(ray) {
+    /// Calls `visit` with index, t and barycentric weights of the second and third corner of each triangle that the ray
+    /// hits in the range, near ones mostly first. `visit` returns the new end of the range, or breaks. A ray with a
+    /// coordinate that is not finite hits nothing.
+    pub fn visit_hits(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
+        if !self.bvh.can_be_hit(ray) {
             return;
         }
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has the feature that the function needs.
             #[expect(unsafe_code, reason = "the compiler can't know the processor")]
-            return unsafe { self.meet_avx2(ray, range, visit) };
+            return unsafe { self.visit_hits_avx2(ray, range, visit) };
         }
-        self.meet_plainly(ray, range, visit);
+        self.visit_hits_portably(ray, range, visit);
     }
 
-    fn meet_plainly(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
-        meet!(node::slabs, pack::areas, self, ray, range, visit);
+    fn visit_hits_portably(
+        &self,
+        ray: &Ray,
+        range: Range,
+        mut visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>,
+    ) {
+        meet!(node::slabs, pack::signed_areas, self, ray, range, visit);
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn meet_avx2(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
-        meet!(node::avx2::slabs, pack::avx2::areas, self, ray, range, visit);
+    fn visit_hits_avx2(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
+        meet!(node::avx2::slabs, pack::avx2::signed_areas, self, ray, range, visit);
     }
 }
 
@@ -85,7 +90,7 @@ mod tests {
     type Found = Vec<(u32, f64, DVec2)>;
 
     fn random(i: usize, n: u64) -> DVec3 {
-        DVec3::from_array([0, 1, 2].map(|axis| rng::unit(&[i as u64, n, axis]) * 2.0 - 1.0))
+        DVec3::from_array([0, 1, 2].map(|axis| rng::random_unit(&[i as u64, n, axis]) * 2.0 - 1.0))
     }
 
     /// A wavy net, and separate triangles around it.
@@ -136,10 +141,10 @@ mod tests {
             let line = Sheared::new(&ray);
             for range in [Range::ALL, Range { min: 0.5, max: 1.0 }] {
                 let mut found = Found::new();
-                triangles.meet(&ray, range, all(&mut found, range.max));
+                triangles.visit_hits(&ray, range, all(&mut found, range.max));
                 found.sort_by_key(|hit| hit.0);
                 let one = |(i, place): (usize, &u32)| {
-                    let (t, uv) = line.meet(corners[*place as usize].map(|p| Vec3::from(p).as_dvec3()))?;
+                    let (t, uv) = line.intersect(corners[*place as usize].map(|p| Vec3::from(p).as_dvec3()))?;
                     range.contains(t).then_some((i as u32, t, uv))
                 };
                 let want: Found = order.iter().enumerate().filter_map(one).collect();
@@ -160,11 +165,11 @@ mod tests {
         let (triangles, _) = Triangles::build(corners.len(), |i| corners[i as usize]);
         for ray in rays(&corners) {
             let (mut plain, mut wide) = (Found::new(), Found::new());
-            triangles.meet_plainly(&ray, Range::ALL, all(&mut plain, f64::INFINITY));
+            triangles.visit_hits_portably(&ray, Range::ALL, all(&mut plain, f64::INFINITY));
             // SAFETY: the processor has the feature.
             #[expect(unsafe_code, reason = "as above")]
             unsafe {
-                triangles.meet_avx2(&ray, Range::ALL, all(&mut wide, f64::INFINITY));
+                triangles.visit_hits_avx2(&ray, Range::ALL, all(&mut wide, f64::INFINITY));
             }
             assert_eq!(plain, wide, "{ray:?}");
         }

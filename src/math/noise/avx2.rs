@@ -4,12 +4,12 @@
 use super::super::DVec3;
 use super::lattice::ROUND;
 use super::tables::{CORNERS, Row};
-use super::value::{LANES, hashes};
+use super::value::{LANES, corner_hashes};
 use std::arch::x86_64::*;
 
 #[target_feature(enable = "avx2")]
 #[inline]
-fn load(&Row([a, b, c, d]): &Row) -> __m256d {
+fn load_row(&Row([a, b, c, d]): &Row) -> __m256d {
     _mm256_setr_pd(a, b, c, d)
 }
 
@@ -26,11 +26,11 @@ fn lerp(a: __m256d, b: __m256d, s: __m256d) -> __m256d {
     add(a, s, _mm256_sub_pd(b, a))
 }
 
-/// The hash of each corner of a point's cell, and the point's position in the cell: [`super::lattice::cell`] of all
-/// coordinates at once.
+/// Returns the hash of each corner of the lattice cell that contains a point, and the point's position in the cell:
+/// [`super::lattice::lattice_cell`] of all coordinates at once.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn corners(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
+fn cell_corner_hashes(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
     let p = _mm256_setr_pd(p.x, p.y, p.z, 0.0);
     let round = _mm256_set1_pd(ROUND);
     let rounded = _mm256_add_pd(p, round);
@@ -41,30 +41,30 @@ fn corners(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
     let cells = _mm256_add_epi64(_mm256_castpd_si256(rounded), _mm256_castpd_si256(above));
     let [x, y, z] =
         [_mm256_extract_epi64::<0>(cells), _mm256_extract_epi64::<1>(cells), _mm256_extract_epi64::<2>(cells)];
-    (hashes([x as usize, y as usize, z as usize]), _mm256_sub_pd(p, floor))
+    (corner_hashes([x as usize, y as usize, z as usize]), _mm256_sub_pd(p, floor))
 }
 
-/// [`super::lattice::ease`] of each lane.
+/// Computes the s-curve of [`super::lattice::s_curve`] in each lane.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn ease(t: __m256d) -> __m256d {
+fn s_curve(t: __m256d) -> __m256d {
     let falling = _mm256_sub_pd(_mm256_set1_pd(3.0), _mm256_mul_pd(_mm256_set1_pd(2.0), t));
     _mm256_mul_pd(_mm256_mul_pd(t, t), falling)
 }
 
-/// The x, y and z of a vector, each in all lanes.
+/// Copies x, y and z of a vector, each to all lanes.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn spread(v: __m256d) -> [__m256d; 3] {
+fn broadcast_components(v: __m256d) -> [__m256d; 3] {
     [_mm256_permute4x64_pd::<0x00>(v), _mm256_permute4x64_pd::<0x55>(v), _mm256_permute4x64_pd::<0xaa>(v)]
 }
 
-/// Contributions of four corners with one z; a lane for each corner. `x`, `y` and `z` are from each corner to the
-/// point.
+/// Returns the contributions to the noise of four lattice corners with one z, a lane for each corner. `x`, `y` and `z`
+/// are from each corner to the point.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn side(hashes: &[usize; 4], x: __m256d, y: __m256d, z: __m256d) -> __m256d {
-    let [r0, r1, r2, r3] = [0, 1, 2, 3].map(|i: usize| load(&CORNERS[hashes[i] & 0xff]));
+fn corner_contributions(hashes: &[usize; 4], x: __m256d, y: __m256d, z: __m256d) -> __m256d {
+    let [r0, r1, r2, r3] = [0, 1, 2, 3].map(|i: usize| load_row(&CORNERS[hashes[i] & 0xff]));
     // Transpose rows of v, gx, gy, gz.
     let (a, b) = (_mm256_unpacklo_pd(r0, r1), _mm256_unpackhi_pd(r0, r1));
     let (c, d) = (_mm256_unpacklo_pd(r2, r3), _mm256_unpackhi_pd(r2, r3));
@@ -73,16 +73,19 @@ fn side(hashes: &[usize; 4], x: __m256d, y: __m256d, z: __m256d) -> __m256d {
     add(add(add(v, gx, x), gy, y), gz, z)
 }
 
-/// Computes [`super::value::scalar`] with AVX2.
+/// Computes [`super::value::scalar_noise`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn scalar(p: DVec3) -> f64 {
-    let (hashes, t) = corners(p);
-    let [tx, ty, tz] = spread(t);
+pub fn scalar_noise(p: DVec3) -> f64 {
+    let (hashes, t) = cell_corner_hashes(p);
+    let [tx, ty, tz] = broadcast_components(t);
     let (x, y) =
         (_mm256_sub_pd(tx, _mm256_setr_pd(0.0, 1.0, 0.0, 1.0)), _mm256_sub_pd(ty, _mm256_setr_pd(0.0, 0.0, 1.0, 1.0)));
-    let (near, far) = (side(&hashes[0], x, y, tz), side(&hashes[1], x, y, _mm256_sub_pd(tz, _mm256_set1_pd(1.0))));
-    let [sx, sy, sz] = spread(ease(t));
+    let (near, far) = (
+        corner_contributions(&hashes[0], x, y, tz),
+        corner_contributions(&hashes[1], x, y, _mm256_sub_pd(tz, _mm256_set1_pd(1.0))),
+    );
+    let [sx, sy, sz] = broadcast_components(s_curve(t));
     // Interpolate corners 0, 4, 2, 6 and their neighbours along x.
     let along_x = lerp(_mm256_unpacklo_pd(near, far), _mm256_unpackhi_pd(near, far), sx);
     let along_y = lerp(along_x, _mm256_permute2f128_pd::<0x11>(along_x, along_x), sy);
@@ -90,20 +93,20 @@ pub fn scalar(p: DVec3) -> f64 {
     _mm256_cvtsd_f64(along_z)
 }
 
-/// Computes [`super::value::vector`] with AVX2.
+/// Computes [`super::value::vector_noise`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn vector(p: DVec3) -> DVec3 {
-    let (hashes, t) = corners(p);
-    let (near, far) = (spread(t), spread(_mm256_sub_pd(t, _mm256_set1_pd(1.0))));
+pub fn vector_noise(p: DVec3) -> DVec3 {
+    let (hashes, t) = cell_corner_hashes(p);
+    let (near, far) = (broadcast_components(t), broadcast_components(_mm256_sub_pd(t, _mm256_set1_pd(1.0))));
     let along = |axis: usize, i: usize| if i >> axis & 1 == 1 { far[axis] } else { near[axis] };
     let corner = |i: usize| {
         let at = hashes[i >> 2][i & 3] & 0xff;
-        let [v, gx, gy, gz] = [0, 1, 2, 3].map(|place: usize| load(&LANES[at + place]));
+        let [v, gx, gy, gz] = [0, 1, 2, 3].map(|place: usize| load_row(&LANES[at + place]));
         let v = _mm256_mul_pd(v, _mm256_set1_pd(0.5));
         add(add(add(v, gx, along(0, i)), gy, along(1, i)), gz, along(2, i))
     };
-    let [sx, sy, sz] = spread(ease(t));
+    let [sx, sy, sz] = broadcast_components(s_curve(t));
     let along_x = |i: usize| lerp(corner(i), corner(i + 1), sx);
     let sum = lerp(lerp(along_x(0), along_x(2), sy), lerp(along_x(4), along_x(6), sy), sz);
     let (xy, z) = (_mm256_castpd256_pd128(sum), _mm256_extractf128_pd::<1>(sum));

@@ -8,70 +8,71 @@ use super::tables::HASH;
 use crate::math::DVec3;
 use std::cell::RefCell;
 
-/// A unit cube, by integer coordinates whose low bits are exact.
+/// A unit cube of a cellular pattern, by integer coordinates whose low bits are exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell(pub [usize; 3]);
 
 impl Cell {
-    /// The cube that contains the point, and the position in it, 0 to 1 along each axis.
-    pub fn of(p: DVec3) -> (Self, DVec3) {
-        let ((i, x), (j, y), (k, z)) = (lattice::cell(p.x), lattice::cell(p.y), lattice::cell(p.z));
+    /// Returns the unit cube that contains a point, and the point's position in the cube, 0 to 1 along each axis.
+    pub fn containing(p: DVec3) -> (Self, DVec3) {
+        let ((i, x), (j, y), (k, z)) =
+            (lattice::lattice_cell(p.x), lattice::lattice_cell(p.y), lattice::lattice_cell(p.z));
         (Self([i, j, k]), DVec3::new(x, y, z))
     }
 
-    /// The cube at this offset.
-    pub fn step(self, by: [isize; 3]) -> Self {
+    /// Returns the unit cube at this offset from the cube.
+    pub fn offset_by(self, by: [isize; 3]) -> Self {
         Self([0, 1, 2].map(|axis| self.0[axis].wrapping_add_signed(by[axis])))
     }
 
-    /// The cube's random number, 0 to 1.
+    /// Returns the unit cube's random number, 0 to 1.
     pub fn random(self) -> f64 {
         RANDOM[self.hash()]
     }
 
-    /// A random point in the cube, 0 to 1 along each axis; x is [`Self::random`].
+    /// Returns a random point in the unit cube, 0 to 1 along each axis; x is [`Self::random`].
     pub fn random_point(self) -> DVec3 {
         let hash = self.hash();
         DVec3::new(RANDOM[hash], RANDOM[hash + 1], RANDOM[hash + 2])
     }
 
-    /// The permutation is applied to x, y and z in turn (Perlin 1985).
+    /// Hash of the unit cube: the permutation is applied to x, y and z in turn (Perlin 1985).
     fn hash(self) -> usize {
         let [x, y, z] = self.0;
-        hashed(hashed(hashed(x) ^ y) ^ z)
+        hash_index(hash_index(hash_index(x) ^ y) ^ z)
     }
 
-    /// Calls `look` with the random points of the cube and of those around it. Each thread caches some of them, since
-    /// neighbouring points need the same ones.
-    pub fn with_around<T>(self, look: impl FnOnce(&Around) -> T) -> T {
+    /// Calls `look` with the random points of the unit cube and of those around it. Each thread caches some of them,
+    /// since neighbouring points need the same ones.
+    pub fn with_neighbour_points<T>(self, look: impl FnOnce(&Around) -> T) -> T {
         let [x, y, z] = self.0;
         REMEMBERED.with_borrow_mut(|remembered| {
             let around = &mut remembered[x & 3 | (y & 3) << 2 | (z & 3) << 4];
             if !(around.known && around.cell == self) {
-                around.find(self);
+                around.fill_points(self);
             }
             look(around)
         })
     }
 }
 
-fn hashed(i: usize) -> usize {
+fn hash_index(i: usize) -> usize {
     HASH[i & 0xfff] as usize
 }
 
-/// The random points of a cube and of the 26 around it.
+/// The random points of a unit cube and of the 26 around it.
 pub struct Around {
     cell: Cell,
     known: bool,
-    /// x, y and z relative to the corner of the central cube, in the order of `NEXT`; unused entries are infinitely
-    /// far.
+    /// Coordinates x, y and z of the random points relative to the corner of the central cube, in the order of `NEXT`;
+    /// unused entries are infinite.
     pub points: [[f64; 28]; 3],
 }
 
-/// Offsets of a cube and of those that touch it, the nearer ones first.
-const NEXT: [[isize; 3]; 27] = next();
+/// Offsets of a unit cube and of those that touch it, the nearer ones first.
+const NEXT: [[isize; 3]; 27] = neighbour_offsets();
 
-const fn next() -> [[isize; 3]; 27] {
+const fn neighbour_offsets() -> [[isize; 3]; 27] {
     let (mut out, mut n, mut far) = ([[0; 3]; 27], 0, 0);
     while far <= 3 {
         let mut code = 0;
@@ -91,16 +92,16 @@ const fn next() -> [[isize; 3]; 27] {
 impl Around {
     const NOTHING: Self = Self { cell: Cell([0; 3]), known: false, points: [[0.0; 28]; 3] };
 
-    /// Replaces the points by those of another cube.
-    fn find(&mut self, cell: Cell) {
+    /// Replaces the cached random points by those around another unit cube.
+    fn fill_points(&mut self, cell: Cell) {
         (self.cell, self.known) = (cell, true);
         self.points = [[f64::INFINITY; 28]; 3];
         let [x, y, z] = cell.0.map(|i| [i.wrapping_sub(1), i, i.wrapping_add(1)]);
         // As `Cell::hash`, but shared lookups are done once.
-        let columns = x.map(|x| y.map(|y| hashed(hashed(x) ^ y)));
+        let columns = x.map(|x| y.map(|y| hash_index(hash_index(x) ^ y)));
         for (n, step) in NEXT.iter().enumerate() {
             let [i, j, k] = step.map(|step| (step + 1) as usize);
-            let hash = hashed(columns[i][j] ^ z[k]);
+            let hash = hash_index(columns[i][j] ^ z[k]);
             for axis in 0..3 {
                 self.points[axis][n] = step[axis] as f64 + RANDOM[hash + axis];
             }
@@ -109,28 +110,28 @@ impl Around {
 }
 
 impl Around {
-    /// The three least squared distances from a position to the points, and the index of the nearest point. NaN is
-    /// ignored.
-    pub fn least_squares(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
+    /// Returns the three least squared distances from a position to the random points, ascending, and the index of the
+    /// nearest point. NaN is ignored.
+    pub fn nearest_squares(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has the feature that the function needs.
             #[expect(unsafe_code, reason = "the compiler can't know the processor")]
-            return unsafe { self.least_squares_avx2(from) };
+            return unsafe { self.nearest_squares_avx2(from) };
         }
-        self.least_squares_plainly(from)
+        self.nearest_squares_portably(from)
     }
 
-    /// [`Self::least_squares`] for AVX2, with four numbers at once.
+    /// Computes [`Self::nearest_squares`] with AVX2, four numbers at once.
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn least_squares_avx2(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
-        self.least_squares_plainly(from)
+    fn nearest_squares_avx2(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
+        self.nearest_squares_portably(from)
     }
 
-    /// Written for automatic vectorisation.
+    /// Computes [`Self::nearest_squares`] with loops for automatic vectorisation.
     #[inline(always)]
-    fn least_squares_plainly(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
+    fn nearest_squares_portably(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
         let [xs, ys, zs] = &self.points;
         let mut sums = [0.0; 28];
         for i in 0..28 {
@@ -142,18 +143,18 @@ impl Around {
         for four in sums.chunks_exact(4) {
             for lane in 0..4 {
                 let [first, second, third] = least.map(|row| row[lane]);
-                let [first, second, third] = three([first, second, third], four[lane]);
+                let [first, second, third] = three_smallest([first, second, third], four[lane]);
                 (least[0][lane], least[1][lane], least[2][lane]) = (first, second, third);
             }
         }
-        let three = least.as_flattened().iter().fold([f64::INFINITY; 3], |best, sum| three(best, *sum));
+        let three = least.as_flattened().iter().fold([f64::INFINITY; 3], |best, sum| three_smallest(best, *sum));
         (three, sums.iter().position(|sum| *sum == three[0]))
     }
 }
 
-/// The three smallest of four numbers, ascending, without branches; the first three are ascending.
+/// Returns the three smallest of four numbers, ascending, without branches; the first three are ascending already.
 #[inline(always)]
-fn three([first, second, third]: [f64; 3], sum: f64) -> [f64; 3] {
+fn three_smallest([first, second, third]: [f64; 3], sum: f64) -> [f64; 3] {
     let order = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
     let (first, sum) = order(sum, first);
     let (second, sum) = order(sum, second);
@@ -161,14 +162,14 @@ fn three([first, second, third]: [f64; 3], sum: f64) -> [f64; 3] {
 }
 
 thread_local! {
-    /// A cache entry for each of 4x4x4 adjacent cubes.
+    /// Cache of random points with an entry for each of 4x4x4 adjacent unit cubes.
     static REMEMBERED: RefCell<[Around; 64]> = const { RefCell::new([Around::NOTHING; 64]) };
 }
 
-/// By hash; the last two entries are the second and third coordinate for the last hash.
+/// Random numbers of unit cubes, by hash; the last two entries are the second and third coordinate for the last hash.
 static RANDOM: [f64; 4098] = mersenne_twister();
 
-/// MT19937 from seed 5489.
+/// Random numbers of the generator MT19937 from seed 5489.
 const fn mersenne_twister() -> [f64; 4098] {
     const N: usize = 624;
     let (mut state, mut i) = ([5489u32; N], 1);
@@ -212,9 +213,9 @@ mod tests {
     #[test]
     fn neighbours_match_single_cubes() {
         for corner in [[0; 3], [5, 4095, usize::MAX], [1, 2, 7], [4097, 2, 7]].map(Cell) {
-            corner.with_around(|around| {
+            corner.with_neighbour_points(|around| {
                 for (n, step) in NEXT.iter().enumerate() {
-                    let point = DVec3::from(step.map(|i| i as f64)) + corner.step(*step).random_point();
+                    let point = DVec3::from(step.map(|i| i as f64)) + corner.offset_by(*step).random_point();
                     assert_eq!(point, DVec3::from([0, 1, 2].map(|axis| around.points[axis][n])));
                 }
             });
@@ -223,9 +224,9 @@ mod tests {
 
     #[test]
     fn cells_reach_below_zero() {
-        let (cell, within) = Cell::of(DVec3::new(-0.25, 1.5, 3.0));
+        let (cell, within) = Cell::containing(DVec3::new(-0.25, 1.5, 3.0));
         assert_eq!(within, DVec3::new(0.75, 0.5, 0.0));
-        assert_eq!(cell.random(), Cell([0, 1, 3]).step([-1, 0, 0]).random());
+        assert_eq!(cell.random(), Cell([0, 1, 3]).offset_by([-1, 0, 0]).random());
         assert_eq!(cell.random(), cell.random_point().x);
     }
 }

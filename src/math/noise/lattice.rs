@@ -1,13 +1,13 @@
 //! Cells and interpolation of both lattice noises.
 
-/// 1.5·2⁵²: adding it rounds to the nearest integer and leaves its two's complement in the low bits, without call or
-/// branch.
+/// The number 1.5·2⁵²: adding it to an `f64` rounds to the nearest integer and leaves its two's complement in the low
+/// bits, without call or branch.
 pub const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// The lattice cell of one coordinate: its index (whose low bits are exact for any coordinate below 2⁵¹), and the
-/// position in it, 0 to 1.
+/// Returns the index of the lattice cell that contains a coordinate (exact in its low bits for any coordinate below
+/// 2⁵¹), and the position in the cell, 0 to 1.
 #[inline(always)]
-pub fn cell(x: f64) -> (usize, f64) {
+pub fn lattice_cell(x: f64) -> (usize, f64) {
     let rounded = x + ROUND;
     let nearest = rounded - ROUND;
     let above = nearest > x;
@@ -17,7 +17,7 @@ pub fn cell(x: f64) -> (usize, f64) {
 
 /// The s-curve 3t² - 2t³ (Perlin 1985).
 #[inline(always)]
-pub fn ease(t: f64) -> f64 {
+pub fn s_curve(t: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
@@ -27,18 +27,18 @@ fn lerp(a: f64, b: f64, s: f64) -> f64 {
     a + s * (b - a)
 }
 
-/// Interpolates the contributions of the corners at the point `t` of a cell. Corner i is at x = bit 0, y = bit 1, z =
-/// bit 2 of i.
+/// Interpolates the contributions of a lattice cell's corners at the point `t` of the cell. Corner i is at x = bit 0, y
+/// = bit 1, z = bit 2 of i.
 #[inline(always)]
-pub fn blend(corners: [f64; 8], t: [f64; 3]) -> f64 {
-    let [sx, sy, sz] = t.map(ease);
+pub fn blend_corners(corners: [f64; 8], t: [f64; 3]) -> f64 {
+    let [sx, sy, sz] = t.map(s_curve);
     let x = |i: usize| lerp(corners[i], corners[i + 1], sx);
     lerp(lerp(x(0), x(2), sy), lerp(x(4), x(6), sy), sz)
 }
 
-/// Vector from corner i to the point `t`.
+/// Returns the vector from corner i of a lattice cell to the point `t` of the cell.
 #[inline(always)]
-pub fn from_corner(i: usize, t: [f64; 3]) -> [f64; 3] {
+pub fn offset_from_corner(i: usize, t: [f64; 3]) -> [f64; 3] {
     let along = |axis: usize| if i >> axis & 1 == 1 { t[axis] - 1.0 } else { t[axis] };
     [along(0), along(1), along(2)]
 }
@@ -50,7 +50,7 @@ mod tests {
     #[test]
     fn cells_are_floors() {
         for x in [0.0, 0.5, 1.0, -0.5, -1.0, 2.5, 3.5, -2.5, 1e9 + 0.75, -1e9 - 0.25, -1e-18, 4095.999] {
-            let (number, t) = cell(x);
+            let (number, t) = lattice_cell(x);
             assert_eq!((number & 0xfff) as i64, (x.floor() as i64).rem_euclid(4096), "{x}");
             assert_eq!(t, x - x.floor(), "{x}");
         }
@@ -60,7 +60,7 @@ mod tests {
     fn corners_keep_their_values() {
         let values = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
         for (i, value) in values.into_iter().enumerate() {
-            assert_eq!(blend(values, [0, 1, 2].map(|axis| f64::from((i >> axis & 1) as u8))), value);
+            assert_eq!(blend_corners(values, [0, 1, 2].map(|axis| f64::from((i >> axis & 1) as u8))), value);
         }
     }
 }

@@ -20,23 +20,23 @@ pub use cells::{Around, Cell};
 use super::DVec3;
 use serde::Serialize;
 
-/// The argument of `noise_generator` (manual, "Noise Generators").
+/// Noise generator of a scene, the argument of `noise_generator` (manual, "Noise Generators").
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum NoiseGenerator {
-    /// 1, original: the range is clamped to [0, 1], which leaves flat spots.
+    /// Noise generator 1, original: the range is clamped to [0, 1], which leaves flat spots.
     Original,
-    /// 2, range corrected: the default.
+    /// Noise generator 2, range corrected: the default.
     #[default]
     RangeCorrected,
-    /// 3, Perlin: gradients alone, no values at the lattice points.
+    /// Noise generator 3, Perlin: gradients alone, no values at the lattice points.
     Perlin,
 }
 
 impl NoiseGenerator {
     /// Upper bound of the gradient of [`noise`]: the longest gradients, found by hill climbing from the steepest of a
     /// million points, have 2.98, 1.46 and 1.58.
-    pub fn steepest(self) -> f64 {
+    pub fn max_gradient(self) -> f64 {
         match self.number() {
             1 => 3.2,
             2 => 1.6,
@@ -48,7 +48,7 @@ impl NoiseGenerator {
     /// and 1: the largest spectral norms of the second derivatives, found by hill climbing from the largest of three
     /// million points, are 7.25 and 8.08 for the last two. The first is 1/0.48985582 times the second, except where it
     /// is clamped: 14.8.
-    pub fn bend(self) -> f64 {
+    pub fn max_gradient_change(self) -> f64 {
         match self.number() {
             1 => 16.2,
             2 => 7.9,
@@ -56,7 +56,7 @@ impl NoiseGenerator {
         }
     }
 
-    /// The number in scenes.
+    /// Number of the noise generator in scenes, 1 to 3.
     pub fn number(self) -> u8 {
         match self {
             Self::Original => 1,
@@ -65,8 +65,9 @@ impl NoiseGenerator {
         }
     }
 
-    /// From the last argument of `f_noise_generator`, which POV-Ray truncates to an integer of two bits; 0 counts as 1.
-    pub fn from_number(n: f64) -> Self {
+    /// Returns the noise generator for the last argument of `f_noise_generator`, which POV-Ray truncates to an integer
+    /// of two bits; 0 counts as 1.
+    pub fn from_generator_number(n: f64) -> Self {
         match (n as i64) & 3 {
             2 => Self::RangeCorrected,
             3 => Self::Perlin,
@@ -75,10 +76,10 @@ impl NoiseGenerator {
     }
 }
 
-/// Maximum number of octaves in POV-Ray.
+/// Maximum number of octaves of noise in POV-Ray.
 const MAX_OCTAVES: usize = 10;
 
-/// Parameters of a sum of octaves (manual, "Turbulence").
+/// Parameters of turbulence, a sum of octaves of noise (manual, "Turbulence").
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turbulence {
     lambda: f64,
@@ -93,15 +94,15 @@ impl Default for Turbulence {
 }
 
 impl Turbulence {
-    /// Each octave is `lambda` times finer and `omega` times weaker than the one before. Like POV-Ray, this keeps
-    /// `lambda` and `omega` in single precision (visible from the 8th digit on), and the integer part of `octaves`,
-    /// from 1 to 10.
+    /// Creates the parameters of turbulence: each octave is `lambda` times finer and `omega` times weaker than the one
+    /// before. Like POV-Ray, this keeps `lambda` and `omega` in single precision (visible from the 8th digit on), and
+    /// the integer part of `octaves`, from 1 to 10.
     pub fn new(lambda: f64, omega: f64, octaves: f64) -> Self {
         let single = |x: f64| f64::from(x as f32);
         Self { lambda: single(lambda), omega: single(omega), octaves: (octaves as u32).clamp(1, MAX_OCTAVES as u32) }
     }
 
-    /// The (frequency, weight) of each octave.
+    /// Returns the frequency and weight of each octave of the turbulence.
     fn octaves(self) -> impl Iterator<Item = (f64, f64)> {
         let mut next = (1.0, 1.0);
         (0..self.octaves).map(move |_| {
@@ -112,25 +113,25 @@ impl Turbulence {
     }
 }
 
-/// `f_noise_generator(x, y, z, generator)`: between 0 and 1, about 0.5 on average. `f_noise3d` is this function with
-/// the scene's generator, `f_snoise3d` is twice that minus 1.
+/// Noise of `f_noise_generator(x, y, z, generator)`: between 0 and 1, about 0.5 on average. `f_noise3d` is this
+/// function with the scene's generator, `f_snoise3d` is twice that minus 1.
 pub fn noise(p: DVec3, generator: NoiseGenerator) -> f64 {
-    let raw = if generator == NoiseGenerator::Perlin { perlin::scalar(p) } else { wide::scalar_at(p) };
-    ranged(raw, generator)
+    let raw = if generator == NoiseGenerator::Perlin { perlin::scalar_noise(p) } else { wide::scalar_at(p) };
+    to_generator_range(raw, generator)
 }
 
-/// [`noise`] at several points.
-fn noises(points: &[DVec3], generator: NoiseGenerator, out: &mut [f64]) {
+/// Computes [`noise`] at several points.
+fn noise_at_points(points: &[DVec3], generator: NoiseGenerator, out: &mut [f64]) {
     if generator == NoiseGenerator::Perlin {
-        points.iter().zip(&mut *out).for_each(|(p, out)| *out = perlin::scalar(*p));
+        points.iter().zip(&mut *out).for_each(|(p, out)| *out = perlin::scalar_noise(*p));
     } else {
         wide::scalars(points, out);
     }
-    out.iter_mut().for_each(|raw| *raw = ranged(*raw, generator));
+    out.iter_mut().for_each(|raw| *raw = to_generator_range(*raw, generator));
 }
 
 /// Maps raw noise to the generator's range.
-fn ranged(raw: f64, generator: NoiseGenerator) -> f64 {
+fn to_generator_range(raw: f64, generator: NoiseGenerator) -> f64 {
     let unbounded = match generator {
         NoiseGenerator::Original => raw + 0.5,
         NoiseGenerator::RangeCorrected => (raw + 1.05242) * 0.48985582,
@@ -139,14 +140,14 @@ fn ranged(raw: f64, generator: NoiseGenerator) -> f64 {
     unbounded.clamp(0.0, 1.0)
 }
 
-/// The vector noise that displaces points (`vturbulence` with one octave): components about -1 to 1, 0 on average. It
-/// is independent of the generator.
+/// Returns the vector noise that displaces points (`vturbulence` with one octave): components about -1 to 1, 0 on
+/// average. It is independent of the generator.
 pub fn noise_vector(p: DVec3) -> DVec3 {
     wide::vector_at(p)
 }
 
-/// Scalar turbulence, as in `agate`: octaves of noise. For generators 2 and 3 each octave is stretched to 2 noise -
-/// 0.5, of which POV-Ray clamps the first one only.
+/// Scalar turbulence at a point, as in `agate`: octaves of noise. For generators 2 and 3 each octave is stretched to 2
+/// noise - 0.5, of which POV-Ray clamps the first one only.
 pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -> f64 {
     let count = turbulence.octaves as usize;
     let mut weights = [0.0; MAX_OCTAVES];
@@ -155,23 +156,24 @@ pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -
         (points[i], weights[i]) = (p * frequency, weight);
     }
     let mut each = [0.0; MAX_OCTAVES];
-    noises(&points[..count], generator, &mut each[..count]);
-    (0..count).map(|i| weights[i] * spread(each[i], generator, i == 0)).sum()
+    noise_at_points(&points[..count], generator, &mut each[..count]);
+    (0..count).map(|i| weights[i] * turbulence_octave(each[i], generator, i == 0)).sum()
 }
 
-/// N octaves, each clamped to [0, 1] and twice as fine as the one before, for `granite` and `wrinkles`.
-pub fn octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [f64; N] {
+/// Returns N octaves of noise, each clamped to [0, 1] and twice as fine as the one before, for `granite` and
+/// `wrinkles`.
+pub fn clamped_octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [f64; N] {
     let mut points = [p; N];
     for i in 1..N {
         points[i] = points[i - 1] * 2.0;
     }
     let mut out = [0.0; N];
-    noises(&points, generator, &mut out);
-    out.map(|noise| spread(noise, generator, true))
+    noise_at_points(&points, generator, &mut out);
+    out.map(|noise| turbulence_octave(noise, generator, true))
 }
 
-/// The range of noise in turbulence, from [`noise`].
-fn spread(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
+/// Maps [`noise`] to its range in turbulence; `cut` clamps it to [0, 1].
+fn turbulence_octave(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
     match (generator, cut) {
         (NoiseGenerator::Original, _) => noise,
         (_, true) => (2.0 * noise - 0.5).clamp(0.0, 1.0),
@@ -179,8 +181,8 @@ fn spread(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
     }
 }
 
-/// `vturbulence(lambda, omega, octaves, p)`: octaves of the vector noise; `turbulence T` displaces p by T times this
-/// vector.
+/// Returns the vector turbulence of `vturbulence(lambda, omega, octaves, p)`: octaves of the vector noise; `turbulence
+/// T` displaces p by T times this vector.
 pub fn vturbulence(p: DVec3, turbulence: Turbulence) -> DVec3 {
     wide::turbulence(p, turbulence)
 }
@@ -194,7 +196,7 @@ mod tests {
     fn numbers_choose_generators_as_in_pov_ray() {
         let numbers = [(0.0, Original), (1.9, Original), (2.7, RangeCorrected), (3.0, Perlin), (4.0, Original)];
         for (n, generator) in numbers.into_iter().chain([(-1.5, Perlin), (-2.0, RangeCorrected), (-0.5, Original)]) {
-            assert_eq!(NoiseGenerator::from_number(n), generator, "{n}");
+            assert_eq!(NoiseGenerator::from_generator_number(n), generator, "{n}");
         }
     }
 

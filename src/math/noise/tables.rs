@@ -4,35 +4,35 @@
 //! lattice points (quirk: `noise_tables`). Three of them follow from the random numbers of the language's own `rand()`;
 //! the fourth is stored.
 
-/// POV-Ray's linear congruential generator; bits 16 to 30 are the random number.
+/// Linear congruential generator of POV-Ray's `rand()`; bits 16 to 30 are the random number.
 struct Random(u32);
 
 impl Random {
-    const fn next(&mut self) -> usize {
+    const fn next_random(&mut self) -> usize {
         self.0 = self.0.wrapping_mul(1_812_433_253).wrapping_add(12_345);
         (self.0 >> 16 & 0x7fff) as usize
     }
 }
 
-/// A permutation of 0 to 4095 for [`super::value`].
-pub static HASH: [u16; 4096] = hash();
+/// Hash table of noise generators 1 and 2: a permutation of 0 to 4095.
+pub static HASH: [u16; 4096] = hash_table();
 
-/// Four numbers with the alignment for one load: without it, compilers use two.
+/// Row of a table of noise: four numbers with the alignment for one load; without it, compilers use two.
 #[derive(Clone, Copy)]
 #[repr(align(32))]
 pub struct Row(pub [f64; 4]);
 
-/// Value and gradient of a lattice point of [`super::value`], by the low 8 bits of its hash.
-pub static CORNERS: [Row; 256] = corners();
+/// Value and gradient of a lattice point in noise generators 1 and 2, by the low 8 bits of its hash.
+pub static CORNERS: [Row; 256] = corner_table();
 
-/// Nearly a permutation of 0 to 2047 for [`super::perlin`].
+/// Hash table of noise generator 3: nearly a permutation of 0 to 2047.
 pub static PERMUTATION: [u16; 2048] = FOR_PERLIN.1;
 
-/// Gradients of length 1 for [`super::perlin`]; the first is repeated at the end.
+/// Gradients of length 1 in noise generator 3; the first is repeated at the end.
 pub static GRADIENTS: [[f64; 3]; 2049] = FOR_PERLIN.0;
 
-/// From the last entry to the first, each is exchanged with any other.
-const fn hash() -> [u16; 4096] {
+/// Shuffles 0 to 4095: from the last entry to the first, each is exchanged with any other.
+const fn hash_table() -> [u16; 4096] {
     let (mut table, mut i) = ([0; 4096], 0);
     while i < 4096 {
         table[i] = i as u16;
@@ -41,13 +41,14 @@ const fn hash() -> [u16; 4096] {
     let mut random = Random(0);
     while i > 0 {
         i -= 1;
-        table.swap(i, random.next() & 0xfff);
+        table.swap(i, random.next_random() & 0xfff);
     }
     table
 }
 
-/// Each row begins one entry later in [`ENTRIES`]. Values are halved.
-const fn corners() -> [Row; 256] {
+/// Computes the values and gradients of lattice points: each row begins one entry later in [`ENTRIES`], and values are
+/// halved.
+const fn corner_table() -> [Row; 256] {
     let (mut rows, mut i) = ([Row([0.0; 4]); 256], 0);
     while i < 256 {
         rows[i] = Row([0.5 * ENTRIES[i], ENTRIES[i + 1], ENTRIES[i + 2], ENTRIES[i + 3]]);
@@ -56,8 +57,8 @@ const fn corners() -> [Row; 256] {
     rows
 }
 
-/// One of the 267 numbers of values and gradients.
-pub const fn entry(i: usize) -> f64 {
+/// Returns one of the 267 numbers from which the values and gradients of the noise are made.
+pub const fn table_entry(i: usize) -> f64 {
     ENTRIES[i]
 }
 
@@ -66,11 +67,11 @@ const FOR_PERLIN: ([[f64; 3]; 2049], [u16; 2048]) = {
     (gradients(&mut random), permutation(&mut random))
 };
 
-/// Random points of the unit ball, projected to its surface.
+/// Computes gradients of noise: random points of the unit ball, projected to its surface.
 const fn gradients(random: &mut Random) -> [[f64; 3]; 2049] {
     let (mut table, mut i) = ([[0.0; 3]; 2049], 0);
     while i < 2048 {
-        let [x, y, z] = [coordinate(random), coordinate(random), coordinate(random)];
+        let [x, y, z] = [random_coordinate(random), random_coordinate(random), random_coordinate(random)];
         let square = x * x + y * y + z * z;
         if square <= 1.0 {
             let length = square_root(square);
@@ -82,12 +83,12 @@ const fn gradients(random: &mut Random) -> [[f64; 3]; 2049] {
     table
 }
 
-/// A random number in [-1, 1).
-const fn coordinate(random: &mut Random) -> f64 {
-    (random.next() % 4096) as f64 / 2048.0 - 1.0
+/// Returns a random coordinate in [-1, 1).
+const fn random_coordinate(random: &mut Random) -> f64 {
+    (random.next_random() % 4096) as f64 / 2048.0 - 1.0
 }
 
-/// By Newton's method, for numbers up to 1; the standard library's is not const.
+/// Computes a square root by Newton's method, for numbers up to 1; the standard library's is not const.
 const fn square_root(square: f64) -> f64 {
     let (mut root, mut steps) = (1.0, 0);
     while steps < 16 {
@@ -97,8 +98,8 @@ const fn square_root(square: f64) -> f64 {
     root
 }
 
-/// Every second entry is exchanged with any other. POV-Ray begins one entry after the end, which is 0: so 0 is in the
-/// table twice.
+/// Shuffles 0 to 2047 for noise generator 3: every second entry is exchanged with any other. POV-Ray begins one entry
+/// after the end, which is 0: so 0 is in the table twice.
 const fn permutation(random: &mut Random) -> [u16; 2048] {
     let (mut places, mut i) = ([0; 2049], 0);
     while i < 2048 {
@@ -106,7 +107,7 @@ const fn permutation(random: &mut Random) -> [u16; 2048] {
         i += 1;
     }
     while i > 0 {
-        places.swap(i, random.next() % 2048);
+        places.swap(i, random.next_random() % 2048);
         i -= 2;
     }
     let mut table = [0; 2048];
@@ -117,7 +118,8 @@ const fn permutation(random: &mut Random) -> [u16; 2048] {
     table
 }
 
-/// Values and gradients: multiples of 2/65535 from -1 on, rounded to 6 digits (quirk: `noise_tables`).
+/// Values and gradients of lattice points in noise generators 1 and 2: multiples of 2/65535 from -1 on, rounded to 6
+/// digits (quirk: `noise_tables`).
 #[rustfmt::skip]
 const ENTRIES: [f64; 267] = [
     -1.0, 0.604974, -0.937102, 0.414115, 0.576226, -0.0161593, 0.432334, 0.103685, 0.590539, 0.0286412, 0.46981,

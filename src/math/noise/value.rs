@@ -1,50 +1,51 @@
 //! The noise of generators 1 and 2, and the vector noise: each lattice point has a value and a gradient.
 
 use super::super::DVec3;
-use super::lattice::{blend, cell, ease, from_corner};
-use super::tables::{CORNERS, HASH, Row, entry};
+use super::lattice::{blend_corners, lattice_cell, offset_from_corner, s_curve};
+use super::tables::{CORNERS, HASH, Row, table_entry};
 
-/// POV-Ray adds 10000 to the index of a cell before the lookup.
+/// Number that POV-Ray adds to the index of a lattice cell before the lookup of its hash.
 const OFFSET: usize = 10_000;
 
-/// A permutation of 4096 numbers.
+/// Hash of a lattice index: a permutation of 4096 numbers.
 #[inline(always)]
-fn hash(i: usize) -> usize {
+fn hash_index(i: usize) -> usize {
     HASH[i & 0xfff] as usize
 }
 
-/// The hash of each corner of a cell.
+/// Returns the hash of each corner of a lattice cell with these indices.
 #[inline(always)]
-pub(super) fn hashes([ix, iy, iz]: [usize; 3]) -> [[usize; 4]; 2] {
+pub(super) fn corner_hashes([ix, iy, iz]: [usize; 3]) -> [[usize; 4]; 2] {
     let sides = |i: usize| [i.wrapping_add(OFFSET), i.wrapping_add(OFFSET + 1)];
     let ([x0, x1], [y0, y1], [z0, z1]) = (sides(ix), sides(iy), sides(iz));
     // The permutation is applied to x, y and z in turn (Perlin 1985).
-    let (a, b) = (hash(x0), hash(x1));
-    let [c, d, e, f] = [a ^ y0, b ^ y0, a ^ y1, b ^ y1].map(hash);
-    let above = |z| [hash(c ^ z), hash(d ^ z), hash(e ^ z), hash(f ^ z)];
+    let (a, b) = (hash_index(x0), hash_index(x1));
+    let [c, d, e, f] = [a ^ y0, b ^ y0, a ^ y1, b ^ y1].map(hash_index);
+    let above = |z| [hash_index(c ^ z), hash_index(d ^ z), hash_index(e ^ z), hash_index(f ^ z)];
     [above(z0), above(z1)]
 }
 
-/// The hash of each corner of a point's cell, and the point's position in the cell.
+/// Returns the hash of each corner of the lattice cell that contains a point, and the point's position in the cell.
 #[inline(always)]
-fn corners(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
-    let ((ix, tx), (iy, ty), (iz, tz)) = (cell(p.x), cell(p.y), cell(p.z));
-    (hashes([ix, iy, iz]), [tx, ty, tz])
+fn cell_corner_hashes(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
+    let ((ix, tx), (iy, ty), (iz, tz)) = (lattice_cell(p.x), lattice_cell(p.y), lattice_cell(p.z));
+    (corner_hashes([ix, iy, iz]), [tx, ty, tz])
 }
 
-/// The first component of [`vector`]; about -1.2 to 1.2.
+/// Returns the noise of generators 1 and 2 before its range is mapped: the first component of [`vector_noise`], about
+/// -1.2 to 1.2.
 #[inline(always)]
-pub fn scalar(p: DVec3) -> f64 {
-    let (hashes, t) = corners(p);
+pub fn scalar_noise(p: DVec3) -> f64 {
+    let (hashes, t) = cell_corner_hashes(p);
     let corner = |i: usize| {
-        let ([x, y, z], Row([v, gx, gy, gz])) = (from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
+        let ([x, y, z], Row([v, gx, gy, gz])) = (offset_from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
         v + gx * x + gy * y + gz * z
     };
     // Unrolled: `map` over eight corners takes twice the time.
-    blend([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
+    blend_corners([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
 }
 
-/// Four numbers that are computed side by side.
+/// Four numbers that the processor computes side by side.
 type Lanes = [f64; 4];
 
 #[inline(always)]
@@ -52,32 +53,33 @@ fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
 }
 
-/// The entries of the three components of [`vector`] side by side; the last lane is unused. A lattice point's values
-/// are at its hash and are halved, its gradients' coordinates are at the next three entries. (A row for each lattice
-/// point would need four times the memory, and not fit into the first-level cache beside the other tables.)
-pub(super) static LANES: [Row; 259] = lanes();
+/// Table of noise with the entries of the three components of [`vector_noise`] side by side; the last lane is unused. A
+/// lattice point's values are at its hash and are halved, its gradients' coordinates are at the next three entries. (A
+/// row for each lattice point would need four times the memory, and not fit into the first-level cache beside the other
+/// tables.)
+pub(super) static LANES: [Row; 259] = lane_table();
 
-/// Each component takes its values and gradients four entries later in the table.
-const fn lanes() -> [Row; 259] {
+/// Computes the table of vector noise: each component takes its values and gradients four entries later in the table.
+const fn lane_table() -> [Row; 259] {
     let mut out = [Row([0.0; 4]); 259];
     let mut i = 0;
     while i < 259 {
-        out[i] = Row([entry(i), entry(i + 4), entry(i + 8), 0.0]);
+        out[i] = Row([table_entry(i), table_entry(i + 4), table_entry(i + 8), 0.0]);
         i += 1;
     }
     out
 }
 
-/// Three noises on the same lattice, computed at once.
+/// Returns the vector noise at a point: three noises on the same lattice, computed at once.
 #[inline(always)]
-pub fn vector(p: DVec3) -> DVec3 {
-    let (hashes, t) = corners(p);
+pub fn vector_noise(p: DVec3) -> DVec3 {
+    let (hashes, t) = cell_corner_hashes(p);
     let corner = |i: usize| {
-        let ([x, y, z], at) = (from_corner(i, t), hashes[i >> 2][i & 3] & 0xff);
+        let ([x, y, z], at) = (offset_from_corner(i, t), hashes[i >> 2][i & 3] & 0xff);
         let add = |sum: Lanes, place: usize, x: f64| lanewise(sum, LANES[at + place].0, |sum, g| sum + g * x);
         add(add(add(LANES[at].0.map(|v| 0.5 * v), 1, x), 2, y), 3, z)
     };
-    let [sx, sy, sz] = t.map(ease);
+    let [sx, sy, sz] = t.map(s_curve);
     let lerp = |a: Lanes, b: Lanes, s: f64| lanewise(a, b, |a, b| a + s * (b - a));
     let along_x = |i: usize| lerp(corner(i), corner(i + 1), sx);
     let [x, y, z, _] = lerp(lerp(along_x(0), along_x(2), sy), lerp(along_x(4), along_x(6), sy), sz);

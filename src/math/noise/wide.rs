@@ -3,7 +3,7 @@
 use super::super::DVec3;
 use super::{Turbulence, value};
 
-/// Calls the function of this name in `avx2` if the processor has the feature, else the one in `value`.
+/// Defines a function that calls its namesake in `avx2` if the processor has the feature, else the one in `value`.
 macro_rules! twins {
     ($(#[$doc:meta])* $name:ident($f:ident; $($argument:ident: $type:ty),*) $(-> $out:ty)? $body:block) => {
         $(#[$doc])*
@@ -28,34 +28,34 @@ macro_rules! twins {
 }
 
 twins! {
-    /// Computes [`value::scalar`], with AVX2 if the processor has it.
-    scalar_at(scalar; p: DVec3) -> f64 {
-        scalar(p)
+    /// Computes the noise [`value::scalar_noise`] at a point, with AVX2 if the processor has it.
+    scalar_at(scalar_noise; p: DVec3) -> f64 {
+        scalar_noise(p)
     }
 }
 
 twins! {
-    /// [`value::scalar`] at several points.
-    scalars(scalar; points: &[DVec3], out: &mut [f64]) {
+    /// Computes the noise [`value::scalar_noise`] at several points, with AVX2 if the processor has it.
+    scalars(scalar_noise; points: &[DVec3], out: &mut [f64]) {
         for (p, out) in points.iter().zip(out) {
-            *out = scalar(*p);
+            *out = scalar_noise(*p);
         }
     }
 }
 
 twins! {
-    /// Computes [`value::vector`], with AVX2 if the processor has it.
-    vector_at(vector; p: DVec3) -> DVec3 {
-        vector(p)
+    /// Computes the vector noise [`value::vector_noise`], with AVX2 if the processor has it.
+    vector_at(vector_noise; p: DVec3) -> DVec3 {
+        vector_noise(p)
     }
 }
 
 twins! {
-    /// Returns the weighted sum of octaves of [`value::vector`].
-    turbulence(vector; p: DVec3, series: Turbulence) -> DVec3 {
+    /// Returns the turbulence at a point: the weighted sum of octaves of [`value::vector_noise`].
+    turbulence(vector_noise; p: DVec3, series: Turbulence) -> DVec3 {
         let mut sum = DVec3::ZERO;
         for (frequency, weight) in series.octaves() {
-            sum += weight * vector(p * frequency);
+            sum += weight * vector_noise(p * frequency);
         }
         sum
     }
@@ -74,10 +74,10 @@ mod tests {
         let mut out = vec![0.0; points.len()];
         scalars(&points, &mut out);
         for (p, out) in points.iter().zip(&out) {
-            let (scalar, vector) = (value::scalar(*p), value::vector(*p));
+            let (scalar_noise, vector) = (value::scalar_noise(*p), value::vector_noise(*p));
             // (The payload of a NaN does not matter.)
             let same = |a: f64, b: f64| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
-            assert!(same(*out, scalar) && same(scalar_at(*p), scalar), "{p}");
+            assert!(same(*out, scalar_noise) && same(scalar_at(*p), scalar_noise), "{p}");
             assert!(vector_at(*p).to_array().into_iter().zip(vector.to_array()).all(|(a, b)| same(a, b)), "{p}");
         }
     }

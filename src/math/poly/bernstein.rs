@@ -9,10 +9,10 @@
 use super::solve_quadratic;
 use crate::math::tolerance;
 
-/// Maximum degree of a polynomial.
+/// Maximum degree of a polynomial whose roots are searched.
 pub const MAX_DEGREE: usize = 35;
 
-/// Inverses of binomial coefficients: 1/C(n, i) at row n and column i.
+/// Inverses of the binomial coefficients: 1/C(n, i) at row n and column i.
 static INVERSE_BINOMIALS: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = inverse_binomials();
 
 const fn inverse_binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
@@ -30,40 +30,41 @@ const fn inverse_binomials() -> [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] {
     table
 }
 
-/// Receives each root; returns true to end the search.
+/// Function that receives each root of a polynomial and returns true to end the search.
 type Found<'a> = &'a mut dyn FnMut(f64) -> bool;
 
-/// Arrays up to this length have exactly the degree's size, which is known at compile time.
+/// Arrays of coefficients up to this length have exactly the size for the polynomial's degree, which is known at
+/// compile time.
 const EXACT: usize = 8;
 
-/// Margin of the clipped window around the interval of wanted roots: far more than rounding.
+/// Margin of the clipped window around the interval of wanted roots: far more than the rounding error of a root.
 const WINDOW_SLACK: f64 = 1e-9;
-/// A window larger than this part of an interval is not clipped.
+/// Share of the interval above which the window of wanted roots is not clipped.
 const MOST_OF_IT: f64 = 0.8;
 
-/// The search on [0, 1]. Arrays have at least one coefficient more than the degree.
+/// Search for a polynomial's roots on [0, 1]. Arrays have at least one coefficient more than the degree.
 struct Search<'a> {
-    /// Degree, for arrays that are larger than needed.
+    /// Degree of the polynomial, for arrays of coefficients that are larger than needed.
     degree: usize,
-    /// Coefficients below this are rounding errors.
+    /// Absolute value below which a coefficient of the polynomial is a rounding error.
     noise: f64,
-    /// Interval of wanted roots.
+    /// Interval of the polynomial's wanted roots.
     window: (f64, f64),
-    /// True to search from 1 to 0.
+    /// True to search the roots from 1 to 0.
     backwards: bool,
     found: Found<'a>,
 }
 
-/// True if negative; zero counts as positive.
-fn negative(x: f64) -> bool {
+/// True if a coefficient is negative; zero counts as positive.
+fn is_negative(x: f64) -> bool {
     x < 0.0
 }
 
 fn sign_changes(b: &[f64]) -> usize {
-    b.windows(2).filter(|w| negative(w[0]) != negative(w[1])).count()
+    b.windows(2).filter(|w| is_negative(w[0]) != is_negative(w[1])).count()
 }
 
-/// Value and slope at t, by de Casteljau's algorithm.
+/// Returns the value and slope of a Bernstein polynomial at t, by de Casteljau's algorithm.
 #[inline(always)]
 fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64, f64) {
     let mut b = *b;
@@ -76,17 +77,17 @@ fn value_and_slope<const N: usize>(b: &[f64; N], degree: usize, t: f64) -> (f64,
     (b[0] + rise * t, rise * degree as f64)
 }
 
-/// The only root in [0, 1], at whose ends the signs differ: Newton's step where it stays in the bracket and converges
-/// fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
+/// Returns the only root in [0, 1] of a polynomial whose signs differ at both ends: Newton's step where it stays in the
+/// bracket and converges fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
 #[inline(always)]
 fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
-    let rising = negative(b[0]);
+    let rising = is_negative(b[0]);
     let (mut lo, mut hi) = (0.0, 1.0);
     let mut t = (b[0] / (b[0] - b[degree])).clamp(0.01, 0.99);
     let mut last_step = 1.0;
     for _ in 0..100 {
         let (f, slope) = value_and_slope(b, degree, t);
-        if negative(f) == rising {
+        if is_negative(f) == rising {
             lo = t;
         } else {
             hi = t;
@@ -108,9 +109,9 @@ fn only_root<const N: usize>(b: &[f64; N], degree: usize) -> f64 {
     t
 }
 
-/// The coefficients on both halves of an interval.
+/// Returns the Bernstein coefficients on both halves of an interval.
 #[inline(always)]
-fn halves<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
+fn split_in_half<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
     let (mut left, mut right) = (*b, *b);
     for (k, end) in left.iter_mut().enumerate().take(degree) {
         *end = right[0];
@@ -122,9 +123,9 @@ fn halves<const N: usize>(b: &[f64; N], degree: usize) -> ([f64; N], [f64; N]) {
     (left, right)
 }
 
-/// The coefficients on the interval from t0 to t1.
+/// Returns the Bernstein coefficients on the interval from t0 to t1.
 #[inline(always)]
-fn stretch<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64)) -> [f64; N] {
+fn restrict_to_interval<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64)) -> [f64; N] {
     if t0 > 0.0 {
         for last in (0..degree).rev() {
             for i in 0..=last {
@@ -145,23 +146,25 @@ fn stretch<const N: usize>(mut b: [f64; N], degree: usize, (t0, t1): (f64, f64))
 }
 
 impl Search<'_> {
-    /// Searches [0, 1]. If the window is only a part of it, the clipped coefficients decide first whether there is any
-    /// root. (Roots are then found from the whole interval: a root is the same to the last bit for any window.)
-    fn start<const N: usize>(&mut self, b: &[f64; N]) -> bool {
+    /// Searches for roots in [0, 1]. If the window is only a part of it, the clipped coefficients decide first whether
+    /// there is any root. (Roots are then found from the whole interval: a root is the same to the last bit for any
+    /// window.)
+    fn search_unit_interval<const N: usize>(&mut self, b: &[f64; N]) -> bool {
         let (t0, t1) = ((self.window.0 - WINDOW_SLACK).max(0.0), (self.window.1 + WINDOW_SLACK).min(1.0));
         let degree = if N <= EXACT { N - 1 } else { self.degree };
         if t1 - t0 < MOST_OF_IT && sign_changes(&b[..=degree]) > 0 {
-            let part = stretch(*b, degree, (t0, t1));
+            let part = restrict_to_interval(*b, degree, (t0, t1));
             let part = &part[..=degree];
             if part.iter().all(|b| *b > self.noise) || part.iter().all(|b| *b < -self.noise) {
                 return false;
             }
         }
-        self.walk(b, 0.0, 1.0)
+        self.search_between(b, 0.0, 1.0)
     }
 
-    /// Searches between `lo` and `hi`, where the coefficients are `b`. Returns true if the search is over.
-    fn walk<const N: usize>(&mut self, b: &[f64; N], lo: f64, hi: f64) -> bool {
+    /// Searches for roots between `lo` and `hi`, where the Bernstein coefficients are `b`. Returns true if the search
+    /// is over.
+    fn search_between<const N: usize>(&mut self, b: &[f64; N], lo: f64, hi: f64) -> bool {
         if hi < self.window.0 || lo > self.window.1 {
             return false;
         }
@@ -175,18 +178,18 @@ impl Search<'_> {
         let middle = 0.5 * (lo + hi);
         if hi - lo < tolerance::POLYNOMIAL || used.iter().all(|b| b.abs() <= self.noise) {
             // A cluster of roots that rounding can't separate: crossed, or touched.
-            let crossed = negative(b[0]) != negative(b[degree]);
+            let crossed = is_negative(b[0]) != is_negative(b[degree]);
             return (self.found)(middle) || !crossed && (self.found)(middle);
         }
-        let (left, right) = halves(b, degree);
+        let (left, right) = split_in_half(b, degree);
         let (near, far) = ((&left, lo, middle), (&right, middle, hi));
         let (first, then) = if self.backwards { (far, near) } else { (near, far) };
-        self.walk(first.0, first.1, first.2) || self.walk(then.0, then.1, then.2)
+        self.search_between(first.0, first.1, first.2) || self.search_between(then.0, then.1, then.2)
     }
 }
 
-/// The roots in [0, 1] of the polynomial with these Bernstein coefficients, ascending; a double root counts twice. The
-/// degree, at most 11, is one less than their number. `found` receives each root; true ends the search.
+/// Finds the roots in [0, 1] of the polynomial with these Bernstein coefficients, ascending; a double root counts
+/// twice. The degree, at most 11, is one less than their number. `found` receives each root; true ends the search.
 pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
     debug_assert!((2..=12).contains(&b.len()));
     // (Most pieces of a curve have no hit.)
@@ -209,20 +212,20 @@ pub fn bernstein_roots(b: &[f64], found: &mut dyn FnMut(f64) -> bool) {
     }
 }
 
-/// The roots of b₀(1 - t)² + 2b₁t(1 - t) + b₂t², whose coefficients change their signs.
+/// Returns the roots in [0, 1] of b₀(1 - t)² + 2b₁t(1 - t) + b₂t², whose coefficients change their signs.
 fn quadratic_roots(b0: f64, b1: f64, b2: f64) -> [Option<f64>; 2] {
     // t/(1 - t) is a root of b₂u² + 2b₁u + b₀.
     let discriminant = b1 * b1 - b0 * b2;
     let q = -(b1 + discriminant.max(0.0).sqrt().copysign(b1));
     // u = q/b₂ and u = b₀/q
     let (t1, t2) = (q / (q + b2), b0 / (b0 + q));
-    if negative(b0) != negative(b2) {
+    if is_negative(b0) != is_negative(b2) {
         // One of the two is outside of [0, 1]; rounding may hide which.
         let off = |t: f64| if t.is_finite() { (t - 0.5).abs() } else { f64::INFINITY };
         let t = if off(t1) <= off(t2) { t1 } else { t2 };
         return [Some(t.clamp(0.0, 1.0)), None];
     }
-    if negative(discriminant) {
+    if is_negative(discriminant) {
         return [None; 2];
     }
     [Some(t1.min(t2)), Some(t1.max(t2))]
@@ -234,10 +237,10 @@ fn padded_roots<const N: usize>(b: &[f64], found: Found) {
     let size = b.iter().fold(0.0, |size: f64, b| size.max(b.abs()));
     let noise = tolerance::POLYNOMIAL * size;
     let mut search = Search { degree: b.len() - 1, noise, window: (0.0, 1.0), backwards: false, found };
-    search.walk(&padded, 0.0, 1.0);
+    search.search_between(&padded, 0.0, 1.0);
 }
 
-/// The roots between `lo` and `hi`, which may be infinite, of c₀ + c₁·x + … of a degree up to [`MAX_DEGREE`],
+/// Finds the roots between `lo` and `hi`, which may be infinite, of c₀ + c₁·x + … of a degree up to [`MAX_DEGREE`],
 /// ascending; a double root, unless rounding hides it, counts twice. `found` receives each root; true ends the search.
 pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> bool) {
     let Some(degree) = c.iter().rposition(|c| *c != 0.0).filter(|n| (1..=MAX_DEGREE).contains(n)) else { return };
@@ -250,24 +253,24 @@ pub fn roots_on_line(c: &[f64], lo: f64, hi: f64, found: &mut dyn FnMut(f64) -> 
             let both = solve_quadratic(a, b, c).map_or([f64::NAN; 2], |(x1, x2)| [x1, x2]);
             let _ = both.into_iter().any(report_root);
         }
-        _ if degree == 3 => on_line::<4>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 4 => on_line::<5>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 5 => on_line::<6>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 6 => on_line::<7>(&c[..=degree], lo, hi, &mut report_root),
-        _ if degree == 7 => on_line::<8>(&c[..=degree], lo, hi, &mut report_root),
-        _ => on_line::<{ MAX_DEGREE + 1 }>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 3 => search_line::<4>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 4 => search_line::<5>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 5 => search_line::<6>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 6 => search_line::<7>(&c[..=degree], lo, hi, &mut report_root),
+        _ if degree == 7 => search_line::<8>(&c[..=degree], lo, hi, &mut report_root),
+        _ => search_line::<{ MAX_DEGREE + 1 }>(&c[..=degree], lo, hi, &mut report_root),
     }
 }
 
-/// Splits the line into (-∞, -1], [-1, 0], [0, 1] and [1, ∞), in a unit that makes the first and the last coefficient
-/// similar. Where |x| is above 1, xⁿ·p(1/x) has the coefficients in reverse order.
-fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
+/// Finds roots on the whole line: splits it into (-∞, -1], [-1, 0], [0, 1] and [1, ∞), in a unit that makes the first
+/// and the last coefficient similar. Where |x| is above 1, xⁿ·p(1/x) has the coefficients in reverse order.
+fn search_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
     let degree = if N <= EXACT { N - 1 } else { c.len() - 1 };
     let lowest = c.iter().position(|c| *c != 0.0).unwrap_or(0);
     let exponent = |x: f64| (x.to_bits() >> 52 & 0x7ff) as i32;
     let unit = match degree - lowest {
         0 => 1.0,
-        n => exp2((exponent(c[lowest]) - exponent(c[degree])) / n as i32),
+        n => power_of_two((exponent(c[lowest]) - exponent(c[degree])) / n as i32),
     };
     let mut a = [0.0; N];
     let mut power = 1.0;
@@ -296,7 +299,7 @@ fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
         let inner = |found: Found, backwards| {
             let mut on_side = |t: f64| found(side * unit * t);
             let mut search = Search { degree, noise, window: (near, far), backwards, found: &mut on_side };
-            near <= 1.0 && search.start(&bernstein(a, degree, at_one))
+            near <= 1.0 && search.search_unit_interval(&to_bernstein(a, degree, at_one))
         };
         let outer = |found: Found, backwards| {
             let mut turned = a;
@@ -304,7 +307,7 @@ fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
             let mut on_side = |t: f64| found(side * unit / t);
             let window = (1.0 / far, if near > 1.0 { 1.0 / near } else { 1.0 });
             let mut search = Search { degree, noise, window, backwards, found: &mut on_side };
-            far >= 1.0 && search.start(&bernstein(turned, degree, at_one))
+            far >= 1.0 && search.search_unit_interval(&to_bernstein(turned, degree, at_one))
         };
         if side < 0.0 {
             let _ = outer(&mut report_root, false) || inner(&mut report_root, true);
@@ -314,15 +317,15 @@ fn on_line<const N: usize>(c: &[f64], lo: f64, hi: f64, found: Found) {
     }
 }
 
-/// 2ᵏ, within the range of numbers.
-fn exp2(k: i32) -> f64 {
+/// Returns 2ᵏ, limited to the range of `f64`.
+fn power_of_two(k: i32) -> f64 {
     f64::from_bits(((k.clamp(-1000, 1000) + 1023) as u64) << 52)
 }
 
-/// Bernstein coefficients bⱼ = Σᵢ C(j,i)/C(n,i)·aᵢ of a₀ + a₁·t + … on [0, 1]. The last one is the value at 1, which
-/// the intervals on both sides must share to the last bit.
+/// Returns the Bernstein coefficients bⱼ = Σᵢ C(j,i)/C(n,i)·aᵢ of a₀ + a₁·t + … on [0, 1]. The last one is the value at
+/// 1, which the intervals on both sides must share to the last bit.
 #[inline(always)]
-fn bernstein<const N: usize>(mut a: [f64; N], degree: usize, at_one: f64) -> [f64; N] {
+fn to_bernstein<const N: usize>(mut a: [f64; N], degree: usize, at_one: f64) -> [f64; N] {
     for (a, inverse) in a.iter_mut().zip(&INVERSE_BINOMIALS[degree][..=degree]) {
         *a *= inverse;
     }
@@ -430,10 +433,10 @@ mod tests {
             size in -40i32..40,
         ) {
             // Any unit of length, and any factor.
-            let unit = exp2(size);
+            let unit = power_of_two(size);
             let mut roots: Vec<f64> = roots.iter().map(|r| r * unit).collect();
             roots.sort_by(f64::total_cmp);
-            let found = everywhere(&from_roots(exp2(-size), &roots));
+            let found = everywhere(&from_roots(power_of_two(-size), &roots));
             prop_assert!(found.is_sorted());
             prop_assert_eq!(found.len() % 2, roots.len() % 2, "{:?} {:?}", found, roots);
             for r in &roots {

@@ -5,19 +5,19 @@ mod bernstein;
 pub use bernstein::{MAX_DEGREE, bernstein_roots, roots_on_line};
 use smallvec::SmallVec;
 
-/// Real roots, ascending; a double root counts twice.
+/// Real roots of a polynomial, ascending; a double root counts twice.
 pub type Roots = SmallVec<[f64; 4]>;
 
 /// Real roots of a·x² + b·x + c, ascending, by the stable pair (lecture, "Solving ax²+bx+c=0"). With a = 0 the line's
 /// root is one of them and the other is infinite; `None` if there is no real root.
 pub fn solve_quadratic(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
     let half_b = 0.5 * b;
-    stable_pair(a, half_b, c, half_b * half_b - a * c)
+    solve_quadratic_with_discriminant(a, half_b, c, half_b * half_b - a * c)
 }
 
 /// Real roots of a·x² + 2·half_b·x + c, ascending, for a caller that has an accurate half_b² - a·c: that difference of
 /// nearly equal numbers is the source of inaccurate roots, and geometry often has it as a product or a distance.
-pub fn stable_pair(a: f64, half_b: f64, c: f64, quarter_disc: f64) -> Option<(f64, f64)> {
+pub fn solve_quadratic_with_discriminant(a: f64, half_b: f64, c: f64, quarter_disc: f64) -> Option<(f64, f64)> {
     if quarter_disc < 0.0 || (a == 0.0 && half_b == 0.0) {
         return None;
     }
@@ -30,14 +30,14 @@ pub fn stable_pair(a: f64, half_b: f64, c: f64, quarter_disc: f64) -> Option<(f6
 /// Real roots of c₀·x³ + c₁·x² + c₂·x + c₃.
 pub fn solve_cubic(c: [f64; 4]) -> Roots {
     let mut out = Roots::new();
-    solve_everywhere(&c, &mut out);
+    solve_polynomial(&c, &mut out);
     out
 }
 
 /// Real roots of c₀·x⁴ + … + c₄.
 pub fn solve_quartic(c: [f64; 5]) -> Roots {
     let mut out = Roots::new();
-    solve_everywhere(&c, &mut out);
+    solve_polynomial(&c, &mut out);
     out
 }
 
@@ -47,23 +47,23 @@ pub fn solve_quartic(c: [f64; 5]) -> Roots {
 /// change of sign decides: the derivative's roots (found recursively) split the line into brackets, and in each bracket
 /// Newton's step, guarded by bisection, can't fail. Where the polynomial touches zero without crossing it, to rounding,
 /// the derivative's root is a double root.
-pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
+pub fn solve_polynomial_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     match c {
         [] | [_] => {}
-        [0.0, rest @ ..] => solve_between(rest, lo, hi, out),
+        [0.0, rest @ ..] => solve_polynomial_between(rest, lo, hi, out),
         &[a, b] => out.extend(Some(-b / a).filter(|x| (lo..=hi).contains(x))),
         &[a, b, c] => {
             let (x1, x2) = match solve_quadratic(a, b, c) {
                 Some(pair) => pair,
                 // Touches zero to rounding: the apex is a double root.
-                None if touches(&[a, b, c], -b / (2.0 * a)) => (-b / (2.0 * a), -b / (2.0 * a)),
+                None if is_zero_to_rounding(&[a, b, c], -b / (2.0 * a)) => (-b / (2.0 * a), -b / (2.0 * a)),
                 None => return,
             };
             out.extend([x1, x2].into_iter().filter(|x| (lo..=hi).contains(x)));
         }
         // A last coefficient of 0 is a root at 0, which no relative tolerance would find.
         [rest @ .., 0.0] => {
-            solve_between(rest, lo, hi, out);
+            solve_polynomial_between(rest, lo, hi, out);
             if (lo..=hi).contains(&0.0) {
                 out.insert(out.partition_point(|x| *x < 0.0), 0.0);
             }
@@ -72,19 +72,23 @@ pub fn solve_between(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     }
 }
 
-/// Searches the whole line, up to the bound on the roots' size.
-fn solve_everywhere(c: &[f64], out: &mut Roots) {
+/// Finds all real roots of a polynomial, within the bound on their size.
+fn solve_polynomial(c: &[f64], out: &mut Roots) {
     match c {
         [] | [_] => {}
         [lead, rest @ ..] => {
             let bound = root_bound(*lead, rest);
             // A leading coefficient so small that its root is out of range is dropped.
-            if bound.is_finite() { solve_between(c, -bound, bound, out) } else { solve_everywhere(rest, out) }
+            if bound.is_finite() {
+                solve_polynomial_between(c, -bound, bound, out)
+            } else {
+                solve_polynomial(rest, out)
+            }
         }
     }
 }
 
-/// Fujiwara's bound (1916): no root is larger than 2·max |cₖ/c₀|^(1/k).
+/// Fujiwara's bound (1916) on the size of a polynomial's roots: no root is larger than 2·max |cₖ/c₀|^(1/k).
 fn root_bound(lead: f64, rest: &[f64]) -> f64 {
     let size = |(k, c): (usize, &f64)| crate::math::fp::pow((c / lead).abs(), 1.0 / (k + 1) as f64);
     2.02 * rest.iter().enumerate().map(size).fold(1e-60, f64::max)
@@ -95,20 +99,20 @@ fn solve_by_derivative(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     // p'(x)
     let derivative: SmallVec<[f64; 8]> = c[..degree].iter().enumerate().map(|(i, c)| c * (degree - i) as f64).collect();
     let mut nodes = Roots::new();
-    solve_between(&derivative, lo, hi, &mut nodes);
+    solve_polynomial_between(&derivative, lo, hi, &mut nodes);
     nodes.push(hi);
     // The last position with a known sign, and the positions since then where p is zero to rounding.
-    let (mut at, mut sign) = (lo, value(c, lo).signum());
+    let (mut at, mut sign) = (lo, evaluate_polynomial(c, lo).signum());
     let mut zeros: Roots = Roots::new();
-    if value(c, lo) == 0.0 {
+    if evaluate_polynomial(c, lo) == 0.0 {
         out.push(lo);
     }
     for x in nodes {
-        if x < hi && touches(c, x) {
+        if x < hi && is_zero_to_rounding(c, x) {
             zeros.push(x);
             continue;
         }
-        let here = value(c, x).signum();
+        let here = evaluate_polynomial(c, x).signum();
         match (zeros.is_empty(), here != sign) {
             (true, true) => out.push(bracketed_root(c, at, x)),
             (true, false) => {}
@@ -123,22 +127,22 @@ fn solve_by_derivative(c: &[f64], lo: f64, hi: f64, out: &mut Roots) {
     }
 }
 
-/// p(x) by Horner's rule.
-fn value(c: &[f64], x: f64) -> f64 {
+/// Evaluates the polynomial p(x) by Horner's rule.
+fn evaluate_polynomial(c: &[f64], x: f64) -> f64 {
     c.iter().fold(0.0, |sum, c| sum * x + c)
 }
 
-/// True if p(x) is zero to rounding: small against the sum of the absolute values of its terms.
-fn touches(c: &[f64], x: f64) -> bool {
+/// True if the polynomial p(x) is zero to rounding: small against the sum of the absolute values of its terms.
+fn is_zero_to_rounding(c: &[f64], x: f64) -> bool {
     let (sum, sizes) = c.iter().fold((0.0, 0.0), |(sum, sizes), c| (sum * x + c, sizes * x.abs() + c.abs()));
     f64::abs(sum) <= crate::math::tolerance::POLYNOMIAL * sizes
 }
 
-/// The root between two positions where p has different signs: Newton's step where it stays in the bracket and halves
-/// it fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
+/// Returns the root between two positions where the polynomial p has different signs: Newton's step where it stays in
+/// the bracket and halves it fast enough, bisection otherwise (Press et al., Numerical Recipes, "rtsafe").
 fn bracketed_root(c: &[f64], a: f64, b: f64) -> f64 {
     // `neg` and `pos`: the ends where p is negative and where it is not.
-    let (mut neg, mut pos) = if value(c, a) < 0.0 { (a, b) } else { (b, a) };
+    let (mut neg, mut pos) = if evaluate_polynomial(c, a) < 0.0 { (a, b) } else { (b, a) };
     let mut x = 0.5 * (a + b);
     let mut last_step = (b - a).abs();
     for _ in 0..200 {

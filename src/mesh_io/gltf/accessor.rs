@@ -3,24 +3,32 @@
 use super::super::ReadResult;
 use super::document::{Accessor, Document};
 
-/// The rows of an accessor, converted to numbers.
+/// Rows of a glTF accessor, converted to numbers.
 pub struct Rows<'a> {
     bytes: &'a [u8],
     stride: usize,
     component: u32,
     normalized: bool,
-    /// Number of rows; all are within the bytes.
+    /// Number of rows of the glTF accessor; all are within its bytes.
     pub count: usize,
 }
 
 impl<'a> Rows<'a> {
-    /// The rows of the accessor with this index, which has `width` numbers in a row.
+    /// Returns the rows of the glTF accessor with this index, which has `width` numbers in a row.
+    ///
+    /// # Errors
+    /// The reason why the accessor can't be read.
     pub fn new(document: &Document, buffers: &'a [Vec<u8>], number: usize, width: usize) -> ReadResult<Self> {
         let accessor = document.accessors.get(number).ok_or_else(|| format!("there is no accessor {number}"))?;
-        Self::of(document, buffers, accessor, width).map_err(|why| format!("accessor {number}: {why}"))
+        Self::from_accessor(document, buffers, accessor, width).map_err(|why| format!("accessor {number}: {why}"))
     }
 
-    fn of(document: &Document, buffers: &'a [Vec<u8>], accessor: &Accessor, width: usize) -> ReadResult<Self> {
+    fn from_accessor(
+        document: &Document,
+        buffers: &'a [Vec<u8>],
+        accessor: &Accessor,
+        width: usize,
+    ) -> ReadResult<Self> {
         if accessor.sparse.is_some() {
             return Err("sparse ones are not read".into());
         }
@@ -63,8 +71,8 @@ impl<'a> Rows<'a> {
         })
     }
 
-    /// Row `i`.
-    pub fn at<const N: usize>(&self, i: usize) -> [f64; N] {
+    /// Returns the numbers of row `i` of the glTF accessor.
+    pub fn row_numbers<const N: usize>(&self, i: usize) -> [f64; N] {
         let row = &self.bytes[i * self.stride..];
         macro_rules! take {
             ($type:ty, $whole:expr) => {{

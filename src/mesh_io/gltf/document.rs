@@ -29,10 +29,10 @@ pub struct Scene {
 pub struct Node {
     pub mesh: Option<usize>,
     pub children: Vec<usize>,
-    /// By columns.
+    /// Matrix of a glTF node, column by column.
     pub matrix: Option<[f64; 16]>,
     pub translation: Option<[f64; 3]>,
-    /// A quaternion, with its real part last.
+    /// Rotation of a glTF node: a quaternion, with its real part last.
     pub rotation: Option<[f64; 4]>,
     pub scale: Option<[f64; 3]>,
 }
@@ -48,12 +48,12 @@ pub struct Primitive {
     pub attributes: Attributes,
     pub indices: Option<usize>,
     pub material: Option<usize>,
-    /// 4 triangles, 5 a strip, 6 a fan; other modes have no surface.
-    #[serde(default = "triangles")]
+    /// Mode of a glTF primitive: 4 for triangles, 5 for a strip, 6 for a fan; other modes have no surface.
+    #[serde(default = "default_primitive_mode")]
     pub mode: u32,
 }
 
-fn triangles() -> u32 {
+fn default_primitive_mode() -> u32 {
     4
 }
 
@@ -111,7 +111,7 @@ pub struct Material {
 #[derive(Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub struct Pbr {
-    /// Linear light, and alpha.
+    /// Base colour of a glTF material, in linear light, and alpha.
     pub base_color_factor: [f64; 4],
     pub base_color_texture: Option<TextureInfo>,
 }

@@ -9,10 +9,10 @@ mod node;
 use super::{MeshFile, MeshMaterial, Open, ReadResult};
 use document::Document;
 
-/// Reads a file, and the buffers that it names.
-pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
+/// Reads a glTF file, and the buffers that it names.
+pub fn read_gltf(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     let Parts { json, bytes: chunk, base } =
-        if bytes.starts_with(b"glTF") { chunks(bytes)? } else { Parts { json: bytes, bytes: None, base: 0 } };
+        if bytes.starts_with(b"glTF") { split_glb_chunks(bytes)? } else { Parts { json: bytes, bytes: None, base: 0 } };
     let document: Document = serde_json::from_slice(json).map_err(|e| {
         let why = e.to_string();
         let why = why.split(" at line ").next().unwrap_or_default().to_string();
@@ -27,7 +27,7 @@ pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     let mut buffers: Vec<Vec<u8>> = vec![];
     for (i, buffer) in document.buffers.iter().enumerate() {
         buffers.push(match (&buffer.uri, chunk) {
-            (Some(uri), _) => bytes_of(uri, open).map_err(|why| format!("buffer {i}: {why}"))?,
+            (Some(uri), _) => read_uri(uri, open).map_err(|why| format!("buffer {i}: {why}"))?,
             (None, Some(chunk)) => chunk.to_vec(),
             (None, None) => return Err(format!("buffer {i} names no file")),
         });
@@ -35,22 +35,22 @@ pub fn read(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
     let mut out = MeshFile::default();
     read_materials(&document, &mut out);
     let size = bytes.len() + buffers.iter().map(Vec::len).sum::<usize>();
-    node::read(&document, &buffers, size, &mut out)?;
+    node::read_nodes(&document, &buffers, size, &mut out)?;
     Ok(out)
 }
 
-/// Extensions that do not affect geometry.
+/// Extensions of glTF that do not affect geometry.
 const KNOWN: &[&str] =
     &["KHR_mesh_quantization", "KHR_materials_unlit", "KHR_texture_transform", "KHR_materials_pbrSpecularGlossiness"];
 
-/// JSON and binary chunk of a `glb`, and the offset of the JSON.
+/// JSON and binary chunk of a glTF file, and the offset of the JSON.
 struct Parts<'a> {
     json: &'a [u8],
     bytes: Option<&'a [u8]>,
     base: usize,
 }
 
-fn chunks(bytes: &[u8]) -> ReadResult<Parts<'_>> {
+fn split_glb_chunks(bytes: &[u8]) -> ReadResult<Parts<'_>> {
     let word = |at: usize| bytes.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
     if word(4) != Some(2) {
         return Err("byte 4: only version 2 of glTF is read".into());
@@ -70,27 +70,27 @@ fn chunks(bytes: &[u8]) -> ReadResult<Parts<'_>> {
     Ok(Parts { json: json.ok_or("byte 12: there is no JSON in it")?, bytes: rest, base: 20 })
 }
 
-/// The bytes of a URI: embedded data, or a file.
-fn bytes_of(uri: &str, open: Open) -> ReadResult<Vec<u8>> {
+/// Returns the bytes of a URI in a glTF file: embedded data, or a file.
+fn read_uri(uri: &str, open: Open) -> ReadResult<Vec<u8>> {
     match uri.strip_prefix("data:") {
         Some(data) => match data.split_once(";base64,") {
-            Some((_, text)) => from_base64(text),
+            Some((_, text)) => decode_base64(text),
             None => Err("its bytes are not in base64".into()),
         },
-        None => open(&unescaped(uri)),
+        None => open(&decode_percent_encoding(uri)),
     }
 }
 
-/// RFC 4648, with or without padding.
-fn from_base64(text: &str) -> ReadResult<Vec<u8>> {
+/// Decodes base64 text (RFC 4648), with or without padding.
+fn decode_base64(text: &str) -> ReadResult<Vec<u8>> {
     use base64::engine::{DecodePaddingMode, Engine, general_purpose::*};
     let lenient = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
     let engine = GeneralPurpose::new(&base64::alphabet::STANDARD, lenient.with_decode_allow_trailing_bits(true));
     engine.decode(text).map_err(|_| "its bytes are not in base64".into())
 }
 
-/// Decodes percent-encoding: `%20` is a blank.
-fn unescaped(uri: &str) -> String {
+/// Decodes the percent-encoding of a URI: `%20` is a blank.
+fn decode_percent_encoding(uri: &str) -> String {
     let mut out = vec![];
     let mut rest = uri.as_bytes();
     while let [first, more @ ..] = rest {
@@ -121,7 +121,7 @@ fn read_materials(document: &Document, out: &mut MeshFile) {
         if let Some(texture) = &pbr.base_color_texture {
             let image = document.textures.get(texture.index).and_then(|t| document.images.get(t.source?));
             match image.and_then(|image| image.uri.as_deref()).filter(|uri| !uri.starts_with("data:")) {
-                Some(uri) => material.picture = Some(unescaped(uri)),
+                Some(uri) => material.picture = Some(decode_percent_encoding(uri)),
                 None => out
                     .remarks
                     .push(format!("the picture of its material `{}` is inside the file, and left out", material.name)),

@@ -1,14 +1,14 @@
 //! The nodes of a glTF file, and their triangles.
 
-use super::super::{MANY, MeshFile, NONE, ReadResult, direction, point};
+use super::super::{MANY, MeshFile, NONE, ReadResult, finite_point, unit_direction};
 use super::accessor::Rows;
 use super::document::{Document, Node, Primitive};
 use crate::math::{DVec2, DVec3, Transform};
 use glam::{DAffine3, DMat4, DQuat};
 
-/// Appends the triangles of the default scene, or of all nodes if there is no scene. `size` is the total size of all
-/// files, in bytes.
-pub fn read(document: &Document, buffers: &[Vec<u8>], size: usize, out: &mut MeshFile) -> ReadResult<()> {
+/// Appends the triangles of a glTF file's default scene, or of all nodes if there is no scene. `size` is the total size
+/// of all files, in bytes.
+pub fn read_nodes(document: &Document, buffers: &[Vec<u8>], size: usize, out: &mut MeshFile) -> ReadResult<()> {
     let mut is_child = vec![false; document.nodes.len()];
     for child in document.nodes.iter().flat_map(|node| &node.children) {
         match is_child.get_mut(*child) {
@@ -31,7 +31,7 @@ pub fn read(document: &Document, buffers: &[Vec<u8>], size: usize, out: &mut Mes
     }
     while let Some((number, around)) = open.pop() {
         let node = &document.nodes[number];
-        let place = around * matrix(node);
+        let place = around * node_matrix(node);
         open.extend(node.children.iter().rev().map(|child| (*child, place)));
         let Some(mesh) = node.mesh else { continue };
         let mesh = document.meshes.get(mesh).ok_or_else(|| format!("node {number}: there is no mesh {mesh}"))?;
@@ -48,7 +48,7 @@ pub fn read(document: &Document, buffers: &[Vec<u8>], size: usize, out: &mut Mes
     Ok(())
 }
 
-fn matrix(node: &Node) -> DAffine3 {
+fn node_matrix(node: &Node) -> DAffine3 {
     match &node.matrix {
         Some(all) => DAffine3::from_mat4(DMat4::from_cols_array(all)),
         None => DAffine3::from_scale_rotation_translation(
@@ -82,21 +82,21 @@ fn read_primitive(
     // (A singular transform has no normals.)
     let m = Transform::from_affine(*place).ok();
     for i in 0..positions.count {
-        let p = place.transform_point3(DVec3::from_array(positions.at(i)));
-        triangles.vertices.push(point(p.to_array(), || format!("corner {i}"))?);
+        let p = place.transform_point3(DVec3::from_array(positions.row_numbers(i)));
+        triangles.vertices.push(finite_point(p.to_array(), || format!("corner {i}"))?);
     }
     for i in 0..normals.as_ref().map_or(0, |_| positions.count) {
-        let n = normals.as_ref().map_or([0.0; 3], |rows| rows.at(i));
-        triangles.normals.push(direction(m.map_or(DVec3::ZERO, |m| m.normal(n.into())).to_array()));
+        let n = normals.as_ref().map_or([0.0; 3], |rows| rows.row_numbers(i));
+        triangles.normals.push(unit_direction(m.map_or(DVec3::ZERO, |m| m.transform_normal(n.into())).to_array()));
     }
     // In glTF v = 0 is the top of a picture, in POV-Ray the bottom.
     for i in 0..uvs.as_ref().map_or(0, |_| positions.count) {
-        let [u, v] = uvs.as_ref().map_or([0.0; 2], |rows| rows.at(i));
+        let [u, v] = uvs.as_ref().map_or([0.0; 2], |rows| rows.row_numbers(i));
         triangles.uvs.push(DVec2::new(u, 1.0 - v));
     }
     let count = indices.as_ref().map_or(positions.count, |rows| rows.count);
     let number = |i: usize| -> ReadResult<u32> {
-        let n = indices.as_ref().map_or(i as f64, |rows| rows.at::<1>(i)[0]);
+        let n = indices.as_ref().map_or(i as f64, |rows| rows.row_numbers::<1>(i)[0]);
         if n < positions.count as f64 {
             Ok(n as u32)
         } else {
@@ -114,7 +114,7 @@ fn read_primitive(
         let corners = [number(places[0])?, number(places[1])?, number(places[2])?];
         let of = |has: bool, first: usize| if has { corners.map(|n| n + first as u32) } else { NONE };
         let (smooth, mapped) = (of(normals.is_some(), first_normal), of(uvs.is_some(), first_uv));
-        triangles.push(of(true, first), smooth, mapped, [slot; 3]);
+        triangles.push_triangle(of(true, first), smooth, mapped, [slot; 3]);
     }
     Ok(())
 }

@@ -7,53 +7,53 @@ use serde::Serialize;
 use smallvec::{SmallVec, smallvec};
 use std::f64::consts::{PI, TAU};
 
-/// Projection of a picture and interpolation between its pixels.
+/// Projection of a bitmap's picture and interpolation between its pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Mapping {
-    /// Projection from points to the picture.
+    /// Projection from points of space to the bitmap's picture.
     pub wrap: Wrap,
-    /// True if the picture is not repeated.
+    /// True if the bitmap's picture is not repeated.
     pub once: bool,
-    /// Interpolation between the pixels nearest to a point.
+    /// Interpolation between the bitmap's pixels nearest to a point.
     pub between: Between,
 }
 
-/// Projection from points to the picture, by the number after `map_type`.
+/// Projection from points to a bitmap's picture, by the number after `map_type`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Wrap {
-    /// 0: on the xy plane, from (0, 0) to (1, 1).
+    /// Bitmap projection 0: on the xy plane, from (0, 0) to (1, 1).
     #[default]
     Planar,
-    /// 1: around a sphere.
+    /// Bitmap projection 1: around a sphere.
     Spherical,
-    /// 2: around a cylinder about the y axis, from y = 0 to 1.
+    /// Bitmap projection 2: around a cylinder about the y axis, from y = 0 to 1.
     Cylindrical,
-    /// 5: around a torus of major radius 1.
+    /// Bitmap projection 5: around a torus of major radius 1.
     Toroidal,
 }
 
-/// Interpolation between pixels, by the number after `interpolate`.
+/// Interpolation between a bitmap's pixels, by the number after `interpolate`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Between {
-    /// The pixel that contains the point.
+    /// No interpolation: the bitmap's pixel that contains the point.
     #[default]
     Nearest,
-    /// 2: linear in both directions.
+    /// Bitmap interpolation 2: linear in both directions.
     Bilinear,
-    /// 3: cubic curves through 16 pixels.
+    /// Bitmap interpolation 3: cubic curves through 16 pixels.
     Bicubic,
-    /// 4: weighted by the distance to four pixels.
+    /// Bitmap interpolation 4: four pixels, weighted by their distance.
     Distance,
 }
 
-/// Pixel numbers, row by row from the top, each with its weight.
+/// Indices of a bitmap's pixels, row by row from the top, each with its weight.
 pub type Weighted = SmallVec<[(usize, f64); 4]>;
 
 impl Wrap {
-    /// From the number after `map_type`; unknown numbers give the planar projection.
-    pub fn from_number(n: f64) -> Self {
+    /// Returns the projection for the number after `map_type`; unknown numbers give the planar projection.
+    pub fn from_map_type(n: f64) -> Self {
         match n as i64 {
             1 => Self::Spherical,
             2 => Self::Cylindrical,
@@ -64,8 +64,8 @@ impl Wrap {
 }
 
 impl Between {
-    /// From the number after `interpolate`.
-    pub fn from_number(n: f64) -> Option<Self> {
+    /// Returns the interpolation for the number after `interpolate`; `None` for an unknown number.
+    pub fn from_interpolate_number(n: f64) -> Option<Self> {
         Some(match n as i64 {
             0 => Self::Nearest,
             2 => Self::Bilinear,
@@ -77,10 +77,10 @@ impl Between {
 }
 
 impl Mapping {
-    /// Position of a point on the picture: (0, 0) is the lower left corner, (1, 1) the upper right one. `None` outside
-    /// the picture.
-    pub fn place(&self, p: DVec3) -> Option<(f64, f64)> {
-        let around = || fp::turn(p.z, p.x);
+    /// Projects a point to a position on the bitmap's picture: (0, 0) is the lower left corner, (1, 1) the upper right
+    /// one. `None` outside the picture.
+    pub fn project_to_picture(&self, p: DVec3) -> Option<(f64, f64)> {
+        let around = || fp::angle_in_turns(p.z, p.x);
         let axis = p.x == 0.0 && p.z == 0.0;
         match self.wrap {
             Wrap::Planar => {
@@ -103,8 +103,8 @@ impl Mapping {
         }
     }
 
-    /// The weighted pixels at a position, for a picture of this size.
-    pub fn pixels(&self, (u, v): (f64, f64), width: usize, height: usize) -> Weighted {
+    /// Returns the bitmap's pixels, with weights, that are interpolated at a position, for a picture of this size.
+    pub fn weighted_pixels(&self, (u, v): (f64, f64), width: usize, height: usize) -> Weighted {
         let (w, h) = (width as f64, height as f64);
         let size = Size { width, height, once: self.once };
         // Pixel centres are at half numbers, counted from the top left corner.
@@ -118,21 +118,21 @@ impl Mapping {
                 let row = height - 1 - (v * h + EDGE).floor() as usize % height;
                 smallvec![(row * width + column, 1.0)]
             }
-            Between::Bilinear => grid(i, j, &[1.0 - s, s], &[1.0 - t, t], size),
+            Between::Bilinear => weighted_grid(i, j, &[1.0 - s, s], &[1.0 - t, t], size),
             Between::Bicubic => {
                 let row = |f: f64| [1.0 + f, f, 1.0 - f, 2.0 - f].map(catmull_rom);
-                grid(i - 1, j - 1, &row(s), &row(t), size)
+                weighted_grid(i - 1, j - 1, &row(s), &row(t), size)
             }
             Between::Distance => {
                 // Lower left of the four pixels; a point level with the centres takes those and the next.
                 let (left, above) = ((a + EDGE).floor(), (b - EDGE).ceil() - 1.0);
-                by_distance(left as i64, above as i64, a - left, b - above, size)
+                pixels_by_distance(left as i64, above as i64, a - left, b - above, size)
             }
         }
     }
 }
 
-/// Size of a picture, and whether pixels beyond an edge repeat the edge or continue at the opposite side.
+/// Size of a bitmap's picture, and whether pixels beyond an edge repeat the edge or continue at the opposite side.
 #[derive(Clone, Copy)]
 struct Size {
     width: usize,
@@ -141,7 +141,7 @@ struct Size {
 }
 
 impl Size {
-    fn number(self, i: i64, j: i64) -> usize {
+    fn pixel_index(self, i: i64, j: i64) -> usize {
         let bring = |k: i64, n: usize| {
             let n = n as i64;
             (if self.once { k.clamp(0, n - 1) } else { k.rem_euclid(n) }) as usize
@@ -150,29 +150,30 @@ impl Size {
     }
 }
 
-/// The pixels of a grid that begins at (i, j), each with the product of its column's and row's weight.
-fn grid(i: i64, j: i64, columns: &[f64], rows: &[f64], size: Size) -> Weighted {
+/// Returns the pixels of a grid that begins at (i, j), each with the product of its column's and row's weight, for
+/// interpolation in a bitmap.
+fn weighted_grid(i: i64, j: i64, columns: &[f64], rows: &[f64], size: Size) -> Weighted {
     let mut out = Weighted::new();
     for (y, t) in (j..).zip(rows) {
         for (x, s) in (i..).zip(columns) {
-            out.push((size.number(x, y), s * t));
+            out.push((size.pixel_index(x, y), s * t));
         }
     }
     out
 }
 
-/// Weight of a pixel at a distance below 2 (Catmull and Rom, A class of local interpolating splines, 1974).
+/// Weight of a bitmap's pixel at a distance below 2 (Catmull and Rom, A class of local interpolating splines, 1974).
 fn catmull_rom(d: f64) -> f64 {
     if d < 1.0 { 1.0 - 2.5 * d * d + 1.5 * d * d * d } else { 2.0 - 4.0 * d + 2.5 * d * d - 0.5 * d * d * d }
 }
 
-/// Four pixels, weighted by the inverse squares of their distances.
-fn by_distance(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
+/// Returns four pixels of a bitmap, weighted by the inverse squares of their distances.
+fn pixels_by_distance(i: i64, j: i64, s: f64, t: f64, size: Size) -> Weighted {
     let mut out = Weighted::new();
     for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
         let (dx, dy) = (s - f64::from(x), t - f64::from(y));
         let squared = dx * dx + dy * dy;
-        let number = size.number(i + i64::from(x), j + i64::from(y));
+        let number = size.pixel_index(i + i64::from(x), j + i64::from(y));
         if squared == 0.0 {
             return smallvec![(number, 1.0)];
         }
@@ -190,7 +191,7 @@ mod tests {
     #[test]
     fn nearest_counts_from_the_top() {
         let flat = Mapping::default();
-        let at = |x, y| flat.place(DVec3::new(x, y, 0.0)).map(|uv| flat.pixels(uv, 4, 3)[0].0);
+        let at = |x, y| flat.project_to_picture(DVec3::new(x, y, 0.0)).map(|uv| flat.weighted_pixels(uv, 4, 3)[0].0);
         assert_eq!([at(0.1, 0.1), at(0.9, 0.9), at(1.3, -0.1)], [Some(8), Some(3), Some(1)]);
     }
 
@@ -198,7 +199,7 @@ mod tests {
     fn weights_add_up_to_one() {
         for between in [Between::Bilinear, Between::Bicubic, Between::Distance] {
             let mapping = Mapping { between, ..Mapping::default() };
-            let sum: f64 = mapping.pixels((0.37, 0.81), 5, 7).iter().map(|(_, weight)| weight).sum();
+            let sum: f64 = mapping.weighted_pixels((0.37, 0.81), 5, 7).iter().map(|(_, weight)| weight).sum();
             assert!((sum - 1.0).abs() < 1e-12, "{between:?}");
         }
     }
@@ -206,7 +207,7 @@ mod tests {
     #[test]
     fn once_ends_at_the_edges() {
         let once = Mapping { once: true, between: Between::Bilinear, ..Mapping::default() };
-        assert_eq!(once.place(DVec3::new(1.01, 0.5, 0.0)), None);
-        assert!(once.pixels((0.01, 0.99), 4, 4).iter().all(|(number, _)| *number == 0));
+        assert_eq!(once.project_to_picture(DVec3::new(1.01, 0.5, 0.0)), None);
+        assert!(once.weighted_pixels((0.01, 0.99), 4, 4).iter().all(|(number, _)| *number == 0));
     }
 }

@@ -1,6 +1,6 @@
 //! `material_map`: the numbers of a picture's palette choose among textures (manual, "Material Maps").
 
-use super::{Bitmap, Mapping, Texels, word_names};
+use super::{Bitmap, Mapping, Texels, bitmap_word_names};
 use crate::color::{Color, Rgb};
 use crate::diagnostic::Result;
 use crate::math::DVec3;
@@ -8,14 +8,14 @@ use crate::pattern::Cells;
 use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// A picture whose palette indices choose textures.
+/// Picture of a `material_map`, whose palette indices choose textures.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MaterialMap {
-    /// Pixels whose palette indices or red channels select the textures.
+    /// Pixels of a `material_map`, whose palette indices or red channels select the textures.
     pub texels: Texels,
-    /// Projection of the picture.
+    /// Projection of the `material_map`'s picture.
     pub mapping: Mapping,
-    /// Number of textures; larger indices wrap around.
+    /// Number of textures of the `material_map`; larger indices wrap around.
     pub count: usize,
 }
 
@@ -27,33 +27,33 @@ impl Readable for MaterialMap {
         ..Spec::EMPTY
     };
 
-    /// Reads up to the first texture; the block stays open.
+    /// Reads a `material_map` up to its first texture; the block stays open.
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let mut bitmap = Bitmap::read(r)?;
         loop {
             match r.next()? {
                 Next::Block("texture") | Next::Thing("texture") | Next::End => break,
-                next if bitmap.read_word(r, next)? => {}
+                next if bitmap.read_bitmap_word(r, next)? => {}
                 _ => {
-                    let words: Vec<_> = word_names().chain(["texture"]).collect();
+                    let words: Vec<_> = bitmap_word_names().chain(["texture"]).collect();
                     return Err(r.unknown_word("material_map", &words).into());
                 }
             }
         }
-        Ok(Self { texels: bitmap.numbers(), mapping: bitmap.mapping, count: 256 })
+        Ok(Self { texels: bitmap.number_texels(), mapping: bitmap.mapping, count: 256 })
     }
 }
 
 impl Cells for MaterialMap {
-    fn count(&self) -> usize {
+    fn cell_kind_count(&self) -> usize {
         self.count
     }
 
-    fn cell(&self, p: DVec3) -> usize {
-        let Some(place) = self.mapping.place(p) else { return 0 };
-        let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
+    fn cell_kind(&self, p: DVec3) -> usize {
+        let Some(place) = self.mapping.project_to_picture(p) else { return 0 };
+        let pixels = self.mapping.weighted_pixels(place, self.texels.width(), self.texels.height());
         // In a picture without a palette, red is the index.
-        let number = |i| self.texels.index(i).map_or_else(|| self.texels.rgba(i)[0] * 255.0, f64::from);
+        let number = |i| self.texels.palette_index(i).map_or_else(|| self.texels.rgba(i)[0] * 255.0, f64::from);
         let number: f64 = pixels.iter().map(|(i, weight)| weight * number(*i)).sum();
         number.max(0.0) as usize % self.count.max(1)
     }

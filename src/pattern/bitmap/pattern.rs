@@ -1,6 +1,6 @@
 //! `image_pattern`: the brightness of a picture (manual, "Image Pattern").
 
-use super::{Bitmap, Mapping, Texels, word_names};
+use super::{Bitmap, Mapping, Texels, bitmap_word_names};
 use crate::color::{Rgb, gray};
 use crate::diagnostic::Result;
 use crate::math::{DVec3, fp};
@@ -9,28 +9,28 @@ use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// A picture's brightness, or its alpha.
+/// Pattern `image_pattern` or `bump_map`: a picture's brightness, alpha or palette index.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ImagePattern {
-    /// Pixels of the picture.
+    /// Pixels of the bitmap pattern's picture.
     pub texels: Texels,
-    /// Projection of the picture.
+    /// Projection of the bitmap pattern's picture.
     pub mapping: Mapping,
-    /// The channel that gives the number.
+    /// Channel of the picture that gives the bitmap pattern's number.
     pub channel: Channel,
-    /// True for `bump_map`: bumps come from neighbouring pixels.
+    /// True for `bump_map`: bumps come from the differences of neighbouring pixels.
     pub bumps: bool,
 }
 
-/// The channel of a pixel that gives the number.
+/// Channel of a pixel that gives a bitmap pattern's number.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Channel {
-    /// Brightness of the pixel.
+    /// Brightness of a pixel as a bitmap pattern's number.
     Gray,
-    /// `use_alpha`: 1 - alpha.
+    /// Alpha of a pixel as a bitmap pattern's number, with `use_alpha`: 1 - alpha.
     Alpha,
-    /// `use_index`: the index in the palette.
+    /// Palette index of a pixel as a bitmap pattern's number, with `use_index`.
     Index,
 }
 
@@ -49,7 +49,7 @@ const CHANNEL_ROWS: &[Row<Channel>] = &[
     .sets(|s, _| set(s, Ok(Channel::Index))),
 ];
 
-/// The words that choose the channel, in `image_pattern` and `bump_map`.
+/// Words that choose the channel of an `image_pattern` or `bump_map`.
 pub const CHANNELS: &[WordSpec] = specs!(CHANNEL_ROWS);
 
 impl Readable for ImagePattern {
@@ -62,7 +62,7 @@ impl Readable for ImagePattern {
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let out = Self::read_words(r, "image_pattern", &mut |_, _| Ok(false))?;
-        r.leave()?;
+        r.leave_block()?;
         // quirk: image_pattern_ignores_index
         let channel = if out.channel == Channel::Index { Channel::Gray } else { out.channel };
         Ok(Self { channel, ..out })
@@ -70,10 +70,10 @@ impl Readable for ImagePattern {
 }
 
 impl ImagePattern {
-    /// Reads the contents of the braces of `block`, which takes other words too.
+    /// Reads the items of an `image_pattern` or `bump_map`; `block` takes other words too.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read_words(
         r: &mut dyn Reader,
         block: &str,
@@ -85,40 +85,40 @@ impl ImagePattern {
             match r.next()? {
                 Next::End => break,
                 next if read_row(CHANNEL_ROWS, &mut channel, next, r)? => {}
-                next if bitmap.read_word(r, next)? || other(r, next)? => {}
+                next if bitmap.read_bitmap_word(r, next)? || other(r, next)? => {}
                 _ => {
                     let own = CHANNELS.iter().map(|w| w.name);
                     let size = (block == "bump_map").then_some("bump_size");
-                    let words: Vec<_> = word_names().chain(own).chain(size).collect();
+                    let words: Vec<_> = bitmap_word_names().chain(own).chain(size).collect();
                     return Err(r.unknown_word(block, &words).into());
                 }
             }
         }
-        let texels = bitmap.numbers();
+        let texels = bitmap.number_texels();
         let channel = match channel {
             Channel::Alpha if !texels.has_alpha() => Channel::Gray,
-            Channel::Index if texels.index(0).is_none() => Channel::Gray,
+            Channel::Index if texels.palette_index(0).is_none() => Channel::Gray,
             other => other,
         };
         Ok(Self { texels, mapping: bitmap.mapping, channel, bumps: false })
     }
 
-    /// The number of a pixel in a channel.
-    fn number(&self, i: usize, channel: Channel) -> f64 {
+    /// Returns the number of the bitmap's pixel `i` in a channel.
+    fn pixel_number(&self, i: usize, channel: Channel) -> f64 {
         let [r, g, b, a] = self.texels.rgba(i);
         match channel {
             Channel::Gray => gray(Rgb::new(r, g, b)),
             Channel::Alpha => 1.0 - a,
-            Channel::Index => f64::from(self.texels.index(i).unwrap_or(0)),
+            Channel::Index => f64::from(self.texels.palette_index(i).unwrap_or(0)),
         }
     }
 }
 
 impl ImagePattern {
-    /// The interpolated number at a position on the picture.
-    fn number_at(&self, place: (f64, f64)) -> f64 {
-        let pixels = self.mapping.pixels(place, self.texels.width(), self.texels.height());
-        let sum = |channel| pixels.iter().map(|(i, weight)| weight * self.number(*i, channel)).sum::<f64>();
+    /// Returns the interpolated number at a position on the bitmap.
+    fn interpolated_number(&self, place: (f64, f64)) -> f64 {
+        let pixels = self.mapping.weighted_pixels(place, self.texels.width(), self.texels.height());
+        let sum = |channel| pixels.iter().map(|(i, weight)| weight * self.pixel_number(*i, channel)).sum::<f64>();
         match self.channel {
             // quirk: palette_index_truncated
             Channel::Index => sum(Channel::Index).trunc(),
@@ -128,24 +128,24 @@ impl ImagePattern {
 }
 
 impl Field for ImagePattern {
-    fn begins_still(&self) -> bool {
+    fn starts_with_zero_frequency(&self) -> bool {
         true
     }
 
     fn value(&self, at: &TextureContext) -> f64 {
-        self.mapping.place(at.p).map_or(0.0, |place| self.number_at(place).clamp(0.0, 1.0))
+        self.mapping.project_to_picture(at.p).map_or(0.0, |place| self.interpolated_number(place).clamp(0.0, 1.0))
     }
 
-    fn bumped(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
+    fn bumped_normal(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
         if !self.bumps {
             return None;
         }
-        let Some((u, v)) = self.mapping.place(at.p) else { return Some(n) };
+        let Some((u, v)) = self.mapping.project_to_picture(at.p) else { return Some(n) };
         // The slope of the triangle of three pixels: this one, the one below and the one to the right or left (quirk:
         // bump_map_three_pixels).
         let (across, up) = (1.0 / self.texels.width() as f64, 1.0 / self.texels.height() as f64);
         // Past an edge the picture continues at its opposite side, also with `once`.
-        let height = |du: f64, dv: f64| self.number_at((fp::fraction(u + du), fp::fraction(v + dv)));
+        let height = |du: f64, dv: f64| self.interpolated_number((fp::fraction(u + du), fp::fraction(v + dv)));
         let (here, right, left) = (height(0.0, 0.0), height(across, -up), height(-across, -up));
         // The picture's directions in the surface; for a surface level to 1e-10 these are x and z (quirk:
         // bump_map_three_pixels).

@@ -1,17 +1,17 @@
 //! The pixels of a picture in the numbers of the scene.
 
 use crate::color::Gamma;
-use crate::image_io::{Picture, Samples, Stored, kept_gray, spread};
+use crate::image_io::{Picture, Samples, Stored, expand_pixel, povray_gray};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A picture's pixels, decoded when they are read.
+/// Pixels of a bitmap's picture, decoded when they are read.
 #[derive(Clone, Debug)]
 pub struct Texels {
     picture: Arc<Picture>,
-    /// Decoded value of each stored integer of a colour channel; empty for floating-point pictures.
+    /// Decoded value of each stored integer in the bitmap's colour channels; empty for floating-point pictures.
     curve: Arc<[f32]>,
-    /// True if colours have to be divided by alpha.
+    /// True if the bitmap's colours have to be divided by alpha.
     premultiplied: bool,
 }
 
@@ -28,10 +28,10 @@ impl Serialize for Texels {
 }
 
 impl Texels {
-    /// A picture whose numbers are decoded by `curve`, which takes numbers in [0, 1].
+    /// Creates the pixels of a bitmap whose numbers in [0, 1] are decoded by `curve`.
     pub fn new(picture: Arc<Picture>, curve: impl Fn(f64) -> f64, premultiplied: bool) -> Self {
         let number = |part: f64| curve(part) as f32;
-        let kept = |part: f64| if picture.gray_bytes { kept_gray(number(part)) } else { number(part) };
+        let kept = |part: f64| if picture.gray_bytes { povray_gray(number(part)) } else { number(part) };
         let table = |n: u32| -> Arc<[f32]> { (0..n).map(|i| kept(f64::from(i) / f64::from(n - 1))).collect() };
         let curve = match picture.pixels.samples {
             Samples::U8(_) => table(256),
@@ -41,54 +41,54 @@ impl Texels {
         Self { picture, curve, premultiplied }
     }
 
-    /// Width of the picture in pixels.
+    /// Width of the bitmap in pixels.
     pub fn width(&self) -> usize {
         self.picture.pixels.width
     }
 
-    /// Height of the picture in pixels.
+    /// Height of the bitmap in pixels.
     pub fn height(&self) -> usize {
         self.picture.pixels.height
     }
 
-    /// True if the file stores alpha, or a palette, which may have alpha.
+    /// True if the bitmap's file stores alpha, or a palette, which may have alpha.
     pub fn has_alpha(&self) -> bool {
         matches!(self.picture.pixels.channels, 2 | 4)
     }
 
-    /// Palette index of a pixel.
-    pub fn index(&self, i: usize) -> Option<u8> {
+    /// Palette index of the bitmap's pixel `i`; `None` without a palette.
+    pub fn palette_index(&self, i: usize) -> Option<u8> {
         self.picture.indices.as_ref().and_then(|indices| indices.get(i).copied())
     }
 
-    /// Red, green, blue and alpha of a pixel.
+    /// Red, green, blue and alpha of the bitmap's pixel `i`.
     pub fn rgba(&self, i: usize) -> [f64; 4] {
         let n = self.picture.pixels.channels;
         let range = i * n..(i + 1) * n;
         let [r, g, b, a] = match &self.picture.pixels.samples {
-            Samples::U8(all) => spread(&all[range], |x| self.curve[x as usize], |x| f32::from(x) / 255.0),
-            Samples::U16(all) => spread(&all[range], |x| self.curve[x as usize], |x| f32::from(x) / 65535.0),
-            Samples::F32(all) => spread(&all[range], |x| x, |x| x),
+            Samples::U8(all) => expand_pixel(&all[range], |x| self.curve[x as usize], |x| f32::from(x) / 255.0),
+            Samples::U16(all) => expand_pixel(&all[range], |x| self.curve[x as usize], |x| f32::from(x) / 65535.0),
+            Samples::F32(all) => expand_pixel(&all[range], |x| x, |x| x),
         }
         .map(f64::from);
         if self.premultiplied && a != 0.0 { [r / a, g / a, b / a, a] } else { [r, g, b, a] }
     }
 }
 
-/// Curve from a file's numbers to those of a scene, whose colours relate to light by `scene`. `decodes` is true if
-/// files without gamma information follow the sRGB curve. In scenes before version 3.7 without `assumed_gamma`, numbers
-/// stay unchanged (quirk: `gamma_by_version`).
-pub fn color_curve(stored: Stored, said: Option<Gamma>, scene: Gamma, decodes: bool) -> impl Fn(f64) -> f64 {
-    let file = match (said, stored) {
+/// Returns the curve from a picture file's numbers to those of a scene, whose colours relate to light by `scene_gamma`.
+/// `decodes` is true if files without gamma information follow the sRGB curve. In scenes before version 3.7 without
+/// `assumed_gamma`, numbers stay unchanged (quirk: `gamma_by_version`).
+pub fn color_curve(stored: Stored, stated: Option<Gamma>, scene_gamma: Gamma, decodes: bool) -> impl Fn(f64) -> f64 {
+    let file = match (stated, stored) {
         (Some(gamma), _) => Some(gamma),
-        (None, _) if scene == Gamma::Raw => None,
+        (None, _) if scene_gamma == Gamma::Raw => None,
         (None, Stored::Plain) => None,
         (None, Stored::Unsaid) => decodes.then_some(Gamma::Srgb),
         (None, Stored::Srgb) => Some(Gamma::Srgb),
         (None, Stored::Power(g)) => Some(Gamma::Power(g)),
     };
-    let file = file.filter(|gamma| !gamma.agrees(scene));
-    move |v| file.map_or(v, |gamma| scene.encode(gamma.decode(v)))
+    let file = file.filter(|gamma| !gamma.is_equivalent(scene_gamma));
+    move |v| file.map_or(v, |gamma| scene_gamma.encode(gamma.decode(v)))
 }
 
 #[cfg(test)]

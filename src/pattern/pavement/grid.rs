@@ -4,45 +4,46 @@ use super::plans;
 use crate::math::{DVec2, fp};
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// √3 / 2, the height of a triangle.
+/// √3 / 2, the height of a triangle whose sides are 1.
 pub const H: f64 = 0.866_025_403_784_438_6;
 
-/// Shape of the cells of the grid.
+/// Shape of the cells of the grid under the pattern `pavement`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cells {
-    /// Two in each position of the grid: the first points up, the second down.
+    /// Grid of triangles, two in each position: the first points up, the second down.
     Triangles,
-    /// The first from (0, 0) to (1, 1).
+    /// Grid of squares, the first from (0, 0) to (1, 1).
     Squares,
-    /// The first has corners at (0, 0) and (2, 0).
+    /// Grid of hexagons; the first has corners at (0, 0) and (2, 0).
     Hexagons,
 }
 
-/// A cell: steps along the grid's axes, and the number of the cell at that position.
+/// Cell of a pavement's grid: steps along the grid's axes, and the number of the cell at that position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// Steps along the first axis.
+    /// Steps of the cell along the first axis of the pavement's grid.
     pub i: i64,
-    /// Steps along the second axis.
+    /// Steps of the cell along the second axis of the pavement's grid.
     pub j: i64,
-    /// 1 for triangles that point down, else 0.
+    /// Orientation of the cell: 1 for triangles that point down, else 0.
     pub kind: usize,
 }
 
-/// The steps to the neighbour across each edge, for a triangle that points up, a square, a hexagon.
+/// Steps to the neighbour across each edge, for a triangle that points up; then for one that points down, a square and
+/// a hexagon.
 const NEIGHBOURS_UP: &[(i64, i64)] = &[(0, -1), (0, 0), (-1, 0)];
 const NEIGHBOURS_DOWN: &[(i64, i64)] = &[(0, 0), (1, 0), (0, 1)];
 const NEIGHBOURS_SQUARE: &[(i64, i64)] = &[(0, -1), (1, 0), (0, 1), (-1, 0)];
 const NEIGHBOURS_HEXAGON: &[(i64, i64)] = &[(1, 0), (0, 1), (-1, 1), (-1, 0), (0, -1), (1, -1)];
 
 impl Cells {
-    /// The grid of cells with this number of sides.
+    /// Returns the pavement's grid of cells with this number of sides; `None` unless that is 3, 4 or 6.
     pub fn with_sides(sides: f64) -> Option<Self> {
-        [Self::Triangles, Self::Squares, Self::Hexagons].into_iter().find(|cells| cells.sides() as f64 == sides)
+        [Self::Triangles, Self::Squares, Self::Hexagons].into_iter().find(|cells| cells.side_count() as f64 == sides)
     }
 
-    /// Number of sides of a cell.
-    pub fn sides(self) -> usize {
+    /// Number of sides of a cell of the pavement's grid.
+    pub fn side_count(self) -> usize {
         match self {
             Self::Triangles => 3,
             Self::Squares => 4,
@@ -50,8 +51,8 @@ impl Cells {
         }
     }
 
-    /// The tables of plans by number of cells in a tile, then by variant.
-    pub fn plans(self) -> &'static [&'static [&'static str]] {
+    /// Plans of a pavement by number of cells in a tile, then by variant.
+    pub fn tile_plans(self) -> &'static [&'static [&'static str]] {
         match self {
             Self::Triangles => plans::TRIANGLES,
             Self::Squares => plans::SQUARES,
@@ -59,8 +60,8 @@ impl Cells {
         }
     }
 
-    /// Distance from the centre to a corner.
-    pub fn radius(self) -> f64 {
+    /// Distance from the centre of a pavement's cell to its corners.
+    pub fn corner_radius(self) -> f64 {
         match self {
             Self::Triangles => 0.5 / H,
             Self::Squares => FRAC_1_SQRT_2,
@@ -68,24 +69,24 @@ impl Cells {
         }
     }
 
-    /// Width of the bevel.
-    pub fn depth(self) -> f64 {
+    /// Width of the bevel at a pavement's joints.
+    pub fn bevel_width(self) -> f64 {
         if self == Self::Squares { 0.5 } else { H / 3.0 }
     }
 
-    /// Number of cells at each position of the grid.
-    fn kinds(self) -> usize {
+    /// Number of cells at each position of the pavement's grid.
+    fn kinds_per_position(self) -> usize {
         if self == Self::Triangles { 2 } else { 1 }
     }
 
-    /// Directions of the corners from the centre.
-    pub fn corners(self) -> Vec<Vec<DVec2>> {
+    /// Directions of the corners from the centre of a pavement's cell, for each kind of cell.
+    pub fn corner_directions(self) -> Vec<Vec<DVec2>> {
         let first: &[f64] = match self {
             Self::Triangles => &[210.0, 150.0],
             Self::Squares => &[225.0],
             Self::Hexagons => &[0.0],
         };
-        let n = self.sides();
+        let n = self.side_count();
         let corner = |first: f64, k: usize| {
             let (sin, cos) = fp::sin_cos((first + 360.0 * k as f64 / n as f64).to_radians());
             DVec2::new(cos, sin)
@@ -93,8 +94,8 @@ impl Cells {
         first.iter().map(|&first| (0..n).map(|k| corner(first, k)).collect()).collect()
     }
 
-    /// The cell of a point, and the point relative to the cell's centre.
-    pub fn locate(self, p: DVec2) -> (Cell, DVec2) {
+    /// Returns the pavement's cell that contains a point, and the point relative to the cell's centre.
+    pub fn cell_at(self, p: DVec2) -> (Cell, DVec2) {
         let cell = |i: f64, j: f64, kind| Cell { i: i as i64, j: j as i64, kind };
         match self {
             Self::Squares => {
@@ -127,7 +128,7 @@ impl Cells {
         }
     }
 
-    /// The neighbour across an edge.
+    /// Returns the neighbour of a pavement's cell across an edge.
     fn neighbour(self, cell: Cell, edge: usize) -> Cell {
         let steps = match (self, cell.kind) {
             (Self::Triangles, 0) => NEIGHBOURS_UP,
@@ -140,45 +141,45 @@ impl Cells {
         Cell { i: cell.i + i, j: cell.j + j, kind }
     }
 
-    /// The number of an edge in the cell on its other side.
-    fn same_edge(self, cell: Cell, edge: usize) -> usize {
+    /// Returns the index that an edge of a pavement's cell has in the cell on its other side.
+    fn edge_in_neighbour(self, cell: Cell, edge: usize) -> usize {
         match (self, cell.kind) {
             (Self::Triangles, 0) => (edge + 2) % 3,
             (Self::Triangles, _) => (edge + 1) % 3,
-            _ => (edge + self.sides() / 2) % self.sides(),
+            _ => (edge + self.side_count() / 2) % self.side_count(),
         }
     }
 }
 
-/// The edges that meet at a corner of a cell.
+/// Joints among the edges that meet at a corner of a pavement's cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Corner {
-    /// True if the edge before the corner (against the clock) is a joint.
+    /// True if the edge of a pavement's cell before the corner (against the clock) is a joint.
     pub before: bool,
-    /// True if the edge after the corner is a joint.
+    /// True if the edge of a pavement's cell after the corner is a joint.
     pub after: bool,
-    /// True if the first other edge at the corner, next to `after`, is a joint.
+    /// True if the first edge outside the cell at the corner, next to `after`, is a pavement's joint.
     pub first: bool,
-    /// True if the last other edge at the corner, next to `before`, is a joint.
+    /// True if the last edge outside the cell at the corner, next to `before`, is a pavement's joint.
     pub last: bool,
-    /// True if any edge at the corner other than `before` and `after` is a joint.
+    /// True if any edge outside the cell at the corner is a pavement's joint.
     pub any: bool,
 }
 
-/// The edges of the grid that are joints.
+/// Plan of a pavement: the edges of the grid that are joints between tiles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     cells: Cells,
-    /// The period of the plan: a along the first axis; b along the first and c along the second.
+    /// The period of the pavement's plan: a along the first axis; b along the first and c along the second.
     steps: [i64; 3],
-    /// For each cell of a period, a bit for each edge that is a joint.
+    /// For each cell of a period of the pavement, a bit for each edge that is a joint.
     joints: Vec<u8>,
-    /// The corners of the same cells.
+    /// Corners of each cell of a period of the pavement.
     corners: Vec<Vec<Corner>>,
 }
 
 impl Plan {
-    /// Parses a row of `plans.rs`.
+    /// Parses a pavement's plan, a row of `plans.rs`.
     pub fn new(cells: Cells, row: &str) -> Self {
         let mut words = row.split(' ');
         let mut number = || words.next().and_then(|word| word.parse().ok()).unwrap_or(1);
@@ -190,30 +191,30 @@ impl Plan {
         };
         let mut plan = Self { cells, steps, joints, corners: vec![] };
         let places = (0..steps[2]).flat_map(|j| (0..steps[0]).map(move |i| (i, j)));
-        let all = places.flat_map(|(i, j)| (0..cells.kinds()).map(move |kind| Cell { i, j, kind }));
-        plan.corners = all.map(|cell| (0..cells.sides()).map(|k| plan.corner(cell, k)).collect()).collect();
+        let all = places.flat_map(|(i, j)| (0..cells.kinds_per_position()).map(move |kind| Cell { i, j, kind }));
+        plan.corners = all.map(|cell| (0..cells.side_count()).map(|k| plan.corner(cell, k)).collect()).collect();
         plan
     }
 
-    fn index(&self, cell: Cell) -> usize {
+    fn index_in_period(&self, cell: Cell) -> usize {
         let [a, b, c] = self.steps;
         let (up, j) = (cell.j.div_euclid(c), cell.j.rem_euclid(c));
         // no step overflows, for any cell
         let i = (cell.i.rem_euclid(a) - up.rem_euclid(a) * b).rem_euclid(a);
-        (j * a + i) as usize * self.cells.kinds() + cell.kind
+        (j * a + i) as usize * self.cells.kinds_per_position() + cell.kind
     }
 
     fn is_joint(&self, cell: Cell, edge: usize) -> bool {
-        self.joints[self.index(cell)] >> edge & 1 == 1
+        self.joints[self.index_in_period(cell)] >> edge & 1 == 1
     }
 
     fn corner(&self, cell: Cell, k: usize) -> Corner {
-        let n = self.cells.sides();
+        let n = self.cells.side_count();
         // around the corner, from the edge after it to the edge before it
         let (mut there, mut edge) = (cell, k);
         let mut others = vec![];
         for _ in 0..2 * n / (n - 2) - 2 {
-            (there, edge) = (self.cells.neighbour(there, edge), (self.cells.same_edge(there, edge) + 1) % n);
+            (there, edge) = (self.cells.neighbour(there, edge), (self.cells.edge_in_neighbour(there, edge) + 1) % n);
             others.push(self.is_joint(there, edge));
         }
         let [first, last] = [others.first(), others.last()].map(|other| other == Some(&true));
@@ -221,9 +222,9 @@ impl Plan {
         Corner { before, after, first, last, any: others.contains(&true) }
     }
 
-    /// The corners of a cell.
-    pub fn corners(&self, cell: Cell) -> &[Corner] {
-        &self.corners[self.index(cell)]
+    /// Returns the corners of a pavement's cell.
+    pub fn corners_of_cell(&self, cell: Cell) -> &[Corner] {
+        &self.corners[self.index_in_period(cell)]
     }
 }
 
@@ -234,13 +235,19 @@ mod tests {
     #[test]
     fn joints_match_from_both_sides() {
         for cells in [Cells::Triangles, Cells::Squares, Cells::Hexagons] {
-            for row in cells.plans().iter().copied().flatten() {
+            for row in cells.tile_plans().iter().copied().flatten() {
                 let plan = Plan::new(cells, row);
-                assert_eq!(plan.joints.len() as i64, plan.steps[0] * plan.steps[2] * cells.kinds() as i64, "{row}");
+                assert_eq!(
+                    plan.joints.len() as i64,
+                    plan.steps[0] * plan.steps[2] * cells.kinds_per_position() as i64,
+                    "{row}"
+                );
                 for (i, j) in (-7..7).flat_map(|i| (-7..7).map(move |j| (i, j))) {
-                    for (kind, edge) in (0..cells.kinds()).flat_map(|k| (0..cells.sides()).map(move |e| (k, e))) {
+                    for (kind, edge) in
+                        (0..cells.kinds_per_position()).flat_map(|k| (0..cells.side_count()).map(move |e| (k, e)))
+                    {
                         let cell = Cell { i, j, kind };
-                        let (other, same) = (cells.neighbour(cell, edge), cells.same_edge(cell, edge));
+                        let (other, same) = (cells.neighbour(cell, edge), cells.edge_in_neighbour(cell, edge));
                         assert_eq!(cells.neighbour(other, same), cell);
                         assert_eq!(plan.is_joint(cell, edge), plan.is_joint(other, same), "{row}");
                     }

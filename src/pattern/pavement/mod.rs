@@ -20,60 +20,60 @@ use serde::Serialize;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use std::sync::Arc;
 
-/// Numbers from 0 in the middle of tiles to 1 at the joints.
+/// Pattern `pavement`: numbers from 0 in the middle of tiles to 1 at the joints.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pavement {
-    /// The parameters as written.
+    /// Parameters of the pattern `pavement` as written.
     #[serde(flatten)]
     pub params: PavementWords,
-    /// The plan of these parameters.
+    /// Joints and shapes that follow from the parameters of `pavement`.
     #[serde(skip)]
     layout: Arc<PavementLayout>,
 }
 
-/// Values of the words of `pavement`.
+/// Values of the words of the pattern `pavement`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PavementWords {
-    /// Number of sides of each cell: 3, 4 or 6.
+    /// Number of sides of each cell of `pavement`: 3, 4 or 6.
     pub number_of_sides: f64,
-    /// Number of cells in a tile.
+    /// Number of cells in a tile of `pavement`.
     pub number_of_tiles: f64,
-    /// Variant among the tiles of this number of cells.
+    /// Variant of `pavement` among the tiles of this number of cells.
     pub pattern: f64,
-    /// Shape of joints at tips.
+    /// Shape of a pavement's joints at the tips of tiles.
     pub exterior: f64,
-    /// Shape of joints at notches.
+    /// Shape of a pavement's joints at the notches of tiles.
     pub interior: f64,
-    /// Shape of joints at all other corners.
+    /// Shape of a pavement's joints at all other corners.
     pub form: f64,
 }
 
-/// Shape of a joint at a corner.
+/// Shape of a pavement's joint at a corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum JointShape {
-    /// The corner of the joint is pointed.
+    /// Joint with a pointed corner.
     Pointed,
-    /// The corner of the joint is cut off.
+    /// Joint with a corner that is cut off.
     Cut,
-    /// The corner of the joint is an arc.
+    /// Joint with a corner that is an arc.
     Round,
-    /// `form` of squares: as `exterior` and `interior`.
+    /// Joint of squares whose shape is that of `exterior` and `interior`, not of `form`.
     AsOthers,
 }
 
 impl JointShape {
-    /// From the number in the scene. POV-Ray keeps eight bits of it, and wraps around.
-    fn numbered(n: f64, shapes: u8) -> Self {
+    /// Returns the joint's shape for a number in the scene. POV-Ray keeps eight bits of the number, and wraps around.
+    fn joint_shape_of_number(n: f64, shapes: u8) -> Self {
         [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % shapes)]
     }
 }
 
-/// A plan with the directions of its corners.
+/// Plan of a pavement with the directions of the cells' corners and the shapes of joints.
 #[derive(Clone, Debug, PartialEq)]
 struct PavementLayout {
     cells: Cells,
     plan: Plan,
-    /// Directions of the corners from the centre, for each kind of cell.
+    /// Directions of the corners from the centre of a pavement's cell, for each kind of cell.
     corners: Vec<Vec<DVec2>>,
     exterior: JointShape,
     interior: JointShape,
@@ -97,13 +97,13 @@ impl Readable for Pavement {
             interior: 0.0,
             form: 0.0,
         };
-        params.continued(r)
+        params.read_remaining_words(r)
     }
 
     fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         let found = read_row(PavementWords::ROWS, &mut self.params, next, r)?;
         if found {
-            *self = self.params.continued(r)?;
+            *self = self.params.read_remaining_words(r)?;
         }
         Ok(found)
     }
@@ -130,9 +130,9 @@ impl PavementWords {
         .sets(|s, r| set(&mut s.form, r.float())),
     ];
 
-    /// Reads the remaining words of the pattern: they depend on each other in any order, so they are checked after the
+    /// Reads the remaining words of `pavement`: they depend on each other in any order, so they are checked after the
     /// last.
-    fn continued(mut self, r: &mut dyn Reader) -> Result<Pavement> {
+    fn read_remaining_words(mut self, r: &mut dyn Reader) -> Result<Pavement> {
         let at = r.span();
         loop {
             let next = r.next()?;
@@ -140,22 +140,22 @@ impl PavementWords {
                 break;
             }
         }
-        Pavement::lay(self, at)
+        Pavement::from_words(self, at)
     }
 }
 
 impl Pavement {
-    fn lay(params: PavementWords, at: Span) -> Result<Self> {
+    fn from_words(params: PavementWords, at: Span) -> Result<Self> {
         let fault = |message: String| Diagnostic::err(codes::BAD_ARGUMENT, at, message);
         let Some(cells) = Cells::with_sides(params.number_of_sides) else {
             return fault(format!("the cells of a pavement have 3, 4 or 6 sides, found {}", params.number_of_sides));
         };
-        let Some(patterns) = pick(cells.plans(), params.number_of_tiles) else {
-            let most = cells.plans().len();
+        let Some(patterns) = nth_entry(cells.tile_plans(), params.number_of_tiles) else {
+            let most = cells.tile_plans().len();
             let (sides, tiles) = (params.number_of_sides, params.number_of_tiles);
             return fault(format!("with {sides} sides, `number_of_tiles` is one of 1 to {most}, found {tiles}"));
         };
-        let Some(row) = pick(patterns, params.pattern) else {
+        let Some(row) = nth_entry(patterns, params.pattern) else {
             let (sides, tiles, most) = (params.number_of_sides, params.number_of_tiles, patterns.len());
             let what = format!("`pattern` of {tiles} cells with {sides} sides");
             return fault(format!("{what} is one of 1 to {most}, found {}", params.pattern));
@@ -163,63 +163,64 @@ impl Pavement {
         let layout = PavementLayout {
             cells,
             plan: Plan::new(cells, row),
-            corners: cells.corners(),
-            exterior: JointShape::numbered(params.exterior, 3),
-            interior: JointShape::numbered(params.interior, 3),
-            form: JointShape::numbered(params.form, if cells == Cells::Squares { 4 } else { 3 }),
+            corners: cells.corner_directions(),
+            exterior: JointShape::joint_shape_of_number(params.exterior, 3),
+            interior: JointShape::joint_shape_of_number(params.interior, 3),
+            form: JointShape::joint_shape_of_number(params.form, if cells == Cells::Squares { 4 } else { 3 }),
         };
         Ok(Self { params, layout: Arc::new(layout) })
     }
 }
 
-/// The n-th entry, counted from 1.
-fn pick<T: Copy>(all: &[T], n: f64) -> Option<T> {
+/// Returns the n-th entry of a list, counted from 1; `None` without such an entry.
+fn nth_entry<T: Copy>(all: &[T], n: f64) -> Option<T> {
     (n >= 1.0).then(|| all.get(n as usize - 1).copied()).flatten()
 }
 
-/// A point relative to the nearest corner of its cell.
+/// Position of a point relative to the nearest corner of its pavement cell.
 #[derive(Clone, Copy, Debug)]
 struct NearCorner {
-    /// Distance from the corner towards the centre.
+    /// Distance from the cell's corner towards its centre.
     along: f64,
-    /// Distance from the line between corner and centre, towards the edge after the corner (against the clock).
+    /// Distance from the line between the cell's corner and centre, towards the edge that follows the corner
+    /// anticlockwise.
     across: f64,
-    /// Distance to the centre.
+    /// Distance from the point to the centre of its pavement cell.
     to_middle: f64,
 }
 
 impl NearCorner {
-    /// Distance to the corner.
-    fn to_corner(self) -> f64 {
+    /// Distance from the point to the nearest corner of its pavement cell.
+    fn distance_to_corner(self) -> f64 {
         fp::hypot(self.along, self.across)
     }
 }
 
 impl PavementLayout {
-    fn value(&self, p: DVec2) -> f64 {
-        let (cell, place) = self.cells.locate(p);
+    fn height_at(&self, p: DVec2) -> f64 {
+        let (cell, place) = self.cells.cell_at(p);
         let directions = &self.corners[cell.kind];
-        let k = nearest(directions, place);
+        let k = nearest_direction(directions, place);
         let direction = directions[k];
         let near = NearCorner {
-            along: self.cells.radius() - place.dot(direction),
+            along: self.cells.corner_radius() - place.dot(direction),
             across: direction.perp_dot(place),
             to_middle: place.length(),
         };
-        let corners = self.plan.corners(cell);
+        let corners = self.plan.corners_of_cell(cell);
         let value = match self.cells {
-            Cells::Triangles => self.triangle(corners[k], near),
-            Cells::Squares => match turn(corners) {
-                Some(turn) => self.square_that_turns(corners[k], near, place.dot(directions[turn])),
-                None => self.square(corners[k], near, self.exterior, self.interior),
+            Cells::Triangles => self.triangle_height(corners[k], near),
+            Cells::Squares => match corner_opposite_notch(corners) {
+                Some(turn) => self.turning_square_height(corners[k], near, place.dot(directions[turn])),
+                None => self.square_height(corners[k], near, self.exterior, self.interior),
             },
-            Cells::Hexagons => self.hexagon(corners[k], near),
+            Cells::Hexagons => self.hexagon_height(corners[k], near),
         };
         value.clamp(0.0, 1.0)
     }
 
-    /// Heights of the bevels of the joints before and after the corner; 0 without a joint.
-    fn bevels(&self, corner: Corner, near: NearCorner) -> [f64; 2] {
+    /// Returns the heights of a pavement's bevels before and after the corner; 0 without a joint.
+    fn bevel_heights(&self, corner: Corner, near: NearCorner) -> [f64; 2] {
         let (sin, cos) = match self.cells {
             Cells::Triangles => (0.5, H),
             Cells::Squares => (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
@@ -227,84 +228,85 @@ impl PavementLayout {
         };
         let height = |joint: bool, across: f64| {
             let distance = near.along * sin - across * cos;
-            if joint { (1.0 - distance / self.cells.depth()).max(0.0) } else { 0.0 }
+            if joint { (1.0 - distance / self.cells.bevel_width()).max(0.0) } else { 0.0 }
         };
         [height(corner.before, -near.across), height(corner.after, near.across)]
     }
 
-    /// Height at the tip of a triangle or square, between two joints.
-    fn tip(&self, [before, after]: [f64; 2], near: NearCorner, joint: JointShape) -> f64 {
+    /// Height of a pavement at the tip of a triangle or square, between two joints.
+    fn tip_height(&self, [before, after]: [f64; 2], near: NearCorner, joint: JointShape) -> f64 {
         match joint {
             JointShape::Cut => before + after,
-            JointShape::Round => near.to_middle / self.cells.depth(),
+            JointShape::Round => near.to_middle / self.cells.bevel_width(),
             _ => before.max(after),
         }
     }
 
-    fn triangle(&self, corner: Corner, near: NearCorner) -> f64 {
-        let bevels = self.bevels(corner, near);
+    fn triangle_height(&self, corner: Corner, near: NearCorner) -> f64 {
+        let bevels = self.bevel_heights(corner, near);
         match (corner.before, corner.after) {
-            (true, true) => self.tip(bevels, near, self.exterior),
+            (true, true) => self.tip_height(bevels, near, self.exterior),
             // half of a 120° corner, with the open edge in its middle
-            (true, false) if corner.first => self.blunt(bevels, near.along * H + near.across / 2.0, near),
-            (false, true) if corner.last => self.blunt(bevels, near.along * H - near.across / 2.0, near),
+            (true, false) if corner.first => self.blunt_corner_height(bevels, near.along * H + near.across / 2.0, near),
+            (false, true) if corner.last => self.blunt_corner_height(bevels, near.along * H - near.across / 2.0, near),
             (false, false) if corner.any => match self.interior {
                 JointShape::Cut => 1.0 - 3.0 * (near.along * H + near.across.abs() / 2.0),
-                JointShape::Round => 1.0 - 3.0 * near.to_corner(),
-                _ => 1.0 - near.along / self.cells.depth(),
+                JointShape::Round => 1.0 - 3.0 * near.distance_to_corner(),
+                _ => 1.0 - near.along / self.cells.bevel_width(),
             },
             _ => bevels[0].max(bevels[1]),
         }
     }
 
-    fn hexagon(&self, corner: Corner, near: NearCorner) -> f64 {
-        let bevels = self.bevels(corner, near);
+    fn hexagon_height(&self, corner: Corner, near: NearCorner) -> f64 {
+        let bevels = self.bevel_heights(corner, near);
         // towards the edge that is not a joint, if one is not
         let open = if corner.before { near.across } else { -near.across };
         match (corner.before, corner.after) {
-            (true, true) => self.blunt(bevels, near.along, near),
+            (true, true) => self.blunt_corner_height(bevels, near.along, near),
             (false, false) => 0.0,
             _ if open > 0.0 && self.interior == JointShape::Cut => {
                 1.0 - 3.0 * near.along.max(near.along / 2.0 + H * open)
             }
-            _ if open > 0.0 && self.interior == JointShape::Round => 1.0 - 3.0 * near.to_corner(),
+            _ if open > 0.0 && self.interior == JointShape::Round => 1.0 - 3.0 * near.distance_to_corner(),
             _ => bevels[0].max(bevels[1]),
         }
     }
 
-    /// Height at a 120° corner, which shapes like a hexagon's; the point is `along` from the corner on its bisector.
-    fn blunt(&self, [before, after]: [f64; 2], along: f64, near: NearCorner) -> f64 {
+    /// Height of a pavement at a 120° corner, which shapes like a hexagon's; the point is `along` from the corner on
+    /// its bisector.
+    fn blunt_corner_height(&self, [before, after]: [f64; 2], along: f64, near: NearCorner) -> f64 {
         match self.form {
             JointShape::Cut => 2.0 - 4.0 * along,
             JointShape::Round => {
                 // the hexagon's centre is at distance 1 on the bisector
-                let from_corner = near.to_corner();
+                let from_corner = near.distance_to_corner();
                 let from_middle = (from_corner * from_corner + 1.0 - 2.0 * along).sqrt();
-                1.0 - (H - from_middle) / self.cells.depth()
+                1.0 - (H - from_middle) / self.cells.bevel_width()
             }
             _ => before.max(after),
         }
     }
 
-    fn square(&self, corner: Corner, near: NearCorner, exterior: JointShape, interior: JointShape) -> f64 {
-        let bevels = self.bevels(corner, near);
+    fn square_height(&self, corner: Corner, near: NearCorner, exterior: JointShape, interior: JointShape) -> f64 {
+        let bevels = self.bevel_heights(corner, near);
         match (corner.before, corner.after) {
-            (true, true) => self.tip(bevels, near, exterior),
+            (true, true) => self.tip_height(bevels, near, exterior),
             (false, false) if !corner.any => 0.0,
             (false, false) => match interior {
                 JointShape::Cut => 1.0 - 2.0 * SQRT_2 * near.along,
-                JointShape::Round => 1.0 - 2.0 * near.to_corner(),
+                JointShape::Round => 1.0 - 2.0 * near.distance_to_corner(),
                 _ => 1.0 - SQRT_2 * (near.along + near.across.abs()),
             },
             _ => bevels[0].max(bevels[1]),
         }
     }
 
-    /// Height in a square at which a tile turns, from a notch to the opposite corner. `along`: from the centre towards
-    /// that corner.
-    fn square_that_turns(&self, corner: Corner, near: NearCorner, along: f64) -> f64 {
+    /// Height of a pavement in a square at which a tile turns, from a notch to the opposite corner. `along` is the
+    /// distance from the centre towards that corner.
+    fn turning_square_height(&self, corner: Corner, near: NearCorner, along: f64) -> f64 {
         match self.form {
-            JointShape::Pointed => self.square(corner, near, JointShape::Pointed, JointShape::Pointed),
+            JointShape::Pointed => self.square_height(corner, near, JointShape::Pointed, JointShape::Pointed),
             JointShape::Cut => (1.0 + 2.0 * SQRT_2 * along).abs(),
             JointShape::Round => {
                 // by the law of cosines, in halves of the square's side
@@ -312,13 +314,13 @@ impl PavementLayout {
                 let from_notch = (from_middle * from_middle + 2.0 + 2.0 * SQRT_2 * along).max(0.0).sqrt();
                 (from_notch - 1.0).abs()
             }
-            JointShape::AsOthers => self.square(corner, near, self.exterior, self.interior),
+            JointShape::AsOthers => self.square_height(corner, near, self.exterior, self.interior),
         }
     }
 }
 
-/// The corner nearest to the direction of a point.
-fn nearest(directions: &[DVec2], place: DVec2) -> usize {
+/// Returns the index of the corner nearest to the direction of a point.
+fn nearest_direction(directions: &[DVec2], place: DVec2) -> usize {
     let mut best = (0, f64::NEG_INFINITY);
     for (k, direction) in directions.iter().enumerate() {
         let along = place.dot(*direction);
@@ -329,8 +331,8 @@ fn nearest(directions: &[DVec2], place: DVec2) -> usize {
     best.0
 }
 
-/// The corner between two joints that is opposite a notch.
-fn turn(corners: &[Corner]) -> Option<usize> {
+/// Returns the index of the corner of a pavement cell that lies between two joints and opposite a notch.
+fn corner_opposite_notch(corners: &[Corner]) -> Option<usize> {
     (0..4).find(|&k| {
         let across = corners[(k + 2) % 4];
         corners[k].before && corners[k].after && !across.before && !across.after && across.any
@@ -339,7 +341,7 @@ fn turn(corners: &[Corner]) -> Option<usize> {
 
 impl Field for Pavement {
     fn value(&self, at: &TextureContext) -> f64 {
-        self.layout.value(DVec2::new(at.p.x, at.p.z))
+        self.layout.height_at(DVec2::new(at.p.x, at.p.z))
     }
 }
 
@@ -364,8 +366,9 @@ mod tests {
                 interior: n[4],
                 form: n[5],
             };
-            let pavement = Pavement::lay(params, Span::default()).unwrap();
-            let ours = pavement.value(&TextureContext::free(DVec3::new(n[6], 0.3, n[7]), Default::default()));
+            let pavement = Pavement::from_words(params, Span::default()).unwrap();
+            let ours =
+                pavement.value(&TextureContext::without_surface(DVec3::new(n[6], 0.3, n[7]), Default::default()));
             assert!((ours - n[8]).abs() < 1e-5, "{line}: {ours}");
         }
     }
@@ -373,7 +376,8 @@ mod tests {
     #[test]
     fn every_pavement_reaches_everywhere() {
         for (sides, cells) in [(3.0, Cells::Triangles), (4.0, Cells::Squares), (6.0, Cells::Hexagons)] {
-            let all = cells.plans().iter().enumerate().flat_map(|(n, rows)| (0..rows.len()).map(move |row| (n, row)));
+            let all =
+                cells.tile_plans().iter().enumerate().flat_map(|(n, rows)| (0..rows.len()).map(move |row| (n, row)));
             for (tiles, pattern) in all {
                 let joint = ((tiles + pattern) % 4) as f64;
                 let params = PavementWords {
@@ -384,9 +388,9 @@ mod tests {
                     interior: joint,
                     form: joint,
                 };
-                let pavement = Pavement::lay(params, Span::default()).unwrap();
+                let pavement = Pavement::from_words(params, Span::default()).unwrap();
                 for p in extreme_points() {
-                    let value = pavement.value(&TextureContext::free(p, Default::default()));
+                    let value = pavement.value(&TextureContext::without_surface(p, Default::default()));
                     assert!(value.is_nan() || (0.0..=1.0).contains(&value), "{params:?} {p}: {value}");
                 }
             }

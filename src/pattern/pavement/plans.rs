@@ -6,7 +6,7 @@
 //! first corner. A position of the triangles' grid has one digit for the triangle that points up and one for the other.
 //! Hexagons have two octal digits, edges 3 to 5 before 0 to 2.
 
-/// Tiles of 1 to 6 triangles.
+/// Plans of pavements whose tiles have 1 to 6 triangles.
 pub const TRIANGLES: &[&[&str]] = &[
     &["1 0 1 77"],
     &["1 0 1 35"],
@@ -29,7 +29,7 @@ pub const TRIANGLES: &[&[&str]] = &[
     ],
 ];
 
-/// Tiles of 1 to 6 squares.
+/// Plans of pavements whose tiles have 1 to 6 squares.
 pub const SQUARES: &[&[&str]] = &[
     &["1 0 1 f"],
     &["1 0 2 be"],
@@ -88,7 +88,7 @@ pub const SQUARES: &[&[&str]] = &[
     ],
 ];
 
-/// Tiles of 1 to 5 hexagons.
+/// Plans of pavements whose tiles have 1 to 5 hexagons.
 pub const HEXAGONS: &[&[&str]] = &[
     &["1 0 1 77"],
     &["2 0 1 3773"],

@@ -7,7 +7,7 @@ use crate::math::{DMat3, fp};
 use std::f64::consts::PI;
 
 impl Modifiers {
-    /// Bounds of [`Modifiers::apply`] over numbers with the bounds `raw`.
+    /// Returns local bounds of a pattern's numbers after frequency, phase and wave, from their bounds `raw` before.
     pub fn bounds_near(&self, raw: LocalBounds) -> LocalBounds {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 {
@@ -38,7 +38,7 @@ impl Modifiers {
 }
 
 impl Wave {
-    /// Bounds of the wave over numbers within one period.
+    /// Returns local bounds of a wave over numbers within one period.
     fn bounds_near(self, v: LocalBounds) -> LocalBounds {
         let Interval { lo, hi } = v.range;
         let chain =
@@ -55,8 +55,8 @@ impl Wave {
                 chain(Interval::point(0.5) + sine * Interval::point(0.5), PI)
             }
             Wave::Scallop => chain((v.range * Interval::point(PI)).sin().abs(), PI),
-            Wave::Cubic => chain(v.range.growing(|v| v * v * (3.0 - 2.0 * v)), 1.5),
-            Wave::Poly(power) if power >= 1.0 => chain(v.range.growing(|v| fp::pow(v, power)), power),
+            Wave::Cubic => chain(v.range.map_increasing(|v| v * v * (3.0 - 2.0 * v)), 1.5),
+            Wave::Poly(power) if power >= 1.0 => chain(v.range.map_increasing(|v| fp::pow(v, power)), power),
             Wave::Poly(_) => LocalBounds::UNKNOWN,
         }
     }
@@ -64,7 +64,7 @@ impl Wave {
 
 /// Upper bound of the factor by which a matrix lengthens a vector: the square root of the largest eigenvalue of MᵀM,
 /// found by repeated squaring.
-pub fn stretch(m: &DMat3) -> f64 {
+pub fn max_stretch(m: &DMat3) -> f64 {
     let s = m.transpose() * *m;
     let size = s.to_cols_array().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     if size == 0.0 || !s.is_finite() {
@@ -88,9 +88,9 @@ mod tests {
     #[test]
     fn matrices_stretch_as_far_as_their_longest_image() {
         let turned = DMat3::from_rotation_x(0.7) * DMat3::from_diagonal(DVec3::new(2.0, 0.5, -3.0));
-        assert!((3.0..3.2).contains(&stretch(&turned)), "{}", stretch(&turned));
-        assert_eq!(stretch(&DMat3::ZERO), 0.0);
-        assert_eq!(stretch(&(DMat3::IDENTITY * f64::NAN)), f64::INFINITY);
+        assert!((3.0..3.2).contains(&max_stretch(&turned)), "{}", max_stretch(&turned));
+        assert_eq!(max_stretch(&DMat3::ZERO), 0.0);
+        assert_eq!(max_stretch(&(DMat3::IDENTITY * f64::NAN)), f64::INFINITY);
     }
 
     fn kinds() -> Vec<PatternKind> {
@@ -130,7 +130,7 @@ mod tests {
                 for frequency in [None, Some(0.0), Some(0.7), Some(-1.3)] {
                     let modifiers = Modifiers { frequency, phase: 0.2, wave };
                     let mut space = Space::default();
-                    space.then(
+                    space.append_transform(
                         &Transform::scale(DVec3::new(1.1, 0.6, 0.9))
                             .unwrap()
                             .then(&Transform::rotate(DVec3::new(30.0, 40.0, 50.0))),
@@ -140,14 +140,14 @@ mod tests {
                     for _ in 0..30 {
                         let mut vector = || {
                             thrown += 1;
-                            DVec3::from([0, 1, 2].map(|axis| rng::unit(&[7, thrown, axis]))) * 2.0 - 1.0
+                            DVec3::from([0, 1, 2].map(|axis| rng::random_unit(&[7, thrown, axis]))) * 2.0 - 1.0
                         };
                         let (p, radius) = (vector() * 3.0, vector().x.abs() * 0.2);
-                        let at = |p| TextureContext::free(p, NoiseGenerator::RangeCorrected);
+                        let at = |p| TextureContext::without_surface(p, NoiseGenerator::RangeCorrected);
                         let near = program.bounds_near(&at(p), radius);
                         known += usize::from(near.steepest.is_finite());
                         let q = p + vector().normalize() * radius * vector().x.abs();
-                        let (a, b) = (program.see(&at(p)).0, program.see(&at(q)).0);
+                        let (a, b) = (program.evaluate(&at(p)).0, program.evaluate(&at(q)).0);
                         let flat = near.steepest.is_infinite() || (a - b).abs() <= near.steepest * p.distance(q) + 1e-9;
                         let holds = near.range.contains(a) && near.range.contains(b) && flat;
                         assert!(holds, "{kind:?} {modifiers:?} {p} {q} {radius}: {a} {b} {near:?}");

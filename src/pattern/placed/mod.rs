@@ -19,32 +19,32 @@ use crate::value::words::{is_row, read_row};
 use crate::value::{Family, Next, Readable, Reader, SharedDefault, StaticDefault};
 use serde::Serialize;
 
-/// Function from points to what is chosen.
+/// Choice of a pattern: function from points to the entry or number that is shown.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PatternKind {
     /// No pattern; every point gets the same value.
     #[default]
     Plain,
-    /// A number for each point; a map turns the number into what is shown.
+    /// Pattern that assigns a number to each point; a map turns the number into what is shown.
     Field(FieldPattern),
-    /// The index of a cell, into a list.
+    /// Pattern that assigns a cell to each point; the cell's index selects from a list.
     Cells(CellPattern),
-    /// `average`: the weighted mean of all entries of the map.
+    /// Pattern `average`: the weighted mean of all entries of the map.
     Average,
-    /// The point is replaced by (u, v, 0), and the first entry of the map shows: the form of a block with `uv_mapping`
-    /// for a pigment or normal that begins with it (see [`Pattern::around`]).
+    /// Pattern whose point is replaced by (u, v, 0), and the first entry of the map shows: the form of a block with
+    /// `uv_mapping` for a pigment or normal that begins with it (see [`Pattern::around`]).
     Surface,
 }
 
 /// A pattern with all its parameters except its colours.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Pattern {
-    /// Function from points to what is chosen.
+    /// Function from points to the entry or number that the pattern selects.
     pub kind: PatternKind,
-    /// Frequency, phase and wave type.
+    /// Frequency, phase and wave type of the pattern.
     pub modifiers: Modifiers,
-    /// Transforms, warps and turbulence.
+    /// Transforms, warps and turbulence of the pattern.
     pub space: Space,
     /// Version of the noise that the pattern's `noise_generator` selects; `None` without that keyword.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -87,11 +87,11 @@ impl StaticDefault for Pattern {
 }
 
 impl Pattern {
-    /// Reads one element if it belongs to the pattern: its name, its words, transforms, warps, turbulence; false if
-    /// not.
+    /// Reads one element if it belongs to the pattern: its name, its words, transforms, warps, turbulence; returns
+    /// false if not.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read_element(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         match next {
             next if next.is_transform() => {
@@ -105,26 +105,26 @@ impl Pattern {
                 read_row(TurbulenceParams::ROWS, self.space.turbulence_mut(), next, r)?;
             }
             Next::Word("noise_generator") => {
-                r.take()?;
+                r.take_token()?;
                 // quirk: noise_generator_bits
                 let bits = |noise: Option<NoiseGenerator>| noise.map_or(0, NoiseGenerator::number);
                 self.noise = match bits(self.noise) | bits(read_noise_generator(r, 0.0)?) {
                     0 => None,
-                    number => Some(NoiseGenerator::from_number(f64::from(number))),
+                    number => Some(NoiseGenerator::from_generator_number(f64::from(number))),
                 };
             }
             Next::Word("uv_mapping") => {
-                r.take()?;
+                r.take_token()?;
                 self.uv = r.flag()?;
             }
             Next::Block("warp") => {
-                let span = r.take()?;
+                let span = r.take_token()?;
                 let warp = Warp::read(span, r)?;
-                r.leave()?;
-                self.space.warp(warp);
+                r.leave_block()?;
+                self.space.append_warp(warp);
             }
             Next::Word("average") => {
-                r.take()?;
+                r.take_token()?;
                 self.kind = PatternKind::Average;
             }
             Next::Function => self.kind = PatternKind::Field(FieldPattern::FunctionPattern(FunctionPattern::read(r)?)),
@@ -137,7 +137,7 @@ impl Pattern {
     fn read_name(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         if let Some(pattern) = FieldPattern::read_named(next, r)? {
             self.modifiers.wave = pattern.default_wave().unwrap_or(self.modifiers.wave);
-            if pattern.begins_still() {
+            if pattern.starts_with_zero_frequency() {
                 self.modifiers.frequency = Some(0.0);
             }
             self.kind = PatternKind::Field(pattern);
@@ -151,67 +151,68 @@ impl Pattern {
     }
 
     /// True if `next` begins a pattern: its name, or a function.
-    pub fn is_named_by(next: Next) -> bool {
+    pub fn begins_pattern(next: Next) -> bool {
         let is_name = |word| FieldPattern::is_name(word) || CellPattern::is_name(word);
         matches!(next, Next::Word(word) | Next::Block(word) if is_name(word)) || next == Next::Function
     }
 
-    /// True if all entries of the map are mixed.
-    pub fn averages(&self) -> bool {
+    /// True if the pattern mixes all entries of the map.
+    pub fn is_average(&self) -> bool {
         self.kind == PatternKind::Average
     }
 
     /// Appends a transform to those of the pattern.
     pub fn transform(&mut self, by: &Transform) {
-        self.around.as_deref_mut().unwrap_or(&mut self.space).then(by);
+        self.around.as_deref_mut().unwrap_or(&mut self.space).append_transform(by);
     }
 
-    /// Ends the block that contains the pattern.
-    pub fn end(&mut self) {
+    /// Ends the block that contains the pattern: a pattern with `uv_mapping` keeps its space apart from later
+    /// transforms.
+    pub fn end_block(&mut self) {
         if self.uv {
             self.around.get_or_insert_default();
         }
     }
 
-    /// Takes the space around a pattern that was mapped by uv; from then on the pattern receives points. `None` if the
-    /// pattern was not mapped.
-    pub fn take_around(&mut self) -> Option<Self> {
+    /// Removes and returns the space around a pattern that was mapped by uv; from then on the pattern receives points.
+    /// `None` if the pattern was not mapped.
+    pub fn take_outer_space(&mut self) -> Option<Self> {
         let space = *self.around.take()?;
         self.uv = false;
         Some(Self { kind: PatternKind::Surface, space, ..Self::default() })
     }
 
-    /// Puts back the space that [`Self::take_around`] returned.
-    pub fn put_around(&mut self, around: Self) {
+    /// Restores the space around a pattern that [`Self::take_outer_space`] returned.
+    pub fn restore_outer_space(&mut self, around: Self) {
         (self.uv, self.around) = (true, Some(Box::new(around.space)));
     }
 
     /// True if the pattern receives (u, v, 0) instead of the point.
-    pub fn by_uv(&self) -> bool {
+    pub fn uses_uv(&self) -> bool {
         self.uv || self.kind == PatternKind::Surface
     }
 
     /// True if the pattern, or the pigment whose brightness it is, depends on surface coordinates.
     pub fn depends_on_uv(&self) -> bool {
-        self.by_uv()
+        self.uses_uv()
             || matches!(&self.kind, PatternKind::Field(FieldPattern::PigmentPattern(inner)) if inner.depends_on_uv())
     }
 
     /// True if the pattern may depend on the surface normal. (Functions and the pigments of patterns are not searched.)
-    pub fn may_see_normal(&self) -> bool {
+    pub fn may_depend_on_normal(&self) -> bool {
         use FieldPattern::{Aoi, FunctionPattern, PigmentPattern, Slope};
         matches!(self.kind, PatternKind::Field(Slope(_) | Aoi(_) | FunctionPattern(_) | PigmentPattern(_)))
     }
 }
 
-/// Reads the argument of `noise_generator`; 0, where `least` allows it, is the scene's generator.
+/// Reads the argument of a pattern's `noise_generator`; 0, where `least` allows it, is the scene's generator.
 ///
 /// # Errors
-/// With the place of what is not understood, and what was expected there.
+/// A diagnostic at the item that is not understood.
 pub fn read_noise_generator(r: &mut dyn Reader, least: f64) -> Result<Option<NoiseGenerator>> {
     let (at, n) = (r.span(), r.float()?);
     if (least..4.0).contains(&n) {
-        return Ok((n >= 1.0).then(|| NoiseGenerator::from_number(n)));
+        return Ok((n >= 1.0).then(|| NoiseGenerator::from_generator_number(n)));
     }
     let message = format!("there are noise generators 1, 2 and 3, but none with the number {n}");
     Diagnostic::err(codes::BAD_ARGUMENT, at, message)

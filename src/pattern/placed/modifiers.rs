@@ -6,52 +6,53 @@ use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::PI;
 
-/// Function from [0, 1) to [0, 1] after frequency and phase.
+/// Wave type of a pattern: function from [0, 1) to [0, 1] after frequency and phase.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Wave {
-    /// Identity: the number grows from 0 to 1, then jumps back to 0.
+    /// Wave type `ramp_wave`: the number grows from 0 to 1, then jumps back to 0.
     #[default]
     Ramp,
-    /// Linear up, then linear down.
+    /// Wave type `triangle_wave`: linear up, then linear down.
     Triangle,
-    /// Sine from 0 to 1 and back.
+    /// Wave type `sine_wave`: sine from 0 to 1 and back.
     Sine,
-    /// Absolute value of a sine.
+    /// Wave type `scallop_wave`: absolute value of a sine.
     Scallop,
-    /// Cubic, with zero slope at both ends.
+    /// Wave type `cubic_wave`: cubic, with zero slope at both ends.
     Cubic,
-    /// Power with this exponent.
+    /// Wave type `poly_wave`: power with this exponent.
     Poly(f64),
 }
 
-/// Frequency, phase and wave type. Numbers have single precision, as in POV-Ray (quirk: `single_precision_modifiers`).
+/// Frequency, phase and wave type of a pattern. They have single precision, as in POV-Ray (quirk:
+/// `single_precision_modifiers`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Modifiers {
-    /// Repetitions of the map per unit; 0 leaves the number unchanged. The default is 1, or 0 for cells and some other
-    /// patterns.
+    /// Repetitions of the pattern's map per unit; 0 leaves the pattern's number unchanged. The default is 1, or 0 for
+    /// cells and some other patterns.
     pub frequency: Option<f64>,
-    /// Offset of the map.
+    /// Offset of the pattern's map.
     pub phase: f64,
-    /// Function of the fractional part that frequency and phase give.
+    /// Wave type: function of the fractional part that frequency and phase give.
     pub wave: Wave,
 }
 
-/// Period of the wave. (quirk: wave_period)
+/// Period of a pattern's wave (quirk: wave_period).
 pub(super) const PERIOD: f64 = 1.00001;
 
 impl Modifiers {
-    /// The default frequency, phase and wave type.
+    /// The default frequency, phase and wave type of a pattern.
     pub const NONE: Self = Self { frequency: None, phase: 0.0, wave: Wave::Ramp };
 
-    /// Keywords of frequency, phase and the wave types.
+    /// Keywords of a pattern's frequency, phase and wave types.
     pub const WORDS: &[WordSpec] = specs!(Self::ROWS);
 
     pub(super) const ROWS: &[Row<Self>] = &[
         word("frequency", ValueKind::Float, "1", "passes through the map in a unit")
-            .sets(|s, r| set(&mut s.frequency, r.float().map(|x| Some(single(x))))),
+            .sets(|s, r| set(&mut s.frequency, r.float().map(|x| Some(to_single_precision(x))))),
         word("phase", ValueKind::Float, "0", "where the map begins")
-            .sets(|s, r| set(&mut s.phase, r.float().map(single))),
+            .sets(|s, r| set(&mut s.phase, r.float().map(to_single_precision))),
         word("ramp_wave", ValueKind::Nothing, "", "rises and falls back at once")
             .sets(|s, _| set(&mut s.wave, Ok(Wave::Ramp))),
         word("triangle_wave", ValueKind::Nothing, "", "rises and falls")
@@ -61,15 +62,17 @@ impl Modifiers {
         word("scallop_wave", ValueKind::Nothing, "", "a row of arches")
             .sets(|s, _| set(&mut s.wave, Ok(Wave::Scallop))),
         word("cubic_wave", ValueKind::Nothing, "", "flat at both ends").sets(|s, _| set(&mut s.wave, Ok(Wave::Cubic))),
-        word("poly_wave", ValueKind::Float, "1", "to this power")
-            .sets(|s, r| set(&mut s.wave, r.optional_float().map(|x| Wave::Poly(single(x.unwrap_or(1.0)))))),
+        word("poly_wave", ValueKind::Float, "1", "to this power").sets(|s, r| {
+            set(&mut s.wave, r.optional_float().map(|x| Wave::Poly(to_single_precision(x.unwrap_or(1.0)))))
+        }),
     ];
 
-    /// The number that the map receives. A frequency of 0 leaves the number unchanged except for the wave.
-    pub fn apply(&self, raw: f64) -> f64 {
+    /// Applies frequency, phase and wave type to a pattern's number; returns the number that the map receives. A
+    /// frequency of 0 leaves the number unchanged except for the wave.
+    pub fn apply_to_number(&self, raw: f64) -> f64 {
         let frequency = self.frequency.unwrap_or(1.0);
         let shifted = if frequency == 0.0 { raw } else { raw * frequency + self.phase };
-        let shifted = if frequency == 0.0 { shifted } else { wrapped(shifted) };
+        let shifted = if frequency == 0.0 { shifted } else { wrap_to_period(shifted) };
         let v = if shifted < 0.0 { fp::fraction(shifted) } else { shifted };
         match self.wave {
             Wave::Ramp => v,
@@ -81,15 +84,16 @@ impl Modifiers {
         }
     }
 
-    /// The index that a list of cells receives: frequency and phase apply only if a frequency is given.
+    /// Returns the index that a pattern's list of cells receives: frequency and phase apply only if a frequency is
+    /// given.
     pub fn apply_to_cell(&self, cell: usize) -> f64 {
         let cells = Self { frequency: Some(self.frequency.unwrap_or(0.0)), ..*self };
-        cells.apply(cell as f64)
+        cells.apply_to_number(cell as f64)
     }
 }
 
-/// `x % PERIOD`, by subtractions that are exact too, as long as they are few.
-fn wrapped(x: f64) -> f64 {
+/// Returns `x % PERIOD`, by subtractions that are exact too, as long as they are few.
+fn wrap_to_period(x: f64) -> f64 {
     let mut rest = x.abs();
     if rest < PERIOD {
         return x;
@@ -107,7 +111,7 @@ fn wrapped(x: f64) -> f64 {
     rest.copysign(x)
 }
 
-fn single(x: f64) -> f64 {
+fn to_single_precision(x: f64) -> f64 {
     f64::from(x as f32)
 }
 
@@ -119,10 +123,10 @@ mod tests {
     fn wrapping_is_a_remainder() {
         for i in 0..4000 {
             let x = f64::from(i) * 0.010_001 - 20.0;
-            assert_eq!(wrapped(x), x % PERIOD, "{x}");
+            assert_eq!(wrap_to_period(x), x % PERIOD, "{x}");
             let near = f64::from(i - 2000) * PERIOD;
             for x in [near, near.next_up(), near.next_down()] {
-                assert_eq!(wrapped(x), x % PERIOD, "{x}");
+                assert_eq!(wrap_to_period(x), x % PERIOD, "{x}");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Patterns in the form that rays evaluate: the transform from the outer space to the pattern's own is precomputed.
 
-use super::local_bounds::stretch;
+use super::local_bounds::max_stretch;
 use super::{Modifiers, Pattern, PatternKind, Step, TurbulenceParams};
 use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator, Turbulence};
@@ -9,37 +9,37 @@ use crate::pattern::{CellPattern, Cells, Field, FieldParams, FieldPattern, Local
 use glam::DAffine3;
 use serde::Serialize;
 
-/// A lowered [`Pattern`]: pigments, normals, texture maps and functions all evaluate patterns through this type.
+/// A lowered pattern: pigments, normals, texture maps and functions all evaluate patterns through this type.
 #[derive(Clone, Debug, Serialize)]
 pub struct PatternProgram {
-    /// `uv_mapping`: the steps begin at (u, v, 0).
+    /// True for `uv_mapping`: the pattern's steps begin at (u, v, 0).
     uv: bool,
-    /// Steps from the outer space to the pattern's own, in the order in which they apply to a point.
+    /// Steps from the outer space to the pattern's own space, in the order in which they apply to a point.
     way: Box<[Move]>,
     value: Value,
 }
 
-/// A step from one space to the next.
+/// Step of a lowered pattern from one space to the next.
 #[derive(Clone, Debug, Serialize)]
 enum Move {
-    /// The product of the inverses of consecutive transforms.
+    /// Product of the inverses of consecutive transforms of a pattern.
     Affine(DAffine3),
     Warp(Warp),
-    /// `turbulence`: strength along each axis, and its octaves.
+    /// Turbulence of a pattern: strength along each axis, and its octaves.
     Turbulence(DVec3, #[serde(skip)] Turbulence),
 }
 
-/// Function from points to numbers.
+/// Function from points to numbers of a lowered pattern.
 #[derive(Clone, Debug, Serialize)]
 enum Value {
     Plain,
-    /// All entries are mixed.
+    /// Lowered pattern `average`: all entries of the map are mixed.
     Average,
     Field(Box<Number>),
     Cells(Box<(CellPattern, Modifiers)>),
 }
 
-/// A pattern of numbers with its parameters. (Boxed, because most pigments are colours.)
+/// Lowered pattern of numbers with its parameters. (Boxed, because most pigments are colours.)
 #[derive(Clone, Debug, Serialize)]
 struct Number {
     field: FieldPattern,
@@ -51,104 +51,113 @@ struct Number {
 impl PatternProgram {
     /// Lowers a pattern to the form that is evaluated.
     pub fn new(pattern: &Pattern) -> Self {
-        Self { uv: pattern.by_uv(), way: way(pattern), value: value(pattern) }
+        Self { uv: pattern.uses_uv(), way: lower_steps(pattern), value: lower_value(pattern) }
     }
 
-    /// True if the pattern is constant.
-    pub fn is_plain(&self) -> bool {
+    /// True if the lowered pattern is constant.
+    pub fn is_constant(&self) -> bool {
         matches!(self.value, Value::Plain)
     }
 
-    /// True if all entries of the map are mixed.
-    pub fn averages(&self) -> bool {
+    /// True if the lowered pattern mixes all entries of the map.
+    pub fn is_average(&self) -> bool {
         matches!(self.value, Value::Average)
     }
 
-    /// True if the pattern receives (u, v, 0) instead of the point.
-    pub fn by_uv(&self) -> bool {
+    /// True if the lowered pattern receives (u, v, 0) instead of the point.
+    pub fn uses_uv(&self) -> bool {
         self.uv
     }
 
-    /// The number that the map receives, or the index of the cell; and the point in the space of the pattern's entries.
-    pub fn see(&self, ctx: &TextureContext) -> (f64, TextureContext) {
-        let inner = self.enter(ctx);
-        (self.number(&inner), inner)
+    /// Evaluates the lowered pattern at a point. Returns the number that the map receives, or the index of the cell;
+    /// and the point in the space of the pattern's entries.
+    pub fn evaluate(&self, ctx: &TextureContext) -> (f64, TextureContext) {
+        let inner = self.to_pattern_space(ctx);
+        (self.number_in_pattern_space(&inner), inner)
     }
 
-    /// The number of [`Self::see`] alone.
-    pub fn number_at(&self, ctx: &TextureContext) -> f64 {
-        if self.way.is_empty() && !self.uv { self.number(ctx) } else { self.number(&self.enter(ctx)) }
+    /// Evaluates the lowered pattern at a point. Returns the number that the map receives, or the index of the cell.
+    pub fn pattern_number_at(&self, ctx: &TextureContext) -> f64 {
+        if self.way.is_empty() && !self.uv {
+            self.number_in_pattern_space(ctx)
+        } else {
+            self.number_in_pattern_space(&self.to_pattern_space(ctx))
+        }
     }
 
-    /// The point in the space of the pattern and its entries.
-    pub fn enter(&self, ctx: &TextureContext) -> TextureContext {
+    /// Returns a point in the space of the lowered pattern and its entries.
+    pub fn to_pattern_space(&self, ctx: &TextureContext) -> TextureContext {
         let p = if self.uv { ctx.uv.extend(0.0) } else { ctx.p };
-        ctx.at(self.way.iter().fold(p, |p, step| match step {
+        ctx.with_point(self.way.iter().fold(p, |p, step| match step {
             Move::Affine(inverse) => inverse.transform_point3(p),
             Move::Warp(warp) => warp.apply(p),
             Move::Turbulence(amount, series) => p + *amount * noise::vturbulence(p, *series),
         }))
     }
 
-    /// The number that the map receives, or the index of the cell, at a point in the pattern's space.
-    pub fn number(&self, inner: &TextureContext) -> f64 {
+    /// Returns the number that the map receives, or the index of the cell, at a point in the lowered pattern's space.
+    pub fn number_in_pattern_space(&self, inner: &TextureContext) -> f64 {
         match &self.value {
             Value::Plain | Value::Average => 0.0,
-            Value::Cells(pattern) => pattern.1.apply_to_cell(pattern.0.cell(inner.p)),
+            Value::Cells(pattern) => pattern.1.apply_to_cell(pattern.0.cell_kind(inner.p)),
             Value::Field(number) => {
-                let words = number.words();
-                number.modifiers.apply(match number.noise {
-                    None => number.field.value_as(inner, &words),
-                    Some(_) => number.field.value_as(&number.context(inner), &words),
+                let words = number.field_params();
+                number.modifiers.apply_to_number(match number.noise {
+                    None => number.field.value_with_params(inner, &words),
+                    Some(_) => number.field.value_with_params(&number.with_own_noise(inner), &words),
                 })
             }
         }
     }
 
-    /// Bounds on the numbers of [`Self::see`] within a radius of a point.
+    /// Returns bounds on the numbers of [`Self::evaluate`] within a radius of a point.
     pub fn bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
         let mut longer = if self.uv { f64::INFINITY } else { 1.0 };
         for step in &self.way {
             longer *= match step {
-                Move::Affine(inverse) => stretch(&inverse.matrix3),
+                Move::Affine(inverse) => max_stretch(&inverse.matrix3),
                 Move::Warp(_) | Move::Turbulence(..) => f64::INFINITY,
             };
         }
-        let (inner, radius) = (self.enter(ctx), radius * longer);
+        let (inner, radius) = (self.to_pattern_space(ctx), radius * longer);
         let near = match &self.value {
             Value::Plain | Value::Average => LocalBounds::constant(0.0),
             Value::Cells(pattern) if pattern.0.is_uniform(inner.p, radius) => {
-                LocalBounds::constant(self.number(&inner))
+                LocalBounds::constant(self.number_in_pattern_space(&inner))
             }
             Value::Cells(_) => LocalBounds::UNKNOWN,
-            Value::Field(number) => {
-                number.modifiers.bounds_near(number.field.bounds_near(&number.context(&inner), &number.words(), radius))
-            }
+            Value::Field(number) => number.modifiers.bounds_near(number.field.bounds_near(
+                &number.with_own_noise(&inner),
+                &number.field_params(),
+                radius,
+            )),
         };
         LocalBounds { steepest: if near.steepest == 0.0 { 0.0 } else { near.steepest * longer }, ..near }
     }
 
-    /// The normal `n` with bumps that the pattern computes itself, at a point in the pattern's space.
-    pub fn bumped(&self, inner: &TextureContext, n: DVec3, amount: f64) -> Option<DVec3> {
+    /// Returns the normal `n` with bumps that the lowered pattern computes itself, at a point in the pattern's space.
+    pub fn bumped_normal(&self, inner: &TextureContext, n: DVec3, amount: f64) -> Option<DVec3> {
         match &self.value {
-            Value::Field(number) => number.field.bumped(&number.context(inner), &number.words(), n, amount),
+            Value::Field(number) => {
+                number.field.bumped_normal(&number.with_own_noise(inner), &number.field_params(), n, amount)
+            }
             _ => None,
         }
     }
 }
 
 impl Number {
-    fn words(&self) -> FieldParams<'_> {
+    fn field_params(&self) -> FieldParams<'_> {
         FieldParams { modifiers: &self.modifiers, turbulence: &self.turbulence }
     }
 
-    /// The context with the pattern's own noise generator.
-    fn context(&self, inner: &TextureContext) -> TextureContext {
+    /// Returns the point with the pattern's own noise generator, if the pattern has one.
+    fn with_own_noise(&self, inner: &TextureContext) -> TextureContext {
         TextureContext { noise: self.noise.unwrap_or(inner.noise), ..*inner }
     }
 }
 
-fn value(pattern: &Pattern) -> Value {
+fn lower_value(pattern: &Pattern) -> Value {
     let modifiers = pattern.modifiers;
     match &pattern.kind {
         PatternKind::Plain | PatternKind::Surface => Value::Plain,
@@ -161,8 +170,8 @@ fn value(pattern: &Pattern) -> Value {
     }
 }
 
-/// The steps of a pattern: the transform that was written last applies first.
-fn way(pattern: &Pattern) -> Box<[Move]> {
+/// Returns the steps of a pattern: the transform that was written last applies first.
+fn lower_steps(pattern: &Pattern) -> Box<[Move]> {
     if pattern.kind == PatternKind::Surface {
         return Box::default();
     }
@@ -181,7 +190,7 @@ fn way(pattern: &Pattern) -> Box<[Move]> {
     way.push(Move::Affine(affine));
     let owns_turbulence = matches!(&pattern.kind, PatternKind::Field(field) if field.owns_turbulence());
     if let Some(turbulence) = space.turbulence.as_deref().filter(|t| !owns_turbulence && t.amount != DVec3::ZERO) {
-        way.push(Move::Turbulence(turbulence.amount, turbulence.series()));
+        way.push(Move::Turbulence(turbulence.amount, turbulence.to_octaves()));
     }
     way.retain(|step| !matches!(step, Move::Affine(inverse) if *inverse == DAffine3::IDENTITY));
     way.into()
@@ -196,13 +205,13 @@ mod tests {
     #[test]
     fn steps_are_undone_from_the_last_to_the_first() {
         let mut space = Space::default();
-        space.then(&Transform::translate(DVec3::X));
-        space.warp(Warp::Turbulence(TurbulenceWarp(TurbulenceParams::default())));
-        space.then(&Transform::rotate(DVec3::Z * 90.0));
+        space.append_transform(&Transform::translate(DVec3::X));
+        space.append_warp(Warp::Turbulence(TurbulenceWarp(TurbulenceParams::default())));
+        space.append_transform(&Transform::rotate(DVec3::Z * 90.0));
         assert_eq!(space.inner.len(), 2);
         let program = PatternProgram::new(&Pattern { space, ..Pattern::default() });
         // (0, 3, 0) comes from (3, 0, 0), which comes from (2, 0, 0)
-        let inner = program.enter(&TextureContext::free(DVec3::Y * 3.0, NoiseGenerator::Perlin));
+        let inner = program.to_pattern_space(&TextureContext::without_surface(DVec3::Y * 3.0, NoiseGenerator::Perlin));
         assert!(inner.p.distance(DVec3::X * 2.0) < 1e-12);
     }
 }

@@ -6,16 +6,16 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 
-/// Parameters of `turbulence`.
+/// Parameters of a pattern's `turbulence`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TurbulenceParams {
-    /// Approximate maximum displacement along each axis.
+    /// Approximate maximum displacement of points along each axis by turbulence.
     pub amount: DVec3,
-    /// Number of octaves of noise.
+    /// Number of octaves of noise in turbulence.
     pub octaves: f64,
-    /// Factor of the frequency from one octave to the next.
+    /// Factor of the frequency from one octave of turbulence to the next.
     pub lambda: f64,
-    /// Factor of the strength from one octave to the next.
+    /// Factor of the strength from one octave of turbulence to the next.
     pub omega: f64,
 }
 
@@ -26,13 +26,13 @@ impl Default for TurbulenceParams {
 }
 
 impl TurbulenceParams {
-    /// Parameters that leave every point unchanged.
+    /// Parameters of turbulence that leave every point unchanged.
     pub const STILL: Self = Self { amount: DVec3::ZERO, octaves: 6.0, lambda: 2.0, omega: 0.5 };
 
     /// Keywords of the parameters of `turbulence`.
     pub const WORDS: &[WordSpec] = specs!(Self::ROWS);
 
-    /// The readers of the keywords.
+    /// Keywords of the parameters of `turbulence`, and how each is read.
     pub const ROWS: &[Row<Self>] = &[
         word("turbulence", ValueKind::Vector, "0", "how far points are displaced")
             .sets(|s, r| set(&mut s.amount, r.vector())),
@@ -43,13 +43,13 @@ impl TurbulenceParams {
             .sets(|s, r| set(&mut s.omega, r.float())),
     ];
 
-    /// The sum of octaves.
-    pub fn series(&self) -> Turbulence {
+    /// Returns the sum of octaves of noise with these parameters.
+    pub fn to_octaves(&self) -> Turbulence {
         Turbulence::new(self.lambda, self.omega, self.octaves)
     }
 
-    /// p + amount · vturbulence(p)
+    /// Displaces a point by turbulence: p + amount · vturbulence(p).
     pub fn displace(&self, p: DVec3) -> DVec3 {
-        if self.amount == DVec3::ZERO { p } else { p + self.amount * noise::vturbulence(p, self.series()) }
+        if self.amount == DVec3::ZERO { p } else { p + self.amount * noise::vturbulence(p, self.to_octaves()) }
     }
 }

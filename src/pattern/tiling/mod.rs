@@ -21,24 +21,25 @@ use std::sync::Arc;
 /// √3 / 2, the height of a triangle whose sides are 1.
 const H: f64 = 0.866_025_403_784_438_6;
 
-/// Offset that decides the tile of a point exactly on a joint, as on a face of a box from -1 to 1 (quirk:
-/// tiling_joints).
+/// Offset of points in the pattern `tiling`, which decides the tile of a point exactly on a joint, as on a face of a
+/// box from -1 to 1 (quirk: tiling_joints).
 const LEAN: DVec2 = DVec2::new(0.3e-9, 1e-9);
 
-/// Number of tilings.
+/// Number of tilings of the pattern `tiling`.
 const TILINGS: f64 = 27.0;
 
-/// Tiles of several kinds: kind i of n has numbers from i/n, in its middle, to (i + 1)/n at its edges.
+/// Pattern `tiling`, tiles of several kinds: kind i of n has numbers from i/n, in its middle, to (i + 1)/n at its
+/// edges.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Tiling {
-    /// Number of the tiling, 1 to 27.
+    /// Number of the tiling in the scene, 1 to 27.
     pub number: usize,
-    /// Tiles of this tiling.
+    /// Tiles of the pattern `tiling`.
     #[serde(skip)]
     tiles: Tiles,
 }
 
-/// Periodic tilings, and the last three, which have no period.
+/// Tiles of the pattern `tiling`: periodic for most numbers; the last three tilings have no period.
 #[derive(Clone, Debug, PartialEq)]
 enum Tiles {
     Plan(Arc<Plan>),
@@ -51,22 +52,23 @@ struct Plan {
     /// The two periods: translations that map the tiling to itself.
     steps: [DVec2; 2],
     kinds: usize,
-    /// Width of the bevel.
+    /// Width of the bevel at the edges of a periodic tiling's tiles.
     depth: f64,
-    /// The tiles of one period; after [`Self::spread`], all that reach into the parallelogram of the periods.
+    /// Tiles of one period of the tiling; after [`Self::with_copies`], all that reach into the parallelogram of the
+    /// periods.
     tiles: Vec<Tile>,
 }
 
-/// A tile: a convex polygon.
+/// Tile of a tiling: a convex polygon.
 #[derive(Clone, Debug, PartialEq)]
 struct Tile {
     kind: usize,
     edges: Vec<Edge>,
-    /// Bounding box of the corners.
+    /// Bounding box of the tile's corners.
     bounds: [DVec2; 2],
 }
 
-/// The line a·p = b; the tile is where a·p is smaller. The length of `a` makes the bevel's width 1.
+/// Edge of a tile, the line a·p = b; the tile is where a·p is smaller. The length of `a` makes the bevel's width 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Edge {
     a: DVec2,
@@ -78,22 +80,22 @@ impl Plan {
         Self { steps: steps.map(|(x, z)| DVec2::new(x, z)), kinds, depth, tiles: vec![] }
     }
 
-    /// Adds a polygon with its corners in order against the clock.
-    fn polygon(mut self, kind: usize, corners: &[DVec2]) -> Self {
+    /// Adds a polygon to the tiling, with its corners in order against the clock.
+    fn with_polygon(mut self, kind: usize, corners: &[DVec2]) -> Self {
         let next = corners.iter().cycle().skip(1);
         let edges = corners.iter().zip(next).map(|(&p, &q)| {
             let out = (q - p).perp().normalize() * -1.0 / self.depth;
             Edge { a: out, b: out.dot(p) }
         });
         let edges = edges.collect();
-        self.tiles.push(Tile { kind, edges, bounds: bounds(corners) });
+        self.tiles.push(Tile { kind, edges, bounds: bounding_box(corners) });
         self
     }
 
-    /// Copies the tiles to all positions that reach into the parallelogram of the periods.
-    fn spread(mut self) -> Self {
+    /// Copies the tiles of a tiling to all positions that reach into the parallelogram of the periods.
+    fn with_copies(mut self) -> Self {
         let [a, b] = self.steps;
-        let [low, high] = bounds(&[DVec2::ZERO, a, b, a + b]);
+        let [low, high] = bounding_box(&[DVec2::ZERO, a, b, a + b]);
         let mut spread = vec![];
         for tile in &self.tiles {
             for (i, j) in (-5..=5).flat_map(|i| (-5..=5).map(move |j| (i, j))) {
@@ -109,186 +111,183 @@ impl Plan {
         self
     }
 
-    /// Adds a regular polygon with sides of length 1 around a centre; one of its corners is in the direction of
-    /// `angle`.
-    fn regular(self, kind: usize, corners: u32, center: DVec2, angle: f64) -> Self {
+    /// Adds a regular polygon with sides of length 1 to the tiling, around a centre; one of its corners is in the
+    /// direction of `angle`.
+    fn with_regular_polygon(self, kind: usize, corners: u32, center: DVec2, angle: f64) -> Self {
         let radius = 0.5 / fp::sin(std::f64::consts::PI / f64::from(corners));
-        let corner = |i| center + radius * towards(angle + 360.0 * f64::from(i) / f64::from(corners));
-        self.polygon(kind, &(0..corners).map(corner).collect::<Vec<_>>())
+        let corner = |i| center + radius * unit_vector_at(angle + 360.0 * f64::from(i) / f64::from(corners));
+        self.with_polygon(kind, &(0..corners).map(corner).collect::<Vec<_>>())
     }
 
-    /// Adds several rectangles: x, z, width, height.
-    fn rectangles(self, kind: usize, all: &[[f64; 4]]) -> Self {
+    /// Adds several rectangles to the tiling: x, z, width, height.
+    fn with_rectangles(self, kind: usize, all: &[[f64; 4]]) -> Self {
         all.iter().fold(self, |plan, &[x, z, w, h]| {
-            plan.polygon(kind, &points(&[(x, z), (x + w, z), (x + w, z + h), (x, z + h)]))
+            plan.with_polygon(kind, &to_points(&[(x, z), (x + w, z), (x + w, z + h), (x, z + h)]))
         })
     }
 
-    /// Adds triangles that point up or down.
-    fn triangles(self, kind: usize, up: bool, centers: &[(f64, f64)]) -> Self {
+    /// Adds triangles to the tiling that point up or down.
+    fn with_triangles(self, kind: usize, up: bool, centers: &[(f64, f64)]) -> Self {
         let angle = if up { 90.0 } else { -90.0 };
-        centers.iter().fold(self, |plan, &(x, z)| plan.regular(kind, 3, DVec2::new(x, z), angle))
+        centers.iter().fold(self, |plan, &(x, z)| plan.with_regular_polygon(kind, 3, DVec2::new(x, z), angle))
     }
 
-    /// The plan of a number.
-    fn numbered(number: usize) -> Self {
+    /// Returns the periodic tiling with this number in a scene, 1 to 24.
+    fn tiling_plan(number: usize) -> Self {
         let center = |x, z| DVec2::new(x, z);
         match number {
-            2 => Self::new([(1.5, H), (0.0, 2.0 * H)], 1, H).regular(0, 6, center(0.5, H), 0.0),
-            3 => Self::new([(1.0, 0.0), (0.5, H)], 2, H / 3.0).triangles(0, true, &[(0.5, H / 3.0)]).triangles(
-                1,
-                false,
-                &[(1.0, H * 2.0 / 3.0)],
-            ),
+            2 => Self::new([(1.5, H), (0.0, 2.0 * H)], 1, H).with_regular_polygon(0, 6, center(0.5, H), 0.0),
+            3 => Self::new([(1.0, 0.0), (0.5, H)], 2, H / 3.0)
+                .with_triangles(0, true, &[(0.5, H / 3.0)])
+                .with_triangles(1, false, &[(1.0, H * 2.0 / 3.0)]),
             4 => Self::new([(1.0, 0.0), (0.5, H)], 1, H / 2.0)
-                .polygon(0, &points(&[(0.0, 0.0), (1.0, 0.0), (1.5, H), (0.5, H)])),
-            5 => Self::rhombs(),
+                .with_polygon(0, &to_points(&[(0.0, 0.0), (1.0, 0.0), (1.5, H), (0.5, H)])),
+            5 => Self::rhomb_tiling(),
             6 => Self::new([(1.0, 1.0), (2.0, -2.0)], 2, 0.5)
-                .rectangles(0, &[[0.0, 3.0, 2.0, 1.0]])
-                .rectangles(1, &[[1.0, 1.0, 1.0, 2.0]]),
+                .with_rectangles(0, &[[0.0, 3.0, 2.0, 1.0]])
+                .with_rectangles(1, &[[1.0, 1.0, 1.0, 2.0]]),
             7 => {
                 let c = 1.0 + SQRT_2;
-                Self::new([(c, 0.0), (0.0, c)], 2, 0.5).regular(1, 8, DVec2::ZERO, 22.5).regular(
-                    0,
-                    4,
-                    DVec2::splat(c / 2.0),
-                    0.0,
-                )
+                Self::new([(c, 0.0), (0.0, c)], 2, 0.5)
+                    .with_regular_polygon(1, 8, DVec2::ZERO, 22.5)
+                    .with_regular_polygon(0, 4, DVec2::splat(c / 2.0), 0.0)
             }
             8 => Self::new([(1.0, 0.0), (0.5, 1.0 + H)], 3, H / 3.0)
-                .rectangles(2, &[[0.0, 0.0, 1.0, 1.0]])
-                .triangles(0, true, &[(0.5, 1.0 + H / 3.0)])
-                .triangles(1, false, &[(1.0, 1.0 + H * 2.0 / 3.0)]),
+                .with_rectangles(2, &[[0.0, 0.0, 1.0, 1.0]])
+                .with_triangles(0, true, &[(0.5, 1.0 + H / 3.0)])
+                .with_triangles(1, false, &[(1.0, 1.0 + H * 2.0 / 3.0)]),
             9 => Self::new([(2.0, 0.0), (1.0, 2.0 * H)], 3, H / 3.0)
-                .regular(2, 6, center(0.5, H), 0.0)
-                .triangles(1, false, &[(1.5, H * 5.0 / 3.0)])
-                .triangles(0, true, &[(1.5, H / 3.0)]),
-            10 => Self::new([(1.0, 0.0), (0.5, 1.0)], 1, 0.5).rectangles(0, &[[0.0, 0.0, 1.0, 1.0]]),
+                .with_regular_polygon(2, 6, center(0.5, H), 0.0)
+                .with_triangles(1, false, &[(1.5, H * 5.0 / 3.0)])
+                .with_triangles(0, true, &[(1.5, H / 3.0)]),
+            10 => Self::new([(1.0, 0.0), (0.5, 1.0)], 1, 0.5).with_rectangles(0, &[[0.0, 0.0, 1.0, 1.0]]),
             11 => Self::new([(3.0, 0.0), (0.0, 3.0)], 3, 0.5)
-                .rectangles(0, &[[1.0, 1.0, 1.0, 1.0]])
-                .rectangles(1, &[[1.0, 0.0, 2.0, 1.0], [0.0, 2.0, 2.0, 1.0]])
-                .rectangles(2, &[[0.0, 0.0, 1.0, 2.0], [2.0, 1.0, 1.0, 2.0]]),
+                .with_rectangles(0, &[[1.0, 1.0, 1.0, 1.0]])
+                .with_rectangles(1, &[[1.0, 0.0, 2.0, 1.0], [0.0, 2.0, 2.0, 1.0]])
+                .with_rectangles(2, &[[0.0, 0.0, 1.0, 2.0], [2.0, 1.0, 1.0, 2.0]]),
             12 => Self::new([(3.0, -3.0), (3.0, 3.0)], 3, 0.5)
-                .rectangles(0, &[[1.0, 1.0, 1.0, 1.0], [4.0, 1.0, 1.0, 1.0]])
-                .rectangles(1, &[[-2.0, 2.0, 2.0, 1.0], [0.0, 2.0, 2.0, 1.0]])
-                .rectangles(1, &[[-2.0, 3.0, 2.0, 1.0], [0.0, 3.0, 2.0, 1.0]])
-                .rectangles(2, &[[2.0, 1.0, 1.0, 2.0], [3.0, 1.0, 1.0, 2.0]])
-                .rectangles(2, &[[2.0, 3.0, 1.0, 2.0], [3.0, 3.0, 1.0, 2.0]]),
-            13 => Self::frames(3, [0, 2, 2, 1, 1]),
-            14 => Self::frames(5, [4, 0, 1, 2, 3]),
+                .with_rectangles(0, &[[1.0, 1.0, 1.0, 1.0], [4.0, 1.0, 1.0, 1.0]])
+                .with_rectangles(1, &[[-2.0, 2.0, 2.0, 1.0], [0.0, 2.0, 2.0, 1.0]])
+                .with_rectangles(1, &[[-2.0, 3.0, 2.0, 1.0], [0.0, 3.0, 2.0, 1.0]])
+                .with_rectangles(2, &[[2.0, 1.0, 1.0, 2.0], [3.0, 1.0, 1.0, 2.0]])
+                .with_rectangles(2, &[[2.0, 3.0, 1.0, 2.0], [3.0, 3.0, 1.0, 2.0]]),
+            13 => Self::frame_tiling(3, [0, 2, 2, 1, 1]),
+            14 => Self::frame_tiling(5, [4, 0, 1, 2, 3]),
             15 => Self::new([(2.0, 1.0), (-1.0, 2.0)], 2, 0.5)
-                .rectangles(1, &[[0.0, 1.0, 2.0, 2.0]])
-                .rectangles(0, &[[2.0, 1.0, 1.0, 1.0]]),
-            16 => Self::hexagons_in_squares(3, [2, 0, 0, 0, 1, 1]),
-            17 => Self::hexagons_in_squares(6, [5, 1, 0, 2, 4, 3]),
+                .with_rectangles(1, &[[0.0, 1.0, 2.0, 2.0]])
+                .with_rectangles(0, &[[2.0, 1.0, 1.0, 1.0]]),
+            16 => Self::hexagon_and_square_tiling(3, [2, 0, 0, 0, 1, 1]),
+            17 => Self::hexagon_and_square_tiling(6, [5, 1, 0, 2, 4, 3]),
             18 => Self::new([(2.0, 2.0), (2.0, -2.0)], 2, 0.5)
-                .rectangles(0, &[[2.0, 0.0, 2.0, 1.0], [2.0, 1.0, 2.0, 1.0]])
-                .rectangles(1, &[[0.0, 0.0, 1.0, 2.0], [1.0, 0.0, 1.0, 2.0]]),
-            19 => Self::snub(-1.0, center(-1.5, 3.0 * H)),
-            20 => Self::snub(1.0, center(1.0, 2.0 * H)),
-            21 => Self::snub_squares(),
-            22 => Self::dodecagons_and_triangles(),
-            23 => Self::dodecagons(3, [2, 0, 0, 1, 1, 1]),
-            24 => Self::dodecagons(5, [4, 0, 0, 1, 2, 3]),
-            _ => Self::new([(1.0, 0.0), (0.0, 1.0)], 1, 0.5).rectangles(0, &[[0.0, 0.0, 1.0, 1.0]]),
+                .with_rectangles(0, &[[2.0, 0.0, 2.0, 1.0], [2.0, 1.0, 2.0, 1.0]])
+                .with_rectangles(1, &[[0.0, 0.0, 1.0, 2.0], [1.0, 0.0, 1.0, 2.0]]),
+            19 => Self::snub_hexagon_tiling(-1.0, center(-1.5, 3.0 * H)),
+            20 => Self::snub_hexagon_tiling(1.0, center(1.0, 2.0 * H)),
+            21 => Self::snub_square_tiling(),
+            22 => Self::dodecagon_and_triangle_tiling(),
+            23 => Self::dodecagon_tiling(3, [2, 0, 0, 1, 1, 1]),
+            24 => Self::dodecagon_tiling(5, [4, 0, 0, 1, 2, 3]),
+            _ => Self::new([(1.0, 0.0), (0.0, 1.0)], 1, 0.5).with_rectangles(0, &[[0.0, 0.0, 1.0, 1.0]]),
         }
     }
 
-    /// Hexagons cut into three rhombs that look like cubes.
-    fn rhombs() -> Self {
+    /// Returns a tiling of hexagons cut into three rhombs that look like cubes.
+    fn rhomb_tiling() -> Self {
         let middle = DVec2::new(0.5, H);
-        let corner = |i: u32| middle + towards(60.0 * f64::from(i));
+        let corner = |i: u32| middle + unit_vector_at(60.0 * f64::from(i));
         let plan = Self::new([(1.5, H), (0.0, 2.0 * H)], 3, H / 2.0);
         (0..3).fold(plan, |plan, i| {
-            plan.polygon(2 - i as usize, &[middle, corner(2 * i), corner(2 * i + 1), corner(2 * i + 2)])
+            plan.with_polygon(2 - i as usize, &[middle, corner(2 * i), corner(2 * i + 1), corner(2 * i + 2)])
         })
     }
 
-    /// Squares in mitred frames of four boards.
-    fn frames(kinds: usize, kind: [usize; 5]) -> Self {
+    /// Returns a tiling of squares in mitred frames of four boards.
+    fn frame_tiling(kinds: usize, kind: [usize; 5]) -> Self {
         let s = FRAC_1_SQRT_2;
-        let board = |corners: [(f64, f64); 4]| points(&corners.map(|(x, z)| (x * s, z * s)));
+        let board = |corners: [(f64, f64); 4]| to_points(&corners.map(|(x, z)| (x * s, z * s)));
         Self::new([(4.0 * s, 0.0), (0.0, 4.0 * s)], kinds, s / 2.0)
-            .rectangles(kind[0], &[[s, s, 2.0 * s, 2.0 * s]])
-            .polygon(kind[1], &board([(4.0, 0.0), (4.0, 4.0), (3.0, 3.0), (3.0, 1.0)]))
-            .polygon(kind[2], &board([(4.0, 0.0), (5.0, 1.0), (5.0, 3.0), (4.0, 4.0)]))
-            .polygon(kind[3], &board([(0.0, 0.0), (4.0, 0.0), (3.0, 1.0), (1.0, 1.0)]))
-            .polygon(kind[4], &board([(0.0, 0.0), (1.0, -1.0), (3.0, -1.0), (4.0, 0.0)]))
+            .with_rectangles(kind[0], &[[s, s, 2.0 * s, 2.0 * s]])
+            .with_polygon(kind[1], &board([(4.0, 0.0), (4.0, 4.0), (3.0, 3.0), (3.0, 1.0)]))
+            .with_polygon(kind[2], &board([(4.0, 0.0), (5.0, 1.0), (5.0, 3.0), (4.0, 4.0)]))
+            .with_polygon(kind[3], &board([(0.0, 0.0), (4.0, 0.0), (3.0, 1.0), (1.0, 1.0)]))
+            .with_polygon(kind[4], &board([(0.0, 0.0), (1.0, -1.0), (3.0, -1.0), (4.0, 0.0)]))
     }
 
-    /// Hexagons with squares at their sides and triangles at their corners.
-    fn hexagons_in_squares(kinds: usize, kind: [usize; 6]) -> Self {
+    /// Returns a tiling of hexagons with squares at their sides and triangles at their corners.
+    fn hexagon_and_square_tiling(kinds: usize, kind: [usize; 6]) -> Self {
         let apart = 1.0 + 2.0 * H;
         let middle = DVec2::splat(apart / 2.0);
         let mut plan = Self::new([(apart * H, apart / 2.0), (0.0, apart)], kinds, H / 3.0);
-        plan = plan.regular(kind[0], 6, middle, 0.0);
+        plan = plan.with_regular_polygon(kind[0], 6, middle, 0.0);
         for i in 0..3 {
             let angle = 30.0 + 60.0 * i as f64;
-            plan = plan.regular(kind[1 + i], 4, middle + apart / 2.0 * towards(angle), angle + 45.0);
+            plan =
+                plan.with_regular_polygon(kind[1 + i], 4, middle + apart / 2.0 * unit_vector_at(angle), angle + 45.0);
         }
         for i in 0..2 {
             let angle = 60.0 * i as f64;
             let far = 1.0 + 0.5 / H;
-            plan = plan.regular(kind[4 + i], 3, middle + far * towards(angle), angle + 180.0);
+            plan = plan.with_regular_polygon(kind[4 + i], 3, middle + far * unit_vector_at(angle), angle + 180.0);
         }
         plan
     }
 
-    /// Hexagons with a ring of triangles each, in one of two orientations.
-    fn snub(hand: f64, middle: DVec2) -> Self {
+    /// Returns a tiling of hexagons with a ring of triangles each, in one of two orientations.
+    fn snub_hexagon_tiling(hand: f64, middle: DVec2) -> Self {
         // centres of triangles: x, and z in thirds of their height
         let at = |x: f64, thirds: f64| (middle.x + hand * x, middle.y + thirds * H / 3.0);
         Self::new([(hand * 2.5, H), (hand * 0.5, 3.0 * H)], 3, H / 3.0)
-            .regular(2, 6, middle, 0.0)
-            .triangles(0, true, &[at(-5.5, -11.0), at(-4.0, -2.0), at(-3.5, 1.0), at(-3.0, 4.0)])
-            .triangles(1, false, &[at(-5.0, -10.0), at(-4.0, -4.0), at(-3.5, -1.0), at(-3.0, 2.0)])
+            .with_regular_polygon(2, 6, middle, 0.0)
+            .with_triangles(0, true, &[at(-5.5, -11.0), at(-4.0, -2.0), at(-3.5, 1.0), at(-3.0, 4.0)])
+            .with_triangles(1, false, &[at(-5.0, -10.0), at(-4.0, -4.0), at(-3.5, -1.0), at(-3.0, 2.0)])
     }
 
-    /// Alternating pairs of squares and triangles around each corner.
-    fn snub_squares() -> Self {
+    /// Returns a tiling of alternating pairs of squares and triangles around each corner.
+    fn snub_square_tiling() -> Self {
         let half = (1.0 + 2.0 * H) / 2.0;
         let third = 1.0 / (2.0 * H);
         Self::new([(half, half), (-half, half)], 6, H / 3.0)
-            .regular(4, 4, DVec2::splat(half / 2.0), 15.0)
-            .regular(5, 4, DVec2::new(half / 2.0, half * 1.5), 75.0)
-            .regular(1, 3, DVec2::new(0.0, 0.5 + third), 30.0)
-            .regular(2, 3, DVec2::new(-third / 2.0, 0.0), 60.0)
-            .regular(0, 3, DVec2::new(third / 2.0, 0.0), 0.0)
-            .regular(3, 3, DVec2::new(0.0, 0.5 + 2.0 * third), 90.0)
+            .with_regular_polygon(4, 4, DVec2::splat(half / 2.0), 15.0)
+            .with_regular_polygon(5, 4, DVec2::new(half / 2.0, half * 1.5), 75.0)
+            .with_regular_polygon(1, 3, DVec2::new(0.0, 0.5 + third), 30.0)
+            .with_regular_polygon(2, 3, DVec2::new(-third / 2.0, 0.0), 60.0)
+            .with_regular_polygon(0, 3, DVec2::new(third / 2.0, 0.0), 0.0)
+            .with_regular_polygon(3, 3, DVec2::new(0.0, 0.5 + 2.0 * third), 90.0)
     }
 
-    /// Dodecagons side by side, and the triangles between them.
-    fn dodecagons_and_triangles() -> Self {
+    /// Returns a tiling of dodecagons side by side, and the triangles between them.
+    fn dodecagon_and_triangle_tiling() -> Self {
         let apart = 2.0 + 2.0 * H;
         let middle = DVec2::splat(apart / 2.0);
         let gap = DVec2::new(apart / 2.0, apart * H / 3.0);
-        let mut plan = Self::new([(apart, 0.0), (apart / 2.0, apart * H)], 3, H / 3.0).regular(2, 12, middle, 15.0);
+        let mut plan =
+            Self::new([(apart, 0.0), (apart / 2.0, apart * H)], 3, H / 3.0).with_regular_polygon(2, 12, middle, 15.0);
         // Three of the sides have a deeper bevel: right, left and lower (quirk: tiling_bevels).
         for side in [11, 5, 8] {
             let edge = &mut plan.tiles[0].edges[side];
             (edge.a, edge.b) = (edge.a * H, edge.b * H);
         }
-        plan.regular(1, 3, middle + gap, -90.0).regular(0, 3, middle + 2.0 * gap, 90.0)
+        plan.with_regular_polygon(1, 3, middle + gap, -90.0).with_regular_polygon(0, 3, middle + 2.0 * gap, 90.0)
     }
 
-    /// Dodecagons with squares between them, and hexagons in the gaps.
-    fn dodecagons(kinds: usize, kind: [usize; 6]) -> Self {
+    /// Returns a tiling of dodecagons with squares between them, and hexagons in the gaps.
+    fn dodecagon_tiling(kinds: usize, kind: [usize; 6]) -> Self {
         let apart = 3.0 + 2.0 * H;
         let middle = DVec2::new(apart / 2.0, 1.0 + 2.0 * H);
         let gap = DVec2::new(apart / 2.0, apart * H / 3.0);
         let plan = Self::new([(apart, 0.0), (apart / 2.0, apart * H)], kinds, 0.5)
-            .regular(kind[0], 12, middle, 15.0)
-            .regular(kind[1], 6, middle + gap, 0.0)
-            .regular(kind[2], 6, middle + 2.0 * gap, 0.0);
+            .with_regular_polygon(kind[0], 12, middle, 15.0)
+            .with_regular_polygon(kind[1], 6, middle + gap, 0.0)
+            .with_regular_polygon(kind[2], 6, middle + 2.0 * gap, 0.0);
         (0..3).fold(plan, |plan, i| {
             let angle = 60.0 * i as f64;
-            plan.regular(kind[3 + i], 4, middle + apart / 2.0 * towards(angle), angle + 45.0)
+            plan.with_regular_polygon(kind[3 + i], 4, middle + apart / 2.0 * unit_vector_at(angle), angle + 45.0)
         })
     }
 
-    /// The kind of the tile at a point, and the point's position in its bevel: 0 at the edge, 1 at the bevel's end and
-    /// beyond.
-    fn at(&self, p: DVec2) -> (usize, f64) {
+    /// Returns the kind of the tile at a point, and the point's position in its bevel: 0 at the edge, 1 at the bevel's
+    /// end and beyond.
+    fn tile_at(&self, p: DVec2) -> (usize, f64) {
         let [a, b] = self.steps;
         // in steps along a and b, without their whole parts
         let across = a.perp_dot(b);
@@ -296,7 +295,7 @@ impl Plan {
         let p = p - i * a - j * b + LEAN;
         let mut best = (0, f64::NEG_INFINITY);
         for tile in &self.tiles {
-            let within = tile.within(p);
+            let within = tile.position_in_bevel(p);
             if within > best.1 {
                 best = (tile.kind, within);
                 if within > 0.0 {
@@ -309,24 +308,25 @@ impl Plan {
 }
 
 impl Tile {
-    /// Position in the bevel; negative outside the tile.
-    fn within(&self, p: DVec2) -> f64 {
+    /// Returns the point's position in the tile's bevel: 0 at the edge, 1 at the bevel's end; negative outside the
+    /// tile.
+    fn position_in_bevel(&self, p: DVec2) -> f64 {
         self.edges.iter().map(|edge| edge.b - edge.a.dot(p)).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// Unit vector at an angle in degrees from x towards z.
-fn towards(angle: f64) -> DVec2 {
+/// Returns the unit vector at an angle in degrees from x towards z.
+fn unit_vector_at(angle: f64) -> DVec2 {
     let (sin, cos) = fp::sin_cos(angle.to_radians());
     DVec2::new(cos, sin)
 }
 
-fn bounds(points: &[DVec2]) -> [DVec2; 2] {
+fn bounding_box(points: &[DVec2]) -> [DVec2; 2] {
     let far = DVec2::splat(f64::INFINITY);
     points.iter().fold([far, -far], |[low, high], &p| [low.min(p), high.max(p)])
 }
 
-fn points(corners: &[(f64, f64)]) -> Vec<DVec2> {
+fn to_points(corners: &[(f64, f64)]) -> Vec<DVec2> {
     corners.iter().map(|&(x, z)| DVec2::new(x, z)).collect()
 }
 
@@ -347,14 +347,14 @@ impl Readable for Tiling {
                 format!("there are tilings 1 to 27, but none with the number {number}"),
             );
         }
-        Ok(Self::numbered(number as usize))
+        Ok(Self::tiling_of_number(number as usize))
     }
 }
 
 impl Tiling {
-    fn numbered(number: usize) -> Self {
-        let periodic = || Tiles::Plan(Arc::new(Plan::numbered(number).spread()));
-        Self { number, tiles: Penrose::numbered(number).map_or_else(periodic, Tiles::Penrose) }
+    fn tiling_of_number(number: usize) -> Self {
+        let periodic = || Tiles::Plan(Arc::new(Plan::tiling_plan(number).with_copies()));
+        Self { number, tiles: Penrose::penrose_tiling(number).map_or_else(periodic, Tiles::Penrose) }
     }
 }
 
@@ -362,8 +362,8 @@ impl Field for Tiling {
     fn value(&self, at: &TextureContext) -> f64 {
         let p = DVec2::new(at.p.x, at.p.z);
         let ((kind, within), kinds) = match &self.tiles {
-            Tiles::Plan(plan) => (plan.at(p), plan.kinds),
-            Tiles::Penrose(penrose) => (penrose.at(p), penrose.kinds()),
+            Tiles::Plan(plan) => (plan.tile_at(p), plan.kinds),
+            Tiles::Penrose(penrose) => (penrose.tile_at(p), penrose.tile_kind_count()),
         };
         let value = (kind as f64 + 1.0 - within) / kinds as f64;
         value_on_seam(self.number, p, value).unwrap_or(value)
@@ -379,9 +379,9 @@ mod tests {
     #[test]
     fn every_tiling_reaches_everywhere() {
         for number in 1..=27 {
-            let tiling = Tiling::numbered(number);
+            let tiling = Tiling::tiling_of_number(number);
             for p in extreme_points() {
-                let value = tiling.value(&TextureContext::free(p, Default::default()));
+                let value = tiling.value(&TextureContext::without_surface(p, Default::default()));
                 // (A seam may give a larger number.)
                 assert!(value.is_nan() || (0.0..=7.0 / 3.0).contains(&value), "{number} {p}: {value}");
             }
@@ -406,8 +406,8 @@ mod tests {
             (20, -0.04, 0.0, 2.0 / 3.0),
             (20, 5.01, 0.0, 2.0 / 3.0),
         ] {
-            let value =
-                Tiling::numbered(number).value(&TextureContext::free(DVec3::new(x, 0.3, z), Default::default()));
+            let value = Tiling::tiling_of_number(number)
+                .value(&TextureContext::without_surface(DVec3::new(x, 0.3, z), Default::default()));
             assert!((value - shown).abs() < 1e-4, "{number} <{x}, {z}>: {value} instead of {shown}");
         }
     }
@@ -448,10 +448,10 @@ mod tests {
             ),
         ];
         for (number, shown) in SHOWN {
-            let tiling = Tiling::numbered(number);
+            let tiling = Tiling::tiling_of_number(number);
             for (i, shown) in shown.into_iter().enumerate() {
                 let p = DVec3::new((i / 4) as f64 / 2.0, 0.0, (i % 4) as f64 / 2.0);
-                let value = tiling.value(&TextureContext::free(p, Default::default()));
+                let value = tiling.value(&TextureContext::without_surface(p, Default::default()));
                 assert!((value * 180.0 - f64::from(shown)).abs() < 0.51, "{number} {p}: {value}");
             }
         }

@@ -18,7 +18,7 @@ const C18: f64 = 0.951_056_516_295_153_5;
 const S36: f64 = 0.587_785_252_292_473_1;
 const C36: f64 = 0.809_016_994_374_947_4;
 
-/// Directions at 0°, 36°, 72°, … from x towards z.
+/// Unit vectors at 0°, 36°, 72°, … from x towards z.
 const TOWARDS: [DVec2; 10] = [
     DVec2::new(1.0, 0.0),
     DVec2::new(C36, S36),
@@ -32,30 +32,31 @@ const TOWARDS: [DVec2; 10] = [
     DVec2::new(C36, -S36),
 ];
 
-/// Width of the bevels of kites and darts; then that of pentagons and rhombs.
+/// Width of the bevels of Penrose's kites and darts; then that of pentagons and rhombs.
 const KITE_DEPTH: f64 = 1.0 / 4.46;
 const DEPTH: f64 = PHI / 5.55;
-/// Difference between the number at a bevel's end and the next kind's first number.
+/// Difference between a Penrose tiling's number at a bevel's end and the next kind's first number.
 const MARGIN: f64 = 1e-6;
 
-/// Distance between the centres of two pentagons with a common side of length 1; also from the centre of a star to its
-/// tips.
+/// Distance between the centres of two pentagons of a Penrose tiling with a common side of length 1; also from the
+/// centre of a star to its tips.
 const APART: f64 = 1.376_381_920_471_173_5;
-/// Legs of the triangles that contain the same piece of the tiling with pentagons: `APART` φ².
+/// Length of the legs of the triangles that contain the same piece of the Penrose tiling with pentagons: `APART` φ².
 const LEG: f64 = 3.603_414_649_294_386_6;
 
-/// An aperiodic tiling by Penrose, with its number in a scene.
+/// Aperiodic tiling by Penrose, with its number in a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Penrose {
-    /// 25: three kinds of pentagons, stars, boats and diamonds, with sides of length 1.
+    /// Penrose tiling 25: three kinds of pentagons, stars, boats and diamonds, with sides of length 1.
     Pentagons,
-    /// 26: kites and darts with sides of length 1 and 1/φ.
+    /// Penrose tiling 26: kites and darts with sides of length 1 and 1/φ.
     Kites,
-    /// 27: thick and thin rhombs with sides of length 1.
+    /// Penrose tiling 27: thick and thin rhombs with sides of length 1.
     Rhombs,
 }
 
-/// A point in a triangle with corners A, where its equal legs meet, B and C, as barycentric weights.
+/// A point in a triangle of a Penrose tiling, as barycentric weights of its corners A, where its equal legs meet, B and
+/// C.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     obtuse: bool,
@@ -65,12 +66,13 @@ struct Place {
 }
 
 impl Place {
-    /// Locates a point, given the legs of the smallest triangles and the least number of cuts, which grows by four
-    /// until the first triangles reach far enough: after four cuts all positions repeat, scaled by φ⁻⁴.
-    fn of(p: DVec2, leg: f64, cuts: i32) -> Self {
+    /// Locates a point in a Penrose tiling's triangles, given the legs of the smallest triangles and the least number
+    /// of cuts, which grows by four until the first triangles reach far enough: after four cuts all positions repeat,
+    /// scaled by φ⁻⁴.
+    fn locate_in_triangle(p: DVec2, leg: f64, cuts: i32) -> Self {
         // By fivefold symmetry and a mirror, one of the ten triangles is enough, with B at 36° and C at 0°.
         let p = DVec2::new(p.x, p.y.abs());
-        let (x, z) = turn(p, widest(p, &[0, 2, 4]));
+        let (x, z) = along_and_across(p, nearest_direction(p, &[0, 2, 4]));
         let (x, z) = (x, z.abs());
         let (mut cuts, mut long) = (cuts, leg * PHI.powi(cuts));
         while long * C18 < fp::hypot(x, z) {
@@ -78,11 +80,11 @@ impl Place {
         }
         let b = z / (long * S36);
         let c = x / long - b * C36;
-        (0..cuts).fold(Self { obtuse: false, a: 1.0 - b - c, b, c }, |place, _| place.cut())
+        (0..cuts).fold(Self { obtuse: false, a: 1.0 - b - c, b, c }, |place, _| place.cut_triangle())
     }
 
-    /// Cuts the triangle and returns the piece that contains the point.
-    fn cut(self) -> Self {
+    /// Cuts the triangle of a Penrose tiling and returns the piece that contains the point.
+    fn cut_triangle(self) -> Self {
         let Self { obtuse, a, b, c } = self;
         let inverse = PHI - 1.0;
         if !obtuse {
@@ -108,42 +110,43 @@ impl Place {
 }
 
 impl Penrose {
-    /// The tiling of a number.
-    pub fn numbered(number: usize) -> Option<Self> {
+    /// Returns the Penrose tiling of a number from 25 to 27.
+    pub fn penrose_tiling(number: usize) -> Option<Self> {
         [Self::Pentagons, Self::Kites, Self::Rhombs].get(number.checked_sub(25)?).copied()
     }
 
-    /// Number of kinds of tiles.
-    pub fn kinds(self) -> usize {
+    /// Number of kinds of tiles in the Penrose tiling.
+    pub fn tile_kind_count(self) -> usize {
         if self == Self::Pentagons { 6 } else { 2 }
     }
 
-    /// The kind of the tile at a point, and the point's position in its bevel: 0 at the edge, just below 1 at the
-    /// bevel's end and beyond (quirk: `penrose_bevels`), so that no number equals that of the next kind's edges.
-    pub fn at(self, p: DVec2) -> (usize, f64) {
+    /// Returns the kind of the Penrose tile at a point, and the point's position in its bevel: 0 at the edge, just
+    /// below 1 at the bevel's end and beyond (quirk: `penrose_bevels`), so that no number equals that of the next
+    /// kind's edges.
+    pub fn tile_at(self, p: DVec2) -> (usize, f64) {
         let (kind, within) = match self {
             Self::Pentagons => {
-                let (kind, distance) = pentagons(Place::of(p, LEG, 4));
+                let (kind, distance) = pentagon_tile_at(Place::locate_in_triangle(p, LEG, 4));
                 (kind, distance / DEPTH)
             }
-            Self::Kites => kites(Place::of(p, 1.0, 2)),
-            Self::Rhombs => rhombs(Place::of(p, 1.0, 3)),
+            Self::Kites => kite_at(Place::locate_in_triangle(p, 1.0, 2)),
+            Self::Rhombs => rhomb_at(Place::locate_in_triangle(p, 1.0, 3)),
         };
-        let most = if kind == 0 { 1.0 } else { 1.0 - MARGIN * self.kinds() as f64 };
+        let most = if kind == 0 { 1.0 } else { 1.0 - MARGIN * self.tile_kind_count() as f64 };
         (kind, within.clamp(0.0, most))
     }
 }
 
-/// Rhombs consist of two triangles with the common side BC.
-fn rhombs(at: Place) -> (usize, f64) {
-    let height = if at.obtuse { C18 } else { S36 };
-    (usize::from(!at.obtuse), at.b.min(at.c) * height / DEPTH)
+/// Evaluates the Penrose tiling of rhombs, which consist of two triangles with the common side BC.
+fn rhomb_at(place: Place) -> (usize, f64) {
+    let height = if place.obtuse { C18 } else { S36 };
+    (usize::from(!place.obtuse), place.b.min(place.c) * height / DEPTH)
 }
 
-/// Kites and darts consist of two triangles with the common side AB: the acute ones unchanged, and the obtuse ones cut
-/// from A to the point R that divides BC.
-fn kites(at: Place) -> (usize, f64) {
-    let Place { obtuse, a, b, c } = at;
+/// Evaluates the Penrose tiling of kites and darts, which consist of two triangles with the common side AB: the acute
+/// ones unchanged, and the obtuse ones cut from A to the point R that divides BC.
+fn kite_at(place: Place) -> (usize, f64) {
+    let Place { obtuse, a, b, c } = place;
     let inverse = PHI - 1.0;
     let (dart, distance) = match obtuse {
         false => (false, (a * C18).min(b * S36)),
@@ -153,15 +156,15 @@ fn kites(at: Place) -> (usize, f64) {
     (usize::from(dart), distance / KITE_DEPTH)
 }
 
-/// The kind of the tile and the distance from its edge.
-fn pentagons(at: Place) -> (usize, f64) {
-    // A is at the origin, B at <LEG, 0>.
-    let tip = TOWARDS[if at.obtuse { 3 } else { 1 }] * LEG;
-    let (end, p) = (DVec2::X * LEG, DVec2::X * (LEG * at.b) + tip * at.c);
-    let (left, right) = if at.obtuse { (1, 2) } else { (2, 1) };
-    let mut best = diamond(p - end / 2.0);
+/// Evaluates the Penrose tiling of pentagons: returns the kind of the tile and the distance from its edge.
+fn pentagon_tile_at(place: Place) -> (usize, f64) {
+    // A is place the origin, B place <LEG, 0>.
+    let tip = TOWARDS[if place.obtuse { 3 } else { 1 }] * LEG;
+    let (end, p) = (DVec2::X * LEG, DVec2::X * (LEG * place.b) + tip * place.c);
+    let (left, right) = if place.obtuse { (1, 2) } else { (2, 1) };
+    let mut best = diamond_tile(p - end / 2.0);
     let mut tile = |kind, center: DVec2, mirrored: bool| {
-        let distance = pentagon(if mirrored { center - p } else { p - center });
+        let distance = pentagon_distance(if mirrored { center - p } else { p - center });
         if distance > best.1 {
             best = (kind, distance);
         }
@@ -170,7 +173,7 @@ fn pentagons(at: Place) -> (usize, f64) {
     tile(0, end, true);
     tile(left, TOWARDS[1] * APART, true);
     tile(right, end + TOWARDS[4] * APART, false);
-    if at.obtuse {
+    if place.obtuse {
         tile(2, TOWARDS[3] * APART, true);
         tile(1, tip + TOWARDS[9] * APART, false);
     }
@@ -178,44 +181,50 @@ fn pentagons(at: Place) -> (usize, f64) {
         return best;
     }
     let middle = end + TOWARDS[4] * LEG;
-    if at.obtuse && p.distance_squared(middle) < p.distance_squared(tip) { boat(p - middle) } else { star(p - tip) }
+    if place.obtuse && p.distance_squared(middle) < p.distance_squared(tip) {
+        boat_tile(p - middle)
+    } else {
+        star_tile(p - tip)
+    }
 }
 
-/// Distance from the edge of a pentagon around the origin, with a corner at 0°; negative outside.
-fn pentagon(p: DVec2) -> f64 {
+/// Distance of a point from the edge of a pentagon around the origin, with a corner at 0°; negative outside.
+fn pentagon_distance(p: DVec2) -> f64 {
     APART / 2.0 - [1, 3, 5, 7, 9].map(|k| TOWARDS[k].dot(p)).into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// A rhomb around the origin, with its acute corners at 0° and 180°.
-fn diamond(p: DVec2) -> (usize, f64) {
+/// Kind of a Penrose tile and distance from its edge, for a rhomb around the origin, with its acute corners at 0° and
+/// 180°.
+fn diamond_tile(p: DVec2) -> (usize, f64) {
     (5, S18 * C18 - p.x.abs() * S18 - p.y.abs() * C18)
 }
 
-/// A star around the origin, with a tip at 0°.
-fn star(p: DVec2) -> (usize, f64) {
-    (3, arm(turn(p, widest(p, &[0, 2, 4, 6, 8]))))
+/// Kind of a Penrose tile and distance from its edge, for a star around the origin, with a tip at 0°.
+fn star_tile(p: DVec2) -> (usize, f64) {
+    (3, star_arm_distance(along_and_across(p, nearest_direction(p, &[0, 2, 4, 6, 8]))))
 }
 
-/// Three arms of a star, the middle one at -36°, and a side across the missing two.
-fn boat(p: DVec2) -> (usize, f64) {
+/// Kind of a Penrose tile and distance from its edge, for a boat: three arms of a star, the middle one at -36°, and a
+/// side across the missing two.
+fn boat_tile(p: DVec2) -> (usize, f64) {
     let across = (S18 * S18 / S36) + p.dot(TOWARDS[9]);
-    let k = widest(p, &[9, 1, 7, 3, 5]);
-    (4, if matches!(k, 3 | 5) { across } else { across.min(arm(turn(p, k))) })
+    let k = nearest_direction(p, &[9, 1, 7, 3, 5]);
+    (4, if matches!(k, 3 | 5) { across } else { across.min(star_arm_distance(along_and_across(p, k))) })
 }
 
-/// Distance from the edges of a star's arm at 0°, 36° wide at its tip; negative outside.
-fn arm((x, z): (f64, f64)) -> f64 {
+/// Distance of a point from the edges of a star's arm at 0°, 36° wide at its tip; negative outside.
+fn star_arm_distance((x, z): (f64, f64)) -> f64 {
     (APART - x) * S18 - z.abs() * C18
 }
 
-/// The direction among `among` that is nearest to the point.
-fn widest(p: DVec2, among: &[usize]) -> usize {
+/// Returns the direction among `among` that is nearest to the point, as an index of [`TOWARDS`].
+fn nearest_direction(p: DVec2, among: &[usize]) -> usize {
     let farther = |best: usize, &k: &usize| if TOWARDS[k].dot(p) > TOWARDS[best].dot(p) { k } else { best };
     among.iter().fold(among[0], farther)
 }
 
-/// The point's coordinates along and across a direction.
-fn turn(p: DVec2, k: usize) -> (f64, f64) {
+/// Returns the point's coordinates along and across the direction with index `k`.
+fn along_and_across(p: DVec2, k: usize) -> (f64, f64) {
     (TOWARDS[k].dot(p), TOWARDS[k].perp_dot(p))
 }
 
@@ -235,7 +244,7 @@ mod tests {
                 // a low-discrepancy sequence (R2) over a square
                 let t = f64::from(i);
                 let p = DVec2::new(t * 0.754_877_666_246_693, t * 0.569_840_290_998_053_3).fract();
-                first += f64::from(u8::from(tiling.at((p - 0.5) * 4000.0).0 == 0));
+                first += f64::from(u8::from(tiling.tile_at((p - 0.5) * 4000.0).0 == 0));
                 all += 1.0;
             }
             // φ : 1 by number, and by area φ times more
@@ -249,18 +258,18 @@ mod tests {
         fn there_is_fivefold_symmetry(x in -50.0..50.0f64, z in -50.0..50.0f64) {
             let p = DVec2::new(x, z);
             for tiling in ALL {
-                let (kind, within) = tiling.at(p);
-                let (along, across) = turn(p, 2);
-                let turned = tiling.at(DVec2::new(along, across));
+                let (kind, within) = tiling.tile_at(p);
+                let (along, across) = along_and_across(p, 2);
+                let turned = tiling.tile_at(DVec2::new(along, across));
                 prop_assert!((turned.1 - within).abs() < 1e-10 && (turned.0 == kind || within < 1e-10));
-                prop_assert_eq!(tiling.at(DVec2::new(x, -z)), (kind, within));
+                prop_assert_eq!(tiling.tile_at(DVec2::new(x, -z)), (kind, within));
             }
         }
 
         #[test]
         fn bevels_have_no_jumps(x in -50.0..50.0f64, z in -50.0..50.0f64, dx in -1e-4..1e-4f64, dz in -1e-4..1e-4f64) {
             for tiling in ALL {
-                let [(_, one), (_, other)] = [(x, z), (x + dx, z + dz)].map(|(x, z)| tiling.at(DVec2::new(x, z)));
+                let [(_, one), (_, other)] = [(x, z), (x + dx, z + dz)].map(|(x, z)| tiling.tile_at(DVec2::new(x, z)));
                 prop_assert!((one - other).abs() < 1e-3, "{tiling:?}");
             }
         }

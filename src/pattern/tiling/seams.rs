@@ -4,7 +4,7 @@
 
 use crate::math::DVec2;
 
-/// The number on a seam, or `None` where it is that of the tiles, which is `value`.
+/// Returns the number of a tiling on a seam between tiles; `None` where it is `value`, the number of the tiles.
 pub fn value_on_seam(number: usize, p: DVec2, value: f64) -> Option<f64> {
     let (on_x, along) = (p.y == 0.0, p.x.rem_euclid(7.0));
     match number {

@@ -12,22 +12,22 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Moves points within a sphere along its radii.
+/// Warp `black_hole`: moves points within a sphere along its radii.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BlackHole {
-    /// Centre of the sphere; with `repeat` that of the block at the origin.
+    /// Centre of the black hole's sphere; with `repeat` that of the block at the origin.
     pub center: DVec3,
-    /// Radius of the sphere.
+    /// Radius of the black hole's sphere.
     pub radius: f64,
-    /// Strength of the pull near the centre.
+    /// Strength of the black hole's pull near the centre.
     pub strength: f64,
-    /// Exponent with which the pull grows from the surface to the centre.
+    /// Exponent with which the black hole's pull grows from the surface to the centre.
     pub falloff: f64,
-    /// True if the pattern is pushed away.
+    /// True if the black hole pushes the pattern away.
     pub inverse: bool,
     /// Size of the blocks that have a black hole each; no repetition along an axis where the size is 0 or less.
     pub repeat: DVec3,
-    /// Maximum random displacement of each centre along each axis; none without `repeat`.
+    /// Maximum random displacement of each black hole's centre along each axis; none without `repeat`.
     pub turbulence: DVec3,
 }
 
@@ -69,8 +69,8 @@ impl Readable for BlackHole {
 }
 
 impl BlackHole {
-    /// Centre of the hole that may contain the point.
-    fn center_near(&self, p: DVec3) -> DVec3 {
+    /// Returns the centre of the black hole that may contain the point.
+    fn nearest_hole_center(&self, p: DVec3) -> DVec3 {
         if self.repeat == DVec3::ZERO {
             return self.center;
         }
@@ -81,14 +81,14 @@ impl BlackHole {
         let block = DVec3::select(repeats, (p / size).floor(), DVec3::ZERO);
         // Random numbers of unit cubes: each block has those of the cube with its number (quirk:
         // black_hole_random_cells).
-        let random = Cell::of(block).0.random_point();
+        let random = Cell::containing(block).0.random_point();
         block * size + center + self.turbulence * random
     }
 }
 
 impl Bend for BlackHole {
     fn apply(&self, p: DVec3) -> DVec3 {
-        let out = p - self.center_near(p);
+        let out = p - self.nearest_hole_center(p);
         let distance = out.length();
         if distance >= self.radius {
             return p;
@@ -133,11 +133,11 @@ mod tests {
     #[test]
     fn turbulence_moves_each_hole_along_its_axes() {
         let holes = BlackHole { repeat: DVec3::X * 9.0, turbulence: DVec3::new(2.0, 0.0, -1.0), ..HOLE };
-        let [first, second] = [0.0, 9.0].map(|x| holes.center_near(DVec3::X * x) - DVec3::X * x - HOLE.center);
+        let [first, second] = [0.0, 9.0].map(|x| holes.nearest_hole_center(DVec3::X * x) - DVec3::X * x - HOLE.center);
         for moved in [first, second] {
             assert!(moved.x > 0.0 && moved.x < 2.0 && moved.y == 0.0 && moved.z > -1.0 && moved.z < 0.0, "{moved}");
         }
         assert_ne!(first, second);
-        assert_eq!(BlackHole { repeat: DVec3::ZERO, ..holes }.center_near(DVec3::ZERO), HOLE.center);
+        assert_eq!(BlackHole { repeat: DVec3::ZERO, ..holes }.nearest_hole_center(DVec3::ZERO), HOLE.center);
     }
 }

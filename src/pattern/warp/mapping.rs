@@ -14,12 +14,13 @@ use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
-/// Orientation of the pattern's plane: with z it is unchanged, with any other direction it is turned.
+/// Orientation of the pattern's plane in a mapping warp: with z the plane is unchanged, with any other direction it is
+/// turned.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Layout {
-    /// Unit vector, or zero.
+    /// Direction of the pattern that is the depth of a mapping warp: a unit vector, or zero.
     pub orientation: DVec3,
-    /// Exponent of the distance in the growth of the plane.
+    /// Exponent of the distance with which the pattern's plane grows in a mapping warp.
     pub dist_exp: f64,
 }
 
@@ -39,20 +40,20 @@ impl Layout {
         set(&mut self.orientation, r.vector().map(DVec3::normalize_or_zero))
     }
 
-    /// The point of the pattern for (u, v) and a depth.
-    fn place(&self, u: f64, v: f64, depth: f64) -> DVec3 {
+    /// Returns the point of the pattern for (u, v) and a depth in a mapping warp.
+    fn pattern_point(&self, u: f64, v: f64, depth: f64) -> DVec3 {
         // A rotation only for directions along an axis (quirk: warp_orientation).
         let n = self.orientation;
         DVec3::new((n.y + n.z) * u + n.x * depth, (n.x + n.z) * v - n.y * depth, n.y * v - n.x * u + n.z * depth)
     }
 
-    /// Scale of the plane at this distance.
-    fn growth(&self, distance: f64) -> f64 {
+    /// Scale of the pattern's plane at this distance in a mapping warp.
+    fn plane_scale(&self, distance: f64) -> f64 {
         if self.dist_exp == 0.0 { 1.0 } else { fp::pow(distance, self.dist_exp) }
     }
 }
 
-/// Around the y axis: u is a part of a turn, v is y.
+/// Warp `cylindrical`, around the y axis: u is a part of a turn, v is y.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct CylindricalWarp(pub Layout);
 
@@ -78,11 +79,11 @@ impl Bend for CylindricalWarp {
         if distance == 0.0 {
             return p;
         }
-        self.0.place(fp::turn(p.z, p.x) * self.0.growth(distance), p.y, distance)
+        self.0.pattern_point(fp::angle_in_turns(p.z, p.x) * self.0.plane_scale(distance), p.y, distance)
     }
 }
 
-/// Around the origin: u is a part of a turn, v runs from pole to pole.
+/// Warp `spherical`, around the origin: u is a part of a turn, v runs from pole to pole.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct SphericalWarp(pub Layout);
 
@@ -108,18 +109,18 @@ impl Bend for SphericalWarp {
         if distance == 0.0 {
             return p;
         }
-        let grown = self.0.growth(distance);
+        let grown = self.0.plane_scale(distance);
         let latitude = fp::asin(p.y / distance) / PI + 0.5;
-        self.0.place(fp::turn(p.z, p.x) * grown, latitude * grown, distance)
+        self.0.pattern_point(fp::angle_in_turns(p.z, p.x) * grown, latitude * grown, distance)
     }
 }
 
-/// Around a ring about the y axis: u is a part of a turn about the axis, v of one about the ring.
+/// Warp `toroidal`, around a ring about the y axis: u is a part of a turn about the axis, v of one about the ring.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ToroidalWarp {
-    /// Orientation and growth.
+    /// Orientation and growth of the pattern's plane in the toroidal warp.
     pub layout: Layout,
-    /// Major radius of the ring.
+    /// Major radius of the ring of the toroidal warp.
     pub major_radius: f64,
 }
 
@@ -151,17 +152,17 @@ impl Bend for ToroidalWarp {
         let outwards = fp::hypot(p.x, p.z) - self.major_radius;
         let distance = fp::hypot(outwards, p.y);
         let part = fp::atan2(p.y, outwards) / TAU + 0.5;
-        let grown = self.layout.growth(distance);
-        self.layout.place(fp::turn(p.z, p.x) * grown, fp::fraction(part) * grown, distance)
+        let grown = self.layout.plane_scale(distance);
+        self.layout.pattern_point(fp::angle_in_turns(p.z, p.x) * grown, fp::fraction(part) * grown, distance)
     }
 }
 
-/// Projects every point along the normal to the plane.
+/// Warp `planar`: projects every point along the normal to the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PlanarWarp {
-    /// Normal of the plane.
+    /// Normal of the plane of the planar warp.
     pub layout: Layout,
-    /// Distance of the plane from the origin.
+    /// Distance of the planar warp's plane from the origin.
     pub distance: f64,
 }
 
@@ -192,11 +193,11 @@ impl Readable for PlanarWarp {
 
 impl Bend for PlanarWarp {
     fn apply(&self, p: DVec3) -> DVec3 {
-        self.layout.place(p.x, p.y, self.distance)
+        self.layout.pattern_point(p.x, p.y, self.distance)
     }
 }
 
-/// Around a cube about the origin, unfolded like the uv mapping of a box.
+/// Warp `cubic`, around a cube about the origin, unfolded like the uv mapping of a box.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CubicWarp {}
 
@@ -221,7 +222,7 @@ impl Bend for CubicWarp {
         let q = p / depth;
         // Six squares, 4 side by side and 3 above each other: find the square, and the offset right and up from its
         // centre; edges as in the pattern `cubic`.
-        let ((column, row), right, up) = match (Cubic {}).cell(p) {
+        let ((column, row), right, up) = match (Cubic {}).cell_kind(p) {
             0 => ((2.0, 1.0), -q.z, q.y),
             1 => ((1.0, 2.0), q.x, -q.z),
             2 => ((1.0, 1.0), q.x, q.y),

@@ -16,7 +16,7 @@ use crate::math::DVec3;
 use crate::source::Span;
 use crate::value::{Family, Next, Reader, delegate, family};
 
-/// Function of every warp.
+/// Interface of a warp, which displaces the points of a pattern.
 pub trait Bend {
     /// Maps the evaluated point to the point that the pattern receives.
     fn apply(&self, p: DVec3) -> DVec3;
@@ -43,10 +43,10 @@ delegate! {
 }
 
 impl Warp {
-    /// Reads the contents of the braces of `warp { … }`; `span` is the block's name.
+    /// Reads the items of a `warp` block; `span` is the span of its word.
     ///
     /// # Errors
-    /// With the place of what is not understood, and what was expected there.
+    /// A diagnostic at the item that is not understood.
     pub fn read(span: Span, r: &mut dyn Reader) -> Result<Self> {
         let next = r.next()?;
         let Some(mut warp) = Self::read_named(next, r)? else {

@@ -11,16 +11,16 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Slices of the pattern side by side.
+/// Warp `repeat`: slices of the pattern side by side.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Repeat {
-    /// Axis: 0, 1 or 2 for x, y or z.
+    /// Axis of repetition: 0, 1 or 2 for x, y or z.
     pub axis: usize,
-    /// Width of a slice; a negative one begins with its far side.
+    /// Width of a slice of a repeating warp; a negative one begins with its far side.
     pub width: f64,
-    /// Offset in the pattern from each slice to the next.
+    /// Offset in the pattern from each slice of a repeating warp to the next.
     pub offset: DVec3,
-    /// Axes along which every other slice is mirrored.
+    /// Axes along which every other slice of a repeating warp is mirrored.
     pub flip: [bool; 3],
 }
 

@@ -12,7 +12,7 @@ use crate::value::words::read_row;
 use crate::value::{Next, Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
-/// Displaces points at random.
+/// Warp `turbulence`: displaces points at random.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TurbulenceWarp(pub TurbulenceParams);
 

@@ -45,7 +45,7 @@ impl<'a> EmbeddedTextures<'a> {
 }
 
 impl Paints for EmbeddedTextures<'_> {
-    fn read(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool> {
+    fn read_embedded_texture(&mut self, slot: &mut u32, next: Next, r: &mut dyn Reader) -> Result<bool> {
         let texture = match next {
             Next::Block("texture") | Next::Thing("texture") => read_layers(r, self.defaults)?,
             _ => {
@@ -60,12 +60,12 @@ impl Paints for EmbeddedTextures<'_> {
         Ok(true)
     }
 
-    fn read_one(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>> {
+    fn read_listed_texture(&mut self, next: Next, r: &mut dyn Reader) -> Result<Option<u32>> {
         let texture = match next {
             Next::Block("texture") => {
-                r.take()?;
+                r.take_token()?;
                 let texture = Texture::read(r, &self.defaults.texture)?;
-                r.leave()?;
+                r.leave_block()?;
                 texture
             }
             Next::Thing("texture") => match r.thing::<Texture>()? {
@@ -77,8 +77,13 @@ impl Paints for EmbeddedTextures<'_> {
         Ok(Some(self.number(texture)))
     }
 
-    fn of_file(&mut self, material: &MeshMaterial, picture: Option<&Arc<Picture>>, r: &mut dyn Reader) -> Result<u32> {
-        Ok(self.number(Texture::of_file(material, picture, r, &self.defaults.texture)))
+    fn add_mesh_material(
+        &mut self,
+        material: &MeshMaterial,
+        picture: Option<&Arc<Picture>>,
+        r: &mut dyn Reader,
+    ) -> Result<u32> {
+        Ok(self.number(Texture::from_mesh_material(material, picture, r, &self.defaults.texture)))
     }
 
     fn transform(&mut self, slot: &mut u32, by: &Transform) {

@@ -64,14 +64,14 @@ impl LightSource {
                 _ => return Err(r.unknown_word_in(&LIGHT)),
             }
         }
-        lit.light.finish()?;
+        lit.light.check()?;
         Ok(lit)
     }
 
     fn read_part(r: &mut dyn Reader, defaults: &Defaults) -> Result<Object> {
-        r.take()?;
+        r.take_token()?;
         let object = Object::read(r, defaults)?;
-        r.leave()?;
+        r.leave_block()?;
         Ok(*object)
     }
 
@@ -93,7 +93,7 @@ impl Object {
                 Next::Block(part) if is_object(part) => parts.push(*Self::read(r, defaults)?),
                 Next::Thing("object" | "light_source") => parts.push(*Self::read(r, defaults)?),
                 Next::Word("global_lights") => {
-                    r.take()?;
+                    r.take_token()?;
                     global = r.flag()?;
                 }
                 next if next.is_transform() => steps.extend(r.transform()?),

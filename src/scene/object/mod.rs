@@ -9,7 +9,7 @@ mod read;
 use super::{Defaults, Painted, Weight};
 use crate::math::{Aabb, Transform};
 use crate::medium::Interior;
-use crate::shape::{Shape, moved_box};
+use crate::shape::{Shape, transformed_box};
 use crate::source::Span;
 use crate::texture::Texture;
 use crate::value::{SharedDefault, StaticDefault, Thing};
@@ -252,12 +252,12 @@ impl Object {
         }
         let body = Arc::make_mut(&mut self.body);
         if let Some(pov_bounds) = body.bulk.as_mut().and_then(|bulk| bulk.pov_bounds.as_mut()) {
-            *pov_bounds = moved_box(step, pov_bounds);
+            *pov_bounds = transformed_box(step, pov_bounds);
         }
         if let Some(painted) = &mut body.texture {
             painted.transform_by(step);
         }
-        if body.uncommon.explicit().is_some() {
+        if body.uncommon.explicit_value().is_some() {
             body.uncommon.transform_by(step);
         }
     }

@@ -53,10 +53,10 @@ impl PhotonSettings {
     pub fn read(&mut self, r: &mut dyn Reader) -> Result<()> {
         let at = r.span();
         r.report(unsupported_warning("photons", at));
-        r.take()?;
+        r.take_token()?;
         loop {
             match r.next()? {
-                Next::End => return r.leave().map(drop),
+                Next::End => return r.leave_block().map(drop),
                 next if read_row(PHOTON_ROWS, self, next, r)? => {}
                 _ => return Err(r.unknown_word_in(&PHOTONS)),
             }

@@ -41,9 +41,9 @@ impl Object {
     pub fn read(r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         match r.next()? {
             Next::Block(word) => {
-                let source = r.take()?;
+                let source = r.take_token()?;
                 let object = Self::read_block(word, source, r, defaults)?;
-                r.leave()?;
+                r.leave_block()?;
                 Ok(object)
             }
             Next::Thing(_) => match (r.span(), r.thing::<Object>()?) {
@@ -111,7 +111,7 @@ impl Object {
                 return Ok(());
             }
             if !self.read_modifier(next, r, defaults)? {
-                r.skip_into(&mut vec![])?;
+                r.skip_unsupported(&mut vec![])?;
             }
         }
     }
@@ -205,19 +205,19 @@ impl Object {
             }
             Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
             Next::Word(word) if matches!(word, "clipped_by" | "bounded_by") || MODIFIERS.ignores(word) => {
-                r.take()?;
+                r.take_token()?;
                 r.flag()?;
             }
             Next::Block("interior") => {
-                r.take()?;
+                r.take_token()?;
                 self.uncommon.interior = Some(Arc::new(Interior::read(r, self.uncommon.interior.as_deref())?));
-                r.leave()?;
+                r.leave_block()?;
             }
             Next::Thing("interior") => self.uncommon.interior = r.thing::<Interior>()?,
             Next::Block("material") => {
-                r.take()?;
+                r.take_token()?;
                 let material = read_material(r, defaults, self.uncommon.interior.clone())?;
-                r.leave()?;
+                r.leave_block()?;
                 self.set_material(&material);
             }
             Next::Thing("material") => {
@@ -239,9 +239,9 @@ impl Object {
                 self.texture = Some(self.with_layers(self.texture.as_ref(), Arc::new(texture)));
             }
             Next::Block("interior_texture") => {
-                r.take()?;
+                r.take_token()?;
                 let texture = Texture::read(r, &defaults.texture)?;
-                r.leave()?;
+                r.leave_block()?;
                 self.uncommon.interior_texture =
                     Some(self.with_layers(self.uncommon.interior_texture.as_ref(), Arc::new(texture)));
             }
@@ -283,14 +283,14 @@ impl Object {
     }
 
     fn read_bound(&mut self, word: &'static str, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
-        let at = r.take()?;
+        let at = r.take_token()?;
         let (mut parts, mut borrows) = (vec![], false);
         loop {
             match r.next()? {
                 Next::End => break,
                 // `clipped_by { bounded_by }` repeats the objects of `bounded_by`, if there are any.
                 Next::Word(other @ ("clipped_by" | "bounded_by")) if other != word => {
-                    r.take()?;
+                    r.take_token()?;
                     borrows = true;
                     let other =
                         if word == "clipped_by" { &self.uncommon.bounded_by } else { &self.uncommon.clipped_by };
@@ -299,7 +299,7 @@ impl Object {
                 _ => parts.push(*Self::read(r, defaults)?),
             }
         }
-        r.leave()?;
+        r.leave_block()?;
         if parts.is_empty() && borrows {
             return Ok(());
         }
@@ -344,7 +344,7 @@ fn invisible_warning(word: &str, fault: Diagnostic) -> Diagnostic {
 fn skip_color(next: Next, fault: Diagnostic, r: &mut dyn Reader) -> Result<()> {
     let at = r.span();
     let is_color = match next {
-        Next::Word(_) if r.at_color()? => r.color().is_ok(),
+        Next::Word(_) if r.is_at_color()? => r.color().is_ok(),
         Next::Value => matches!(r.value(), Ok((Value::Color(_), _))),
         _ => false,
     };

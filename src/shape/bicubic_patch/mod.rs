@@ -15,7 +15,7 @@
 
 mod net;
 
-use super::{Hit, Hits, Kernel, Quirks, Shape, Triangle, finite};
+use super::{Hit, Hits, Kernel, Quirks, Shape, Triangle, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Sheared, Transform};
@@ -27,41 +27,43 @@ use rustc_hash::FxHashMap;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// Maximum number of subdivisions in one direction.
+/// Maximum number of subdivisions of a bicubic patch in one direction.
 const MOST_STEPS: u32 = 10;
-/// Maximum number of subdivisions in both directions together.
+/// Maximum number of subdivisions of a bicubic patch in both directions together.
 const MOST_OF_BOTH: u32 = 16;
 
 /// A bicubic Bézier patch.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BicubicPatch {
-    /// Control points, four rows of four.
+    /// Control points of the bicubic patch, four rows of four.
     pub points: [DVec3; 16],
-    /// Subdivisions between the rows.
+    /// Maximum subdivisions of the bicubic patch between the rows of control points.
     pub u_steps: u32,
-    /// Subdivisions along the rows.
+    /// Maximum subdivisions of the bicubic patch along the rows of control points.
     pub v_steps: u32,
-    /// Flatness at which a piece is not subdivided.
+    /// Flatness at which a piece of the bicubic patch is not subdivided.
     pub flatness: f64,
-    /// Surface coordinates of the corners: start and end of the first row, end and start of the last row.
+    /// Surface coordinates of the bicubic patch's corners: start and end of the first row, end and start of the last
+    /// row.
     pub uvs: [DVec2; 4],
     #[serde(skip)]
     corners: Vec<Corner>,
-    /// Indices of the corners of each cell: first and last of the first row, first and last of the last row.
+    /// Indices of the corners of each flat cell of the bicubic patch: first and last of the first row, first and last
+    /// of the last row.
     #[serde(skip)]
     cells: Vec<[u32; 4]>,
-    /// Hierarchy over the cells, which are in its order.
+    /// Hierarchy over the bicubic patch's cells, which are in its order.
     #[serde(skip)]
     bvh: Bvh,
     #[serde(skip)]
     bounds: Aabb,
 }
 
-/// Corners of both triangles of a cell: each starts at the cell's first corner and contains its last.
+/// Corners of both triangles of a bicubic patch's cell: each starts at the cell's first corner and contains its last.
 const TRIANGLES: [[usize; 3]; 2] = [[0, 1, 3], [0, 3, 2]];
 
 impl BicubicPatch {
-    /// A patch with these control points.
+    /// Creates a bicubic patch with these control points.
     pub fn new(points: [DVec3; 16], u_steps: u32, v_steps: u32, flatness: f64) -> Self {
         let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
         Self {
@@ -75,22 +77,24 @@ impl BicubicPatch {
             bvh: Bvh::default(),
             bounds: Aabb::EMPTY,
         }
-        .divided(&Transform::IDENTITY)
+        .subdivided_under(&Transform::IDENTITY)
     }
 
-    /// Subdivides the patch; flatness and normals are evaluated under the transform M (quirk: `patch_under_transform`).
-    fn divided(mut self, m: &Transform) -> Self {
+    /// Subdivides the bicubic patch; flatness and normals are evaluated under the transform M (quirk:
+    /// `patch_under_transform`).
+    fn subdivided_under(mut self, m: &Transform) -> Self {
         let rows = self.u_steps.min(MOST_STEPS);
         let columns = self.v_steps.min(MOST_STEPS);
         let columns = columns.min(MOST_OF_BOTH - rows.min(MOST_OF_BOTH));
         let mut known: FxHashMap<[u64; 5], u32> = FxHashMap::default();
         let (mut corners, mut cells): (Vec<Corner>, Vec<[u32; 4]>) = (vec![], vec![]);
         let still = m.is_identity();
-        let image = Net(self.points.map(|p| if still { p } else { m.point(p) }));
-        image.divide(Steps { rows, columns, flatness: self.flatness }, &mut |leaf| {
+        let image = Net(self.points.map(|p| if still { p } else { m.transform_point(p) }));
+        image.subdivide(Steps { rows, columns, flatness: self.flatness }, &mut |leaf| {
             let cell = leaf.map(|mut corner| {
                 if !still {
-                    let (point, normal) = (m.inverse_point(corner.point), m.inverse_normal(corner.normal));
+                    let (point, normal) =
+                        (m.inverse_transform_point(corner.point), m.inverse_transform_normal(corner.normal));
                     corner = Corner { point, normal, ..corner };
                 }
                 // (Where an edge collapses to a point, neighbouring pieces can have different normals there.)
@@ -103,7 +107,7 @@ impl BicubicPatch {
             cells.push(cell);
         });
         let of = |cell: &[u32; 4]| Aabb::from_points(cell.map(|i| corners[i as usize].point));
-        cells.retain(|cell| bvh::fits(&of(cell)));
+        cells.retain(|cell| bvh::fits_single_precision(&of(cell)));
         let (bvh, order) = Bvh::build(cells.iter().map(of));
         self.cells = order.into_iter().map(|i| cells[i as usize]).collect();
         self.bounds = self.cells.iter().map(of).fold(Aabb::EMPTY, Aabb::union);
@@ -113,8 +117,8 @@ impl BicubicPatch {
 }
 
 impl BicubicPatch {
-    /// Interpolates values of a triangle's corners at a hit.
-    fn between<T>(&self, hit: &Hit, value: impl Fn(&Corner) -> T) -> T
+    /// Interpolates values of the corners of a bicubic patch's triangle at a hit.
+    fn interpolate_corners<T>(&self, hit: &Hit, value: impl Fn(&Corner) -> T) -> T
     where
         T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
     {
@@ -123,13 +127,14 @@ impl BicubicPatch {
         a * (1.0 - hit.uv.x - hit.uv.y) + b * hit.uv.x + c * hit.uv.y
     }
 
-    /// Calls `visit` with each hit in the range; `visit` returns the distance up to which hits are still of interest.
-    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
+    /// Calls `visit` with each hit of a ray on the bicubic patch in the range; `visit` returns the distance up to which
+    /// hits are still of interest.
+    fn visit_hits(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
         let sheared = Sheared::new(ray);
         self.bvh.traverse(ray, range, |cell, mut max| {
             let corners = self.cells[cell].map(|i| self.corners[i as usize].point);
             for (k, triangle) in TRIANGLES.iter().enumerate() {
-                if let Some((t, uv)) = sheared.meet(triangle.map(|i| corners[i]))
+                if let Some((t, uv)) = sheared.intersect(triangle.map(|i| corners[i]))
                     && t > range.min
                     && t < max
                 {
@@ -185,10 +190,10 @@ impl Readable for BicubicPatch {
         for point in &mut patch.points {
             *point = r.vector()?;
         }
-        finite(span, &patch.points, &[flatness, steps[0], steps[1]])?;
+        check_finite(span, &patch.points, &[flatness, steps[0], steps[1]])?;
         // (The cast saturates at 0 and at the largest number.)
         [patch.u_steps, patch.v_steps] = steps.map(|steps| steps as u32);
-        Ok(Self { flatness, ..patch }.divided(&Transform::IDENTITY))
+        Ok(Self { flatness, ..patch }.subdivided_under(&Transform::IDENTITY))
     }
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
@@ -203,7 +208,7 @@ impl Readable for BicubicPatch {
     }
 }
 
-/// 0 or 1; other numbers count as 1, as in POV-Ray.
+/// Reads the type of a bicubic patch, 0 or 1; other numbers count as 1, as in POV-Ray.
 fn read_type(span: Span, r: &mut dyn Reader) -> Result<()> {
     let kind = r.float()?;
     if kind >= 0.0 {
@@ -220,16 +225,16 @@ impl Kernel for BicubicPatch {
     }
 
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        Aabb::from_points(self.cells.iter().flatten().map(|&i| m.point(self.corners[i as usize].point)))
+        Aabb::from_points(self.cells.iter().flatten().map(|&i| m.transform_point(self.corners[i as usize].point)))
     }
 
-    /// Box of the control points (quirk: `extent_boxes`).
+    /// Box of the bicubic patch's control points (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        Aabb::from_points(self.points.iter().map(|p| m.point(*p)))
+        Aabb::from_points(self.points.iter().map(|p| m.transform_point(*p)))
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.meet(ray, range, |hit| {
+        self.visit_hits(ray, range, |hit| {
             out.push(hit);
             ControlFlow::Continue(range.max)
         });
@@ -237,16 +242,16 @@ impl Kernel for BicubicPatch {
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut best = None;
-        self.meet(ray, range, |hit| {
+        self.visit_hits(ray, range, |hit| {
             best = Some(hit);
             ControlFlow::Continue(hit.t)
         });
         best
     }
 
-    fn any(&self, ray: &Ray, range: Range) -> bool {
+    fn any_hit(&self, ray: &Ray, range: Range) -> bool {
         let mut found = false;
-        self.meet(ray, range, |_| {
+        self.visit_hits(ray, range, |_| {
             found = true;
             ControlFlow::Break(())
         });
@@ -258,12 +263,12 @@ impl Kernel for BicubicPatch {
     }
 
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
-        let sum = self.between(hit, |corner| corner.normal);
+        let sum = self.interpolate_corners(hit, |corner| corner.normal);
         if sum == DVec3::ZERO { DVec3::X } else { sum }
     }
 
     fn uv(&self, _: DVec3, hit: &Hit) -> DVec2 {
-        let place = self.between(hit, |corner| corner.place);
+        let place = self.interpolate_corners(hit, |corner| corner.place);
         let [a, b, c, d] = self.uvs;
         a.lerp(b, place.x).lerp(d.lerp(c, place.x), place.y)
     }
@@ -272,22 +277,22 @@ impl Kernel for BicubicPatch {
         true
     }
 
-    fn changed_under(&self, m: &Transform) -> Option<Shape> {
-        let [x, y, z] = DVec3::AXES.map(|axis| m.vector(axis));
+    fn adapted_to_transform(&self, m: &Transform) -> Option<Shape> {
+        let [x, y, z] = DVec3::AXES.map(|axis| m.transform_vector(axis));
         let size = x.length_squared();
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * size;
         let even = near(y.length_squared(), size) && near(z.length_squared(), size);
         let straight = near(x.dot(y), 0.0) && near(y.dot(z), 0.0) && near(z.dot(x), 0.0);
         // A similarity transform leaves the subdivision unchanged.
         let alike = even && straight && x.cross(y).dot(z) > 0.0 && (self.flatness <= 0.0 || near(size, 1.0));
-        (!alike).then(|| self.clone().divided(m).into())
+        (!alike).then(|| self.clone().subdivided_under(m).into())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, read};
+    use crate::shape::testing::{all_hits, read_shape};
 
     /// Heights over a square of side 3, with height `a` by row and `b` by column.
     fn tent(a: f64, b: f64, steps: u32, flatness: f64) -> BicubicPatch {
@@ -315,12 +320,12 @@ mod tests {
         // Flatness and normals are those of the scaled image.
         let far = Transform::scale(DVec3::new(1.0, 1.0, 5.0)).unwrap();
         let patch = tent(0.5, 0.1, 2, 0.99);
-        let patch = patch.changed_under(&far).unwrap();
+        let patch = patch.adapted_to_transform(&far).unwrap();
         let ray = Ray::new(DVec3::new(1.1, 0.7, -50.0), DVec3::Z);
         let hit = patch.closest(&ray, Range::FORWARD).unwrap();
-        let n = far.normal(patch.normal(ray.at(hit.t), &hit)).normalize();
+        let n = far.transform_normal(patch.normal(ray.at(hit.t), &hit)).normalize();
         assert!((hit.t - 50.23).abs() < 1e-9 && n.distance(DVec3::new(0.058905, 0.594083, -0.802244)) < 1e-5, "{n}");
-        assert!(patch.changed_under(&Transform::rotate(DVec3::splat(30.0))).is_none());
+        assert!(patch.adapted_to_transform(&Transform::rotate(DVec3::splat(30.0))).is_none());
     }
 
     #[test]
@@ -329,7 +334,7 @@ mod tests {
         points[..4].fill(DVec3::ZERO);
         let patch = BicubicPatch::new(points, 0, 0, 0.0);
         // The normal is along x where the edge is one point.
-        let hits = all(&patch, &Ray::new(DVec3::new(0.1, 0.5, -5.0), DVec3::Z));
+        let hits = all_hits(&patch, &Ray::new(DVec3::new(0.1, 0.5, -5.0), DVec3::Z));
         assert_eq!(hits.len(), 1, "{hits:?}");
         let flat = |points| BicubicPatch::new(points, 1, 1, 100.0).cells.len();
         assert_eq!(flat(points), 1);
@@ -344,14 +349,14 @@ mod tests {
     fn reading() {
         let points = "<0,0,0> <1,0,0> <2,0,0> <3,0,0> <0,1,0> <1,1,1> <2,1,0> <3,1,0> \
             <0,2,0> <1,2,0> <2,2,0> <3,2,0> <0,3,0> <1,3,0> <2,3,0> <3,3,0>";
-        let made = |text: &str| read::<BicubicPatch>(&format!("{text} {points}")).0;
+        let made = |text: &str| read_shape::<BicubicPatch>(&format!("{text} {points}")).0;
         let patch = made("flatness 0 u_steps 2.7 type 1 v_steps -3").unwrap();
         assert_eq!((patch.u_steps, patch.v_steps, patch.cells.len()), (2, 0, 4));
         assert_eq!(made("type 1 u_steps 1e99 v_steps 1e99").unwrap().cells.len(), 1 << MOST_OF_BOTH);
         assert_eq!(made("type 0 flatness NaN").unwrap_err().code, codes::NOT_FINITE);
         assert_eq!(made("type -1").unwrap_err().code, codes::BAD_ARGUMENT);
         assert_eq!(made("u_steps 1").unwrap_err().code, codes::EXPECTED);
-        let far = read::<BicubicPatch>(&format!("type 1 {}", "<1e40,0,0> ".repeat(16)));
+        let far = read_shape::<BicubicPatch>(&format!("type 1 {}", "<1e40,0,0> ".repeat(16)));
         assert_eq!(far.1[0].code, codes::NO_SURFACE);
     }
 
@@ -361,7 +366,7 @@ mod tests {
         for k in 1..96 {
             for l in 1..96 {
                 let p = DVec3::new(f64::from(k) / 32.0, f64::from(l) / 32.0, -9.0);
-                assert!(patch.any(&Ray::new(p, DVec3::Z), Range::FORWARD), "{p}");
+                assert!(patch.any_hit(&Ray::new(p, DVec3::Z), Range::FORWARD), "{p}");
             }
         }
     }

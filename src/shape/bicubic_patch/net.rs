@@ -2,40 +2,41 @@
 
 use crate::math::{DVec2, DVec3};
 
-/// Four rows of four control points of a Bézier surface.
+/// Control net of a Bézier surface: four rows of four points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Net(pub [DVec3; 16]);
 
-/// A point of a patch.
+/// Point of a bicubic patch where cells meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
-    /// Position of the point.
+    /// Position of the point on the bicubic patch.
     pub point: DVec3,
-    /// Normal of length 1.
+    /// Normal of the bicubic patch at the point, of length 1.
     pub normal: DVec3,
-    /// Parameters along the rows and from row to row, from 0 to 1.
+    /// Parameters of the bicubic patch at the point, along the rows and from row to row, from 0 to 1.
     pub place: DVec2,
 }
 
-/// Limits of the subdivision.
+/// Limits of a bicubic patch's subdivision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steps {
-    /// Maximum subdivisions between the rows.
+    /// Maximum subdivisions of a bicubic patch between the rows.
     pub rows: u32,
-    /// Maximum subdivisions along the rows.
+    /// Maximum subdivisions of a bicubic patch along the rows.
     pub columns: u32,
-    /// Distance of control points from a plane below which a piece is flat; 0 to subdivide always.
+    /// Distance of control points from a plane below which a piece of a bicubic patch is flat; 0 to subdivide always.
     pub flatness: f64,
 }
 
 impl Net {
-    fn at(&self, row: usize, column: usize) -> DVec3 {
+    fn control_point(&self, row: usize, column: usize) -> DVec3 {
         self.0[4 * row + column]
     }
 
-    /// Halves four curves, whose points are `step` apart; the curves are `other` apart. (De Casteljau's algorithm; the
-    /// mean of two points does not depend on their order, so neighbours share their borders exactly.)
-    fn halves(&self, step: usize, other: usize) -> [Net; 2] {
+    /// Halves four curves of a Bézier surface, whose points are `step` apart; the curves are `other` apart. (De
+    /// Casteljau's algorithm; the mean of two points does not depend on their order, so neighbours share their borders
+    /// exactly.)
+    fn halve_curves(&self, step: usize, other: usize) -> [Net; 2] {
         let mean = |p: DVec3, q: DVec3| 0.5 * (p + q);
         let (mut first, mut second) = (*self, *self);
         for curve in 0..4 {
@@ -51,33 +52,45 @@ impl Net {
         [first, second]
     }
 
-    /// True if no control point is farther than `flatness` from the plane through three of the corners. If two of the
-    /// first three coincide, the fourth is used; without any plane the piece is not flat (quirk: `patch_flatness`).
+    /// True if no control point of the Bézier surface is farther than `flatness` from the plane through three of the
+    /// corners. If two of the first three coincide, the fourth is used; without any plane the piece is not flat (quirk:
+    /// `patch_flatness`).
     fn is_flat(&self, flatness: f64) -> bool {
-        let [a, b, c, d] = [self.at(0, 0), self.at(0, 3), self.at(3, 0), self.at(3, 3)];
+        let [a, b, c, d] =
+            [self.control_point(0, 0), self.control_point(0, 3), self.control_point(3, 0), self.control_point(3, 3)];
         let plane = [(b, c), (c, d)].map(|(p, q)| (p - a).cross(q - a));
         let Some(normal) = plane.into_iter().find_map(DVec3::try_normalize) else { return false };
         self.0.iter().all(|p| (p - a).dot(normal).abs() < flatness)
     }
 
-    /// Normal of a corner by its neighbours on the borders; along x if they coincide (quirk: `patch_flatness`).
+    /// Normal of a Bézier surface at a corner, by its neighbours on the borders; along x if they coincide (quirk:
+    /// `patch_flatness`).
     fn normal(&self, row: usize, column: usize) -> DVec3 {
         let between = |at: usize, near: DVec3, far: DVec3| if at == 0 { near } else { far };
-        let downwards = between(row, self.at(1, column) - self.at(0, column), self.at(3, column) - self.at(2, column));
-        let along = between(column, self.at(row, 1) - self.at(row, 0), self.at(row, 3) - self.at(row, 2));
+        let downwards = between(
+            row,
+            self.control_point(1, column) - self.control_point(0, column),
+            self.control_point(3, column) - self.control_point(2, column),
+        );
+        let along = between(
+            column,
+            self.control_point(row, 1) - self.control_point(row, 0),
+            self.control_point(row, 3) - self.control_point(row, 2),
+        );
         downwards.cross(along).try_normalize().unwrap_or(DVec3::X)
     }
 
-    /// Calls `leaf` with each flat piece: the corners first and last of the first row, first and last of the last row.
-    pub fn divide(&self, steps: Steps, leaf: &mut dyn FnMut([Corner; 4])) {
-        self.divide_from(steps, [DVec2::ZERO, DVec2::ONE], leaf);
+    /// Subdivides a Bézier surface; calls `leaf` with each flat piece: the corners first and last of the first row,
+    /// first and last of the last row.
+    pub fn subdivide(&self, steps: Steps, leaf: &mut dyn FnMut([Corner; 4])) {
+        self.subdivide_between(steps, [DVec2::ZERO, DVec2::ONE], leaf);
     }
 
-    fn divide_from(&self, steps: Steps, [from, to]: [DVec2; 2], leaf: &mut dyn FnMut([Corner; 4])) {
+    fn subdivide_between(&self, steps: Steps, [from, to]: [DVec2; 2], leaf: &mut dyn FnMut([Corner; 4])) {
         let Steps { rows, columns, flatness } = steps;
         if rows + columns == 0 || flatness > 0.0 && self.is_flat(flatness) {
             let corner = |row: usize, column: usize| Corner {
-                point: self.at(row, column),
+                point: self.control_point(row, column),
                 normal: self.normal(row, column),
                 place: DVec2::new(if column == 0 { from.x } else { to.x }, if row == 0 { from.y } else { to.y }),
             };
@@ -88,18 +101,18 @@ impl Net {
         let bands: &[(Net, f64, f64)] = match rows {
             0 => &[(*self, from.y, to.y)],
             _ => {
-                let [upper, lower] = self.halves(4, 1);
+                let [upper, lower] = self.halve_curves(4, 1);
                 &[(upper, from.y, middle.y), (lower, middle.y, to.y)]
             }
         };
         for (band, top, bottom) in bands {
             if columns == 0 {
-                band.divide_from(left, [from.with_y(*top), to.with_y(*bottom)], leaf);
+                band.subdivide_between(left, [from.with_y(*top), to.with_y(*bottom)], leaf);
                 continue;
             }
-            let [first, second] = band.halves(1, 4);
-            first.divide_from(left, [DVec2::new(from.x, *top), DVec2::new(middle.x, *bottom)], leaf);
-            second.divide_from(left, [DVec2::new(middle.x, *top), DVec2::new(to.x, *bottom)], leaf);
+            let [first, second] = band.halve_curves(1, 4);
+            first.subdivide_between(left, [DVec2::new(from.x, *top), DVec2::new(middle.x, *bottom)], leaf);
+            second.subdivide_between(left, [DVec2::new(middle.x, *top), DVec2::new(to.x, *bottom)], leaf);
         }
     }
 }

@@ -2,67 +2,67 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DQuat, DVec3, Ray, Transform, solve_quadratic};
-use crate::shape::{Kernel, Paints, Sphere, finite};
+use crate::shape::{Kernel, Paints, Sphere, check_finite};
 use crate::source::Span;
 use crate::value::{Next, Reader};
 use serde::Serialize;
 use smallvec::SmallVec;
 
-/// A sphere or cylinder.
+/// Component of a blob: a sphere or cylinder.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Component {
-    /// Centre of a sphere, or one end of a cylinder's axis.
+    /// Centre of a blob's sphere, or one end of its cylinder's axis.
     pub base: DVec3,
-    /// Vector to the other end; zero for a sphere.
+    /// Vector to the other end of a blob's cylinder; zero for a sphere.
     pub axis: DVec3,
-    /// Distance at which the field ends.
+    /// Distance at which the field of a blob's component ends.
     pub radius: f64,
-    /// Strength at the centre; can be negative.
+    /// Strength of a blob's component at its centre; can be negative.
     pub strength: f64,
-    /// Blob space from component space, if the component is transformed.
+    /// Transform from component space to blob space, if the component is transformed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<Box<Transform>>,
-    /// Number of its texture (see [`Paints`]).
+    /// Number of the texture of a blob's component (see [`Paints`]).
     pub slot: u32,
-    /// Half width of the component in radii, for [`Component::pov_bounds`].
+    /// Half width of a blob's component in radii, for [`Component::pov_bounds`].
     #[serde(skip)]
     widening: f64,
 }
 
-/// The unit cube around a sphere, for [`Component::pov_bounds`]: a sphere stays a sphere under translations, rotations
-/// and uniform scales; any other transform makes it the image of its cube, which a cylinder is from the start (quirk:
-/// `blob_component_boxes`).
+/// The unit cube around a blob's sphere, for [`Component::pov_bounds`]: a sphere stays a sphere under translations,
+/// rotations and uniform scales; any other transform makes it the image of its cube, which a cylinder is from the start
+/// (quirk: `blob_component_boxes`).
 struct Cube {
     is_ball: bool,
-    /// Images of the axes.
+    /// Images of the three axes under the component's transforms.
     columns: [DVec3; 3],
 }
 
 impl Cube {
-    fn around(axis: DVec3) -> Self {
+    fn cube_around_axis(axis: DVec3) -> Self {
         let turn = DQuat::from_rotation_arc(DVec3::Z, axis.normalize_or(DVec3::Z));
         Self { is_ball: axis == DVec3::ZERO, columns: DVec3::AXES.map(|side| turn * side) }
     }
 
-    /// Updates the cube for one transform of the component.
-    fn apply(&mut self, keyword: Next, step: &Transform) {
-        let scale = step.vector(DVec3::ONE);
+    /// Updates the cube around a blob's component for one of its transforms.
+    fn apply_transform(&mut self, keyword: Next, step: &Transform) {
+        let scale = step.transform_vector(DVec3::ONE);
         let even = scale.min_element() == scale.max_element();
         self.columns = match keyword {
             Next::Word("translate" | "rotate") if self.is_ball => return,
             Next::Word("scale") if self.is_ball && even => self.columns.map(|side| side * scale.x),
-            _ => self.columns.map(|side| step.vector(side)),
+            _ => self.columns.map(|side| step.transform_vector(side)),
         };
         self.is_ball &= even && keyword == Next::Word("scale");
     }
 
-    /// Half width along the widest axis.
+    /// Half width of the cube's image along its widest axis.
     fn half_width(&self) -> f64 {
         self.columns.iter().map(|side| side.abs()).sum::<DVec3>().max_element()
     }
 }
 
-/// Field of a component along a stretch of a ray: s·(1 - (a·t² + b·t + c))².
+/// Field of a blob's component along a stretch of a ray: s·(1 - (a·t² + b·t + c))².
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretch {
     pub from: f64,
@@ -74,49 +74,50 @@ pub(super) struct Stretch {
 pub(super) type Stretches = SmallVec<[Stretch; 16]>;
 
 impl Component {
-    fn local(&self, p: DVec3) -> DVec3 {
-        self.place.as_ref().map_or(p, |m| m.inverse_point(p))
+    fn to_component_space(&self, p: DVec3) -> DVec3 {
+        self.place.as_ref().map_or(p, |m| m.inverse_transform_point(p))
     }
 
-    /// Vector from the nearest point of the axis or centre, in radii.
-    fn way_from_middle(&self, p: DVec3) -> DVec3 {
-        let from_base = self.local(p) - self.base;
+    /// Vector to `p` from the nearest point of the component's axis or centre, in radii.
+    fn offset_from_axis(&self, p: DVec3) -> DVec3 {
+        let from_base = self.to_component_space(p) - self.base;
         let along = from_base.dot(self.axis) / self.axis.length_squared().max(f64::MIN_POSITIVE);
         (from_base - self.axis * along.clamp(0.0, 1.0)) / self.radius
     }
 
-    pub(super) fn field(&self, p: DVec3) -> f64 {
-        let u = 1.0 - self.way_from_middle(p).length_squared();
+    pub(super) fn field_at(&self, p: DVec3) -> f64 {
+        let u = 1.0 - self.offset_from_axis(p).length_squared();
         if u > 0.0 { self.strength * u * u } else { 0.0 }
     }
 
-    /// Gradient of the field: s·2u·(-2d/r²), where d is the vector from the axis; transformed by M⁻ᵀ as a normal.
-    pub(super) fn gradient(&self, p: DVec3) -> DVec3 {
-        let d = self.way_from_middle(p);
+    /// Gradient of the field of a blob's component: s·2u·(-2d/r²), where d is the vector from the axis; transformed by
+    /// M⁻ᵀ as a normal.
+    pub(super) fn field_gradient(&self, p: DVec3) -> DVec3 {
+        let d = self.offset_from_axis(p);
         let u = 1.0 - d.length_squared();
         if u <= 0.0 {
             return DVec3::ZERO;
         }
         let local = d * (-4.0 * self.strength * u / self.radius);
-        self.place.as_ref().map_or(local, |m| m.normal(local))
+        self.place.as_ref().map_or(local, |m| m.transform_normal(local))
     }
 
-    /// Bounding box: that of the spheres at both ends.
+    /// Bounding box of a blob's component: that of the spheres at both ends.
     pub(super) fn bounds(&self) -> Aabb {
-        self.ball(self.base, self.radius).union(self.ball(self.base + self.axis, self.radius))
+        self.sphere_bounds(self.base, self.radius).union(self.sphere_bounds(self.base + self.axis, self.radius))
     }
 
-    /// Box around a sphere in component space.
-    fn ball(&self, center: DVec3, radius: f64) -> Aabb {
+    /// Bounding box in blob space of a sphere in component space.
+    fn sphere_bounds(&self, center: DVec3, radius: f64) -> Aabb {
         let ball = Sphere { center, radius };
         self.place.as_ref().map_or(ball.bounds(), |m| ball.bounds_under(m))
     }
 
-    /// POV-Ray's box: cubes around the spheres, as wide as the longest side of the image of a cube; a cylinder without
-    /// its ends is in a sphere too (quirk: `blob_component_boxes`).
+    /// POV-Ray's box of a blob's component: cubes around the spheres, as wide as the longest side of the image of a
+    /// cube; a cylinder without its ends is in a sphere too (quirk: `blob_component_boxes`).
     pub(super) fn pov_bounds(&self) -> Aabb {
         let cube = |center: DVec3, radius: f64| {
-            let center = self.place.as_ref().map_or(center, |m| m.point(center));
+            let center = self.place.as_ref().map_or(center, |m| m.transform_point(center));
             Aabb::from_corners(center, center).grown(radius * self.widening)
         };
         let half = self.axis / 2.0;
@@ -125,9 +126,10 @@ impl Component {
         if self.axis == DVec3::ZERO { ends } else { ends.union(cube(self.base + half, around)) }
     }
 
-    /// Appends the stretches of a ray within reach of the component, with the squared distance from its axis or centre.
-    pub(super) fn stretches(&self, ray: &Ray, out: &mut Stretches) {
-        let local = self.place.as_ref().map_or(*ray, |m| m.inverse_ray(ray));
+    /// Appends the stretches of a ray within reach of the blob's component, with the squared distance from its axis or
+    /// centre.
+    pub(super) fn add_stretches(&self, ray: &Ray, out: &mut Stretches) {
+        let local = self.place.as_ref().map_or(*ray, |m| m.inverse_transform_ray(ray));
         let (o, d) = ((local.origin - self.base) / self.radius, local.dir / self.radius);
         let mut push = |o: DVec3, d: DVec3, within: [f64; 2]| {
             let [a, b, c] = [d.length_squared(), 2.0 * o.dot(d), o.length_squared()];
@@ -160,7 +162,7 @@ impl Component {
 
 impl Component {
     pub(super) fn new(span: Span, base: DVec3, axis: DVec3, radius: f64, strength: f64) -> Result<Self> {
-        finite(span, &[base, axis], &[radius, strength])?;
+        check_finite(span, &[base, axis], &[radius, strength])?;
         if radius <= 0.0 {
             return Diagnostic::err(codes::BAD_ARGUMENT, span, "the radius of a component must be more than 0");
         }
@@ -168,7 +170,7 @@ impl Component {
     }
 
     pub(super) fn read_modifiers(&mut self, kind: &str, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<()> {
-        let mut cube = Cube::around(self.axis);
+        let mut cube = Cube::cube_around_axis(self.axis);
         loop {
             let next = r.next()?;
             match next {
@@ -178,13 +180,13 @@ impl Component {
                 }
                 next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
-                        cube.apply(next, &step);
+                        cube.apply_transform(next, &step);
                         paints.transform(&mut self.slot, &step);
                         let place = self.place.as_deref().map_or(*step, |place| place.then(&step));
                         self.place = Some(Box::new(place));
                     }
                 }
-                next if paints.read(&mut self.slot, next, r)? => {}
+                next if paints.read_embedded_texture(&mut self.slot, next, r)? => {}
                 _ => {
                     let words = ["texture", "pigment", "normal", "finish", "translate", "rotate", "scale", "matrix"];
                     return Err(r.unknown_word(kind, &words).into());
@@ -195,8 +197,8 @@ impl Component {
 }
 
 impl Stretch {
-    /// Adds the field as a polynomial of t - middle.
-    pub fn add(&self, middle: f64, sum: &mut [f64; 5]) {
+    /// Adds the field of a blob's component to `sum`, as a polynomial of t - middle.
+    pub fn add_to_polynomial(&self, middle: f64, sum: &mut [f64; 5]) {
         let [a, b, c] = self.squared_distance;
         // u = 1 - (a·t² + b·t + c), then s·u²
         let (u2, u1, u0) = (-a, -(2.0 * a * middle + b), 1.0 - ((a * middle + b) * middle + c));

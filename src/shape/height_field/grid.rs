@@ -6,69 +6,69 @@ use super::normals::Normals;
 use crate::math::{DVec2, DVec3, Range, Ray};
 use std::sync::OnceLock;
 
-/// Steps of height in a unit.
+/// Number of steps of a height field's height in a unit.
 pub const STEPS: f64 = 65536.0;
-/// Side of the smallest squares in the pyramid, in cells.
+/// Side of the smallest squares in a height field's pyramid, in cells.
 const BLOCK: usize = 4;
-/// Distance in steps above or below heights that exceeds all rounding.
+/// Distance above or below a height field's heights that exceeds all rounding, in steps.
 const SLACK: f64 = 1e-3;
 
-/// Heights at the corners of cells, row by row: x grows along a row, z from row to row.
+/// Heights of a height field at the corners of cells, row by row: x grows along a row, z from row to row.
 #[derive(Debug)]
 pub struct Grid {
-    /// Number of cells along x.
+    /// Number of the height field's cells along x.
     pub across: usize,
-    /// Number of cells along z.
+    /// Number of the height field's cells along z.
     pub deep: usize,
     heights: Box<[u16]>,
     pyramid: Vec<Level>,
-    /// Normals at corners, once any is requested.
+    /// Normals at the height field's corners, once any is requested.
     normals: OnceLock<Normals>,
 }
 
-/// Grids of equal heights are equal, whatever is cached of their normals.
+/// Two grids of a height field are equal if their heights are, whatever is cached of their normals.
 impl PartialEq for Grid {
     fn eq(&self, other: &Self) -> bool {
         (self.across, self.deep, &self.heights) == (other.across, other.deep, &other.heights)
     }
 }
 
-/// Squares of one size.
+/// Level of a height field's pyramid: squares of one size.
 #[derive(Debug, PartialEq)]
 struct Level {
     across: usize,
     deep: usize,
-    /// Side of a square in cells.
+    /// Side of each square of this pyramid level, in cells.
     size: usize,
-    /// Minimum and maximum height in each square.
+    /// Minimum and maximum height in each square of the pyramid level.
     ranges: Box<[[u16; 2]]>,
 }
 
-/// A cell and one of its triangles.
+/// Cell of a height field and one of its triangles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Index of the cell along x.
+    /// Index of the height field's cell along x.
     pub i: usize,
-    /// Index of the cell along z.
+    /// Index of the height field's cell along z.
     pub k: usize,
-    /// True for the triangle of the corners (1, 1), (1, 0) and (0, 1).
+    /// True for the triangle of the corners (1, 1), (1, 0) and (0, 1) of a height field's cell.
     pub upper: bool,
 }
 
-/// A ray in units of cells and steps of height, and the part of it over the grid.
+/// A ray in units of a height field's cells and steps of height, and the part of it over the field.
 struct Line<'v> {
     o: DVec3,
     d: DVec3,
     inverse: DVec2,
-    /// Distance at which the ray enters the grid's box.
+    /// Distance at which the ray enters the height field's box.
     near: f64,
     far: f64,
-    /// Range in which hits count.
+    /// Range of distances along the ray in which hits count.
     range: Range,
     visit: &'v mut dyn FnMut(f64, Place) -> bool,
 }
 
-/// A piece of a line: its ends, and the heights there.
+/// Piece of a ray over a height field: its ends, and the heights there.
 #[derive(Clone, Copy)]
 struct Way {
     t: [f64; 2],
@@ -76,18 +76,18 @@ struct Way {
 }
 
 impl Way {
-    /// True if the piece is entirely above or below these heights.
-    fn misses(&self, [lo, hi]: [u16; 2]) -> bool {
+    /// True if the piece of the ray is entirely above or below these heights.
+    fn is_clear_of(&self, [lo, hi]: [u16; 2]) -> bool {
         let [y0, y1] = self.y;
         let (least, most) = if y0 < y1 { (y0, y1) } else { (y1, y0) };
         least > f64::from(hi) + SLACK || most < f64::from(lo) - SLACK
     }
 
-    /// Splits the piece at two distances.
-    fn cut(&self, first: f64, second: f64, line: &Line) -> [Option<Self>; 3] {
+    /// Splits the piece of the ray at two distances.
+    fn split_at(&self, first: f64, second: f64, line: &Line) -> [Option<Self>; 3] {
         let Self { t: [near, far], y: [y_near, y_far] } = *self;
-        let (a, ya) = if first > far { (far, y_far) } else { (first, line.y_at(first)) };
-        let (b, yb) = if second < near { (near, y_near) } else { (second, line.y_at(second)) };
+        let (a, ya) = if first > far { (far, y_far) } else { (first, line.height_at(first)) };
+        let (b, yb) = if second < near { (near, y_near) } else { (second, line.height_at(second)) };
         let between = match (first < near, second > far) {
             (false, false) => Self { t: [first, second], y: [ya, yb] },
             (true, false) => Self { t: [near, second], y: [y_near, yb] },
@@ -102,9 +102,9 @@ impl Way {
     }
 }
 
-/// Returns where a line crosses the middle of a square along one axis: `at`, unless the line does not cross it or
-/// nothing is beyond.
-fn middle(o: f64, d: f64, middle: usize, end: usize, at: f64) -> f64 {
+/// Returns the distance at which a ray crosses the middle of a square along one axis: `at`, unless the line does not
+/// cross it or nothing is beyond.
+fn middle_crossing(o: f64, d: f64, middle: usize, end: usize, at: f64) -> f64 {
     let is_whole = middle >= end;
     if d == 0.0 {
         let is_first = is_whole || o < middle as f64;
@@ -118,38 +118,38 @@ fn middle(o: f64, d: f64, middle: usize, end: usize, at: f64) -> f64 {
 }
 
 impl Grid {
-    /// A grid with `width` heights in each row, at least two in each direction.
+    /// Creates a height field's grid with `width` heights in each row, at least two in each direction.
     pub fn new(width: usize, heights: Vec<u16>) -> Self {
         let (across, deep) = (width.max(2) - 1, (heights.len() / width.max(1)).max(2) - 1);
         let mut grid = Self { across, deep, heights: heights.into(), pyramid: vec![], normals: OnceLock::new() };
-        grid.pyramid.push(grid.blocks());
+        grid.pyramid.push(grid.lowest_level());
         while let Some(level) = grid.pyramid.last().filter(|level| level.ranges.len() > 1) {
-            grid.pyramid.push(level.next());
+            grid.pyramid.push(level.next_level());
         }
         grid
     }
 
-    /// Factors from object space to cells and steps of height.
-    pub fn scale(&self) -> DVec3 {
+    /// Factors from the height field's object space to cells and steps of height.
+    pub fn grid_from_object_scale(&self) -> DVec3 {
         DVec3::new(self.across as f64, STEPS, self.deep as f64)
     }
 
-    /// Height of a corner in steps.
-    pub fn at(&self, i: usize, k: usize) -> f64 {
-        f64::from(self.heights[k * (self.across + 1) + i])
+    /// Height of the field at a corner of cells, in steps.
+    pub fn corner_height(&self, column: usize, row: usize) -> f64 {
+        f64::from(self.heights[row * (self.across + 1) + column])
     }
 
-    /// Normal at a corner of a smooth field, in object space without its scale in steps and cells.
-    pub fn normal(&self, i: usize, k: usize) -> DVec3 {
-        self.normals.get_or_init(|| Normals::new(self.heights.len())).at(self, i, k)
+    /// Normal at a corner of a smooth height field, in object space without its scale in steps and cells.
+    pub fn corner_normal(&self, column: usize, row: usize) -> DVec3 {
+        self.normals.get_or_init(|| Normals::new(self.heights.len())).normal_at(self, column, row)
     }
 
-    /// Minimum and maximum height in steps.
-    pub fn range(&self) -> [f64; 2] {
+    /// Minimum and maximum height of the field, in steps.
+    pub fn height_range(&self) -> [f64; 2] {
         self.pyramid.last().map_or([0.0; 2], |level| level.ranges[0].map(f64::from))
     }
 
-    fn blocks(&self) -> Level {
+    fn lowest_level(&self) -> Level {
         let (across, deep) = (self.across.div_ceil(BLOCK), self.deep.div_ceil(BLOCK));
         let range = |place: usize| {
             let (i, k) = (place % across * BLOCK, place / across * BLOCK);
@@ -160,38 +160,49 @@ impl Grid {
         Level { across, deep, size: BLOCK, ranges: (0..across * deep).map(range).collect() }
     }
 
-    /// Heights at the corners of a cell: (0, 0), (1, 0), (0, 1) and (1, 1).
-    pub fn corners(&self, i: usize, k: usize) -> [f64; 4] {
-        [self.at(i, k), self.at(i + 1, k), self.at(i, k + 1), self.at(i + 1, k + 1)]
+    /// Heights of the field at the corners of a cell: (0, 0), (1, 0), (0, 1) and (1, 1).
+    pub fn cell_corner_heights(&self, column: usize, row: usize) -> [f64; 4] {
+        [
+            self.corner_height(column, row),
+            self.corner_height(column + 1, row),
+            self.corner_height(column, row + 1),
+            self.corner_height(column + 1, row + 1),
+        ]
     }
 
-    /// Cell under a point, and position within it, in cells; points outside belong to the nearest cell.
-    pub fn place(&self, x: f64, z: f64) -> (Place, DVec2) {
+    /// Returns the height field's cell under a point, and the position within it, in cells; points outside belong to
+    /// the nearest cell.
+    pub fn cell_at(&self, x: f64, z: f64) -> (Place, DVec2) {
         let (i, k) = ((x as usize).min(self.across - 1), (z as usize).min(self.deep - 1));
         let rest = DVec2::new(x - i as f64, z - k as f64).clamp(DVec2::ZERO, DVec2::ONE);
         (Place { i, k, upper: rest.x + rest.y > 1.0 }, rest)
     }
 
-    /// Height of a triangle's plane at a position.
-    pub fn height(&self, place: Place, rest: DVec2) -> f64 {
-        let slope = self.slope(place);
+    /// Height of a field's triangle at a position in its cell, in steps.
+    pub fn triangle_height(&self, place: Place, rest: DVec2) -> f64 {
+        let slope = self.triangle_slope(place);
         let Place { i, k, upper } = place;
-        if upper { self.at(i + 1, k + 1) + slope.dot(rest - 1.0) } else { self.at(i, k) + slope.dot(rest) }
+        if upper {
+            self.corner_height(i + 1, k + 1) + slope.dot(rest - 1.0)
+        } else {
+            self.corner_height(i, k) + slope.dot(rest)
+        }
     }
 
-    /// Slope of a triangle along x and z, in steps a cell.
-    pub fn slope(&self, place: Place) -> DVec2 {
-        let [h00, h10, h01, h11] = self.corners(place.i, place.k);
+    /// Slope of a height field's triangle along x and z, in steps a cell.
+    pub fn triangle_slope(&self, place: Place) -> DVec2 {
+        let [h00, h10, h01, h11] = self.cell_corner_heights(place.i, place.k);
         if place.upper { DVec2::new(h11 - h01, h11 - h10) } else { DVec2::new(h10 - h00, h01 - h00) }
     }
 
-    /// Calls `visit` with each hit of a ray, which is in cells and steps, ascending, until it returns true.
-    pub fn meet(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(f64, Place) -> bool) {
+    /// Calls `visit` with each hit of a ray on the height field, ascending, until it returns true. The ray is in units
+    /// of cells and steps.
+    pub fn visit_hits(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(f64, Place) -> bool) {
         let (o, d) = (ray.origin, ray.dir);
         let mut line =
             Line { o, d, inverse: DVec2::new(1.0 / d.x, 1.0 / d.z), near: range.min, far: range.max, range, visit };
         let Some(top) = self.pyramid.len().checked_sub(1) else { return };
-        let [lo, hi] = self.range();
+        let [lo, hi] = self.height_range();
         let below = (lo - 1.0 - o.y) / d.y;
         let above = (hi + 1.0 - o.y) / d.y;
         let (mut near, mut far) = (below.min(above), below.max(above));
@@ -201,53 +212,55 @@ impl Grid {
             }
             (near, far) = (f64::NEG_INFINITY, f64::INFINITY);
         }
-        let whole = self.under(&line, [0, 0], [self.across, self.deep]);
+        let whole = self.interval_over(&line, [0, 0], [self.across, self.deep]);
         (line.near, line.far) = (near.max(whole.0), far.min(whole.1));
         if line.near < line.far && line.near.is_finite() && line.far.is_finite() {
             let t = [line.near.max(range.min), line.far.min(range.max)];
             if t[0] <= t[1] {
-                self.descend(top, [0, 0], Way { t, y: t.map(|t| line.y_at(t)) }, &mut line);
+                self.search_square(top, [0, 0], Way { t, y: t.map(|t| line.height_at(t)) }, &mut line);
             }
         }
     }
 
-    /// Searches a square of a level, over which the line is along `way`; returns true if `visit` did.
-    fn descend(&self, level: usize, [a, b]: [usize; 2], way: Way, line: &mut Line) -> bool {
+    /// Searches a square of a height field's pyramid for hits; the line is over the square along `way`. Returns true if
+    /// `visit` did.
+    fn search_square(&self, level: usize, [a, b]: [usize; 2], way: Way, line: &mut Line) -> bool {
         let Level { across, ranges, .. } = &self.pyramid[level];
-        if way.misses(ranges[b * across + a]) {
+        if way.is_clear_of(ranges[b * across + a]) {
             return false;
         }
-        let [from, to] = self.square(level, a, b);
+        let [from, to] = self.square_cells(level, a, b);
         if level == 0 {
-            return self.pass_cells(from, to, line);
+            return self.search_cells(from, to, line);
         }
         // The line crosses the middle of the square once along each axis, so it is over three of the four quarters at
         // most.
         let half = self.pyramid[level - 1].size;
-        let x_middle = middle(line.o.x, line.d.x, from[0] + half, to[0], line.x_at(from[0] + half));
-        let z_middle = middle(line.o.z, line.d.z, from[1] + half, to[1], line.z_at(from[1] + half));
+        let x_middle = middle_crossing(line.o.x, line.d.x, from[0] + half, to[0], line.distance_at_x(from[0] + half));
+        let z_middle = middle_crossing(line.o.z, line.d.z, from[1] + half, to[1], line.distance_at_z(from[1] + half));
         let (flip_x, flip_z) = (usize::from(line.d.x < 0.0), usize::from(line.d.z < 0.0));
         let (first, second, by_x) =
             if x_middle <= z_middle { (x_middle, z_middle, true) } else { (z_middle, x_middle, false) };
-        let pieces = way.cut(first, second, line);
+        let pieces = way.split_at(first, second, line);
         let quarters = [[false; 2], [by_x, !by_x], [true; 2]];
         pieces.into_iter().zip(quarters).any(|(piece, [x, z])| {
             let quarter = [2 * a + (usize::from(x) ^ flip_x), 2 * b + (usize::from(z) ^ flip_z)];
-            piece.is_some_and(|piece| self.descend(level - 1, quarter, piece, line))
+            piece.is_some_and(|piece| self.search_square(level - 1, quarter, piece, line))
         })
     }
 
-    /// Returns the first cell of a square, and the one beyond its last.
-    fn square(&self, level: usize, a: usize, b: usize) -> [[usize; 2]; 2] {
+    /// Returns the first cell of a pyramid level's square, and the one beyond its last.
+    fn square_cells(&self, level: usize, a: usize, b: usize) -> [[usize; 2]; 2] {
         let size = self.pyramid[level].size;
         let from = [a * size, b * size];
         [from, [(from[0] + size).min(self.across), (from[1] + size).min(self.deep)]]
     }
 
-    /// Searches the cells of a block. Whether the line is above or below the surface is evaluated only where it crosses
-    /// edges and diagonals of cells, and both sides of an edge get the same result, so no line passes between them.
-    fn pass_cells(&self, from: [usize; 2], to: [usize; 2], line: &mut Line) -> bool {
-        let (enter, leave) = self.under(line, from, to);
+    /// Searches the cells of a block of the height field. Whether the line is above or below the surface is evaluated
+    /// only where it crosses edges and diagonals of cells, and both sides of an edge get the same result, so no line
+    /// passes between them.
+    fn search_cells(&self, from: [usize; 2], to: [usize; 2], line: &mut Line) -> bool {
+        let (enter, leave) = self.interval_over(line, from, to);
         let (mut t, end) = (enter.max(line.near), leave.min(line.far));
         let (x, z) = (line.o.x + line.d.x * t, line.o.z + line.d.z * t);
         let mut i = (x.max(0.0) as usize).clamp(from[0], to[0] - 1);
@@ -255,14 +268,19 @@ impl Grid {
         // (Evaluated only where the line comes near the surface.)
         let mut known = None;
         loop {
-            let next_x = if line.d.x == 0.0 { f64::INFINITY } else { line.x_at(i + usize::from(line.d.x > 0.0)) };
-            let next_z = if line.d.z == 0.0 { f64::INFINITY } else { line.z_at(k + usize::from(line.d.z > 0.0)) };
+            let next_x =
+                if line.d.x == 0.0 { f64::INFINITY } else { line.distance_at_x(i + usize::from(line.d.x > 0.0)) };
+            let next_z =
+                if line.d.z == 0.0 { f64::INFINITY } else { line.distance_at_z(k + usize::from(line.d.z > 0.0)) };
             let next = next_x.min(next_z).min(end).max(t);
             let mut over_next = None;
-            if self.is_near(i, k, [t, next], line) {
-                let over = [known.unwrap_or_else(|| self.over(i, k, t, line)), self.over(i, k, next, line)];
+            if self.may_hit_cell(i, k, [t, next], line) {
+                let over = [
+                    known.unwrap_or_else(|| self.height_above_field(i, k, t, line)),
+                    self.height_above_field(i, k, next, line),
+                ];
                 over_next = Some(over[1]);
-                if self.pass_cell(i, k, [t, next], over, line) {
+                if self.search_cell(i, k, [t, next], over, line) {
                     return true;
                 }
             }
@@ -270,9 +288,9 @@ impl Grid {
                 return false;
             }
             let moved = if next_x <= next_z {
-                step(&mut i, line.d.x, from[0], to[0])
+                step_to_next_cell(&mut i, line.d.x, from[0], to[0])
             } else {
-                step(&mut k, line.d.z, from[1], to[1])
+                step_to_next_cell(&mut k, line.d.z, from[1], to[1])
             };
             if !moved {
                 return false;
@@ -281,9 +299,9 @@ impl Grid {
         }
     }
 
-    /// Returns the interval in which a line is over a rectangle of cells. A line along the upper side is not, except at
-    /// the end of the field.
-    fn under(&self, line: &Line, from: [usize; 2], to: [usize; 2]) -> (f64, f64) {
+    /// Returns the interval in which a line is over a rectangle of a height field's cells. A line along the upper side
+    /// is not, except at the end of the field.
+    fn interval_over(&self, line: &Line, from: [usize; 2], to: [usize; 2]) -> (f64, f64) {
         let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut narrow = |o: f64, d: f64, a: f64, b: f64, ends: [usize; 2], last: usize| {
             let is_in = o >= ends[0] as f64 && (o < ends[1] as f64 || o == last as f64);
@@ -294,13 +312,13 @@ impl Grid {
             }
         };
         let (o, d) = (line.o, line.d);
-        narrow(o.x, d.x, line.x_at(from[0]), line.x_at(to[0]), [from[0], to[0]], self.across);
-        narrow(o.z, d.z, line.z_at(from[1]), line.z_at(to[1]), [from[1], to[1]], self.deep);
+        narrow(o.x, d.x, line.distance_at_x(from[0]), line.distance_at_x(to[0]), [from[0], to[0]], self.across);
+        narrow(o.z, d.z, line.distance_at_z(from[1]), line.distance_at_z(to[1]), [from[1], to[1]], self.deep);
         (near, far)
     }
 
-    /// True if a piece of a line is neither entirely above a cell nor entirely below.
-    fn is_near(&self, i: usize, k: usize, t: [f64; 2], line: &Line) -> bool {
+    /// True if a piece of a ray is neither entirely above a height field's cell nor entirely below.
+    fn may_hit_cell(&self, i: usize, k: usize, t: [f64; 2], line: &Line) -> bool {
         let row = k * (self.across + 1) + i;
         let (first, second) = (&self.heights[row..row + 2], &self.heights[row + self.across + 1..][..2]);
         let (lo, hi) = (
@@ -311,40 +329,40 @@ impl Grid {
         y[0].min(y[1]) <= f64::from(hi) + SLACK && y[0].max(y[1]) >= f64::from(lo) - SLACK
     }
 
-    /// Searches a cell between two distances.
-    fn pass_cell(&self, i: usize, k: usize, t: [f64; 2], over: [f64; 2], line: &mut Line) -> bool {
+    /// Searches a height field's cell for hits between two distances.
+    fn search_cell(&self, i: usize, k: usize, t: [f64; 2], over: [f64; 2], line: &mut Line) -> bool {
         let diagonal = ((i + k + 1) as f64 - line.o.x - line.o.z) / (line.d.x + line.d.z);
         if !(diagonal > t[0] && diagonal < t[1]) {
-            let (_, rest) = line.rest(i, k, 0.5 * (t[0] + t[1]));
-            return line.cross(Place { i, k, upper: rest.x + rest.y > 1.0 }, t, over);
+            let (_, rest) = line.height_and_position(i, k, 0.5 * (t[0] + t[1]));
+            return line.visit_crossing(Place { i, k, upper: rest.x + rest.y > 1.0 }, t, over);
         }
-        let [_, h10, h01, _] = self.corners(i, k);
-        let (y, rest) = line.rest(i, k, diagonal);
+        let [_, h10, h01, _] = self.cell_corner_heights(i, k);
+        let (y, rest) = line.height_and_position(i, k, diagonal);
         let middle = y - (h10 + (h01 - h10) * rest.y);
         let first = line.d.x + line.d.z < 0.0;
-        line.cross(Place { i, k, upper: first }, [t[0], diagonal], [over[0], middle])
-            || line.cross(Place { i, k, upper: !first }, [diagonal, t[1]], [middle, over[1]])
+        line.visit_crossing(Place { i, k, upper: first }, [t[0], diagonal], [over[0], middle])
+            || line.visit_crossing(Place { i, k, upper: !first }, [diagonal, t[1]], [middle, over[1]])
     }
 
-    /// Height of the line above the surface at the edge of a cell, or within it.
-    fn over(&self, i: usize, k: usize, t: f64, line: &Line) -> f64 {
-        let (y, rest) = line.rest(i, k, t);
+    /// Height of the ray above the height field at the edge of a cell, or within it.
+    fn height_above_field(&self, i: usize, k: usize, t: f64, line: &Line) -> f64 {
+        let (y, rest) = line.height_and_position(i, k, t);
         let along = |a: f64, b: f64, s: f64| a + (b - a) * s;
-        let edge = |i: usize| along(self.at(i, k), self.at(i, k + 1), rest.y);
-        let row = |k: usize| along(self.at(i, k), self.at(i + 1, k), rest.x);
+        let edge = |i: usize| along(self.corner_height(i, k), self.corner_height(i, k + 1), rest.y);
+        let row = |k: usize| along(self.corner_height(i, k), self.corner_height(i + 1, k), rest.x);
         y - match () {
-            _ if line.d.x != 0.0 && t == line.x_at(i) => edge(i),
-            _ if line.d.x != 0.0 && t == line.x_at(i + 1) => edge(i + 1),
-            _ if line.d.z != 0.0 && t == line.z_at(k) => row(k),
-            _ if line.d.z != 0.0 && t == line.z_at(k + 1) => row(k + 1),
-            _ => self.height(Place { i, k, upper: rest.x + rest.y > 1.0 }, rest),
+            _ if line.d.x != 0.0 && t == line.distance_at_x(i) => edge(i),
+            _ if line.d.x != 0.0 && t == line.distance_at_x(i + 1) => edge(i + 1),
+            _ if line.d.z != 0.0 && t == line.distance_at_z(k) => row(k),
+            _ if line.d.z != 0.0 && t == line.distance_at_z(k + 1) => row(k + 1),
+            _ => self.triangle_height(Place { i, k, upper: rest.x + rest.y > 1.0 }, rest),
         }
     }
 }
 
 impl Level {
-    /// Pyramid level with squares twice as large.
-    fn next(&self) -> Self {
+    /// Returns the next level of the height field's pyramid, with squares twice as large.
+    fn next_level(&self) -> Self {
         let (across, deep) = (self.across.div_ceil(2), self.deep.div_ceil(2));
         let range = |place: usize| {
             let (a, b) = (place % across * 2, place / across * 2);
@@ -357,26 +375,26 @@ impl Level {
 }
 
 impl Line<'_> {
-    fn x_at(&self, i: usize) -> f64 {
+    fn distance_at_x(&self, i: usize) -> f64 {
         (i as f64 - self.o.x) * self.inverse.x
     }
 
-    fn z_at(&self, k: usize) -> f64 {
+    fn distance_at_z(&self, k: usize) -> f64 {
         (k as f64 - self.o.z) * self.inverse.y
     }
 
-    fn y_at(&self, t: f64) -> f64 {
+    fn height_at(&self, t: f64) -> f64 {
         self.o.y + self.d.y * t
     }
 
-    /// Height of the line, and its position within a cell.
-    fn rest(&self, i: usize, k: usize, t: f64) -> (f64, DVec2) {
+    /// Returns the height of the ray at distance `t`, and its position within a height field's cell.
+    fn height_and_position(&self, i: usize, k: usize, t: f64) -> (f64, DVec2) {
         let p = self.o + self.d * t;
         (p.y, DVec2::new(p.x - i as f64, p.z - k as f64).clamp(DVec2::ZERO, DVec2::ONE))
     }
 
-    /// Visits the hit on a plane if the line is above it at one end and below at the other.
-    fn cross(&mut self, place: Place, t: [f64; 2], over: [f64; 2]) -> bool {
+    /// Visits the hit on a height field's triangle if the ray is above it at one end and below at the other.
+    fn visit_crossing(&mut self, place: Place, t: [f64; 2], over: [f64; 2]) -> bool {
         if (over[0] < 0.0) == (over[1] < 0.0) {
             return false;
         }
@@ -385,8 +403,8 @@ impl Line<'_> {
     }
 }
 
-/// Moves to the next cell; returns false at the end.
-fn step(i: &mut usize, d: f64, from: usize, to: usize) -> bool {
+/// Moves to the height field's next cell along an axis; returns false at the end.
+fn step_to_next_cell(i: &mut usize, d: f64, from: usize, to: usize) -> bool {
     if d > 0.0 {
         *i += 1;
         *i < to

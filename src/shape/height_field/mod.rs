@@ -16,11 +16,11 @@ mod grid;
 mod heights;
 mod normals;
 
-use super::{Bounding, Hit, Hits, Kernel, Quirks, Shape, nearest};
+use super::{Bounding, Hit, Hits, Kernel, Quirks, Shape, nearest_hit};
 use crate::color::Gamma;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::{Function, Gives};
-use crate::image_io::{Picture, wrapped};
+use crate::function::{Function, ResultType};
+use crate::image_io::{Picture, wrap_to_u16};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::source::Span;
 use crate::value::words::{Row, set, specs, word};
@@ -29,39 +29,41 @@ use grid::{Grid, Place, STEPS};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Words of file formats. The format is recognised by the file's bytes; only `pot` changes the meaning of the pixels.
+/// Words of a height field's file formats. The format is recognised by the file's bytes; only `pot` changes the meaning
+/// of the pixels.
 const FORMATS: &[&str] = &["exr", "gif", "hdr", "iff", "jpeg", "pgm", "png", "ppm", "sys", "tga", "tiff", "pot", "bmp"];
 
-/// Depth below `water_level`, in steps, from which on the surface is removed (quirk: `water_level_depth`).
+/// Depth below a height field's `water_level`, in steps, from which on the surface is removed (quirk:
+/// `water_level_depth`).
 const SHALLOW: f64 = 0.001;
 
-/// A height field.
+/// Height field: a terrain from the pixels of a picture or from a function.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HeightField {
-    /// Number of heights along x and z.
+    /// Number of the field's heights along x and z.
     pub size: [usize; 2],
-    /// True to interpolate normals.
+    /// True if the height field's normals are interpolated.
     pub smooth: bool,
-    /// Heights below are removed.
+    /// Height below which a height field's surface is removed.
     pub water_level: f64,
-    /// `gamma`: relation between the file's numbers and heights.
+    /// Relation between the numbers of the height field's file and heights, from `gamma`.
     #[serde(skip)]
     gamma: Option<Gamma>,
-    /// True for a `pot` picture, whose right half holds the lower bytes of its left half.
+    /// True if the height field's picture is a `pot`, whose right half holds the lower bytes of its left half.
     #[serde(skip)]
     is_pot: bool,
     #[serde(skip)]
     picture: Option<Arc<Picture>>,
-    /// The heights; `None` without any cell.
+    /// Grid of the field's heights; `None` for a field without any cell.
     #[serde(skip)]
     grid: Option<Arc<Grid>>,
-    /// World from object, for normals at corners.
+    /// Transform of the height field from object to world space, for normals at corners.
     #[serde(skip)]
     place: Option<Box<Transform>>,
 }
 
 impl HeightField {
-    /// A field with `width` heights in each row, from z = 0 on; 65535 is (nearly) 1.
+    /// Creates a height field with `width` heights in each row, from z = 0 on; 65535 is (nearly) 1.
     pub fn new(width: usize, heights: Vec<u16>, smooth: bool, water_level: f64) -> Self {
         let size = [width, heights.len().checked_div(width).unwrap_or(0)];
         let is_there = size[0] > 1 && size[1] > 1;
@@ -69,14 +71,14 @@ impl HeightField {
         Self { size, smooth, water_level, gamma: None, is_pot: false, picture: None, grid, place: None }
     }
 
-    /// Height below which the surface is removed; a flat field exactly at `water_level` is visible.
+    /// Height below which the height field's surface is removed; a flat field exactly at `water_level` is visible.
     fn waterline(&self) -> f64 {
         self.water_level - SHALLOW / STEPS
     }
 
     fn search(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Hit) -> bool) {
         let Some(grid) = &self.grid else { return };
-        let scale = grid.scale();
+        let scale = grid.grid_from_object_scale();
         // Start where the ray enters the box, so that a distant eye costs no digits.
         let Some((enter, leave)) = self.bounds().grown(1e-4).slabs(ray, Range::ALL) else { return };
         if !(enter <= range.max && leave >= range.min && enter.is_finite()) {
@@ -85,27 +87,30 @@ impl HeightField {
         let start = enter;
         let local = Ray::new(ray.at(start) * scale, ray.dir * scale);
         let moved = Range { min: range.min - start, max: range.max - start };
-        grid.meet(&local, moved, &mut |t, Place { i, k, upper }| {
+        grid.visit_hits(&local, moved, &mut |t, Place { i, k, upper }| {
             let (y, t) = ((local.origin.y + local.dir.y * t) / STEPS, t + start);
             let uv = DVec2::new(i as f64, k as f64);
             y >= self.waterline() && range.contains(t) && visit(Hit { t, part: upper.into(), uv })
         });
     }
 
-    /// Interpolates the normals of four corners, which have length 1 in world space.
+    /// Interpolates the normals of a height field's cell from its four corners, where they have length 1 in world
+    /// space.
     fn smooth_normal(&self, grid: &Grid, place: Place, rest: DVec2) -> DVec3 {
-        let (m, scale) = (self.place.as_deref().unwrap_or(&Transform::IDENTITY), grid.scale());
-        let corner = |i: usize, k: usize| m.normal(grid.normal(place.i + i, place.k + k) * scale).normalize_or_zero();
+        let (m, scale) = (self.place.as_deref().unwrap_or(&Transform::IDENTITY), grid.grid_from_object_scale());
+        let corner = |i: usize, k: usize| {
+            m.transform_normal(grid.corner_normal(place.i + i, place.k + k) * scale).normalize_or_zero()
+        };
         let [n00, n10, n01, n11] = [corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1)];
         let n = n00.lerp(n10, rest.x).lerp(n01.lerp(n11, rest.x), rest.y);
-        m.inverse_normal(n)
+        m.inverse_transform_normal(n)
     }
 }
 
-/// Reads `function W, H { … }`, row by row from z = 0 on.
+/// Reads a height field from `function W, H { … }`, row by row from z = 0 on.
 fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
     let at = r.span();
-    let Some(([width, height], thing)) = r.sized_function()? else {
+    let Some(([width, height], thing)) = r.read_sized_function()? else {
         return Diagnostic::new(codes::WRONG_TYPE, at, "a function that gives heights needs a size")
             .help("`function 200, 200 { … }`")
             .into();
@@ -113,15 +118,15 @@ fn read_function(r: &mut dyn Reader) -> Result<HeightField> {
     let Some(function) = downcast::<Function>(&thing).filter(|f| f.arity() == 3) else {
         return Diagnostic::err(codes::WRONG_TYPE, at, "expected a function of x and y");
     };
-    let colored = function.gives() == Gives::Color;
+    let colored = function.result_type() == ResultType::Color;
     let step = |i: usize, n: usize| i as f64 / (n.max(2) - 1) as f64;
     let mut all = Vec::with_capacity(width * height);
     for j in (0..height).rev() {
         all.extend((0..width).map(|i| {
             let [r, g, b, ..] = function.call(&[step(i, width), step(j, height), 0.0]);
             // quirk: height_field_function_precision
-            let kept = |x: f64| heights::wrapped(f64::from(x as f32));
-            if colored { heights::gray([r, g, b].map(kept)) } else { wrapped(r as f32) }
+            let kept = |x: f64| heights::wrap_to_u16(f64::from(x as f32));
+            if colored { heights::brightness_u16([r, g, b].map(kept)) } else { wrap_to_u16(r as f32) }
         }));
     }
     Ok(HeightField::new(width, all, false, 0.0))
@@ -158,13 +163,13 @@ impl Readable for HeightField {
         while let Next::Word(word) = r.next()?
             && FORMATS.contains(&word)
         {
-            r.take()?;
+            r.take_token()?;
             is_pot = word == "pot";
         }
         match r.next()? {
             Next::Function => read_function(r),
             _ => {
-                let picture = r.picture()?;
+                let picture = r.read_picture()?;
                 let is_pot = is_pot && picture.indices.is_some();
                 let width = picture.pixels.width / if is_pot { 2 } else { 1 };
                 let size = [width, picture.pixels.height];
@@ -179,8 +184,8 @@ impl Readable for HeightField {
             && width > 1
             && height > 1
         {
-            let all = heights::of_picture(&picture, self.gamma);
-            let heights = if self.is_pot { heights::of_halves(&all, picture.pixels.width) } else { all };
+            let all = heights::heights_of_picture(&picture, self.gamma);
+            let heights = if self.is_pot { heights::heights_of_pot(&all, picture.pixels.width) } else { all };
             self.grid = Some(Arc::new(Grid::new(width, heights)));
         }
         if self.grid.is_none() {
@@ -194,7 +199,7 @@ impl Readable for HeightField {
     }
 }
 
-/// Reads `gamma srgb` or a number.
+/// Reads the `gamma` of a height field: `srgb` or a number.
 fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
     if r.accept("srgb")? { Ok(Gamma::Srgb) } else { r.float().map(Gamma::Power) }
 }
@@ -204,7 +209,7 @@ impl Kernel for HeightField {
 
     fn bounds(&self) -> Aabb {
         let Some(grid) = &self.grid else { return Aabb::EMPTY };
-        let [lo, hi] = grid.range().map(|h| h / STEPS);
+        let [lo, hi] = grid.height_range().map(|h| h / STEPS);
         let lo = lo.max(self.waterline());
         if lo > hi { Aabb::EMPTY } else { Aabb { min: DVec3::Y * lo, max: DVec3::new(1.0, hi, 1.0) } }
     }
@@ -222,21 +227,22 @@ impl Kernel for HeightField {
             all.push(hit);
             true
         });
-        nearest(&all)
+        nearest_hit(&all)
     }
 
-    /// The inside is below the surface or the water, without a bottom (quirk: `height_field_inside`).
+    /// True if a point is below the height field's surface or the water; there is no bottom (quirk:
+    /// `height_field_inside`).
     fn inside(&self, p: DVec3) -> bool {
         let Some(grid) = &self.grid else { return false };
         if !(0.0..=1.0).contains(&p.x) || !(0.0..=1.0).contains(&p.z) {
             return false;
         }
-        let (place, rest) = grid.place(p.x * grid.across as f64, p.z * grid.deep as f64);
-        p.y < self.water_level || p.y * STEPS < grid.height(place, rest)
+        let (place, rest) = grid.cell_at(p.x * grid.across as f64, p.z * grid.deep as f64);
+        p.y < self.water_level || p.y * STEPS < grid.triangle_height(place, rest)
     }
 
     fn solid_bounds(&self) -> Option<Aabb> {
-        let b = self.grid.as_ref()?.range().map(|h| h / STEPS);
+        let b = self.grid.as_ref()?.height_range().map(|h| h / STEPS);
         Some(Aabb { min: DVec3::new(0.0, f64::NEG_INFINITY, 0.0), max: DVec3::new(1.0, b[1], 1.0) })
     }
 
@@ -244,15 +250,15 @@ impl Kernel for HeightField {
         true
     }
 
-    /// The field with normals that are averaged in world space, as in POV-Ray.
-    fn changed_under(&self, m: &Transform) -> Option<Shape> {
+    /// Returns the height field with normals that are averaged in world space, as in POV-Ray.
+    fn adapted_to_transform(&self, m: &Transform) -> Option<Shape> {
         self.smooth.then(|| Self { place: Some(Box::new(*m)), ..self.clone() }.into())
     }
 
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         let Some(grid) = &self.grid else { return DVec3::Y };
         let place = Place { i: hit.uv.x as usize, k: hit.uv.y as usize, upper: hit.part == 1 };
-        let scale = grid.scale();
+        let scale = grid.grid_from_object_scale();
         if self.smooth {
             let rest = DVec2::new(p.x * scale.x - hit.uv.x, p.z * scale.z - hit.uv.y);
             let n = self.smooth_normal(grid, place, rest.clamp(DVec2::ZERO, DVec2::ONE));
@@ -260,7 +266,7 @@ impl Kernel for HeightField {
                 return n;
             }
         }
-        let slope = grid.slope(place);
+        let slope = grid.triangle_slope(place);
         DVec3::new(-slope.x, 1.0, -slope.y) * scale
     }
 

@@ -4,39 +4,40 @@ use super::grid::Grid;
 use crate::math::DVec3;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Flag of a known normal.
+/// Flag of a height field's normal that is already computed.
 const KNOWN: u64 = 1 << 48;
 
-/// Three coordinates of 16 bits for each corner, row by row (quirk: `height_field_normals`).
+/// Normals of a height field: three coordinates of 16 bits for each corner, row by row (quirk: `height_field_normals`).
 #[derive(Debug)]
 pub struct Normals(Box<[AtomicU64]>);
 
 impl Normals {
-    /// Space for this number of corners.
+    /// Allocates memory for the normals of this number of corners.
     pub fn new(count: usize) -> Self {
         Self((0..count).map(|_| AtomicU64::new(0)).collect())
     }
 
-    /// Returns the normal at a corner in object space, with a length of about 32767 steps. Any thread may compute it
-    /// first; all compute the same.
-    pub fn at(&self, grid: &Grid, i: usize, k: usize) -> DVec3 {
-        let kept = &self.0[k * (grid.across + 1) + i];
+    /// Returns the height field's normal at a corner in object space, with a length of about 32767 steps. Any thread
+    /// may compute it first; all compute the same.
+    pub fn normal_at(&self, grid: &Grid, column: usize, row: usize) -> DVec3 {
+        let kept = &self.0[row * (grid.across + 1) + column];
         let mut packed = kept.load(Ordering::Relaxed);
         if packed == 0 {
-            packed = KNOWN | pack(mean(grid, i, k));
+            packed = KNOWN | pack_normal(mean_normal(grid, column, row));
             kept.store(packed, Ordering::Relaxed);
         }
-        unpack(packed)
+        unpack_normal(packed)
     }
 }
 
-/// Mean of the normals by a corner's neighbours to each side, in cells and steps (quirk: `height_field_normals`).
-fn mean(grid: &Grid, i: usize, k: usize) -> DVec3 {
-    let here = grid.at(i, k);
-    let left = (i > 0).then(|| here - grid.at(i - 1, k));
-    let right = (i < grid.across).then(|| grid.at(i + 1, k) - here);
-    let before = (k > 0).then(|| here - grid.at(i, k - 1));
-    let behind = (k < grid.deep).then(|| grid.at(i, k + 1) - here);
+/// Mean of the normals that a height field's corner has towards its neighbours on each side, in cells and steps (quirk:
+/// `height_field_normals`).
+fn mean_normal(grid: &Grid, column: usize, row: usize) -> DVec3 {
+    let here = grid.corner_height(column, row);
+    let left = (column > 0).then(|| here - grid.corner_height(column - 1, row));
+    let right = (column < grid.across).then(|| grid.corner_height(column + 1, row) - here);
+    let before = (row > 0).then(|| here - grid.corner_height(column, row - 1));
+    let behind = (row < grid.deep).then(|| grid.corner_height(column, row + 1) - here);
     let mut sum = DVec3::ZERO;
     for along_x in [left, right].into_iter().flatten() {
         for along_z in [before, behind].into_iter().flatten() {
@@ -46,12 +47,12 @@ fn mean(grid: &Grid, i: usize, k: usize) -> DVec3 {
     sum.normalize_or_zero()
 }
 
-fn pack(n: DVec3) -> u64 {
+fn pack_normal(n: DVec3) -> u64 {
     let [x, y, z] = (n * 32767.0).to_array().map(|c| u64::from((c as i16).cast_unsigned()));
     x | y << 16 | z << 32
 }
 
-fn unpack(packed: u64) -> DVec3 {
+fn unpack_normal(packed: u64) -> DVec3 {
     let at = |bits: u32| f64::from(((packed >> bits) as u16).cast_signed());
     DVec3::new(at(0), at(16), at(32))
 }
@@ -63,7 +64,7 @@ mod tests {
     #[test]
     fn coordinates_lose_what_is_behind_the_point() {
         let n = DVec3::new(-0.6, 0.0, 0.8);
-        assert_eq!(unpack(pack(n)), (n * 32767.0).trunc());
+        assert_eq!(unpack_normal(pack_normal(n)), (n * 32767.0).trunc());
     }
 
     #[test]
@@ -73,7 +74,7 @@ mod tests {
         let normals = Normals::new(16);
         let expected = (DVec3::new(-3.0, 1.0, -2.0).normalize() * 32767.0).trunc();
         for (i, k) in [(0, 0), (3, 3), (1, 2), (1, 2)] {
-            assert_eq!(normals.at(&grid, i, k), expected);
+            assert_eq!(normals.normal_at(&grid, i, k), expected);
         }
     }
 }

@@ -1,8 +1,8 @@
 use super::*;
-use crate::shape::testing::all;
+use crate::shape::testing::all_hits;
 
-/// Three by three heights, in steps of 1/8.
-fn field(smooth: bool, water_level: f64) -> HeightField {
+/// Creates a test height field with three by three heights, in steps of 1/8.
+fn field_of_nine_heights(smooth: bool, water_level: f64) -> HeightField {
     let eighths = [1, 2, 3, 4, 8, 2, 0, 3, 1];
     HeightField::new(3, eighths.map(|h| h * 8191).to_vec(), smooth, water_level)
 }
@@ -12,10 +12,10 @@ const EIGHTH: f64 = 8191.0 / 65536.0;
 #[test]
 fn heights_of_corners_and_triangles() {
     let down = |x: f64, z: f64, h: &HeightField| {
-        let hits = all(h, &Ray::new(DVec3::new(x, 9.0, z), DVec3::NEG_Y));
+        let hits = all_hits(h, &Ray::new(DVec3::new(x, 9.0, z), DVec3::NEG_Y));
         (hits.len(), hits.first().map_or(f64::NAN, |hit| (9.0 - hit.t) / EIGHTH))
     };
-    let h = field(false, 0.0);
+    let h = field_of_nine_heights(false, 0.0);
     let close = |found: (usize, f64), want: f64| assert!(found.0 == 1 && (found.1 - want).abs() < 1e-9, "{found:?}");
     close(down(0.5, 0.5, &h), 8.0);
     // The diagonal of a cell is from its lower right to its upper left corner.
@@ -24,7 +24,7 @@ fn heights_of_corners_and_triangles() {
     close(down(0.375, 0.375, &h), 8.0 - 0.25 * 4.0 - 0.25 * 6.0);
     assert_eq!(down(1.01, 0.5, &h).0, 0);
     // Below the water there is an inside but no surface.
-    let wet = field(false, 3.5 * EIGHTH);
+    let wet = field_of_nine_heights(false, 3.5 * EIGHTH);
     assert_eq!(down(0.25, 0.25, &wet).0, 0);
     assert!(wet.inside(DVec3::new(0.25, 0.1, 0.25)) && wet.inside(DVec3::new(0.25, 3.1 * EIGHTH, 0.25)));
     assert!(!wet.inside(DVec3::new(0.25, 3.6 * EIGHTH, 0.25)) && !wet.inside(DVec3::new(0.25, 0.0, -0.01)));
@@ -32,7 +32,7 @@ fn heights_of_corners_and_triangles() {
 }
 
 #[test]
-fn nothing_slips_through() {
+fn no_ray_misses_the_height_field() {
     // Between a point high above and one deep below there is an odd number of hits.
     let (width, depth) = (23, 17);
     let heights = (0..width * depth).map(|k| (k * 7919 % 65521) as u16).collect();
@@ -44,7 +44,7 @@ fn nothing_slips_through() {
         let from = DVec3::new(snap(at(13)), 1.5, at(29));
         let to = DVec3::new(snap(at(31)), -0.5, at(17));
         let ray = Ray::new(from, to - from);
-        let hits: Vec<Hit> = all(&h, &ray).into_iter().filter(|hit| (0.0..1.0).contains(&hit.t)).collect();
+        let hits: Vec<Hit> = all_hits(&h, &ray).into_iter().filter(|hit| (0.0..1.0).contains(&hit.t)).collect();
         assert!(hits.len() % 2 == 1, "{ray:?} {hits:?}");
         for hit in &hits {
             let p = ray.at(hit.t);
@@ -76,7 +76,7 @@ fn smooth_normals_as_povray_has_them() {
 }
 
 #[test]
-fn numbers_of_pictures() {
+fn heights_follow_from_pixels() {
     use crate::image_io::{Pixels, Samples, Stored};
     let picture = |channels: usize, samples: Samples, indices: Option<Vec<u8>>| {
         let pixels = Pixels { width: 1, height: 2, channels, samples };
@@ -84,21 +84,21 @@ fn numbers_of_pictures() {
     };
     // The last row is the first of the field.
     let two_bytes = picture(3, Samples::U8(vec![1, 2, 3, 209, 84, 115]), None);
-    assert_eq!(heights::of_picture(&two_bytes, None), [209 * 256 + 84, 258]);
+    assert_eq!(heights::heights_of_picture(&two_bytes, None), [209 * 256 + 84, 258]);
     let gray = picture(1, Samples::U8(vec![0, 255]), None);
-    assert_eq!(heights::of_picture(&gray, None), [65535, 0]);
+    assert_eq!(heights::heights_of_picture(&gray, None), [65535, 0]);
     let colors = picture(3, Samples::U16(vec![10_000, 30_000, 60_000, 7, 7, 7]), None);
-    assert_eq!(heights::of_picture(&colors, None), [7, 27_480]);
+    assert_eq!(heights::heights_of_picture(&colors, None), [7, 27_480]);
     let palette = picture(3, Samples::U8(vec![0; 6]), Some(vec![5, 2]));
-    assert_eq!(heights::of_picture(&palette, None), [512, 1280]);
-    assert_eq!([-0.25, 0.5, 1.4, f64::NAN].map(heights::wrapped), [49_153, 32_767, 26_213, 0]);
+    assert_eq!(heights::heights_of_picture(&palette, None), [512, 1280]);
+    assert_eq!([-0.25, 0.5, 1.4, f64::NAN].map(heights::wrap_to_u16), [49_153, 32_767, 26_213, 0]);
 }
 
 #[test]
-fn halves_of_a_pot_file() {
+fn heights_follow_from_both_halves_of_a_pot_file() {
     // POV-Ray: 9 and 15 make 2304 + 15.
     assert_eq!(
-        heights::of_halves(&[9 << 8, 10 << 8, 0, 15 << 8, 1 << 8, 2 << 8, 3 << 8, 4 << 8], 4),
+        heights::heights_of_pot(&[9 << 8, 10 << 8, 0, 15 << 8, 1 << 8, 2 << 8, 3 << 8, 4 << 8], 4),
         [2304, 2575, 259, 516]
     );
 }

@@ -9,43 +9,43 @@ use crate::math::{Aabb, DVec3, Ray, cancel, fp};
 use crate::shape::formula::Formula;
 use std::sync::OnceLock;
 
-/// Approximate number of cells.
+/// Approximate number of cells of an isosurface.
 const COUNT: f64 = 5000.0;
-/// Maximum number of cells along an axis.
+/// Maximum number of cells of an isosurface along an axis.
 const MOST: f64 = 64.0;
-/// Maximum number of subdivisions. (More cost more than they save in small pictures.)
+/// Maximum number of subdivisions of an isosurface's cell. (More cost more than they save in small pictures.)
 const HALVINGS: u32 = 2;
 
-/// The cells of one isosurface.
+/// Cells of an isosurface's container that can hold a piece of its surface.
 #[derive(Debug)]
 pub struct Cells {
-    /// The function, whose value on the surface is the threshold.
+    /// Function of the isosurface, whose value on the surface is the threshold.
     formula: Formula,
     threshold: f64,
     grid: Grid,
 }
 
-/// A box of cells.
+/// Grid of an isosurface's cells.
 #[derive(Debug)]
 struct Grid {
     bounds: Aabb,
     count: [usize; 3],
-    /// Number of cells per unit of length, along each axis.
+    /// Number of the isosurface's cells per unit of length, along each axis.
     scale: DVec3,
-    /// Number of the cell plus one; 0 without surface.
+    /// For each cell of the grid, its index in `cells` plus one; 0 without surface.
     places: Box<[u16]>,
     cells: Vec<Cell>,
 }
 
-/// A cell that can hold a piece of the surface.
+/// Cell that can hold a piece of the isosurface.
 #[derive(Debug)]
 struct Cell {
     gradient: Gradient,
-    /// Smaller cells, built when a ray enters.
+    /// Eight parts of the isosurface's cell, built when a ray enters.
     halves: OnceLock<Option<Box<Grid>>>,
 }
 
-/// Bounds of the function's gradient in a cell; see [`Slope`].
+/// Bounds of the gradient of an isosurface's function in a cell; see [`Slope`].
 #[derive(Clone, Copy, Debug)]
 pub struct Gradient {
     by: [[f32; 2]; 3],
@@ -64,9 +64,9 @@ impl Gradient {
         self.by.iter().flatten().chain([&self.around]).all(|by| by.is_finite())
     }
 
-    /// Bounds of the derivative along `d`, whose length is `length`; `unknown` without bounds, or where rough bounds
-    /// are wider than that.
-    pub fn along(&self, d: DVec3, length: f64, unknown: Interval) -> Interval {
+    /// Bounds of the function's derivative along `d`, whose length is `length`; `unknown` without bounds, or where
+    /// rough bounds are wider than that.
+    pub fn derivative_along(&self, d: DVec3, length: f64, unknown: Interval) -> Interval {
         let far = f64::from(self.around) * length;
         let (mut lo, mut hi) = (-far, far);
         for axis in 0..3 {
@@ -82,32 +82,32 @@ impl Gradient {
     }
 }
 
-/// Part of a grid: the first cell and the one beyond the last, along each axis.
+/// Block of an isosurface's cells: the first cell and the one beyond the last, along each axis.
 type Block = [[usize; 2]; 3];
 
-/// Called with the pieces of a line in order: both ends, and the gradient's bounds, `None` without surface. Returns
-/// true to stop.
+/// Function that receives the pieces of a ray through an isosurface's cells in order: both ends, and the bounds of the
+/// gradient, `None` without surface. It returns true to stop.
 pub type Visit<'a> = &'a mut dyn FnMut(f64, f64, Option<&Gradient>) -> bool;
 
 impl Cells {
-    /// Finds the cells in which the function can have the threshold's value.
+    /// Finds the cells in which an isosurface's function can have the threshold's value.
     pub fn new(formula: &Formula, threshold: f64, bounds: Aabb) -> Self {
         let size = bounds.size().max(DVec3::splat(f64::MIN_POSITIVE));
         // Make cells nearly cubes.
         let mut side = fp::pow(size.x * size.y * size.z / COUNT, 1.0 / 3.0);
         side = side.max(size.max_element() / MOST);
         let count = [0, 1, 2].map(|axis| (size[axis] / side).round().clamp(1.0, MOST) as usize);
-        let mut grid = Grid::empty(bounds, count);
-        grid.sort_out(formula, threshold, count.map(|n| [0, n]), &mut vec![]);
+        let mut grid = Grid::empty_grid(bounds, count);
+        grid.collect_cells(formula, threshold, count.map(|n| [0, n]), &mut vec![]);
         Self { formula: formula.clone(), threshold, grid }
     }
 
-    /// Visits the cells along a line.
-    pub fn pass(&self, ray: &Ray, from: f64, to: f64, visit: Visit) -> bool {
-        self.pass_in(&self.grid, HALVINGS, ray, (from, to), visit)
+    /// Calls `visit` with the pieces of a ray in each cell of the isosurface.
+    pub fn visit_pieces(&self, ray: &Ray, from: f64, to: f64, visit: Visit) -> bool {
+        self.visit_pieces_in(&self.grid, HALVINGS, ray, (from, to), visit)
     }
 
-    fn pass_in(&self, grid: &Grid, halvings: u32, ray: &Ray, (from, to): (f64, f64), visit: Visit) -> bool {
+    fn visit_pieces_in(&self, grid: &Grid, halvings: u32, ray: &Ray, (from, to): (f64, f64), visit: Visit) -> bool {
         let o = (ray.origin - grid.bounds.min) * grid.scale;
         let d = ray.dir * grid.scale;
         let inverse = d.recip();
@@ -123,11 +123,11 @@ impl Cells {
             let axis = if ends[0] <= ends[1] { 0 } else { 1 };
             let axis = if ends[axis] <= ends[2] { axis } else { 2 };
             let next = ends[axis].min(to).max(t);
-            let ended = match grid.at(cell) {
+            let ended = match grid.cell_at(cell) {
                 None => visit(t, next, None),
                 Some(inner) if halvings == 0 || inner.gradient.is_known() => visit(t, next, Some(&inner.gradient)),
-                Some(inner) => match self.halves(grid, cell, inner) {
-                    Some(finer) => self.pass_in(finer, halvings - 1, ray, (t, next), visit),
+                Some(inner) => match self.cell_parts(grid, cell, inner) {
+                    Some(finer) => self.visit_pieces_in(finer, halvings - 1, ray, (t, next), visit),
                     None => visit(t, next, Some(&inner.gradient)),
                 },
             };
@@ -145,32 +145,32 @@ impl Cells {
         true
     }
 
-    /// Returns the eight parts of a cell; `None` if all of them hold surface and none has bounds.
-    fn halves<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
+    /// Returns the eight parts of an isosurface's cell; `None` if all of them hold surface and none has bounds.
+    fn cell_parts<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
         let halves = inner.halves.get_or_init(|| {
-            let mut eight = Grid::empty(grid.box_of(cell.map(|i| [i, i + 1])), [2; 3]);
-            eight.sort_out(&self.formula, self.threshold, [[0, 2]; 3], &mut vec![]);
+            let mut eight = Grid::empty_grid(grid.block_bounds(cell.map(|i| [i, i + 1])), [2; 3]);
+            eight.collect_cells(&self.formula, self.threshold, [[0, 2]; 3], &mut vec![]);
             let better = eight.cells.len() < 8 || eight.cells.iter().any(|cell| cell.gradient.is_known());
             better.then(|| Box::new(eight))
         });
         halves.as_deref()
     }
 
-    /// Diagonal of a cell.
-    pub fn side(&self) -> f64 {
+    /// Length of the diagonal of an isosurface's cell.
+    pub fn cell_diagonal(&self) -> f64 {
         self.grid.scale.recip().length()
     }
 }
 
 impl Grid {
-    fn empty(bounds: Aabb, count: [usize; 3]) -> Self {
+    fn empty_grid(bounds: Aabb, count: [usize; 3]) -> Self {
         let size = bounds.size().max(DVec3::splat(f64::MIN_POSITIVE));
         let scale = DVec3::from_array(count.map(|n| n as f64)) / size;
         let places = vec![0; count[0] * count[1] * count[2]].into();
         Self { bounds, count, scale, places, cells: vec![] }
     }
 
-    fn box_of(&self, block: Block) -> Aabb {
+    fn block_bounds(&self, block: Block) -> Aabb {
         let corner = |end: usize| {
             let at = |axis: usize| match block[axis][end] {
                 n if n == self.count[axis] => self.bounds.max[axis],
@@ -181,9 +181,9 @@ impl Grid {
         Aabb { min: corner(0), max: corner(1) }
     }
 
-    fn sort_out(&mut self, formula: &Formula, threshold: f64, block: Block, room: &mut Vec<Slope>) {
-        let b = self.box_of(block);
-        let slope = formula.slope(&b.grown(1e-9 * b.size().max_element()), room);
+    fn collect_cells(&mut self, formula: &Formula, threshold: f64, block: Block, scratch: &mut Vec<Slope>) {
+        let b = self.block_bounds(block);
+        let slope = formula.slope_in_box(&b.grown(1e-9 * b.size().max_element()), scratch);
         if !slope.value.widened().contains(threshold) {
             return;
         }
@@ -191,23 +191,23 @@ impl Grid {
             (0..3).map(|axis| (axis, block[axis][1] - block[axis][0])).max_by_key(|x| x.1).unwrap_or((0, 1));
         if length == 1 {
             self.cells.push(Cell { gradient: Gradient::new(&slope), halves: OnceLock::new() });
-            let place = self.index(block.map(|b| b[0]));
+            let place = self.cell_index(block.map(|b| b[0]));
             self.places[place] = self.cells.len() as u16;
             return;
         }
         let middle = block[axis][0] + length / 2;
         let (mut lower, mut upper) = (block, block);
         (lower[axis][1], upper[axis][0]) = (middle, middle);
-        self.sort_out(formula, threshold, lower, room);
-        self.sort_out(formula, threshold, upper, room);
+        self.collect_cells(formula, threshold, lower, scratch);
+        self.collect_cells(formula, threshold, upper, scratch);
     }
 
-    fn index(&self, cell: [usize; 3]) -> usize {
+    fn cell_index(&self, cell: [usize; 3]) -> usize {
         (cell[2] * self.count[1] + cell[1]) * self.count[0] + cell[0]
     }
 
-    /// The cell, unless there is no surface in it.
-    fn at(&self, cell: [usize; 3]) -> Option<&Cell> {
-        self.cells.get((self.places[self.index(cell)] as usize).wrapping_sub(1))
+    /// Returns the cell at a position of the isosurface's grid; `None` if there is no surface in it.
+    fn cell_at(&self, cell: [usize; 3]) -> Option<&Cell> {
+        self.cells.get((self.places[self.cell_index(cell)] as usize).wrapping_sub(1))
     }
 }

@@ -17,7 +17,7 @@ mod search;
 mod walk;
 
 use super::formula::{self, Container, Formula};
-use super::{Hit, Hits, Kernel, finite};
+use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Interval;
 use crate::math::{Aabb, DVec3, Range, Ray, tolerance};
@@ -32,33 +32,33 @@ use walk::Walk;
 
 const SURFACE: u32 = 0;
 const FACE: u32 = 1;
-/// Lower limits of `accuracy`, relative to a cell's diagonal: with known and with unknown gradient. They bound the
-/// number of pieces in a cell, however steep the function is.
+/// Lower limits of an isosurface's `accuracy`, relative to a cell's diagonal: with known and with unknown gradient.
+/// They bound the number of pieces in a cell, however steep the function is.
 const FINEST: f64 = 1e-5;
 const COARSEST: f64 = 1e-3;
-/// Distance to the container below which a ray starts inside it (quirk: `isosurface_start`).
+/// Distance to the isosurface's container below which a ray starts inside it (quirk: `isosurface_start`).
 const BEGINS: f64 = 1e-6;
-/// Number of points along each side of the container at which the gradient is sampled.
+/// Number of points along each side of the isosurface's container at which the gradient is sampled.
 const POINTS: usize = 12;
-/// Factor by which a sampled gradient must exceed `max_gradient` to be reported.
+/// Factor by which the isosurface's sampled gradient must exceed `max_gradient` to be reported.
 const STEEPER: f64 = 1.5;
 
-/// The surface of a function.
+/// Isosurface: the points at which a function equals a threshold.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Isosurface {
-    /// The function of x, y and z.
+    /// Function of x, y and z that defines the isosurface.
     pub function: Formula,
-    /// Value on the surface; smaller values are inside.
+    /// Value of the function on the isosurface; smaller values are inside.
     pub threshold: f64,
-    /// The solid that bounds the surface.
+    /// Solid that bounds the isosurface.
     pub container: Container,
-    /// True without faces on the container.
+    /// True if the isosurface has no faces on its container.
     pub open: bool,
-    /// Maximum distance of a hit behind the surface, and the step of differences for normals.
+    /// Maximum distance of a hit behind the isosurface, and the step of differences for normals.
     pub accuracy: f64,
-    /// Maximum gradient, for functions without bounds.
+    /// Maximum gradient of the isosurface's function, where it has no computed bounds.
     pub max_gradient: f64,
-    /// Maximum number of hits of one ray in CSG.
+    /// Maximum number of hits of one ray on an isosurface in CSG.
     pub max_trace: u32,
     /// True for `evaluate`, which adapts `max_gradient` in POV-Ray.
     pub adapts: bool,
@@ -66,7 +66,7 @@ pub struct Isosurface {
     cells: Lazy,
 }
 
-/// Built when the first ray arrives.
+/// Cells of the isosurface, built when the first ray arrives.
 #[derive(Clone, Debug, Default)]
 struct Lazy(Arc<OnceLock<Cells>>);
 
@@ -77,7 +77,7 @@ impl PartialEq for Lazy {
 }
 
 impl Isosurface {
-    /// An isosurface with POV-Ray's defaults.
+    /// Creates an isosurface with POV-Ray's defaults.
     pub fn new(function: Formula) -> Self {
         Self {
             function,
@@ -96,22 +96,22 @@ impl Isosurface {
         self.cells.0.get_or_init(|| Cells::new(&self.function, self.threshold, self.container.bounds()))
     }
 
-    /// Value minus threshold: negative inside. NaN counts as outside.
-    fn value(&self, p: DVec3) -> f64 {
-        let value = self.function.at(p) - self.threshold;
+    /// Value of the isosurface's function minus the threshold: negative inside. NaN counts as outside.
+    fn value_at(&self, p: DVec3) -> f64 {
+        let value = self.function.value_at(p) - self.threshold;
         if value.is_nan() { self.accuracy * self.max_gradient } else { value }
     }
 
-    /// Calls `found` with each hit in the range, ascending, until it returns true.
+    /// Calls `found` with each hit of a ray on the isosurface in the range, ascending, until it returns true.
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(Hit) -> bool) {
-        let Some((enter, leave)) = self.container.stretch(ray) else { return };
+        let Some((enter, leave)) = self.container.interval_inside(ray) else { return };
         if !(enter < range.max && leave > range.min) {
             return;
         }
         // Start where the ray enters the container, so that a distant eye costs no digits.
         let near = Ray::new(ray.at(enter), ray.dir);
-        let mut report_hit = |t: f64, part: u32| range.contains(t + enter) && found(Hit::on(t + enter, part));
-        let value = |t: f64| self.value(near.at(t));
+        let mut report_hit = |t: f64, part: u32| range.contains(t + enter) && found(Hit::on_piece(t + enter, part));
+        let value = |t: f64| self.value_at(near.at(t));
         let to = leave - enter;
         // Position of the ray's origin.
         let origin = -enter;
@@ -123,18 +123,18 @@ impl Isosurface {
             return;
         }
         let mut walk = match begins_outside {
-            true => Walk::entering(&value, is_solid, self.open, to, self.accuracy),
-            false => Walk::within(&value, origin, to, self.accuracy, self.max_gradient),
+            true => Walk::entering_container(&value, is_solid, self.open, to, self.accuracy),
+            false => Walk::starting_in_container(&value, origin, to, self.accuracy, self.max_gradient),
         };
-        let from = walk.as_ref().map_or(f64::INFINITY, Walk::from);
+        let from = walk.as_ref().map_or(f64::INFINITY, Walk::search_start);
         let within = Range { min: from.min(range.min - enter), max: range.max - enter };
         // Roots behind the ray's origin are reported unchanged.
         let mut report_root = |t: f64| match &mut walk {
             _ if t <= origin => report_hit(t, SURFACE),
-            Some(walk) => walk.hit(t).is_some_and(|t| report_hit(t, SURFACE)),
+            Some(walk) => walk.povray_hit(t).is_some_and(|t| report_hit(t, SURFACE)),
             None => false,
         };
-        if self.pass(&near, (origin, to), within, first.map(|first| (0.0, first)), &mut report_root) {
+        if self.search_cells(&near, (origin, to), within, first.map(|first| (0.0, first)), &mut report_root) {
             return;
         }
         let leaves = walk.is_some() || to <= origin;
@@ -143,9 +143,9 @@ impl Isosurface {
         }
     }
 
-    /// Searches the cells up to `to` that overlap a range; the ray's origin is at `origin`, and `known` is a point with
-    /// its value. Pieces start where cells do, so that roots hardly depend on the range.
-    fn pass(
+    /// Searches the isosurface's cells up to `to` that overlap a range; the ray's origin is at `origin`, and `known` is
+    /// a point with its value. Pieces start where cells do, so that roots hardly depend on the range.
+    fn search_cells(
         &self,
         near: &Ray,
         (origin, to): (f64, f64),
@@ -153,32 +153,33 @@ impl Isosurface {
         mut known: Option<(f64, f64)>,
         found: &mut dyn FnMut(f64) -> bool,
     ) -> bool {
-        let value = &|t: f64| self.value(near.at(t));
+        let value = &|t: f64| self.value_at(near.at(t));
         let cells = self.cells();
         let length = near.dir.length();
         let unknown = self.max_gradient * length;
         let unknown = Interval { lo: -unknown, hi: unknown };
         // The number of steps grows with the gradient.
-        let apart = |exact: f64, least: f64| exact.max(cells.side() * least / length);
+        let apart = |exact: f64, least: f64| exact.max(cells.cell_diagonal() * least / length);
         let (fine, coarse) = (apart(0.25 * self.accuracy, FINEST), apart(self.accuracy, COARSEST));
-        let exact = 1e-10 * cells.side() / length;
+        let exact = 1e-10 * cells.cell_diagonal() / length;
         let roughly = exact.max(self.accuracy * walk::ROOTS);
         let mut piece = |(a, b): (f64, f64), rate: Interval, apart: f64| {
             let first = known.filter(|known| known.0 == a).unwrap_or_else(|| (a, value(a)));
             let last = (b, value(b));
             known = Some(last);
-            Search { value, apart, exact, roughly, ahead: origin, range: within }.between(first, last, rate, found)
+            Search { value, apart, exact, roughly, ahead: origin, range: within }
+                .find_roots_between(first, last, rate, found)
         };
         // Consecutive cells without bounds are searched as one piece.
         let mut run: Option<(f64, f64)> = None;
-        let ended = cells.pass(near, 0.0, to, &mut |a, b, gradient| {
+        let ended = cells.visit_pieces(near, 0.0, to, &mut |a, b, gradient| {
             if a > within.max && run.is_none() {
                 return true;
             }
             if b <= within.min {
                 return false;
             }
-            let rate = gradient.map(|gradient| gradient.along(near.dir, length, unknown));
+            let rate = gradient.map(|gradient| gradient.derivative_along(near.dir, length, unknown));
             if rate.is_some_and(|rate| rate.lo == unknown.lo || rate.hi == unknown.hi) {
                 run = Some((run.map_or(a, |run| run.0), b));
                 return false;
@@ -189,9 +190,9 @@ impl Isosurface {
         ended || run.is_some_and(|run| piece(run, unknown, coarse))
     }
 
-    /// Returns the maximum gradient found near the surface: where the value changes its sign between two points of a
+    /// Returns the maximum gradient found near the isosurface: where the value changes its sign between two points of a
     /// lattice.
-    fn steepest(&self) -> f64 {
+    fn sampled_max_gradient(&self) -> f64 {
         let b = self.container.bounds();
         let step = b.size() / POINTS as f64;
         let at = |i: usize, j: usize, k: usize| b.min + step * (DVec3::new(i as f64, j as f64, k as f64) + 0.5);
@@ -200,9 +201,9 @@ impl Isosurface {
         for (j, k) in (0..POINTS).flat_map(|k| (0..POINTS).map(move |j| (j, k))) {
             let mut before = f64::NAN;
             for p in row(j, k) {
-                let value = self.function.at(p) - self.threshold;
+                let value = self.function.value_at(p) - self.threshold;
                 if before * value < 0.0 && self.container.contains(p) {
-                    let slant = self.slant(p - DVec3::X * (0.5 * step.x), 1e-4 * step.x).length();
+                    let slant = self.gradient_by_differences(p - DVec3::X * (0.5 * step.x), 1e-4 * step.x).length();
                     found = if slant > found { slant } else { found };
                 }
                 before = value;
@@ -211,10 +212,10 @@ impl Isosurface {
         found
     }
 
-    /// Gradient by differences over a step (quirk: `isosurface_normal`).
-    fn slant(&self, p: DVec3, step: f64) -> DVec3 {
-        let here = self.function.at(p);
-        let rise = |axis: DVec3| self.function.at(p + axis * step) - here;
+    /// Gradient of the isosurface's function by differences over a step (quirk: `isosurface_normal`).
+    fn gradient_by_differences(&self, p: DVec3, step: f64) -> DVec3 {
+        let here = self.function.value_at(p);
+        let rise = |axis: DVec3| self.function.value_at(p + axis * step) - here;
         DVec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z)) / step
     }
 }
@@ -246,9 +247,9 @@ impl Readable for Isosurface {
             "0.001",
             "how far behind the surface it is met, in units of the world, and how long the steps that find normals",
         )
-        .sets(|s, r| set(&mut s.accuracy, formula::positive(r, "accuracy", 0.001))),
+        .sets(|s, r| set(&mut s.accuracy, formula::read_positive(r, "accuracy", 0.001))),
         word("max_gradient", ValueKind::Float, "1.1", "how steep the function is, where durer can't know it")
-            .sets(|s, r| set(&mut s.max_gradient, formula::positive(r, "max_gradient", 1.1))),
+            .sets(|s, r| set(&mut s.max_gradient, formula::read_positive(r, "max_gradient", 1.1))),
         word(
             "evaluate",
             ValueKind::Float,
@@ -262,7 +263,7 @@ impl Readable for Isosurface {
             Ok(())
         }),
         word("max_trace", ValueKind::Float, "1", "how many hits of one ray count in CSG and for what is clipped")
-            .sets(|s, r| set(&mut s.max_trace, formula::positive(r, "max_trace", 1.0).map(|n| (n as u32).max(1)))),
+            .sets(|s, r| set(&mut s.max_trace, formula::read_positive(r, "max_trace", 1.0).map(|n| (n as u32).max(1)))),
         word("all_intersections", ValueKind::Nothing, "", "all hits of a ray count")
             .sets(|s, _| set(&mut s.max_trace, Ok(u32::MAX))),
     ];
@@ -281,8 +282,8 @@ impl Readable for Isosurface {
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let b = self.container.bounds();
-        finite(span, &[b.min, b.max], &[self.threshold, self.max_gradient, self.accuracy])?;
-        let found = if self.adapts { 0.0 } else { self.steepest() };
+        check_finite(span, &[b.min, b.max], &[self.threshold, self.max_gradient, self.accuracy])?;
+        let found = if self.adapts { 0.0 } else { self.sampled_max_gradient() };
         if found > STEEPER * self.max_gradient {
             let (said, found) = (self.max_gradient, (found * 100.0).ceil() / 100.0);
             let message = format!("this `isosurface` has a gradient of {found} and more, its `max_gradient` is {said}");
@@ -305,7 +306,7 @@ impl Kernel for Isosurface {
         });
     }
 
-    /// The first `max_trace` hits in front of the ray's origin, and all behind it.
+    /// Appends the first `max_trace` hits on the isosurface in front of the ray's origin, and all behind it.
     fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if self.max_trace == u32::MAX {
             return self.hits(ray, range, out);
@@ -331,18 +332,18 @@ impl Kernel for Isosurface {
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        self.container.contains(p) && self.function.at(p) < self.threshold
+        self.container.contains(p) && self.function.value_at(p) < self.threshold
     }
 
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
         if hit.part == FACE {
             return self.container.normal(p);
         }
-        let n = self.slant(p, self.accuracy);
+        let n = self.gradient_by_differences(p, self.accuracy);
         if n.is_finite() && n != DVec3::ZERO {
             return n;
         }
-        let n = self.slant(p, 1e-3 * self.accuracy);
+        let n = self.gradient_by_differences(p, 1e-3 * self.accuracy);
         if n.is_finite() && n != DVec3::ZERO { n } else { DVec3::Y }
     }
 

@@ -1,24 +1,24 @@
 //! Roots of a function of one variable, by bounds of its derivative.
 
 use crate::function::Interval;
-use crate::math::{Range, crossing};
+use crate::math::{Range, root_between};
 
-/// A position on the line, and the function's value there.
+/// A position on a ray, and the isosurface's function there.
 pub type Point = (f64, f64);
 
-/// A search on a line.
+/// Search for the roots of an isosurface's function along a ray.
 pub struct Search<'a> {
-    /// Function of the position on the line, whose roots are searched.
+    /// Function of the position on the ray, whose roots are searched.
     pub value: &'a dyn Fn(f64) -> f64,
-    /// Roots closer together than this can be missed.
+    /// Distance between roots below which both can be missed.
     pub apart: f64,
-    /// Maximum error of a root before `ahead`.
+    /// Maximum error of a root before the position `ahead`.
     pub exact: f64,
-    /// Accuracy of roots from `ahead` on.
+    /// Maximum error of a root from the position `ahead` on.
     pub roughly: f64,
-    /// Position of the ray's origin.
+    /// Position of the ray's origin on the line that is searched.
     pub ahead: f64,
-    /// Range in which roots count.
+    /// Range of positions in which roots count.
     pub range: Range,
 }
 
@@ -28,7 +28,7 @@ impl Search<'_> {
     ///
     /// From an end on, the value cannot reach 0 sooner than the rate allows: the rest is bisected (as in Kalra and
     /// Barr, "Guaranteed Ray Intersections with Implicit Surfaces", 1989).
-    pub fn between(&self, a: Point, b: Point, rate: Interval, found: &mut dyn FnMut(f64) -> bool) -> bool {
+    pub fn find_roots_between(&self, a: Point, b: Point, rate: Interval, found: &mut dyn FnMut(f64) -> bool) -> bool {
         if b.0 <= self.range.min || a.0 >= self.range.max {
             return false;
         }
@@ -44,20 +44,20 @@ impl Search<'_> {
         let one_way = if a.1 < 0.0 { rate.lo >= 0.0 } else { rate.hi <= 0.0 };
         let (lo, hi) = (lo.clamp(a.0, b.0), hi.clamp(a.0, b.0));
         if differ && (one_way || hi - lo <= self.apart) {
-            return self.one(a, b).is_some_and(found);
+            return self.only_root_between(a, b).is_some_and(found);
         }
         let middle = 0.5 * (lo + hi);
         let m = (middle, (self.value)(middle));
-        self.between(a, m, rate, found) || self.between(m, b, rate, found)
+        self.find_roots_between(a, m, rate, found) || self.find_roots_between(m, b, rate, found)
     }
 
-    /// Returns the only root between two points, if it counts.
-    fn one(&self, a: Point, b: Point) -> Option<f64> {
+    /// Returns the only root between two points, if it is in the range.
+    fn only_root_between(&self, a: Point, b: Point) -> Option<f64> {
         let Range { min, max } = self.range;
         let is_before = |t: f64| ((self.value)(t) < 0.0) != (a.1 < 0.0);
         if a.0 < min && is_before(min) || b.0 > max && !is_before(max) {
             return None;
         }
-        Some(crossing(self.value, a, b, if a.0 < self.ahead { self.exact } else { self.roughly }))
+        Some(root_between(self.value, a, b, if a.0 < self.ahead { self.exact } else { self.roughly }))
     }
 }

@@ -6,62 +6,75 @@
 //! The search goes on five times `accuracy` behind the hit; so does the first search of a ray that starts in the
 //! container, if the value there is less than 4 times `accuracy` times `max_gradient`.
 
-/// Distance that is skipped behind a hit, in units of `accuracy`.
+/// Distance that POV-Ray skips behind a hit on an isosurface, in units of `accuracy`.
 const SKIPPED: f64 = 5.0;
-/// Value at the origin, in units of `accuracy` times `max_gradient`, below which a ray starts on the surface or inside.
+/// Value of the isosurface's function at the origin, in units of `accuracy` times `max_gradient`, below which a ray
+/// starts on the surface or inside.
 const NEAR: f64 = 4.0;
 
-/// Required accuracy of roots, in units of `accuracy`.
+/// Required accuracy of an isosurface's roots, in units of `accuracy`.
 pub const ROOTS: f64 = 0.002;
 /// Distance between a root and the end of a piece, relative to the piece, below which the order of both is uncertain.
 /// (Pieces are longer than half of `accuracy`.)
 const DOUBT: f64 = 0.02;
 
-/// A ray's way through a container, behind the last hit.
+/// POV-Ray's search along a ray through an isosurface's container, behind the last hit.
 pub struct Walk<'a> {
-    /// The function's value along the ray.
+    /// Value of the isosurface's function along the ray.
     value: &'a dyn Fn(f64) -> f64,
     accuracy: f64,
     to: f64,
     from: f64,
-    /// Length of the pieces.
+    /// Length of the pieces into which POV-Ray divides the ray.
     piece: f64,
-    /// True if the ray starts inside the solid; `None` before it is evaluated.
+    /// True if the ray starts inside the isosurface; `None` before that is evaluated.
     inside: Option<bool>,
 }
 
 impl<'a> Walk<'a> {
-    /// The way of a ray that enters the container from outside; `inside` is true if it enters the solid there. A way
-    /// shorter than a piece has no hits.
-    pub fn entering(value: &'a dyn Fn(f64) -> f64, inside: bool, open: bool, to: f64, accuracy: f64) -> Option<Self> {
+    /// Creates the search of a ray that enters the isosurface's container from outside; `inside` is true if it enters
+    /// the solid there. A way shorter than a piece has no hits.
+    pub fn entering_container(
+        value: &'a dyn Fn(f64) -> f64,
+        inside: bool,
+        open: bool,
+        to: f64,
+        accuracy: f64,
+    ) -> Option<Self> {
         let mut walk = Self { value, accuracy, to, from: 0.0, piece: 0.0, inside: Some(inside) };
-        walk.divide();
+        walk.divide_into_pieces();
         // Behind the container's own face the end of the first piece counts as a hit, which that face hides.
         if !open && inside {
-            walk.skip(walk.piece);
+            walk.skip_after_hit(walk.piece);
         }
-        walk.is_long().then_some(walk)
+        walk.has_whole_piece().then_some(walk)
     }
 
-    /// The way of a ray that starts within the container.
-    pub fn within(value: &'a dyn Fn(f64) -> f64, from: f64, to: f64, accuracy: f64, max_gradient: f64) -> Option<Self> {
+    /// Creates the search of a ray that starts within the isosurface's container.
+    pub fn starting_in_container(
+        value: &'a dyn Fn(f64) -> f64,
+        from: f64,
+        to: f64,
+        accuracy: f64,
+        max_gradient: f64,
+    ) -> Option<Self> {
         let first = value(from);
         let mut walk = Self { value, accuracy, to, from, piece: 0.0, inside: Some(first < 0.0) };
-        walk.divide();
+        walk.divide_into_pieces();
         if first < NEAR * accuracy * max_gradient {
-            walk.skip(from);
+            walk.skip_after_hit(from);
         }
-        walk.is_long().then_some(walk)
+        walk.has_whole_piece().then_some(walk)
     }
 
-    /// Position before which roots are ignored.
-    pub fn from(&self) -> f64 {
+    /// Position on the ray before which roots are ignored.
+    pub fn search_start(&self) -> f64 {
         self.from
     }
 
-    /// Returns POV-Ray's hit for a root, if any; roots must be passed in ascending order.
-    pub fn hit(&mut self, root: f64) -> Option<f64> {
-        if root <= self.from || !self.is_long() {
+    /// Returns POV-Ray's hit on an isosurface for a root, if any; roots must be passed in ascending order.
+    pub fn povray_hit(&mut self, root: f64) -> Option<f64> {
+        if root <= self.from || !self.has_whole_piece() {
             return None;
         }
         let inside = self.is_inside();
@@ -76,7 +89,7 @@ impl<'a> Walk<'a> {
             true => Some(end_of(nearest + 1.0)).filter(|&end| has_changed(end))?,
             false => Some(end_of(place.max(f64::MIN_POSITIVE).ceil())).filter(|&end| has_changed(end))?,
         };
-        self.skip(end);
+        self.skip_after_hit(end);
         Some(end)
     }
 
@@ -84,17 +97,17 @@ impl<'a> Walk<'a> {
         *self.inside.get_or_insert_with(|| (self.value)(self.from) < 0.0)
     }
 
-    fn skip(&mut self, hit: f64) {
+    fn skip_after_hit(&mut self, hit: f64) {
         self.from = hit + SKIPPED * self.accuracy;
         self.inside = None;
-        self.divide();
+        self.divide_into_pieces();
     }
 
-    fn is_long(&self) -> bool {
+    fn has_whole_piece(&self) -> bool {
         self.to - self.from > self.accuracy
     }
 
-    fn divide(&mut self) {
+    fn divide_into_pieces(&mut self) {
         self.piece = self.to - self.from;
         // (An infinite piece is never short enough.)
         while self.piece.is_finite() && self.piece >= self.accuracy {

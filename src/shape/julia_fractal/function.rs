@@ -5,51 +5,51 @@ use crate::value::words::word;
 use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 
-/// Function applied to the hypercomplex number z in each iteration.
+/// Function that a Julia fractal applies to the hypercomplex number z in each iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Function {
-    /// z²
+    /// Function z² of a Julia fractal.
     Sqr,
-    /// z³
+    /// Function z³ of a Julia fractal.
     Cube,
-    /// eᶻ
+    /// Function eᶻ of a Julia fractal.
     Exp,
-    /// 1/z
+    /// Function 1/z of a Julia fractal.
     Reciprocal,
-    /// sin z
+    /// Function sin z of a Julia fractal.
     Sin,
-    /// Inverse of `Sin`.
+    /// Inverse of sin z, a function of a Julia fractal.
     Asin,
-    /// sinh z
+    /// Function sinh z of a Julia fractal.
     Sinh,
-    /// Inverse of `Sinh`.
+    /// Inverse of sinh z, a function of a Julia fractal.
     Asinh,
-    /// cos z
+    /// Function cos z of a Julia fractal.
     Cos,
-    /// Inverse of `Cos`.
+    /// Inverse of cos z, a function of a Julia fractal.
     Acos,
-    /// cosh z
+    /// Function cosh z of a Julia fractal.
     Cosh,
-    /// Inverse of `Cosh`.
+    /// Inverse of cosh z, a function of a Julia fractal.
     Acosh,
-    /// tan z
+    /// Function tan z of a Julia fractal.
     Tan,
-    /// Inverse of `Tan`.
+    /// Inverse of tan z, a function of a Julia fractal.
     Atan,
-    /// tanh z
+    /// Function tanh z of a Julia fractal.
     Tanh,
-    /// Inverse of `Tanh`.
+    /// Inverse of tanh z, a function of a Julia fractal.
     Atanh,
-    /// Natural logarithm.
+    /// Natural logarithm of z, a function of a Julia fractal.
     Ln,
-    /// z to the power x + iy
+    /// Function z to the power x + iy of a Julia fractal.
     Pwr(f64, f64),
 }
 
 use Function::*;
 
-/// Functions without arguments, by their words.
+/// Functions of a Julia fractal without arguments, by their words.
 pub const WORDS: [(&str, Function); 17] = [
     ("sqr", Sqr),
     ("cube", Cube),
@@ -70,60 +70,60 @@ pub const WORDS: [(&str, Function); 17] = [
     ("ln", Ln),
 ];
 
-const fn applied(name: &'static str, summary: &'static str) -> WordSpec {
+const fn function_word(name: &'static str, summary: &'static str) -> WordSpec {
     word(name, ValueKind::Nothing, "", summary)
 }
 
-/// Words of the functions.
+/// Words of all functions of a Julia fractal.
 pub const FUNCTIONS: [WordSpec; 18] = [
-    applied("sqr", "each round is h²; so it is without any function"),
-    applied("cube", "each round is h³; of hypercomplex numbers h², as in POV-Ray"),
-    applied("exp", "each round is eʰ"),
-    applied("reciprocal", "each round is 1/h"),
-    applied("sin", "each round is sin h"),
-    applied("asin", "each round is asin h"),
-    applied("sinh", "each round is sinh h"),
-    applied("asinh", "each round is asinh h"),
-    applied("cos", "each round is cos h"),
-    applied("acos", "each round is acos h"),
-    applied("cosh", "each round is cosh h"),
-    applied("acosh", "each round is acosh h"),
-    applied("tan", "each round is tan h"),
-    applied("atan", "each round is atan h"),
-    applied("tanh", "each round is tanh h"),
-    applied("atanh", "each round is atanh h"),
-    applied("ln", "each round is the logarithm of h"),
+    function_word("sqr", "each round is h²; so it is without any function"),
+    function_word("cube", "each round is h³; of hypercomplex numbers h², as in POV-Ray"),
+    function_word("exp", "each round is eʰ"),
+    function_word("reciprocal", "each round is 1/h"),
+    function_word("sin", "each round is sin h"),
+    function_word("asin", "each round is asin h"),
+    function_word("sinh", "each round is sinh h"),
+    function_word("asinh", "each round is asinh h"),
+    function_word("cos", "each round is cos h"),
+    function_word("acos", "each round is acos h"),
+    function_word("cosh", "each round is cosh h"),
+    function_word("acosh", "each round is acosh h"),
+    function_word("tan", "each round is tan h"),
+    function_word("atan", "each round is atan h"),
+    function_word("tanh", "each round is tanh h"),
+    function_word("atanh", "each round is atanh h"),
+    function_word("ln", "each round is the logarithm of h"),
     word("pwr", ValueKind::Block, "", "`pwr(x, y)`: each round is h to the power x + iy"),
 ];
 
 const ONE: Complex = Complex::new(1.0, 0.0);
 
-/// Returns -i·z: `z` turned clockwise by 90°.
-fn turned_back(z: Complex) -> Complex {
-    -z.turned()
+/// Returns -i·z: the complex number turned clockwise by 90°.
+fn times_minus_i(z: Complex) -> Complex {
+    -z.times_i()
 }
 
-/// asinh z = ln(z + √(z² + 1)), and its derivative.
+/// Returns asinh z = ln(z + √(z² + 1)), and its derivative.
 fn asinh(z: Complex) -> (Complex, Complex) {
     let root = (z.square() + ONE).sqrt();
     ((z + root).ln(), ONE / root)
 }
 
-/// acosh z = ln(z + √(z + 1)·√(z - 1)), and its derivative.
+/// Returns acosh z = ln(z + √(z + 1)·√(z - 1)), and its derivative.
 fn acosh(z: Complex) -> (Complex, Complex) {
     let root = (z + ONE).sqrt() * (z - ONE).sqrt();
     ((z + root).ln(), ONE / root)
 }
 
-/// atanh z = (ln(1 + z) - ln(1 - z))/2, and its derivative.
+/// Returns atanh z = (ln(1 + z) - ln(1 - z))/2, and its derivative.
 fn atanh(z: Complex) -> (Complex, Complex) {
     (0.5 * ((ONE + z).ln() - (ONE - z).ln()), ONE / (ONE - z.square()))
 }
 
 /// Returns g(z) = -i·f(i·z) and its derivative f'(i·z): sin follows from sinh, and asin from asinh.
-fn around(f: fn(Complex) -> (Complex, Complex), z: Complex) -> (Complex, Complex) {
-    let (value, slope) = f(z.turned());
-    (turned_back(value), slope)
+fn rotated_function(f: fn(Complex) -> (Complex, Complex), z: Complex) -> (Complex, Complex) {
+    let (value, slope) = f(z.times_i());
+    (times_minus_i(value), slope)
 }
 
 fn tanh(z: Complex) -> (Complex, Complex) {
@@ -133,7 +133,7 @@ fn tanh(z: Complex) -> (Complex, Complex) {
 }
 
 impl Function {
-    /// f(z) and f'(z).
+    /// Returns the Julia fractal's function f(z) and its derivative f'(z).
     pub fn value_and_slope(self, z: Complex) -> (Complex, Complex) {
         match self {
             Sqr => (z.square(), 2.0 * z),
@@ -145,20 +145,20 @@ impl Function {
                 let (sinh, cosh) = z.sinh_cosh();
                 (cosh, sinh)
             }
-            Sin => around(|z| z.sinh_cosh(), z),
+            Sin => rotated_function(|z| z.sinh_cosh(), z),
             Cos => {
                 // cos z = cosh(i·z), and its derivative is i·sinh(i·z) = -sin z.
-                let (sinh, cosh) = z.turned().sinh_cosh();
-                (cosh, sinh.turned())
+                let (sinh, cosh) = z.times_i().sinh_cosh();
+                (cosh, sinh.times_i())
             }
-            Tan => around(tanh, z),
+            Tan => rotated_function(tanh, z),
             Tanh => tanh(z),
-            Asin => around(asinh, z),
+            Asin => rotated_function(asinh, z),
             Acos => {
-                let (asin, slope) = around(asinh, z);
+                let (asin, slope) = rotated_function(asinh, z);
                 (Complex::new(std::f64::consts::FRAC_PI_2, 0.0) - asin, -slope)
             }
-            Atan => around(atanh, z),
+            Atan => rotated_function(atanh, z),
             Asinh => asinh(z),
             Acosh => acosh(z),
             Atanh => atanh(z),
@@ -184,7 +184,7 @@ mod tests {
                 let at = |x: f64, y: f64| f.value_and_slope(Complex::new(x, y));
                 let slope = at(x, y).1;
                 let along_x = 5e5 * (at(x + 1e-6, y).0 - at(x - 1e-6, y).0);
-                let along_y = turned_back(5e5 * (at(x, y + 1e-6).0 - at(x, y - 1e-6).0));
+                let along_y = times_minus_i(5e5 * (at(x, y + 1e-6).0 - at(x, y - 1e-6).0));
                 let near = |a: Complex| (a - slope).length_squared() < 1e-16 * (1.0 + slope.length_squared());
                 assert!(near(along_x) && near(along_y), "{f:?} {slope:?} {along_x:?} {along_y:?}");
             }

@@ -18,57 +18,59 @@ mod orbit;
 
 pub use function::Function;
 
-use super::{Bounding, Hit, Hits, Kernel, Quirks, finite, moved_box};
+use super::{Bounding, Hit, Hits, Kernel, Quirks, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::{Aabb, DVec3, Range, Ray, Transform, crossing};
+use crate::math::{Aabb, DVec3, Range, Ray, Transform, root_between};
 use crate::source::Span;
 use crate::value::words::{Row, read_row, set, specs_of, word};
 use crate::value::{Next, Param, Readable, Reader, Spec, Value, ValueKind, WordSpec};
 use function::{FUNCTIONS, WORDS};
-use orbit::{Four, Rule, Trail, mean};
+use orbit::{Four, Rule, Trail, mean_square};
 use serde::Serialize;
 
-/// Maximum number of iterations; points inside take all of them.
+/// Maximum number of iterations of a Julia fractal; points inside take all of them.
 const MOST_ROUNDS: usize = 1000;
-/// Maximum precision: the number of steps in a unit.
+/// Maximum precision of a Julia fractal: the number of steps in a unit.
 const MOST_PRECISE: f64 = 1000.0;
-/// Step beyond the proven distance, as a share of that distance: the next distance is usually similar.
+/// Step of a ray beyond the proven distance to a Julia fractal, as a share of that distance: the next distance is
+/// usually similar.
 const AHEAD: f64 = 0.6;
 
-/// Algebra of four-dimensional numbers.
+/// Algebra of a Julia fractal's four-dimensional numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Algebra {
     /// Hamilton's quaternions, whose product depends on the order of the factors.
     Quaternion,
-    /// Pairs of complex numbers.
+    /// Hypercomplex numbers: pairs of complex numbers.
     Hypercomplex,
 }
 
-/// A three-dimensional slice of a fractal.
+/// Julia fractal: a three-dimensional slice of a four-dimensional set.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct JuliaFractal {
-    /// Constant that is added in each iteration.
+    /// Constant that is added in each iteration of a Julia fractal.
     pub parameter: Four,
-    /// Algebra of the numbers.
+    /// Algebra of the Julia fractal's numbers.
     pub algebra: Algebra,
-    /// Function of each iteration.
+    /// Function that a Julia fractal applies in each iteration.
     pub function: Function,
-    /// Number of points of an orbit that must be near the origin, the first included.
+    /// Number of points of a Julia fractal's orbit that must be near the origin, the first included.
     pub max_iteration: usize,
-    /// Steps a unit where distances are not proven.
+    /// Steps of a ray in a unit of length where distances to the Julia fractal are not proven.
     pub precision: f64,
-    /// Normal of the slice, length 1.
+    /// Normal of the Julia fractal's slice in four dimensions, length 1.
     pub slice: Four,
-    /// Distance of the slice from the origin.
+    /// Distance of the Julia fractal's slice from the origin.
     pub distance: f64,
 }
 
-/// Called with an interval that contains a crossing, and a function that refines it; returns true to stop.
+/// Function that receives an interval in which a ray crosses a Julia fractal, and a function that refines it; returns
+/// true to stop.
 type Found<'a> = &'a mut dyn FnMut([f64; 2], &dyn Fn() -> f64) -> bool;
 
 impl JuliaFractal {
-    /// The fractal of h² + c in quaternions.
+    /// Creates the Julia fractal of h² + c in quaternions.
     pub fn new(parameter: Four) -> Self {
         Self {
             parameter,
@@ -81,7 +83,7 @@ impl JuliaFractal {
         }
     }
 
-    fn rule(&self) -> Rule {
+    fn iteration_rule(&self) -> Rule {
         match (self.algebra, self.function) {
             (Algebra::Quaternion, Function::Cube) => Rule::Cube,
             (Algebra::Quaternion, _) => Rule::Square,
@@ -91,100 +93,108 @@ impl JuliaFractal {
         }
     }
 
-    /// Radius beyond which an orbit has escaped: 1 + |c| for quaternions, 4 for others (quirk: `julia_escape_radius`).
-    fn radius(&self) -> f64 {
+    /// Radius beyond which a Julia fractal's orbit has escaped: 1 + |c| for quaternions, 4 for others (quirk:
+    /// `julia_escape_radius`).
+    fn escape_radius(&self) -> f64 {
         match self.algebra {
             Algebra::Quaternion => 1.0 + self.parameter.iter().map(|x| x * x).sum::<f64>().sqrt(),
             Algebra::Hypercomplex => 4.0,
         }
     }
 
-    /// Radius of a ball that contains the fractal, in four dimensions.
-    fn ball(&self) -> f64 {
-        let radius = self.radius();
-        let ball = self.rule().ball(self.parameter, radius, self.rounds());
+    /// Radius of a ball that contains the Julia fractal, in four dimensions.
+    fn bounding_radius(&self) -> f64 {
+        let radius = self.escape_radius();
+        let ball = self.iteration_rule().bounding_radius(self.parameter, radius, self.iteration_count());
         // Slightly more, since the whole ball is inside if c is 0. A surface at the escape radius itself does not count
         // for pairs.
         let largest = radius * if self.algebra == Algebra::Quaternion { 1.0 + 1e-6 } else { 1.0 - 1e-6 };
         (ball * (1.0 + 1e-6)).min(largest)
     }
 
-    /// Number of iterations that a point inside must stay.
-    fn rounds(&self) -> usize {
+    /// Number of iterations that the orbit of a point inside a Julia fractal must stay.
+    fn iteration_count(&self) -> usize {
         self.max_iteration.saturating_sub(1).min(MOST_ROUNDS)
     }
 
-    /// Maps a point of three dimensions to the slice.
-    fn lifted(&self, p: DVec3) -> Four {
+    /// Maps a point of three dimensions to the four-dimensional slice of a Julia fractal.
+    fn to_slice(&self, p: DVec3) -> Four {
         let [x, y, z, w] = self.slice;
         [p.x, p.y, p.z, (self.distance - x * p.x - y * p.y - z * p.z) / w]
     }
 
-    /// Returns the start of an orbit and the constant.
-    fn start(&self, p: DVec3) -> [Four; 2] {
-        [self.lifted(p), self.parameter]
+    /// Returns the start of a point's orbit in a Julia fractal, and the constant.
+    fn orbit_start(&self, p: DVec3) -> [Four; 2] {
+        [self.to_slice(p), self.parameter]
     }
 
-    /// Returns true if the point is inside, and a radius around it within which all points share that.
-    fn look(&self, p: DVec3, radius: f64, trail: &mut Trail) -> (bool, f64) {
-        let (inside, clearance) = self.rule().look(self.start(p), radius, self.rounds(), trail);
+    /// Returns true if the point is inside the Julia fractal, and a radius around it within which all points share
+    /// that.
+    fn is_inside_with_clearance(&self, p: DVec3, radius: f64, trail: &mut Trail) -> (bool, f64) {
+        let (inside, clearance) =
+            self.iteration_rule().stays_with_clearance(self.orbit_start(p), radius, self.iteration_count(), trail);
         // (In a steep slice, points are farther apart than their projections.)
         (inside, clearance * self.slice[3].abs())
     }
 
-    /// Returns a value below 0 inside, and at most 1.
-    fn value(&self, p: DVec3, exit: f64) -> f64 {
-        1.0 - exit / self.rule().reach(self.start(p), self.rounds())
+    /// Returns a value below 0 inside the Julia fractal, and at most 1; `squared_escape_radius` is the squared escape
+    /// radius.
+    fn signed_value(&self, p: DVec3, squared_escape_radius: f64) -> f64 {
+        1.0 - squared_escape_radius
+            / self.iteration_rule().max_squared_length(self.orbit_start(p), self.iteration_count())
     }
 
-    fn holds(&self, p: DVec3) -> bool {
-        let exit = self.radius() * self.radius();
+    fn contains(&self, p: DVec3) -> bool {
+        let exit = self.escape_radius() * self.escape_radius();
         let mut stays = true;
-        self.rule().follow(self.start(p), self.rounds(), |squares| {
-            stays = mean(squares) <= exit;
+        self.iteration_rule().iterate_orbit(self.orbit_start(p), self.iteration_count(), |squares| {
+            stays = mean_square(squares) <= exit;
             stays
         });
         stays
     }
 
-    /// Returns the interval of a line within the ball; positions are distances from the point nearest to the origin.
-    fn stretch(&self, o: DVec3, from: f64, to: f64) -> Option<(f64, f64)> {
-        let ball = self.ball();
+    /// Returns the interval of a line within the ball around a Julia fractal; positions are distances from the line's
+    /// point nearest to the origin.
+    fn interval_in_ball(&self, o: DVec3, from: f64, to: f64) -> Option<(f64, f64)> {
+        let ball = self.bounding_radius();
         let half = (ball * ball - o.length_squared()).sqrt();
         // (The square root of a negative number is excluded.)
         let (from, to) = (from.max(-half), to.min(half));
         (half > 0.0 && half.is_finite() && from < to).then_some((from, to))
     }
 
-    /// Calls `found` with each interval in which a ray crosses the surface, ascending, until it returns true.
+    /// Calls `found` with each interval in which a ray crosses a Julia fractal's surface, ascending, until it returns
+    /// true.
     fn search(&self, ray: &Ray, range: Range, found: Found) {
-        if self.rounds() == 0 {
+        if self.iteration_count() == 0 {
             return;
         }
         let length = ray.dir.length();
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let o = ray.origin + middle * v;
-        let Some((from, to)) = self.stretch(o, range.min * length - middle, range.max * length - middle) else {
+        let Some((from, to)) = self.interval_in_ball(o, range.min * length - middle, range.max * length - middle)
+        else {
             return;
         };
-        let (radius, mut trail) = (self.radius(), Trail::new());
+        let (radius, mut trail) = (self.escape_radius(), Trail::new());
         let at = |s: f64| o + v * s;
         let t = |s: f64| (s + middle) / length;
         // (Limit the number of steps in a huge ball.)
         let shortest = (1.0 / self.precision).max(2e-5 * radius);
-        let (mut s, (mut inside, mut alike)) = (from, self.look(at(from), radius, &mut trail));
+        let (mut s, (mut inside, mut alike)) = (from, self.is_inside_with_clearance(at(from), radius, &mut trail));
         while s < to {
             let mut next = (s + alike + shortest.max(AHEAD * alike)).min(to);
-            let mut there = self.look(at(next), radius, &mut trail);
+            let mut there = self.is_inside_with_clearance(at(next), radius, &mut trail);
             // Both points decide for all between them, except for a short piece.
             while next - s - alike - there.1 > 1.001 * shortest {
                 next = (0.5 * (s + alike + next - there.1)).max(s + alike + shortest);
-                there = self.look(at(next), radius, &mut trail);
+                there = self.is_inside_with_clearance(at(next), radius, &mut trail);
             }
             if there.0 != inside {
-                let value = |s: f64| self.value(at(s), radius * radius);
-                let root = || t(crossing(&value, (s, value(s)), (next, value(next)), 1e-11 * (1.0 + s.abs())));
+                let value = |s: f64| self.signed_value(at(s), radius * radius);
+                let root = || t(root_between(&value, (s, value(s)), (next, value(next)), 1e-11 * (1.0 + s.abs())));
                 if found([t(s), t(next)], &root) {
                     return;
                 }
@@ -193,13 +203,13 @@ impl JuliaFractal {
         }
     }
 
-    /// Returns the iteration after which h is largest, among those that count.
+    /// Returns the iteration after which the orbit of a Julia fractal is longest, among those that count.
     fn iteration_of_maximum(&self, p: DVec3) -> usize {
         let (mut k, mut last, mut most) = (0, 0, f64::NEG_INFINITY);
-        self.rule().follow(self.start(p), self.rounds(), |squares| {
+        self.iteration_rule().iterate_orbit(self.orbit_start(p), self.iteration_count(), |squares| {
             // (NaN counts as larger.)
-            if mean(squares).total_cmp(&most).is_ge() {
-                (last, most) = (k, mean(squares));
+            if mean_square(squares).total_cmp(&most).is_ge() {
+                (last, most) = (k, mean_square(squares));
             }
             k += 1;
             squares.iter().all(|x| x.is_finite())
@@ -207,14 +217,14 @@ impl JuliaFractal {
         last
     }
 
-    /// Returns the gradient of |h|² after some iterations; its fourth component is ignored, even if the slice makes it
-    /// depend on the others (quirk: `julia_normal`).
-    fn gradient(&self, p: DVec3, rounds: usize) -> DVec3 {
-        let rule = self.rule();
-        let mut h = self.lifted(p);
+    /// Returns the gradient of |h|² after some iterations of a Julia fractal; its fourth component is ignored, even if
+    /// the slice makes it depend on the others (quirk: `julia_normal`).
+    fn gradient_of_squared_length(&self, p: DVec3, rounds: usize) -> DVec3 {
+        let rule = self.iteration_rule();
+        let mut h = self.to_slice(p);
         let mut turns = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
         for _ in 0..rounds {
-            (h, turns) = rule.moved(h, self.parameter, turns);
+            (h, turns) = rule.next_point(h, self.parameter, turns);
             // (Only the direction matters.)
             let size = turns.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
             turns = turns.map(|turn| turn.map(|x| x / size));
@@ -277,15 +287,15 @@ impl Readable for JuliaFractal {
     fn read_own(&mut self, next: Next, r: &mut dyn Reader) -> Result<bool> {
         let Next::Word(name) = next else { return Ok(false) };
         if name == "pwr" {
-            let span = r.take()?;
+            let span = r.take_token()?;
             let power = r.numbers_in_parentheses(2)?;
-            finite(span, &[], &power)?;
+            check_finite(span, &[], &power)?;
             self.function = Function::Pwr(power[0], power[1]);
             return Ok(true);
         }
         match WORDS.iter().find(|(word, _)| *word == name) {
             Some((_, function)) => {
-                r.take()?;
+                r.take_token()?;
                 self.function = *function;
                 Ok(true)
             }
@@ -299,7 +309,7 @@ impl Readable for JuliaFractal {
             let help = "write `hypercomplex` before the function";
             return Err(Diagnostic::new(codes::BAD_ARGUMENT, span, message).help(help).into());
         }
-        if self.rounds() == 0 {
+        if self.iteration_count() == 0 {
             let message = "a `julia_fractal` with `max_iteration` less than 2 has no surface";
             r.report(Diagnostic::new(codes::NO_SURFACE, span, message));
         }
@@ -307,7 +317,8 @@ impl Readable for JuliaFractal {
     }
 }
 
-/// Reads four numbers; a single number is used for all, and missing ones are 0.
+/// Reads a four-dimensional number of a Julia fractal; a single number is used for all components, and missing ones are
+/// 0.
 fn read_four(r: &mut dyn Reader) -> Result<Four> {
     let (value, span) = r.value()?;
     let four = match value {
@@ -318,7 +329,7 @@ fn read_four(r: &mut dyn Reader) -> Result<Four> {
             return Diagnostic::err(codes::WRONG_TYPE, span, message);
         }
     };
-    finite(span, &[], &four)?;
+    check_finite(span, &[], &four)?;
     Ok(four)
 }
 
@@ -326,7 +337,7 @@ impl JuliaFractal {
     fn read_slice(&mut self, r: &mut dyn Reader) -> Result<()> {
         let span = r.span();
         let (slice, distance) = (read_four(r)?, r.float()?);
-        finite(span, &[], &[distance])?;
+        check_finite(span, &[], &[distance])?;
         let length = slice.iter().map(|x| x * x).sum::<f64>().sqrt();
         let unit = slice.map(|x| x / length);
         if unit[3].is_nan() || unit[3].abs() <= 1e-9 {
@@ -342,20 +353,20 @@ impl Kernel for JuliaFractal {
     const QUIRKS: Quirks = Quirks { bounding: Bounding::Ignored, ..Quirks::NONE };
 
     fn bounds(&self) -> Aabb {
-        if self.rounds() == 0 {
+        if self.iteration_count() == 0 {
             Aabb::EMPTY
         } else {
-            Aabb::from_corners(DVec3::ZERO, DVec3::ZERO).grown(self.ball() * (1.0 + 2e-6))
+            Aabb::from_corners(DVec3::ZERO, DVec3::ZERO).grown(self.bounding_radius() * (1.0 + 2e-6))
         }
     }
 
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        moved_box(m, &Aabb::from_corners(DVec3::ZERO, DVec3::ZERO).grown(self.radius()))
+        transformed_box(m, &Aabb::from_corners(DVec3::ZERO, DVec3::ZERO).grown(self.escape_radius()))
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.search(ray, range, &mut |_, root| {
-            out.extend(Some(root()).filter(|t| range.contains(*t)).map(Hit::at));
+            out.extend(Some(root()).filter(|t| range.contains(*t)).map(Hit::on_single_piece));
             false
         });
     }
@@ -363,13 +374,13 @@ impl Kernel for JuliaFractal {
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut first = None;
         self.search(ray, range, &mut |_, root| {
-            first = Some(root()).filter(|t| range.contains(*t)).map(Hit::at);
+            first = Some(root()).filter(|t| range.contains(*t)).map(Hit::on_single_piece);
             first.is_some()
         });
         first
     }
 
-    fn any(&self, ray: &Ray, range: Range) -> bool {
+    fn any_hit(&self, ray: &Ray, range: Range) -> bool {
         let mut any = false;
         self.search(ray, range, &mut |ends, root| {
             any = ends.iter().all(|t| range.contains(*t)) || range.contains(root());
@@ -379,19 +390,24 @@ impl Kernel for JuliaFractal {
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        p.length() <= self.radius() && self.holds(p)
+        p.length() <= self.escape_radius() && self.contains(p)
     }
 
-    /// Direction of the steepest growth of h after the last iteration (quirk: `julia_normal`). POV-Ray's normals of
-    /// functions other than `sqr` and `cube` do not belong to the surface; there the iteration that escapes is used.
+    /// Normal of a Julia fractal: the direction of the steepest growth of h after the last iteration (quirk:
+    /// `julia_normal`). POV-Ray's normals of functions other than `sqr` and `cube` do not belong to the surface; there
+    /// the iteration that escapes is used.
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
-        let rounds = if self.rule().is_proved() { self.rounds() + 1 } else { self.iteration_of_maximum(p) };
-        let n = self.gradient(p, rounds);
-        let n = if n.is_finite() && n != DVec3::ZERO { n } else { self.gradient(p, 0) };
+        let rounds = if self.iteration_rule().has_proven_bound() {
+            self.iteration_count() + 1
+        } else {
+            self.iteration_of_maximum(p)
+        };
+        let n = self.gradient_of_squared_length(p, rounds);
+        let n = if n.is_finite() && n != DVec3::ZERO { n } else { self.gradient_of_squared_length(p, 0) };
         if n.is_finite() && n != DVec3::ZERO { n } else { DVec3::Y }
     }
 
-    /// POV-Ray has no mapping for this shape.
+    /// Returns false: POV-Ray defines no uv mapping for a Julia fractal.
     fn has_uv_mapping(&self) -> bool {
         false
     }
@@ -400,11 +416,11 @@ impl Kernel for JuliaFractal {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, read};
+    use crate::shape::testing::{all_hits, read_shape};
 
     /// POV-Ray's `trace()` from (-5, y, z) along x: first hit and normal.
     fn traced(text: &str, y: f64, z: f64, x: f64, normal: [f64; 3]) {
-        let fractal = read::<JuliaFractal>(text).0.unwrap();
+        let fractal = read_shape::<JuliaFractal>(text).0.unwrap();
         let ray = Ray::new(DVec3::new(-5.0, y, z), DVec3::X);
         let hit = fractal.closest(&ray, Range::FORWARD).unwrap();
         let n = fractal.normal(ray.at(hit.t), &hit).normalize();
@@ -433,11 +449,11 @@ mod tests {
 
     #[test]
     fn all_hits_as_pov_ray_finds_them() {
-        let fractal = read::<JuliaFractal>(&format!("{C} max_iteration 8 precision 1000")).0.unwrap();
+        let fractal = read_shape::<JuliaFractal>(&format!("{C} max_iteration 8 precision 1000")).0.unwrap();
         let ray = Ray::new(DVec3::new(0.1, -5.0, 0.2), DVec3::Y * 2.0);
         let want = [0.962490147, 0.839721512, 0.802569119, 0.653626900, 0.493652024];
         let want: Vec<f64> = want.iter().map(|y| -y).chain(want.iter().rev().copied()).collect();
-        let hits = all(&fractal, &ray);
+        let hits = all_hits(&fractal, &ray);
         assert!(hits.len() == want.len(), "{hits:?}");
         for (hit, y) in hits.iter().zip(want) {
             assert!((ray.at(hit.t).y - y).abs() < 2e-7, "{hit:?} {y}");
@@ -452,16 +468,16 @@ mod tests {
             "<-0.03,0.5,-0.2,-0.5> cube",
             "<-0.1,0.1,0.7,0.1> slice <.5,0,.4,1> 0.1",
         ] {
-            let fractal = read::<JuliaFractal>(&format!("{text} max_iteration 9")).0.unwrap();
+            let fractal = read_shape::<JuliaFractal>(&format!("{text} max_iteration 9")).0.unwrap();
             let mut trail = Trail::new();
             for k in 0..400 {
                 let at = |m: usize| (k * m % 101) as f64 / 50.0 - 1.0;
                 let p = DVec3::new(at(13), at(29), at(43));
-                let (inside, clearance) = fractal.look(p, fractal.radius(), &mut trail);
+                let (inside, clearance) = fractal.is_inside_with_clearance(p, fractal.escape_radius(), &mut trail);
                 for j in 0..20 {
                     let around = |m: usize| (j * m % 37) as f64 / 18.0 - 1.0;
                     let q = p + DVec3::new(around(5), around(7), around(11)).normalize() * clearance * 0.999;
-                    assert_eq!(fractal.holds(q), inside, "{text} {p} {q} {clearance}");
+                    assert_eq!(fractal.contains(q), inside, "{text} {p} {q} {clearance}");
                 }
             }
         }
@@ -469,19 +485,20 @@ mod tests {
 
     #[test]
     fn extents_and_reading() {
-        let pov_bounds = |text: &str| read::<JuliaFractal>(text).0.unwrap().pov_bounds(&Transform::IDENTITY).max.x;
+        let pov_bounds =
+            |text: &str| read_shape::<JuliaFractal>(text).0.unwrap().pov_bounds(&Transform::IDENTITY).max.x;
         assert!((pov_bounds(C) - 1.834514).abs() < 1e-6 && pov_bounds(&format!("{C} hypercomplex exp")) == 4.0);
         assert!((pov_bounds("0.1") - 1.2).abs() < 1e-12 && (pov_bounds("<0.3,0.4,0>") - 1.5).abs() < 1e-12);
-        let code = |text: &str| read::<JuliaFractal>(text).0.unwrap_err().code;
+        let code = |text: &str| read_shape::<JuliaFractal>(text).0.unwrap_err().code;
         assert_eq!(code("0 slice <1,0,0,0> 0"), codes::BAD_ARGUMENT);
         assert_eq!(code("0 slice <0,0,0,0> 0"), codes::BAD_ARGUMENT);
         assert_eq!(code("0 exp"), codes::BAD_ARGUMENT);
         assert_eq!(code("NaN"), codes::NOT_FINITE);
         assert_eq!(code("0 hypercomplex pwr <1,inf>"), codes::NOT_FINITE);
-        assert_eq!(read::<JuliaFractal>("0 max_iteration -1").1[0].code, codes::NO_SURFACE);
-        let huge = read::<JuliaFractal>("<1e200,0,0,0> max_iteration 1e9 precision 1e99").0.unwrap();
-        assert!(all(&huge, &Ray::new(DVec3::NEG_X * 1e3, DVec3::X)).len() < 9);
-        let flat = read::<JuliaFractal>("0 hypercomplex pwr <2,1>").0.unwrap();
+        assert_eq!(read_shape::<JuliaFractal>("0 max_iteration -1").1[0].code, codes::NO_SURFACE);
+        let huge = read_shape::<JuliaFractal>("<1e200,0,0,0> max_iteration 1e9 precision 1e99").0.unwrap();
+        assert!(all_hits(&huge, &Ray::new(DVec3::NEG_X * 1e3, DVec3::X)).len() < 9);
+        let flat = read_shape::<JuliaFractal>("0 hypercomplex pwr <2,1>").0.unwrap();
         assert_eq!(flat.function, Function::Pwr(2.0, 1.0));
     }
 }

@@ -9,28 +9,29 @@ use smallvec::SmallVec;
 use std::array::from_fn;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
-/// Number of iterations back after which the enclosing ball hardly shrinks.
+/// Number of iterations back after which the ball around a Julia fractal hardly shrinks.
 const BALL_ROUNDS: usize = 6;
 
-/// x + iy + jz + kw.
+/// Four-dimensional number of a Julia fractal: x + iy + jz + kw.
 pub type Four = [f64; 4];
 
-/// Function applied to h in each iteration, before the constant is added.
+/// Function of a Julia fractal that is applied to h in each iteration, before the constant is added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rule {
-    /// h² of a quaternion.
+    /// Function h² of a quaternion.
     Square,
-    /// h³ of a quaternion.
+    /// Function h³ of a quaternion.
     Cube,
-    /// A function of each number of a pair.
+    /// Function of each complex number of a hypercomplex pair.
     Pair(Function),
 }
 
-/// Two squared lengths for each iteration: of both numbers of the pair, or twice that of the quaternion.
+/// Two squared lengths for each iteration of an orbit: of both numbers of a hypercomplex pair, or twice that of a
+/// quaternion.
 pub type Trail = SmallVec<[[f64; 2]; 24]>;
 
 /// Hamilton's product of two quaternions.
-pub fn product(a: Four, b: Four) -> Four {
+pub fn quaternion_product(a: Four, b: Four) -> Four {
     [
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
         a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
@@ -39,13 +40,13 @@ pub fn product(a: Four, b: Four) -> Four {
     ]
 }
 
-/// h², whose vector part is twice the product of both parts.
-fn square([x, y, z, w]: Four) -> Four {
+/// Returns the square h² of a quaternion, whose vector part is twice the product of both parts.
+fn quaternion_square([x, y, z, w]: Four) -> Four {
     let twice = x + x;
     [(x * x - y * y) - (z * z + w * w), twice * y, twice * z, twice * w]
 }
 
-fn sum(a: Four, b: Four) -> Four {
+fn quaternion_sum(a: Four, b: Four) -> Four {
     from_fn(|i| a[i] + b[i])
 }
 
@@ -53,174 +54,191 @@ fn length_squared([x, y, z, w]: Four) -> f64 {
     (x * x + y * y) + (z * z + w * w)
 }
 
-/// The pair of complex numbers.
-pub fn pair([x, y, z, w]: Four) -> [Complex; 2] {
+/// Returns the pair of complex numbers that represents a hypercomplex number.
+pub fn to_complex_pair([x, y, z, w]: Four) -> [Complex; 2] {
     [Complex::new(x + w, y - z), Complex::new(x - w, y + z)]
 }
 
 impl Rule {
-    /// Returns the next point of the orbit, and the images of three directions.
-    pub fn moved(self, h: Four, c: Four, turns: [Four; 3]) -> (Four, [Four; 3]) {
-        let twice = |d: Four| sum(product(h, d), product(d, h));
+    /// Returns the next point of a Julia fractal's orbit, and the images of three directions.
+    pub fn next_point(self, h: Four, c: Four, turns: [Four; 3]) -> (Four, [Four; 3]) {
+        let twice = |d: Four| quaternion_sum(quaternion_product(h, d), quaternion_product(d, h));
         match self {
-            Rule::Square => (sum(square(h), c), turns.map(twice)),
+            Rule::Square => (quaternion_sum(quaternion_square(h), c), turns.map(twice)),
             Rule::Cube => {
-                let h2 = square(h);
-                let turn = |d: Four| sum(sum(product(h2, d), product(product(h, d), h)), product(d, h2));
-                (sum(product(h2, h), c), turns.map(turn))
+                let h2 = quaternion_square(h);
+                let turn = |d: Four| {
+                    quaternion_sum(
+                        quaternion_sum(quaternion_product(h2, d), quaternion_product(quaternion_product(h, d), h)),
+                        quaternion_product(d, h2),
+                    )
+                };
+                (quaternion_sum(quaternion_product(h2, h), c), turns.map(turn))
             }
             Rule::Pair(f) => {
-                let both = pair(h).map(|z| f.value_and_slope(z));
+                let both = to_complex_pair(h).map(|z| f.value_and_slope(z));
                 let back =
                     |[a, b]: [Complex; 2]| [0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (b.y - a.y), 0.5 * (a.x - b.x)];
                 let turn = |d: Four| {
-                    let [a, b] = pair(d);
+                    let [a, b] = to_complex_pair(d);
                     back([a * both[0].1, b * both[1].1])
                 };
-                (sum(back(both.map(|(value, _)| value)), c), turns.map(turn))
+                (quaternion_sum(back(both.map(|(value, _)| value)), c), turns.map(turn))
             }
         }
     }
 
-    /// Iterates at most `count` times. `visit` receives the squared lengths from h₀ on, and returns false to stop.
+    /// Iterates a Julia fractal's function at most `count` times. `visit` receives the squared lengths from h₀ on, and
+    /// returns false to stop.
     #[inline]
-    pub fn follow(self, [h, c]: [Four; 2], count: usize, visit: impl FnMut([f64; 2]) -> bool) {
+    pub fn iterate_orbit(self, [h, c]: [Four; 2], count: usize, visit: impl FnMut([f64; 2]) -> bool) {
         match self {
             Rule::Pair(f) => {
-                let c = pair(c);
+                let c = to_complex_pair(c);
                 let squares = |z: [Complex; 2]| z.map(Complex::length_squared);
                 if f == Function::Sqr {
                     let next = |z: [Complex; 2]| from_fn(|i| z[i].square() + c[i]);
-                    return rounds(pair(h), next, squares, count, visit);
+                    return iterate(to_complex_pair(h), next, squares, count, visit);
                 }
                 let next = |z: [Complex; 2]| from_fn(|i| f.value_and_slope(z[i]).0 + c[i]);
-                rounds(pair(h), next, squares, count, visit);
+                iterate(to_complex_pair(h), next, squares, count, visit);
             }
-            Rule::Square => rounds(h, |h| sum(square(h), c), |h| [length_squared(h); 2], count, visit),
+            Rule::Square => {
+                iterate(h, |h| quaternion_sum(quaternion_square(h), c), |h| [length_squared(h); 2], count, visit)
+            }
             Rule::Cube => {
-                rounds(h, |h| sum(product(square(h), h), c), |h| [length_squared(h); 2], count, visit);
+                iterate(
+                    h,
+                    |h| quaternion_sum(quaternion_product(quaternion_square(h), h), c),
+                    |h| [length_squared(h); 2],
+                    count,
+                    visit,
+                );
             }
         }
     }
 
-    /// Returns true if the orbit stays within `radius`, and a radius around the start within which all points share
-    /// that; the radius is 0 where nothing is proven.
+    /// Returns true if a Julia fractal's orbit stays within `radius`, and a radius around the start within which all
+    /// points share that; the radius is 0 where nothing is proven.
     #[inline]
-    pub fn look(self, start: [Four; 2], radius: f64, count: usize, trail: &mut Trail) -> (bool, f64) {
+    pub fn stays_with_clearance(self, start: [Four; 2], radius: f64, count: usize, trail: &mut Trail) -> (bool, f64) {
         trail.clear();
-        let (exit, proved) = (radius * radius, self.is_proved());
+        let (exit, proved) = (radius * radius, self.has_proven_bound());
         let mut stays = true;
-        self.follow(start, count, |squares| {
+        self.iterate_orbit(start, count, |squares| {
             trail.push(squares);
             // One iteration after the escape gives a better radius.
-            let goes_on = stays && (proved || mean(squares) <= exit);
+            let goes_on = stays && (proved || mean_square(squares) <= exit);
             // (NaN has escaped too.)
-            stays &= mean(squares) <= exit;
+            stays &= mean_square(squares) <= exit;
             goes_on && squares.iter().all(|x| x.is_finite())
         });
-        (stays, if proved { self.clearance(trail, stays, radius) } else { 0.0 })
+        (stays, if proved { self.shared_result_radius(trail, stays, radius) } else { 0.0 })
     }
 
-    /// Returns the maximum squared length of the orbit; infinite for NaN.
-    pub fn reach(self, start: [Four; 2], count: usize) -> f64 {
+    /// Returns the maximum squared length of a Julia fractal's orbit; infinite for NaN.
+    pub fn max_squared_length(self, start: [Four; 2], count: usize) -> f64 {
         let mut most = 0.0;
-        self.follow(start, count, |squares| {
-            let square = mean(squares);
+        self.iterate_orbit(start, count, |squares| {
+            let square = mean_square(squares);
             most = if square <= most { most } else { square };
             most.is_finite()
         });
         if most.is_nan() { f64::INFINITY } else { most }
     }
 
-    /// Returns the radius of a ball that contains every orbit which stays within `radius`.
+    /// Returns the radius of a ball that contains every orbit of a Julia fractal which stays within `radius`.
     ///
     /// |h² + c| ≥ |h|² - |c|: a point that is at most r after an iteration was at most √(r + |c|) before it, and
     /// likewise for cubes.
-    pub fn ball(self, c: Four, radius: f64, count: usize) -> f64 {
+    pub fn bounding_radius(self, c: Four, radius: f64, count: usize) -> f64 {
         let steps = 0..count.min(BALL_ROUNDS);
         let size = length_squared(c).sqrt();
         match self {
             Rule::Square => steps.fold(radius, |r, _| r.min((r + size).sqrt())),
             Rule::Cube => steps.fold(radius, |r, _| r.min(fp::cbrt(r + size))),
             Rule::Pair(Function::Sqr) => {
-                let [a, b] = pair(c).map(|c| {
+                let [a, b] = to_complex_pair(c).map(|c| {
                     let size = c.length_squared().sqrt();
                     steps.clone().fold(SQRT_2 * radius, |r, _| r.min((r + size).sqrt()))
                 });
-                radius.min(mean([a * a, b * b]).sqrt())
+                radius.min(mean_square([a * a, b * b]).sqrt())
             }
             Rule::Pair(_) => radius,
         }
     }
 
-    /// True if the divergence of neighbouring orbits has a proven bound.
-    pub fn is_proved(self) -> bool {
+    /// True if the divergence of neighbouring orbits of a Julia fractal has a proven bound.
+    pub fn has_proven_bound(self) -> bool {
         matches!(self, Rule::Square | Rule::Cube | Rule::Pair(Function::Sqr))
     }
 
-    /// Returns the maximum deviation of a number before an iteration, such that its deviation after it is at most
-    /// `next`.
+    /// Returns the maximum deviation of a Julia fractal's number before an iteration, such that its deviation after it
+    /// is at most `next`.
     ///
     /// |(h + d)² - h²| ≤ (|h| + |d|)² - |h|², and likewise for cubes; both are solved for |d|, or bounded where that is
     /// cheaper.
-    fn before(self, square: f64, next: Stray) -> Stray {
+    fn deviation_before(self, square: f64, next: Stray) -> Stray {
         let (length, Stray { least: e, most }) = (square.sqrt(), next);
         match self {
-            _ if e == 0.0 => Stray::exactly(0.0),
+            _ if e == 0.0 => Stray::exact_deviation(0.0),
             Rule::Cube if e <= square * length => {
                 let most = e / (3.0 * square);
-                Stray::exactly(e / (3.0 * square + most * (3.0 * length + most)))
+                Stray::exact_deviation(e / (3.0 * square + most * (3.0 * length + most)))
             }
-            Rule::Cube => Stray::exactly(fp::cbrt(square * length + e) - length),
+            Rule::Cube => Stray::exact_deviation(fp::cbrt(square * length + e) - length),
             // d = e / (2|h| + d) ≥ e / (2|h| + e / 2|h|) ≥ e / 2|h| (1 - e / 4|h|²)
             _ if most <= square => {
                 let half = 0.5 / length;
                 Stray { least: e * (half * (1.0 - most * (half * half))), most: most * half }
             }
-            _ => Stray::exactly((square + e).sqrt() - length),
+            _ => Stray::exact_deviation((square + e).sqrt() - length),
         }
     }
 
-    /// Returns a radius within which all points share the result of an orbit: escape in one of its last iterations, or
-    /// none.
-    fn clearance(self, trail: &[[f64; 2]], stays: bool, radius: f64) -> f64 {
+    /// Returns a radius within which all points share the result of a Julia fractal's orbit: escape in one of its last
+    /// iterations, or none.
+    fn shared_result_radius(self, trail: &[[f64; 2]], stays: bool, radius: f64) -> f64 {
         let within = match (self, stays) {
             // Both numbers of a pair deviate by √2 times the point's deviation.
-            (Rule::Pair(_), true) => self.staying::<2>(trail, radius) * FRAC_1_SQRT_2,
-            (Rule::Pair(_), false) => self.leaving::<2>(trail, radius) * FRAC_1_SQRT_2,
+            (Rule::Pair(_), true) => self.deviation_while_staying::<2>(trail, radius) * FRAC_1_SQRT_2,
+            (Rule::Pair(_), false) => self.deviation_while_escaping::<2>(trail, radius) * FRAC_1_SQRT_2,
             // (Both lengths of a quaternion are equal.)
-            (_, true) => self.staying::<1>(trail, radius),
-            (_, false) => self.leaving::<1>(trail, radius),
+            (_, true) => self.deviation_while_staying::<1>(trail, radius),
+            (_, false) => self.deviation_while_escaping::<1>(trail, radius),
         };
         // (Rounding must not increase the radius.)
         within * (1.0 - 1e-9)
     }
 
-    /// Maximum deviation of N numbers before the first iteration, such that they stay in all of them.
-    fn staying<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
-        let mut e = [Stray::exactly(f64::INFINITY); N];
+    /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they stay in all
+    /// iterations.
+    fn deviation_while_staying<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
+        let mut e = [Stray::exact_deviation(f64::INFINITY); N];
         for squares in trail.iter().rev() {
-            let gap = (radius - mean(*squares).sqrt()).max(0.0);
-            e = from_fn(|i| self.before(squares[i], e[i]).min(gap));
+            let gap = (radius - mean_square(*squares).sqrt()).max(0.0);
+            e = from_fn(|i| self.deviation_before(squares[i], e[i]).min(gap));
         }
-        least(&e)
+        least_deviation(&e)
     }
 
-    /// Maximum deviation of N numbers before the first iteration, such that they escape in one of the last iterations.
-    fn leaving<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
-        let mut e = [Stray::exactly(0.0); N];
+    /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they escape in one of
+    /// the last iterations.
+    fn deviation_while_escaping<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
+        let mut e = [Stray::exact_deviation(0.0); N];
         for squares in trail.iter().rev() {
-            e = from_fn(|i| self.before(squares[i], e[i]));
-            if mean(*squares) > radius * radius {
-                let gap = mean(*squares).sqrt() - radius;
-                e = if gap > least(&e) { [Stray::exactly(gap); N] } else { e };
+            e = from_fn(|i| self.deviation_before(squares[i], e[i]));
+            if mean_square(*squares) > radius * radius {
+                let gap = mean_square(*squares).sqrt() - radius;
+                e = if gap > least_deviation(&e) { [Stray::exact_deviation(gap); N] } else { e };
             }
         }
-        least(&e)
+        least_deviation(&e)
     }
 }
 
-/// Bounds of a deviation. Each is computed from its own predecessor, so that a processor can compute both in parallel.
+/// Bounds of the deviation of an orbit. Each is computed from its own predecessor, so that a processor can compute both
+/// in parallel.
 #[derive(Clone, Copy)]
 struct Stray {
     least: f64,
@@ -228,7 +246,7 @@ struct Stray {
 }
 
 impl Stray {
-    fn exactly(e: f64) -> Self {
+    fn exact_deviation(e: f64) -> Self {
         Self { least: e, most: e }
     }
 
@@ -237,16 +255,16 @@ impl Stray {
     }
 }
 
-fn least<const N: usize>(e: &[Stray; N]) -> f64 {
+fn least_deviation<const N: usize>(e: &[Stray; N]) -> f64 {
     e.iter().fold(f64::INFINITY, |least, stray| least.min(stray.least))
 }
 
-/// Squared length of a point from those of its pair.
-pub fn mean([a, b]: [f64; 2]) -> f64 {
+/// Returns the squared length of a hypercomplex number from those of its pair.
+pub fn mean_square([a, b]: [f64; 2]) -> f64 {
     0.5 * (a + b)
 }
 
-fn rounds<T: Copy>(
+fn iterate<T: Copy>(
     mut h: T,
     next: impl Fn(T) -> T,
     squares: impl Fn(T) -> [f64; 2],

@@ -5,7 +5,7 @@ mod quirks;
 #[cfg(test)]
 pub mod testing;
 
-pub use pov_bounds::{HUGE, moved_box};
+pub use pov_bounds::{HUGE, transformed_box};
 pub use quirks::{Bounding, Quirks};
 
 use super::{Face, Paints, Shape};
@@ -16,22 +16,22 @@ use crate::value::{Next, Reader};
 /// A point where a ray hits a surface, in object space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// Parameter of the ray. Rays are not renormalised, so `t` is the distance in world space.
+    /// Parameter of the ray at the hit. Rays are not renormalised, so `t` is the distance in world space.
     pub t: f64,
-    /// Number of the face or piece of the shape, so that normal and uv need no search.
+    /// Number of the face or piece of the shape that was hit, so that normal and uv need no search.
     pub part: u32,
-    /// Data of the kernel for this hit, such as barycentric coordinates.
+    /// Data of the shape's kernel for this hit, such as barycentric coordinates.
     pub uv: DVec2,
 }
 
 impl Hit {
-    /// A hit on a shape of one piece.
-    pub fn at(t: f64) -> Self {
-        Self::on(t, 0)
+    /// Creates a hit on a shape of one piece.
+    pub fn on_single_piece(t: f64) -> Self {
+        Self::on_piece(t, 0)
     }
 
-    /// A hit on a numbered piece.
-    pub fn on(t: f64, part: u32) -> Self {
+    /// Creates a hit on a numbered piece of a shape.
+    pub fn on_piece(t: f64, part: u32) -> Self {
         Self { t, part, uv: DVec2::ZERO }
     }
 }
@@ -40,26 +40,26 @@ impl Hit {
 pub type Hits = smallvec::SmallVec<[Hit; 4]>;
 
 /// Returns the hit with the smallest `t`.
-pub fn nearest(hits: &Hits) -> Option<Hit> {
+pub fn nearest_hit(hits: &Hits) -> Option<Hit> {
     hits.iter().min_by(|a, b| a.t.total_cmp(&b.t)).copied()
 }
 
 /// Intervals of a line inside a solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Crossing {
-    /// The shape does not know, or the line is too close to an edge.
+    /// Interval of a line that the shape does not compute, also where the line is too close to an edge.
     Unknown,
-    /// The line is outside everywhere.
+    /// Line that is outside the solid everywhere.
     Misses,
-    /// The line is inside between two ends, which can be infinite.
+    /// Line that is inside the solid between two ends, which can be infinite.
     Through([End; 2]),
-    /// The line is inside except between two ends.
+    /// Line that is inside the solid except between two ends.
     Around([End; 2]),
-    /// The line is inside everywhere.
+    /// Line that is inside the solid everywhere.
     Stays,
 }
 
-/// An end of an interval of a line inside a solid: a [`Hit`] without the kernel's data.
+/// End of a line's interval inside a solid: a [`Hit`] without the kernel's data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
     /// Parameter of the hit along the ray; see [`Hit::t`].
@@ -69,35 +69,36 @@ pub struct End {
 }
 
 impl End {
-    /// An end on a shape of one piece.
-    pub fn at(t: f64) -> Self {
-        Self::on(t, 0)
+    /// Creates the end of an interval at a surface of one piece.
+    pub fn on_single_piece(t: f64) -> Self {
+        Self::on_piece(t, 0)
     }
 
-    /// An end on a numbered piece.
-    pub fn on(t: f64, part: u32) -> Self {
+    /// Creates the end of an interval at a numbered piece of the surface.
+    pub fn on_piece(t: f64, part: u32) -> Self {
         Self { t, part }
     }
 }
 
 impl From<End> for Hit {
     fn from(end: End) -> Self {
-        Hit::on(end.t, end.part)
+        Hit::on_piece(end.t, end.part)
     }
 }
 
-/// Numbers of the textures at a point with their weights, which sum to 1. Number 0 is the object's own texture.
+/// Indices of the textures at a point of an object with their weights, which sum to 1. Index 0 is the object's own
+/// texture.
 pub type TextureWeights = smallvec::SmallVec<[(u32, f64); 3]>;
 
-/// All points p with normal·p ≤ distance.
+/// Half-space: all points p with normal·p ≤ distance.
 pub type HalfSpace = (DVec3, f64);
 
 /// Half-spaces whose intersection contains a shape.
 pub type HalfSpaces = smallvec::SmallVec<[HalfSpace; 10]>;
 
-/// The interface of a shape, in object space. Rays have directions of any length.
+/// Interface of a shape's kernel, in object space. Rays have directions of any length.
 pub trait Kernel {
-    /// Departures of POV-Ray's shape from this model.
+    /// Departures of POV-Ray's shape from this shape's model.
     const QUIRKS: Quirks = Quirks::NONE;
 
     /// Departures of POV-Ray's shape from this model, [`Kernel::QUIRKS`].
@@ -105,20 +106,20 @@ pub trait Kernel {
         &Self::QUIRKS
     }
 
-    /// Bounding box; infinite for an infinite shape.
+    /// Bounding box of the shape; infinite for an infinite shape.
     fn bounds(&self) -> Aabb;
 
-    /// A bounding box under the transform M; by default around the corners of [`Kernel::bounds`].
+    /// Bounding box of the shape under the transform M; by default around the corners of [`Kernel::bounds`].
     fn bounds_under(&self, m: &Transform) -> Aabb {
-        m.aabb(&self.bounds())
+        m.transform_aabb(&self.bounds())
     }
 
     /// The box that POV-Ray's `min_extent` and `max_extent` return under the transform M (quirk: `extent_boxes`).
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        moved_box(m, &self.bounds())
+        transformed_box(m, &self.bounds())
     }
 
-    /// Appends every hit with `range.min < t < range.max`, in any order.
+    /// Appends every hit on the shape with `range.min < t < range.max`, in any order.
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits);
 
     /// Appends the hits that a CSG object or a clipping solid can use; limited by `max_trace` for an isosurface
@@ -127,44 +128,44 @@ pub trait Kernel {
         self.hits(ray, range, out);
     }
 
-    /// Returns the closest hit in the range.
+    /// Returns the closest hit on the shape in the range.
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(&all)
+        nearest_hit(&all)
     }
 
-    /// True if there is any hit in the range.
-    fn any(&self, ray: &Ray, range: Range) -> bool {
+    /// True if the ray has any hit on the shape in the range.
+    fn any_hit(&self, ray: &Ray, range: Range) -> bool {
         self.closest(ray, range).is_some()
     }
 
-    /// True if the point is inside. On the surface either answer is allowed.
+    /// True if the point is inside the shape. On the surface either answer is allowed.
     fn inside(&self, p: DVec3) -> bool;
 
-    /// The half-space that equals the inside; `None` for other shapes.
+    /// The half-space that equals the inside of the shape; `None` for other shapes.
     fn as_half_space(&self) -> Option<HalfSpace> {
         None
     }
 
-    /// Half-spaces that contain surface and inside; none for a shape without flat faces or round walls.
+    /// Half-spaces that contain the shape's surface and inside; none for a shape without flat faces or round walls.
     fn half_spaces(&self) -> HalfSpaces {
         self.as_half_space().into_iter().collect()
     }
 
     /// The quadratic form that is not positive on the surface and inside; `None` for shapes that are not quadrics. It
     /// bounds intersections.
-    fn quadratic(&self) -> Option<Quadratic> {
+    fn bounding_quadratic(&self) -> Option<Quadratic> {
         None
     }
 
-    /// Bounding box of the inside, for a shape whose inside extends beyond [`Kernel::bounds`] but not in all
+    /// Bounding box of the shape's inside, for a shape whose inside extends beyond [`Kernel::bounds`] but not in all
     /// directions.
     fn solid_bounds(&self) -> Option<Aabb> {
         None
     }
 
-    /// True if the inside extends beyond [`Kernel::bounds`].
+    /// True if the shape's inside extends beyond [`Kernel::bounds`].
     fn is_solid_unbounded(&self) -> bool {
         false
     }
@@ -174,8 +175,8 @@ pub trait Kernel {
         false
     }
 
-    /// True if [`Kernel::crossing`] knows the intervals of nearly all lines.
-    fn knows_crossings(&self) -> bool {
+    /// True if [`Kernel::crossing`] returns the intervals of nearly all lines.
+    fn computes_crossings(&self) -> bool {
         self.is_convex()
     }
 
@@ -184,15 +185,15 @@ pub trait Kernel {
         Crossing::Unknown
     }
 
-    /// Outward normal at a hit, of any length but zero.
+    /// Outward normal of the shape at a hit, of any length but zero.
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3;
 
-    /// Surface coordinates, for `uv_mapping` and `durer pick`.
+    /// Surface coordinates of a point of the shape, for `uv_mapping` and `durer pick`.
     fn uv(&self, p: DVec3, _hit: &Hit) -> DVec2 {
         p.truncate()
     }
 
-    /// Triangles of a mesh, in the order written; empty for other shapes.
+    /// Triangles of a mesh, in the order written; empty for shapes other than meshes.
     fn faces(&self) -> Vec<Face> {
         vec![]
     }
@@ -211,13 +212,13 @@ pub trait Kernel {
         Ok(false)
     }
 
-    /// Embedded textures at a point, with their weights.
+    /// Embedded textures of the shape at a point, with their weights.
     fn texture_weights(&self, _p: DVec3, _hit: &Hit) -> TextureWeights {
         smallvec::smallvec![(0, 1.0)]
     }
 
     /// Returns the shape to use under the transform M; `None` for a shape that does not depend on its transform.
-    fn changed_under(&self, _m: &Transform) -> Option<Shape> {
+    fn adapted_to_transform(&self, _m: &Transform) -> Option<Shape> {
         None
     }
 

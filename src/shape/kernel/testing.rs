@@ -11,8 +11,8 @@ use crate::value::{FloatOrColor, Language, Next, Readable, Reader, Solid, Thing,
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// Returns all hits on the whole line, ascending.
-pub fn all(shape: &impl Kernel, ray: &Ray) -> Vec<Hit> {
+/// Returns all hits of a ray's whole line on a shape, ascending.
+pub fn all_hits(shape: &impl Kernel, ray: &Ray) -> Vec<Hit> {
     let mut hits = Hits::new();
     shape.hits(ray, Range::ALL, &mut hits);
     hits.sort_by(|a, b| a.t.total_cmp(&b.t));
@@ -26,13 +26,13 @@ pub fn assert_hits(found: &[Hit], want: &[(f64, u32)]) {
 }
 
 /// Reads a shape from words separated by blanks; returns the diagnostics too.
-pub fn read<S: Readable + Kernel>(text: &str) -> (Result<S>, Vec<Diagnostic>) {
+pub fn read_shape<S: Readable + Kernel>(text: &str) -> (Result<S>, Vec<Diagnostic>) {
     let mut r = Words { left: text.split_whitespace().map(String::from).collect(), reports: vec![] };
-    let shape = read_all::<S>(&mut r);
+    let shape = read_whole_shape::<S>(&mut r);
     (shape, r.reports)
 }
 
-fn read_all<S: Readable + Kernel>(r: &mut Words) -> Result<S> {
+fn read_whole_shape<S: Readable + Kernel>(r: &mut Words) -> Result<S> {
     let mut shape = S::read(r)?;
     loop {
         let next = r.next()?;
@@ -45,19 +45,19 @@ fn read_all<S: Readable + Kernel>(r: &mut Words) -> Result<S> {
     Ok(shape)
 }
 
-/// Reader of embedded textures that accepts none.
+/// Reader of embedded textures for tests, which accepts none.
 struct NoPaints;
 
 impl Paints for NoPaints {
-    fn read(&mut self, _: &mut u32, _: Next, _: &mut dyn Reader) -> Result<bool> {
+    fn read_embedded_texture(&mut self, _: &mut u32, _: Next, _: &mut dyn Reader) -> Result<bool> {
         Ok(false)
     }
 
-    fn read_one(&mut self, _: Next, _: &mut dyn Reader) -> Result<Option<u32>> {
+    fn read_listed_texture(&mut self, _: Next, _: &mut dyn Reader) -> Result<Option<u32>> {
         Ok(None)
     }
 
-    fn of_file(&mut self, _: &MeshMaterial, _: Option<&Arc<Picture>>, _: &mut dyn Reader) -> Result<u32> {
+    fn add_mesh_material(&mut self, _: &MeshMaterial, _: Option<&Arc<Picture>>, _: &mut dyn Reader) -> Result<u32> {
         Ok(0)
     }
 
@@ -82,12 +82,12 @@ impl Reader for Words {
         Span::new(1, 2)
     }
 
-    fn take(&mut self) -> Result<Span> {
+    fn take_token(&mut self) -> Result<Span> {
         self.left.pop_front();
         Ok(self.span())
     }
 
-    fn leave(&mut self) -> Result<()> {
+    fn leave_block(&mut self) -> Result<()> {
         Ok(())
     }
 
@@ -113,7 +113,7 @@ impl Reader for Words {
         if Reader::next(self)? == Next::Value { self.float().map(Some) } else { Ok(None) }
     }
 
-    fn continued(&mut self) -> Result<Next> {
+    fn next_in_statement(&mut self) -> Result<Next> {
         Reader::next(self)
     }
 
@@ -121,7 +121,7 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn at_color(&mut self) -> Result<bool> {
+    fn is_at_color(&mut self) -> Result<bool> {
         unreachable!()
     }
 
@@ -155,7 +155,7 @@ impl Reader for Words {
         self.numbers(n)
     }
 
-    fn colon(&mut self) -> Result<()> {
+    fn read_colon(&mut self) -> Result<()> {
         Ok(())
     }
 
@@ -184,23 +184,23 @@ impl Reader for Words {
         }
     }
 
-    fn pigment(&mut self) -> Result<Arc<dyn Thing>> {
+    fn read_pigment_pattern(&mut self) -> Result<Arc<dyn Thing>> {
         Err(self.unexpected("no pigment").into())
     }
 
-    fn solid(&mut self) -> Result<Arc<dyn Solid>> {
+    fn read_solid(&mut self) -> Result<Arc<dyn Solid>> {
         Err(self.unexpected("no object").into())
     }
 
-    fn mesh_file(&mut self, _: crate::value::BuildMesh) -> Result<Arc<dyn Thing>> {
+    fn read_mesh_file(&mut self, _: crate::value::BuildMesh) -> Result<Arc<dyn Thing>> {
         Err(self.unexpected("no file").into())
     }
 
-    fn picture(&mut self) -> Result<Arc<crate::image_io::Picture>> {
+    fn read_picture(&mut self) -> Result<Arc<crate::image_io::Picture>> {
         Err(self.unexpected("no picture").into())
     }
 
-    fn sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
+    fn read_sized_function(&mut self) -> Result<Option<([usize; 2], Arc<dyn Thing>)>> {
         Ok(None)
     }
 
@@ -212,11 +212,11 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn font(&mut self, _: &str, _: Span) -> Result<Arc<crate::font::Font>> {
+    fn find_font(&mut self, _: &str, _: Span) -> Result<Arc<crate::font::Font>> {
         Ok(Arc::new(crate::font::Font::own()))
     }
 
-    fn skip_into(&mut self, _: &mut Vec<Unsupported>) -> Result<()> {
+    fn skip_unsupported(&mut self, _: &mut Vec<Unsupported>) -> Result<()> {
         unreachable!()
     }
 

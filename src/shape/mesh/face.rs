@@ -7,21 +7,21 @@ use crate::math::{DVec2, DVec3, Transform};
 pub struct Face {
     /// Corners of the triangle.
     pub corners: [DVec3; 3],
-    /// Normal of any length; seen against it, the corners are clockwise.
+    /// Normals at the corners of a smooth triangle; `None` for a flat triangle.
     pub normal: DVec3,
     /// Normals at the corners of a smooth triangle.
     pub normals: Option<[DVec3; 3]>,
-    /// Surface coordinates of the corners.
+    /// Surface coordinates of the triangle's corners; `None` if the mesh has none.
     pub uv: Option<[DVec2; 3]>,
 }
 
 impl Face {
-    /// Transforms points by M and normals by M⁻ᵀ.
-    pub fn moved(self, m: &Transform) -> Self {
+    /// Transforms the mesh's triangle: points by M and normals by M⁻ᵀ.
+    pub fn transformed(self, m: &Transform) -> Self {
         Self {
-            corners: self.corners.map(|p| m.point(p)),
-            normal: m.normal(self.normal),
-            normals: self.normals.map(|normals| normals.map(|n| m.normal(n))),
+            corners: self.corners.map(|p| m.transform_point(p)),
+            normal: m.transform_normal(self.normal),
+            normals: self.normals.map(|normals| normals.map(|n| m.transform_normal(n))),
             uv: self.uv,
         }
     }

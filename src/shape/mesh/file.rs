@@ -16,7 +16,7 @@ pub const FILE: WordSpec = word(
     "the triangles of a file that another program wrote: ply, obj, stl, gltf or glb, in place of triangles that are written out",
 );
 
-/// The contents of a file, shared by all meshes that name it.
+/// Contents of a mesh file, shared by all meshes that name it.
 #[derive(Debug, PartialEq)]
 pub struct FileMesh {
     pub triangles: Arc<Ordered>,
@@ -30,10 +30,10 @@ impl Thing for FileMesh {
 }
 
 impl FileMesh {
-    /// Reads the file's name, and the file unless it was read before.
+    /// Reads the mesh file's name, and the file unless it was read before.
     pub fn read(r: &mut dyn Reader) -> Result<Arc<Self>> {
         let at = r.span();
-        let thing = r.mesh_file(|file: MeshFile, pictures| {
+        let thing = r.read_mesh_file(|file: MeshFile, pictures| {
             let materials = file.materials.into_iter().zip(pictures).collect();
             Arc::new(Self { triangles: Arc::new(Ordered::new(file.triangles)), materials })
         })?;
@@ -43,9 +43,12 @@ impl FileMesh {
         }
     }
 
-    /// Returns the object's numbers of the file's textures.
+    /// Returns the object's numbers of the textures of a mesh file.
     pub fn texture_weights(&self, paints: &mut dyn Paints, r: &mut dyn Reader) -> Result<Vec<u32>> {
-        self.materials.iter().map(|(material, picture)| paints.of_file(material, picture.as_ref(), r)).collect()
+        self.materials
+            .iter()
+            .map(|(material, picture)| paints.add_mesh_material(material, picture.as_ref(), r))
+            .collect()
     }
 }
 

@@ -18,16 +18,16 @@ use serde::Serialize;
 use smallvec::smallvec;
 use std::sync::Arc;
 
-/// Triangles, with a direction that defines their inside.
+/// Triangles of a mesh, with a direction that defines its inside.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct TriangleMesh {
-    /// Triangles; shared by all meshes of one file.
+    /// Triangles of the mesh; shared by all meshes of one file.
     #[serde(flatten)]
     triangles: Arc<Ordered>,
-    /// Direction of a line that crosses the surface an odd number of times from points inside; without it nothing is
+    /// Direction of a line that crosses the mesh an odd number of times from points inside; without it nothing is
     /// inside.
     inside_vector: Option<DVec3>,
-    /// The object's numbers of the embedded textures; empty for a mesh without any.
+    /// The object's numbers of the mesh's embedded textures; empty for a mesh without any.
     #[serde(skip)]
     texture_weights: Vec<u32>,
 }
@@ -38,7 +38,7 @@ impl TriangleMesh {
     }
 
     fn texture_weights(&self, hit: &Hit) -> TextureWeights {
-        let Some(painted) = self.triangles.painted(hit) else { return smallvec![(0, 1.0)] };
+        let Some(painted) = self.triangles.corner_textures(hit) else { return smallvec![(0, 1.0)] };
         let each = painted[0] & EACH_CORNER != 0;
         let [a, b, c] = painted.map(|slot| slot & !EACH_CORNER).map(|slot| match slot.checked_sub(1) {
             Some(look) if !self.texture_weights.is_empty() => self.texture_weights[look as usize],
@@ -51,8 +51,8 @@ impl TriangleMesh {
     }
 }
 
-/// Flag in the first number of a face's textures: the three textures are equal but were given for each corner, so that
-/// each corner's share is compared with `adc_bailout` by itself (quirk: `embedded_shares_below_adc_bailout`).
+/// Flag in the first texture number of a mesh's face: the three textures are equal but were given for each corner, so
+/// that each corner's share is compared with `adc_bailout` by itself (quirk: `embedded_shares_below_adc_bailout`).
 const EACH_CORNER: u32 = 1 << 31;
 
 /// Implements [`super::Kernel`] for a shape that wraps a mesh.
@@ -78,8 +78,8 @@ macro_rules! mesh_kernel {
                 self.0.triangles.closest(ray, range)
             }
 
-            fn any(&self, ray: &Ray, range: Range) -> bool {
-                self.0.triangles.any(ray, range)
+            fn any_hit(&self, ray: &Ray, range: Range) -> bool {
+                self.0.triangles.any_hit(ray, range)
             }
 
             fn inside(&self, p: DVec3) -> bool {

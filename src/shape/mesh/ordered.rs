@@ -8,29 +8,30 @@ use crate::shape::{Hit, Hits, Triangle};
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// A complete list of triangles.
+/// All triangles of a mesh, with a hierarchy over them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Ordered {
-    /// Triangles in the hierarchy's order.
+    /// Triangles of the mesh in the hierarchy's order.
     #[serde(flatten)]
     lists: Triangles,
     #[serde(skip)]
     bvh: bvh::Triangles,
     #[serde(skip)]
     bounds: Option<Aabb>,
-    /// True if every vertex of the lists is a corner of a triangle.
+    /// True if every vertex of the mesh's lists is a corner of a triangle.
     #[serde(skip)]
     uses_all_vertices: bool,
-    /// Position of each triangle in that order, in the order written.
+    /// Position of each triangle in the hierarchy's order, in the order written.
     #[serde(skip)]
     written: Vec<u32>,
 }
 
 impl Ordered {
-    /// Builds the hierarchy; leaves out triangles without area and those beyond the range of numbers.
+    /// Builds the hierarchy over a mesh's triangles; leaves out those without area and those beyond the range of
+    /// numbers.
     pub fn new(lists: Triangles) -> Self {
         let mut all = Self { lists, ..Self::default() };
-        let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| all.is_solid(i as usize)).collect();
+        let kept: Vec<u32> = (0..all.lists.corners.len() as u32).filter(|&i| all.is_usable(i as usize)).collect();
         let corners = |i: u32| all.lists.corners[i as usize].map(|i| all.lists.vertices[i as usize].to_array());
         let (bvh, order) = bvh::Triangles::build(kept.len(), |i| corners(kept[i as usize]));
         all.written = vec![0; order.len()];
@@ -57,7 +58,7 @@ impl Ordered {
         self.lists.corners.is_empty()
     }
 
-    /// Iterates over the vertices of all triangles; those in use once each, if all are.
+    /// Iterates over the vertices of all triangles of the mesh; those in use once each, if all are.
     fn points(&self) -> impl Iterator<Item = DVec3> {
         let Triangles { vertices, corners, .. } = &self.lists;
         let (each, of_triangles) =
@@ -66,88 +67,89 @@ impl Ordered {
         each.iter().chain(corners).map(|p| p.as_dvec3())
     }
 
-    fn is_solid(&self, face: usize) -> bool {
-        let [a, b, c] = self.face(face);
-        !Triangle::new(a, b, c).is_degenerate() && bvh::fits(&self.face_bounds(face))
+    fn is_usable(&self, face: usize) -> bool {
+        let [a, b, c] = self.corners_of_face(face);
+        !Triangle::new(a, b, c).is_degenerate() && bvh::fits_single_precision(&self.face_bounds(face))
     }
 
-    fn face(&self, face: usize) -> [DVec3; 3] {
+    fn corners_of_face(&self, face: usize) -> [DVec3; 3] {
         self.lists.corners[face].map(|i| self.lists.vertices[i as usize].as_dvec3())
     }
 
     fn face_bounds(&self, face: usize) -> Aabb {
-        Aabb::from_points(self.face(face))
+        Aabb::from_points(self.corners_of_face(face))
     }
 
-    /// Returns all triangles in the order written.
+    /// Returns all triangles of the mesh in the order written.
     pub fn faces(&self) -> Vec<Face> {
         let face = |&i: &u32| {
             let (i, lists) = (i as usize, &self.lists);
-            let [a, b, c] = self.face(i);
+            let [a, b, c] = self.corners_of_face(i);
             Face {
                 corners: [a, b, c],
                 normal: Triangle::new(a, b, c).face_normal(),
-                normals: Self::of(&lists.smooth, i)
+                normals: Self::triangle_indices(&lists.smooth, i)
                     .map(|numbers| numbers.map(|n| lists.normals[n as usize].as_dvec3())),
-                uv: Self::of(&lists.mapped, i).map(|numbers| numbers.map(|n| lists.uvs[n as usize])),
+                uv: Self::triangle_indices(&lists.mapped, i).map(|numbers| numbers.map(|n| lists.uvs[n as usize])),
             }
         };
         self.written.iter().map(face).collect()
     }
 
-    /// The three indices of a triangle in a list.
-    fn of(list: &[[u32; 3]], face: usize) -> Option<[u32; 3]> {
+    /// Returns the three indices of a triangle in a list; `None` if it has none.
+    fn triangle_indices(list: &[[u32; 3]], face: usize) -> Option<[u32; 3]> {
         list.get(face).copied().filter(|numbers| *numbers != NONE)
     }
 
-    /// Bounding box of all triangles.
+    /// Bounding box of all triangles of the mesh.
     pub fn bounds(&self) -> Aabb {
         self.bounds.unwrap_or(Aabb::EMPTY)
     }
 
-    /// Bounding box under the transform M.
+    /// Bounding box of the mesh under the transform M.
     pub fn bounds_under(&self, m: &Transform) -> Aabb {
-        Aabb::from_points(self.points().map(|p| m.point(p)))
+        Aabb::from_points(self.points().map(|p| m.transform_point(p)))
     }
 
-    /// Calls `visit` with each hit in the range; `visit` returns the distance up to which hits are still of interest.
-    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
-        self.bvh.meet(ray, range, |part, t, uv| visit(Hit { t, part, uv }));
+    /// Calls `visit` with each hit of a ray on the mesh in the range; `visit` returns the distance up to which hits are
+    /// still of interest.
+    fn visit_hits(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Hit) -> ControlFlow<(), f64>) {
+        self.bvh.visit_hits(ray, range, |part, t, uv| visit(Hit { t, part, uv }));
     }
 
-    /// Appends all hits in the range.
+    /// Appends all hits of a ray on the mesh in the range.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.meet(ray, range, |hit| {
+        self.visit_hits(ray, range, |hit| {
             out.push(hit);
             ControlFlow::Continue(range.max)
         });
     }
 
-    /// Returns the closest hit of the ray within the range.
+    /// Returns the closest hit of the ray on the mesh within the range.
     pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut best = None;
-        self.meet(ray, range, |hit| {
+        self.visit_hits(ray, range, |hit| {
             best = Some(hit);
             ControlFlow::Continue(hit.t)
         });
         best
     }
 
-    /// True if there is any hit.
-    pub fn any(&self, ray: &Ray, range: Range) -> bool {
+    /// True if the ray has any hit on the mesh in the range.
+    pub fn any_hit(&self, ray: &Ray, range: Range) -> bool {
         let mut found = false;
-        self.meet(ray, range, |_| {
+        self.visit_hits(ray, range, |_| {
             found = true;
             ControlFlow::Break(())
         });
         found
     }
 
-    /// True if the ray hits an odd number of triangles.
+    /// True if the ray hits an odd number of the mesh's triangles.
     pub fn is_crossed_oddly(&self, ray: &Ray) -> bool {
         let mut odd = false;
         if self.bounds().contains(ray.origin) {
-            self.meet(ray, Range::FORWARD, |_| {
+            self.visit_hits(ray, Range::FORWARD, |_| {
                 odd = !odd;
                 ControlFlow::Continue(f64::INFINITY)
             });
@@ -155,33 +157,33 @@ impl Ordered {
         odd
     }
 
-    /// Normal of any length.
+    /// Normal of the mesh at a hit, of any length.
     pub fn normal(&self, hit: &Hit) -> DVec3 {
         let face = hit.part as usize;
-        let [a, b, c] = self.face(face);
+        let [a, b, c] = self.corners_of_face(face);
         let flat = Triangle::new(a, b, c).face_normal();
-        let Some(smooth) = Self::of(&self.lists.smooth, face) else { return flat };
-        let sum = self.between(hit, smooth.map(|i| self.lists.normals[i as usize].as_dvec3()));
+        let Some(smooth) = Self::triangle_indices(&self.lists.smooth, face) else { return flat };
+        let sum = self.interpolate_corners(hit, smooth.map(|i| self.lists.normals[i as usize].as_dvec3()));
         if sum == DVec3::ZERO { flat } else { sum }
     }
 
-    /// Interpolates values of the corners at a hit.
-    fn between<T>(&self, hit: &Hit, [a, b, c]: [T; 3]) -> T
+    /// Interpolates values of the corners of the mesh's triangle at a hit.
+    fn interpolate_corners<T>(&self, hit: &Hit, [a, b, c]: [T; 3]) -> T
     where
         T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
     {
         a * (1.0 - hit.uv.x - hit.uv.y) + b * hit.uv.x + c * hit.uv.y
     }
 
-    /// Surface coordinates; (0, 0) for a triangle without any (quirk: `mesh_without_uv`).
+    /// Surface coordinates of the mesh at a hit; (0, 0) for a triangle without any (quirk: `mesh_without_uv`).
     pub fn uv(&self, hit: &Hit) -> DVec2 {
-        let mapped = Self::of(&self.lists.mapped, hit.part as usize);
-        mapped.map_or(DVec2::ZERO, |numbers| self.between(hit, numbers.map(|i| self.lists.uvs[i as usize])))
+        let mapped = Self::triangle_indices(&self.lists.mapped, hit.part as usize);
+        mapped.map_or(DVec2::ZERO, |numbers| self.interpolate_corners(hit, numbers.map(|i| self.lists.uvs[i as usize])))
     }
 
-    /// Numbers of the textures at the corners.
-    pub fn painted(&self, hit: &Hit) -> Option<[u32; 3]> {
-        Self::of(&self.lists.painted, hit.part as usize)
+    /// Numbers of the textures at the corners of the mesh's triangle that was hit; `None` without any.
+    pub fn corner_textures(&self, hit: &Hit) -> Option<[u32; 3]> {
+        Self::triangle_indices(&self.lists.painted, hit.part as usize)
     }
 }
 
@@ -219,7 +221,7 @@ mod tests {
                     let ray = Ray::new(p - dir * 9.0, dir);
                     let end = ray.at(9.0 + 5.0 / -dir.z);
                     let within = end.truncate().clamp(DVec2::splat(0.1), DVec2::splat(0.9)) == end.truncate();
-                    assert!(!within || mesh.any(&ray, Range::FORWARD), "{k} {l} {dir}");
+                    assert!(!within || mesh.any_hit(&ray, Range::FORWARD), "{k} {l} {dir}");
                 }
             }
         }
@@ -234,13 +236,13 @@ mod tests {
             let mut all = Hits::new();
             mesh.hits(&ray, Range::ALL, &mut all);
             for hit in &all {
-                let p = mesh.between(hit, mesh.face(hit.part as usize));
+                let p = mesh.interpolate_corners(hit, mesh.corners_of_face(hit.part as usize));
                 assert!(p.distance(ray.at(hit.t)) < 1e-12, "{hit:?}");
                 assert!(mesh.bounds().contains(p));
             }
             let nearest = all.iter().map(|hit| hit.t).filter(|t| *t > 0.0).reduce(f64::min);
             assert_eq!(mesh.closest(&ray, Range::FORWARD).map(|hit| hit.t), nearest);
-            assert_eq!(mesh.any(&ray, Range::FORWARD), nearest.is_some());
+            assert_eq!(mesh.any_hit(&ray, Range::FORWARD), nearest.is_some());
         }
     }
 }

@@ -24,7 +24,7 @@ use rustc_hash::FxHashMap;
 use serde::Serialize;
 use std::sync::Arc;
 
-/// Maximum number of elements for which memory is reserved before they are read.
+/// Maximum number of a list's elements for which memory is reserved before they are read.
 const BELIEVED: usize = 1 << 16;
 
 const INSIDE_VECTOR: WordSpec = word(
@@ -34,37 +34,37 @@ const INSIDE_VECTOR: WordSpec = word(
     "a direction in which no line only touches it; then a closed mesh has an inside",
 );
 
-/// Triangles one by one.
+/// Shape `mesh`, whose triangles are written one by one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Mesh(pub TriangleMesh, #[serde(skip)] Draft);
 
-/// Triangles read so far.
+/// Triangles of a `mesh` that are read so far.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Draft {
     triangles: Triangles,
-    /// `file`, which excludes triangles.
+    /// File of a `mesh` with the word `file`, which excludes triangles.
     file: Option<Arc<FileMesh>>,
     known: Known,
 }
 
-/// Indices of known corners, by their bits.
+/// Indices of a mesh's known vertices and normals, by the bits of their coordinates.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Known {
     vertices: FxHashMap<[u32; 3], u32>,
     normals: FxHashMap<[u32; 3], u32>,
 }
 
-/// Triangles by indices into lists.
+/// Shape `mesh2`, whose triangles are written as indices into lists.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Mesh2(pub TriangleMesh, #[serde(skip)] Lists);
 
-/// Lists read so far.
+/// Lists of a `mesh2` that are read so far.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Lists {
     triangles: Triangles,
-    /// Numbers of the textures in `texture_list`.
+    /// The object's numbers of the textures in the `texture_list` of a `mesh2`.
     textures: Vec<u32>,
-    /// Text of the lists of indices, which are checked at the end.
+    /// Spans of the lists of indices in a `mesh2`, which are checked at the end.
     faces: Option<Span>,
     normals: Option<Span>,
     uvs: Option<Span>,
@@ -91,7 +91,7 @@ impl Readable for Mesh {
         ..Spec::EMPTY
     };
 
-    const WORDS: &'static [Row<Self>] = &[INSIDE_VECTOR.sets(|mesh, r| mesh.0.read_inside(r))];
+    const WORDS: &'static [Row<Self>] = &[INSIDE_VECTOR.sets(|mesh, r| mesh.0.read_inside_vector(r))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self::default())
@@ -103,7 +103,7 @@ impl Readable for Mesh {
             Some(file) => file.triangles.clone(),
             None => Arc::new(Ordered::new(triangles)),
         };
-        self.0.tell_if_empty("mesh", span, r);
+        self.0.warn_if_empty("mesh", span, r);
         Ok(())
     }
 }
@@ -113,30 +113,30 @@ impl Draft {
         if self.triangles.corners.is_empty() && self.file.is_none() {
             return Ok(());
         }
-        Err(two_sources(file))
+        Err(two_sources_error(file))
     }
 
     fn must_have_no_file(&self, triangle: Span) -> Result<()> {
-        if self.file.is_none() { Ok(()) } else { Err(two_sources(triangle)) }
+        if self.file.is_none() { Ok(()) } else { Err(two_sources_error(triangle)) }
     }
 }
 
-fn two_sources(span: Span) -> Fault {
+fn two_sources_error(span: Span) -> Fault {
     let d = Diagnostic::new(codes::TWO_FORMS, span, "a `mesh` has one `file`, or triangles, not both");
     Box::new(d.help("write two meshes, in a `union { … }`"))
 }
 
 impl Mesh {
-    /// A mesh of existing triangles.
-    pub fn of(triangles: Triangles) -> Self {
+    /// Creates a mesh of existing triangles.
+    pub fn from_triangles(triangles: Triangles) -> Self {
         Self(TriangleMesh { triangles: Arc::new(Ordered::new(triangles)), ..TriangleMesh::default() }, Draft::default())
     }
 
-    /// Reads a triangle or `file`, if it is next; returns false otherwise.
+    /// Reads a triangle or the `file` of a `mesh`, if it is next; returns false otherwise.
     fn read_geometry(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
         match next {
             Next::Word("file") => {
-                let at = r.take()?;
+                let at = r.take_token()?;
                 self.1.must_be_empty(at)?;
                 let file = FileMesh::read(r)?;
                 self.0.texture_weights = file.texture_weights(paints, r)?;
@@ -144,10 +144,10 @@ impl Mesh {
                 Ok(true)
             }
             Next::Block(kind @ ("triangle" | "smooth_triangle")) => {
-                let span = r.take()?;
+                let span = r.take_token()?;
                 self.1.must_have_no_file(span)?;
                 self.read_triangle(kind == "smooth_triangle", span, r, paints)?;
-                r.leave()?;
+                r.leave_block()?;
                 Ok(true)
             }
             _ => Ok(false),
@@ -160,10 +160,10 @@ impl Mesh {
         let Draft { triangles, known, .. } = &mut self.1;
         for i in 0..3 {
             points[i] = r.vector()?;
-            corners[i] = number(&mut known.vertices, &mut triangles.vertices, points[i]);
+            corners[i] = index_of_point(&mut known.vertices, &mut triangles.vertices, points[i]);
             if smooth {
                 let normal = r.vector()?.normalize_or_zero();
-                normals[i] = number(&mut known.normals, &mut triangles.normals, normal);
+                normals[i] = index_of_point(&mut known.normals, &mut triangles.normals, normal);
             }
         }
         loop {
@@ -171,27 +171,27 @@ impl Mesh {
             match next {
                 Next::End => break,
                 Next::Word("uv_vectors") => {
-                    r.take()?;
+                    r.take_token()?;
                     for uv in &mut uvs {
                         *uv = triangles.uvs.len() as u32;
                         triangles.uvs.push(r.vector2()?);
                     }
                 }
                 Next::Block("texture_list") => {
-                    r.take()?;
+                    r.take_token()?;
                     for slot in &mut texture_weights {
                         let next = r.next()?;
-                        *slot = match paints.read_one(next, r)? {
+                        *slot = match paints.read_listed_texture(next, r)? {
                             Some(slot) => slot,
                             None => return Err(r.unexpected("a texture for each of the three corners").into()),
                         };
                     }
-                    r.leave()?;
-                    texture_weights = each(texture_weights);
+                    r.leave_block()?;
+                    texture_weights = mark_each_corner(texture_weights);
                 }
                 Next::Block("texture") | Next::Thing("texture") => {
                     let mut slot = 0;
-                    paints.read(&mut slot, next, r)?;
+                    paints.read_embedded_texture(&mut slot, next, r)?;
                     texture_weights = [slot; 3];
                 }
                 _ => return Err(r.unknown_word("triangle", &["uv_vectors", "texture", "texture_list"]).into()),
@@ -201,13 +201,13 @@ impl Mesh {
         if Triangle::new(a, b, c).is_degenerate() {
             r.report(Diagnostic::new(codes::FLAT_TRIANGLE, span, "this `triangle` has no area and is left out"));
         }
-        triangles.push(corners, normals, uvs, texture_weights);
+        triangles.push_triangle(corners, normals, uvs, texture_weights);
         Ok(())
     }
 }
 
-/// Returns the index of a point in a list; appends a new point.
-fn number(known: &mut FxHashMap<[u32; 3], u32>, list: &mut Vec<Vec3>, p: DVec3) -> u32 {
+/// Returns the index of a point in a mesh's list; appends the point if it is new.
+fn index_of_point(known: &mut FxHashMap<[u32; 3], u32>, list: &mut Vec<Vec3>, p: DVec3) -> u32 {
     let p = p.as_vec3();
     *known.entry(p.to_array().map(f32::to_bits)).or_insert_with(|| {
         list.push(p);
@@ -252,7 +252,7 @@ impl Readable for Mesh2 {
         ..Spec::EMPTY
     };
 
-    const WORDS: &'static [Row<Self>] = &[INSIDE_VECTOR.sets(|mesh, r| mesh.0.read_inside(r))];
+    const WORDS: &'static [Row<Self>] = &[INSIDE_VECTOR.sets(|mesh, r| mesh.0.read_inside_vector(r))];
 
     fn read(_: &mut dyn Reader) -> Result<Self> {
         Ok(Self::default())
@@ -269,23 +269,23 @@ impl Readable for Mesh2 {
             mesh.mapped = mesh.corners.clone();
         }
         let at = |own: Option<Span>| own.or(lists.faces).unwrap_or(span);
-        check(&mesh.corners, mesh.vertices.len(), faces, ("corner", "vertex_vectors"), at(lists.faces))?;
-        check(&mesh.smooth, mesh.normals.len(), faces, ("normal", "normal_vectors"), at(lists.normals))?;
-        check(&mesh.mapped, mesh.uvs.len(), faces, ("pair of coordinates", "uv_vectors"), at(lists.uvs))?;
+        check_indices(&mesh.corners, mesh.vertices.len(), faces, ("corner", "vertex_vectors"), at(lists.faces))?;
+        check_indices(&mesh.smooth, mesh.normals.len(), faces, ("normal", "normal_vectors"), at(lists.normals))?;
+        check_indices(&mesh.mapped, mesh.uvs.len(), faces, ("pair of coordinates", "uv_vectors"), at(lists.uvs))?;
         self.0.triangles = Arc::new(Ordered::new(mesh));
-        self.0.tell_if_empty("mesh2", span, r);
+        self.0.warn_if_empty("mesh2", span, r);
         Ok(())
     }
 }
 
 impl Mesh2 {
-    /// Reads one of the lists, if it is next; returns false otherwise.
+    /// Reads one of the lists of a `mesh2`, if it is next; returns false otherwise.
     fn read_geometry(&mut self, next: Next, r: &mut dyn Reader, paints: &mut dyn Paints) -> Result<bool> {
         let Next::Block(list) = next else { return Ok(false) };
         let Lists { triangles: mesh, textures, faces, normals, uvs } = &mut self.1;
         let span = match list {
             "vertex_vectors" | "normal_vectors" | "uv_vectors" | "texture_list" | "face_indices" | "normal_indices"
-            | "uv_indices" => r.take()?,
+            | "uv_indices" => r.take_token()?,
             _ => return Ok(false),
         };
         match list {
@@ -295,7 +295,7 @@ impl Mesh2 {
             "texture_list" => {
                 *textures = read_list(r, |r| {
                     let next = r.next()?;
-                    paints.read_one(next, r)?.ok_or_else(|| r.unexpected("a texture").into())
+                    paints.read_listed_texture(next, r)?.ok_or_else(|| r.unexpected("a texture").into())
                 })?;
             }
             "face_indices" => {
@@ -311,12 +311,12 @@ impl Mesh2 {
                 mesh.mapped = read_triples(r)?;
             }
         }
-        r.leave()?;
+        r.leave_block()?;
         Ok(true)
     }
 }
 
-/// Reads a count, and that many elements.
+/// Reads a count, and that many elements of a mesh's list.
 fn read_list<T>(r: &mut dyn Reader, mut read: impl FnMut(&mut dyn Reader) -> Result<T>) -> Result<Vec<T>> {
     let count = read_count(r)?;
     let mut list = Vec::with_capacity(count.min(BELIEVED));
@@ -335,7 +335,7 @@ fn read_count(r: &mut dyn Reader) -> Result<usize> {
     Ok(count as usize)
 }
 
-/// Reads a count, and that many vectors.
+/// Reads a count, and that many vectors of a mesh's list.
 fn read_vectors<T>(r: &mut dyn Reader, of: impl Fn(DVec3) -> T) -> Result<Vec<T>> {
     let count = read_count(r)?;
     let mut list = Vec::with_capacity(count.min(BELIEVED));
@@ -346,53 +346,53 @@ fn read_vectors<T>(r: &mut dyn Reader, of: impl Fn(DVec3) -> T) -> Result<Vec<T>
             list.extend(v.is_finite().then(|| of(v)));
             v.is_finite()
         };
-        if r.literals(3, most, &mut literal) == 0 {
+        if r.read_literals(3, most, &mut literal) == 0 {
             list.push(of(r.vector()?));
         }
     }
     Ok(list)
 }
 
-/// Reads a count, and that many triples of indices.
+/// Reads a count, and that many triples of indices of a mesh's list.
 fn read_triples(r: &mut dyn Reader) -> Result<Vec<[u32; 3]>> {
     let count = read_count(r)?;
     let mut list = Vec::with_capacity(count.min(BELIEVED));
     while list.len() < count {
         if literal_triples(r, count - list.len(), &mut list) == 0 {
             let span = r.span();
-            list.push(numbers(&r.vector()?.to_array(), span)?);
+            list.push(indices_or_error(&r.vector()?.to_array(), span)?);
         }
     }
     Ok(list)
 }
 
-/// Reads triples from a long list of literals, up to the first invalid one; returns their number.
+/// Reads triples of indices from a long list of literals, up to the first invalid one; returns their number.
 fn literal_triples(r: &mut dyn Reader, most: usize, list: &mut Vec<[u32; 3]>) -> usize {
-    r.literals(3, most, &mut |found| {
-        let triple = triple(found);
+    r.read_literals(3, most, &mut |found| {
+        let triple = to_indices(found);
         list.extend(triple);
         triple.is_some()
     })
 }
 
-fn numbers(found: &[f64], span: Span) -> Result<[u32; 3]> {
-    match triple(found) {
+fn indices_or_error(found: &[f64], span: Span) -> Result<[u32; 3]> {
+    match to_indices(found) {
         Some(triple) => Ok(triple),
         None if found.len() != 3 => Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has three corners"),
         None => Diagnostic::err(codes::BAD_INDEX, span, "entries of a list are counted from 0"),
     }
 }
 
-/// Three indices for each triangle.
+/// Three indices for each triangle of a mesh.
 type Triples = Vec<[u32; 3]>;
 
-/// Converts three numbers to indices.
-fn triple(found: &[f64]) -> Option<[u32; 3]> {
+/// Converts three numbers to indices; `None` if one is not an index.
+fn to_indices(found: &[f64]) -> Option<[u32; 3]> {
     let found: [f64; 3] = found.try_into().ok()?;
     found.iter().all(|x| (0.0..f64::from(u32::MAX)).contains(x)).then(|| found.map(|x| x as u32))
 }
 
-/// Reads the corners of each face, and its textures: none, one, or one for each corner.
+/// Reads the corners of each face of a `mesh2`, and its textures: none, one, or one for each corner.
 fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)> {
     let count = read_count(r)?;
     let mut faces = Vec::with_capacity(count.min(BELIEVED));
@@ -405,7 +405,7 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
                 if given == 3 || faces.is_empty() {
                     return Diagnostic::err(codes::WRONG_COUNT, span, "a triangle has one texture, or three");
                 }
-                let slot = texture(number, textures, span)?;
+                let slot = texture_slot(number, textures, span)?;
                 painted.resize(faces.len(), [0; 3]);
                 if let Some(texture_weights) = painted.last_mut() {
                     // One texture applies to all corners, until another follows.
@@ -415,13 +415,13 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
                         texture_weights[given] = slot
                     }
                     if given == 2 {
-                        *texture_weights = each(*texture_weights);
+                        *texture_weights = mark_each_corner(*texture_weights);
                     }
                 }
                 given += 1;
             }
             (Value::Vector(v), span) => {
-                faces.push(numbers(&v.c[..v.len as usize], span)?);
+                faces.push(indices_or_error(&v.c[..v.len as usize], span)?);
                 literal_triples(r, usize::MAX, &mut faces);
                 given = 0;
             }
@@ -444,42 +444,49 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
     Ok((faces, painted))
 }
 
-/// Marks textures that were given for each corner, even if they are equal.
-fn each([a, b, c]: [u32; 3]) -> [u32; 3] {
+/// Marks textures of a face that were given for each corner, even if they are equal.
+fn mark_each_corner([a, b, c]: [u32; 3]) -> [u32; 3] {
     if a == b && b == c { [a | super::EACH_CORNER, b, c] } else { [a, b, c] }
 }
 
-fn texture(number: f64, textures: &[u32], span: Span) -> Result<u32> {
+fn texture_slot(number: f64, textures: &[u32], span: Span) -> Result<u32> {
     match textures.get(number as usize).filter(|_| number >= 0.0) {
         Some(slot) => Ok(*slot),
-        None => Err(beyond("texture", number, "texture_list", textures.len(), span).into()),
+        None => Err(index_error("texture", number, "texture_list", textures.len(), span).into()),
     }
 }
 
-fn beyond(what: &str, number: f64, list: &str, length: usize, span: Span) -> Diagnostic {
+fn index_error(what: &str, number: f64, list: &str, length: usize, span: Span) -> Diagnostic {
     let message = format!("there is no {what} {number}: `{list}` has {length}");
     Diagnostic::new(codes::BAD_INDEX, span, message).help("they are counted from 0")
 }
 
-/// Returns an error for an index beyond its list, or if the number of triples is not the number of triangles.
-fn check(numbers: &[[u32; 3]], length: usize, faces: usize, (what, list): (&str, &str), span: Span) -> Result<()> {
+/// Returns an error for an index beyond its list, or if the number of triples is not the number of triangles of the
+/// mesh.
+fn check_indices(
+    numbers: &[[u32; 3]],
+    length: usize,
+    faces: usize,
+    (what, list): (&str, &str),
+    span: Span,
+) -> Result<()> {
     if !numbers.is_empty() && numbers.len() != faces {
         let message = format!("these are for {} triangles, and there are {faces}", numbers.len());
         return Diagnostic::err(codes::WRONG_COUNT, span, message);
     }
     match numbers.iter().flatten().find(|&&i| i as usize >= length) {
-        Some(&i) => Err(beyond(what, f64::from(i), list, length, span).into()),
+        Some(&i) => Err(index_error(what, f64::from(i), list, length, span).into()),
         None => Ok(()),
     }
 }
 
 impl TriangleMesh {
-    fn read_inside(&mut self, r: &mut dyn Reader) -> Result<()> {
+    fn read_inside_vector(&mut self, r: &mut dyn Reader) -> Result<()> {
         self.inside_vector = Some(r.vector()?).filter(|dir| *dir != DVec3::ZERO);
         Ok(())
     }
 
-    fn tell_if_empty(&self, word: &str, span: Span, r: &mut dyn Reader) {
+    fn warn_if_empty(&self, word: &str, span: Span, r: &mut dyn Reader) {
         if self.triangles.is_empty() {
             r.report(Diagnostic::new(codes::NO_SURFACE, span, format!("this `{word}` has no triangles")));
         }

@@ -13,7 +13,7 @@
 mod patches;
 
 use super::formula::{Container, Formula};
-use super::{Hit, Hits, Kernel, finite};
+use super::{Hit, Hits, Kernel, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, tolerance};
 use crate::source::Span;
@@ -23,26 +23,26 @@ use patches::Patches;
 use serde::Serialize;
 use std::sync::{Arc, OnceLock};
 
-/// A surface whose x, y and z are functions of u and v.
+/// Parametric surface, whose x, y and z are functions of u and v.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Parametric {
-    /// x, y and z as functions of u and v.
+    /// Functions of u and v that give x, y and z of the parametric surface.
     pub functions: [Formula; 3],
-    /// Minimum u and v.
+    /// Minimum u and v of the parametric surface.
     pub from: DVec2,
-    /// Maximum u and v.
+    /// Maximum u and v of the parametric surface.
     pub to: DVec2,
-    /// The solid that bounds the surface.
+    /// Solid that bounds the parametric surface.
     pub container: Container,
-    /// Size of details that can be missed.
+    /// Size of details of the parametric surface that can be missed.
     pub accuracy: f64,
-    /// Maximum derivative, for functions without bounds.
+    /// Maximum derivative of the parametric surface's functions, where they have no computed bounds.
     pub max_gradient: f64,
     #[serde(skip)]
     patches: Lazy,
 }
 
-/// Built when the first ray arrives.
+/// Patches of the parametric surface, built when the first ray arrives.
 #[derive(Clone, Debug, Default)]
 struct Lazy(Arc<OnceLock<Patches>>);
 
@@ -53,7 +53,7 @@ impl PartialEq for Lazy {
 }
 
 impl Parametric {
-    /// A surface between two corners of the (u, v) plane, with defaults.
+    /// Creates a parametric surface between two corners of the (u, v) plane, with defaults.
     pub fn new(functions: [Formula; 3], a: DVec2, b: DVec2) -> Self {
         Self {
             functions,
@@ -66,10 +66,10 @@ impl Parametric {
         }
     }
 
-    /// The point at (u, v).
-    fn point(&self, uv: DVec2) -> DVec3 {
+    /// Returns the point of the parametric surface at (u, v).
+    fn point_at(&self, uv: DVec2) -> DVec3 {
         let p = uv.extend(0.0);
-        DVec3::from_array([0, 1, 2].map(|i| self.functions[i].at(p)))
+        DVec3::from_array([0, 1, 2].map(|i| self.functions[i].value_at(p)))
     }
 
     fn patches(&self) -> &Patches {
@@ -77,7 +77,7 @@ impl Parametric {
     }
 
     fn search(&self, ray: &Ray, range: Range, nearest: bool, found: &mut dyn FnMut(Hit)) {
-        let Some((enter, leave)) = self.container.stretch(ray) else { return };
+        let Some((enter, leave)) = self.container.interval_inside(ray) else { return };
         let (min, max) = (range.min.max(enter), range.max.min(leave));
         if min >= max {
             return;
@@ -85,7 +85,7 @@ impl Parametric {
         // Start where the ray enters the container, so that a distant eye costs no digits.
         let near = Ray::new(ray.at(enter), ray.dir);
         let within = Range { min: min - enter, max: max - enter };
-        self.patches().meet(self, &near, within, nearest, &mut |t, uv| {
+        self.patches().visit_hits(self, &near, within, nearest, &mut |t, uv| {
             let t = t + enter;
             if range.contains(t) {
                 found(Hit { t, part: 0, uv });
@@ -124,9 +124,9 @@ impl Readable for Parametric {
 
     const WORDS: &'static [Row<Self>] = &[
         word("accuracy", ValueKind::Float, "0.001", "how small details are that may be lost")
-            .sets(|s, r| set(&mut s.accuracy, super::formula::positive(r, "accuracy", 0.001))),
+            .sets(|s, r| set(&mut s.accuracy, super::formula::read_positive(r, "accuracy", 0.001))),
         word("max_gradient", ValueKind::Float, "1", "how steep the functions are, where durer can't know it")
-            .sets(|s, r| set(&mut s.max_gradient, super::formula::positive(r, "max_gradient", 1.0))),
+            .sets(|s, r| set(&mut s.max_gradient, super::formula::read_positive(r, "max_gradient", 1.0))),
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
@@ -134,7 +134,7 @@ impl Readable for Parametric {
         let functions = [next()?, next()?, next()?];
         let span = r.span();
         let (a, b) = (r.vector2()?, r.vector2()?);
-        finite(span, &[a.extend(0.0), b.extend(0.0)], &[])?;
+        check_finite(span, &[a.extend(0.0), b.extend(0.0)], &[])?;
         Ok(Self::new(functions, a, b))
     }
 
@@ -142,7 +142,7 @@ impl Readable for Parametric {
         match next {
             Next::Block("contained_by") => self.container = Container::read(r)?,
             Next::Word("precompute") => {
-                r.take()?;
+                r.take_token()?;
                 r.float()?;
                 while r.next()? == Next::Value {
                     r.value()?;
@@ -155,7 +155,7 @@ impl Readable for Parametric {
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         let b = self.container.bounds();
-        finite(span, &[b.min, b.max], &[])?;
+        check_finite(span, &[b.min, b.max], &[])?;
         if self.from.x == self.to.x || self.from.y == self.to.y {
             let message = "this `parametric` has no surface: its u or v begins where it ends";
             r.report(Diagnostic::new(codes::NO_SURFACE, span, message));
@@ -182,7 +182,8 @@ impl Kernel for Parametric {
         });
     }
 
-    /// The first hit in front of the ray's origin, and those behind it (quirk: `parametric_in_csg`).
+    /// Appends the first hit on the parametric surface in front of the ray's origin, and those behind it (quirk:
+    /// `parametric_in_csg`).
     fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.hits(ray, Range { max: range.max.min(tolerance::SURFACE), ..range }, out);
         let first = self.closest(ray, Range { min: tolerance::SURFACE, max: range.max });
@@ -203,12 +204,12 @@ impl Kernel for Parametric {
         true
     }
 
-    /// ∂p/∂u × ∂p/∂v, by differences (quirk: `parametric_normal`).
+    /// Normal of the parametric surface, ∂p/∂u × ∂p/∂v, by differences (quirk: `parametric_normal`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
         let step = (self.to - self.from) * 1e-6;
         let along = |step: DVec2| {
             let (a, b) = ((hit.uv - step).max(self.from), (hit.uv + step).min(self.to));
-            self.point(b) - self.point(a)
+            self.point_at(b) - self.point_at(a)
         };
         let n = along(DVec2::new(step.x, 0.0)).cross(along(DVec2::new(0.0, step.y)));
         n.try_normalize().unwrap_or(DVec3::Y)

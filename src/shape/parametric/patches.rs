@@ -10,28 +10,28 @@ use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
-/// Patches are subdivided until each is this part of the whole,
+/// Part of a parametric surface's container to which each patch is subdivided.
 const PARTS: f64 = 24.0;
-/// or has been subdivided so often.
+/// Maximum number of subdivisions of a parametric surface's patches.
 const DEPTH: u32 = 13;
-/// Additional subdivisions where a ray hits.
+/// Additional subdivisions of a parametric surface's patch where a ray hits.
 const MORE: u32 = 24;
 
-/// Patches with a hierarchy of their boxes.
+/// Patches of a parametric surface, with a hierarchy of their boxes.
 #[derive(Debug)]
 pub struct Patches {
     bvh: Bvh,
     patches: Vec<Patch>,
 }
 
-/// Bounds of the points for u and v between two corners.
+/// Patch of a parametric surface: bounds of the points for u and v between two corners.
 #[derive(Clone, Copy, Debug)]
 struct Patch {
     from: DVec2,
     to: DVec2,
     bounds: Aabb,
-    /// Point and derivatives at the centre, and the maximum deviation of the derivatives from those, in each
-    /// coordinate.
+    /// Point of the patch and derivatives at its centre, and the maximum deviation of the derivatives in the patch from
+    /// those, in each coordinate.
     middle: DVec3,
     by: [DVec3; 2],
     off: [DVec3; 2],
@@ -40,16 +40,16 @@ struct Patch {
 impl Patch {
     fn new(of: &Parametric, from: DVec2, to: DVec2, room: &mut Vec<Slope>) -> Self {
         let uv = (from + to) * 0.5;
-        let middle = of.point(uv);
+        let middle = of.point_at(uv);
         let half = (to - from) * 0.5;
         let (mut bounds, mut by, mut off) = (Aabb::INFINITE, [DVec3::ZERO; 2], [DVec3::ZERO; 2]);
         let wanted = Aabb { min: from.extend(0.0), max: to.extend(0.0) };
         for (axis, function) in of.functions.iter().enumerate() {
-            let slope = function.slope(&wanted, room);
+            let slope = function.slope_in_box(&wanted, room);
             let mut reach = 0.0;
             for side in 0..2 {
                 let unit = [DVec3::X, DVec3::Y][side];
-                let rate = slope.along(unit);
+                let rate = slope.derivative_along(unit);
                 let known = rate.lo.is_finite() && rate.hi.is_finite();
                 let (lo, hi) = if known { (rate.lo, rate.hi) } else { (-of.max_gradient, of.max_gradient) };
                 by[side][axis] = 0.5 * (lo + hi);
@@ -64,34 +64,34 @@ impl Patch {
         Self { from, to, bounds: bounds.grown(size), middle, by, off }
     }
 
-    /// Halves the patch along the side on which points are farther apart.
-    fn halves(&self, of: &Parametric, room: &mut Vec<Slope>) -> [Self; 2] {
+    /// Halves the parametric surface's patch along the side on which points are farther apart.
+    fn halve(&self, of: &Parametric, scratch: &mut Vec<Slope>) -> [Self; 2] {
         let size = self.to - self.from;
         let length = |side: usize| (self.by[side].abs() + self.off[side]).length() * size[side];
         let side = usize::from(length(1) > length(0));
         let middle = 0.5 * (self.from[side] + self.to[side]);
         let (mut to, mut from) = (self.to, self.from);
         (to[side], from[side]) = (middle, middle);
-        [Self::new(of, self.from, to, room), Self::new(of, from, self.to, room)]
+        [Self::new(of, self.from, to, scratch), Self::new(of, from, self.to, scratch)]
     }
 }
 
-/// A line, with two directions perpendicular to it.
+/// A ray that is searched for hits on a parametric surface, with two directions perpendicular to it.
 struct Line<'a> {
     of: &'a Parametric,
     ray: &'a Ray,
-    /// Two directions perpendicular to the line.
+    /// Two directions perpendicular to the ray.
     across: [DVec3; 2],
     range: Range,
-    /// Distance up to which hits still count.
+    /// Distance along the ray up to which hits still count.
     far: Cell<f64>,
-    /// True if only the nearest hit counts.
+    /// True if only the nearest hit of the ray counts.
     nearest: bool,
-    /// Size of patches that are not subdivided.
+    /// Size of a parametric surface's patches that are not subdivided.
     smallest: f64,
 }
 
-/// Result of the convergence test for a line and a patch.
+/// Result of the convergence test for a ray and a parametric surface's patch.
 enum Verdict {
     Misses,
     Meets(DVec2),
@@ -99,7 +99,7 @@ enum Verdict {
 }
 
 impl Patches {
-    /// The patches of a surface within its container.
+    /// Subdivides a parametric surface into patches within its container.
     pub fn new(of: &Parametric) -> Self {
         let mut room = vec![];
         let container = of.container.bounds();
@@ -111,61 +111,70 @@ impl Patches {
                 continue;
             }
             let size = patch.bounds.size().max_element();
-            if depth == DEPTH || size < largest && patch.bends() < 0.3 {
+            if depth == DEPTH || size < largest && patch.relative_bend() < 0.3 {
                 patches.push(Patch { bounds: patch.bounds.intersection(container), ..patch });
                 continue;
             }
-            open.extend(patch.halves(of, &mut room).map(|half| (half, depth + 1)));
+            open.extend(patch.halve(of, &mut room).map(|half| (half, depth + 1)));
         }
-        patches.retain(|patch| bvh::fits(&patch.bounds));
+        patches.retain(|patch| bvh::fits_single_precision(&patch.bounds));
         let (bvh, order) = Bvh::build(patches.iter().map(|patch| patch.bounds));
         let patches = order.into_iter().map(|i| patches[i as usize]).collect();
         Self { bvh, patches }
     }
 
-    /// Calls `found` with the hits of a ray in any order; with `nearest`, each that is nearer than all before.
-    pub fn meet(&self, of: &Parametric, ray: &Ray, range: Range, nearest: bool, found: &mut dyn FnMut(f64, DVec2)) {
+    /// Calls `found` with the hits of a ray on the parametric surface in any order; with `nearest`, each that is nearer
+    /// than all before.
+    pub fn visit_hits(
+        &self,
+        of: &Parametric,
+        ray: &Ray,
+        range: Range,
+        nearest: bool,
+        found: &mut dyn FnMut(f64, DVec2),
+    ) {
         let first = ray.dir.normalize_or_zero().any_orthogonal_vector().normalize_or_zero();
         let across = [first, ray.dir.cross(first).normalize_or_zero()];
         let smallest = (0.25 * of.accuracy).max(5e-5 * of.container.bounds().size().max_element());
         let line = Line { of, ray, across, range, far: Cell::new(range.max), nearest, smallest };
         let mut room = vec![];
         self.bvh.traverse(ray, range, |i, _| {
-            line.meet(&self.patches[i], MORE, &mut room, found);
+            line.visit_hits(&self.patches[i], MORE, &mut room, found);
             ControlFlow::Continue(line.far.get())
         });
     }
 }
 
 impl Patch {
-    /// Relative change of the derivatives within the patch.
-    fn bends(&self) -> f64 {
+    /// Relative change of the surface's derivatives within the patch.
+    fn relative_bend(&self) -> f64 {
         let part = |side: usize| self.off[side].length() / self.by[side].length();
         part(0).max(part(1))
     }
 }
 
 impl Line<'_> {
-    fn meet(&self, patch: &Patch, depth: u32, room: &mut Vec<Slope>, found: &mut dyn FnMut(f64, DVec2)) {
+    fn visit_hits(&self, patch: &Patch, depth: u32, room: &mut Vec<Slope>, found: &mut dyn FnMut(f64, DVec2)) {
         if patch.bounds.slabs(self.ray, Range { max: self.far.get(), ..self.range }).is_none() {
             return;
         }
-        match self.judge(patch) {
+        match self.test_convergence(patch) {
             Verdict::Misses => {}
-            Verdict::Meets(uv) => self.report_hit(self.of.point(uv), uv, found),
+            Verdict::Meets(uv) => self.report_hit(self.of.point_at(uv), uv, found),
             Verdict::Open if depth == 0 || patch.bounds.size().max_element() < self.smallest => {
                 self.report_hit(patch.middle, (patch.from + patch.to) * 0.5, found);
             }
             Verdict::Open if cancel::is_cancelled() => {}
             Verdict::Open => {
-                for half in patch.halves(self.of, room) {
-                    self.meet(&half, depth - 1, room, found);
+                for half in patch.halve(self.of, room) {
+                    self.visit_hits(&half, depth - 1, room, found);
                 }
             }
         }
     }
 
-    /// Calls `found` with the hit at a point of the surface, unless the point is outside the container or the range.
+    /// Calls `found` with the hit at a point of the parametric surface, unless the point is outside the container or
+    /// the range.
     fn report_hit(&self, p: DVec3, uv: DVec2, found: &mut dyn FnMut(f64, DVec2)) {
         let t = (p - self.ray.origin).dot(self.ray.dir) / self.ray.dir.length_squared();
         if p.is_finite() && self.of.container.contains(p) && self.range.contains(t) && t < self.far.get() {
@@ -176,15 +185,15 @@ impl Line<'_> {
         }
     }
 
-    /// Coordinates of a point perpendicular to the line.
-    fn beside(&self, p: DVec3) -> DVec2 {
+    /// Coordinates of a point along the two directions perpendicular to the ray.
+    fn coordinates_across_ray(&self, p: DVec3) -> DVec2 {
         DVec2::new(self.across[0].dot(p), self.across[1].dot(p))
     }
 
-    /// Tests convergence: with Y the inverse of the derivatives at the centre, x - Y·F(x) reduces the distance from a
-    /// root by the factor by which Y·F' differs from 1.
-    fn judge(&self, patch: &Patch) -> Verdict {
-        let (a, b) = (self.beside(patch.by[0]), self.beside(patch.by[1]));
+    /// Tests whether a search of the patch for the ray's hit converges: with Y the inverse of the derivatives at the
+    /// centre, x - Y·F(x) reduces the distance from a root by the factor by which Y·F' differs from 1.
+    fn test_convergence(&self, patch: &Patch) -> Verdict {
+        let (a, b) = (self.coordinates_across_ray(patch.by[0]), self.coordinates_across_ray(patch.by[1]));
         let det = a.perp_dot(b);
         let half = (patch.to - patch.from) * 0.5;
         // Rows of Y, in units of the patch's half sides.
@@ -200,7 +209,7 @@ impl Line<'_> {
         if !(q0 < 1e3 && q1 < 1e3) {
             return Verdict::Open;
         }
-        let miss = self.beside(patch.middle - self.ray.origin);
+        let miss = self.coordinates_across_ray(patch.middle - self.ray.origin);
         let step = DVec2::new(y0.dot(miss), y1.dot(miss));
         // A root x of the patch is within q of -step.
         if !(step.x.abs() <= 1.0 + q0 + 1e-9 && step.y.abs() <= 1.0 + q1 + 1e-9) {
@@ -209,14 +218,14 @@ impl Line<'_> {
         if q0.max(q1) > 0.7 {
             return Verdict::Open;
         }
-        self.approach(patch, [y0 * half.x, y1 * half.y], half)
+        self.approach_root(patch, [y0 * half.x, y1 * half.y], half)
     }
 
-    fn approach(&self, patch: &Patch, y: [DVec2; 2], half: DVec2) -> Verdict {
+    fn approach_root(&self, patch: &Patch, y: [DVec2; 2], half: DVec2) -> Verdict {
         let middle = (patch.from + patch.to) * 0.5;
         let mut uv = middle;
         for _ in 0..60 {
-            let miss = self.beside(self.of.point(uv) - self.ray.origin);
+            let miss = self.coordinates_across_ray(self.of.point_at(uv) - self.ray.origin);
             let step = DVec2::new(y[0].dot(miss), y[1].dot(miss));
             let next = (uv - step).clamp(patch.from - half * 1e-6, patch.to + half * 1e-6);
             let moved = ((next - uv) / half).abs().max_element();

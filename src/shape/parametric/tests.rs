@@ -1,30 +1,30 @@
 use super::*;
 use crate::function::{Body, Function, Graph, Id, Operation, Program, numeric};
-use crate::shape::testing::all;
+use crate::shape::testing::all_hits;
 use crate::syntax::ast::Operator::{Add, Mul};
 
 fn formula(make: impl Fn(&mut Graph, Id, Id) -> Id) -> Formula {
     let mut graph = Graph::default();
-    let [u, v, _] = [0, 1, 2].map(|i| graph.add(Operation::Parameter(i)));
+    let [u, v, _] = [0, 1, 2].map(|i| graph.add_operation(Operation::Parameter(i)));
     graph.result = make(&mut graph, u, v);
     let program = Program::new(graph, 3).unwrap();
     Formula::new(Function { parameters: ["x", "y", "z"].map(Into::into).into(), body: Body::Numeric(program) })
 }
 
-fn one(graph: &mut Graph, name: &str, a: Id) -> Id {
-    graph.add(Operation::One(numeric::find(name).unwrap(), a))
+fn add_unary(graph: &mut Graph, name: &str, a: Id) -> Id {
+    graph.add_operation(Operation::One(numeric::find_numeric(name).unwrap(), a))
 }
 
-fn product(graph: &mut Graph, names: [&str; 2], of: [Id; 2]) -> Id {
-    let (a, b) = (one(graph, names[0], of[0]), one(graph, names[1], of[1]));
-    graph.add(Operation::Binary(Mul, a, b))
+fn add_product(graph: &mut Graph, names: [&str; 2], of: [Id; 2]) -> Id {
+    let (a, b) = (add_unary(graph, names[0], of[0]), add_unary(graph, names[1], of[1]));
+    graph.add_operation(Operation::Binary(Mul, a, b))
 }
 
-/// A sphere of radius 1.
-fn ball() -> Parametric {
-    let x = formula(|g, u, v| product(g, ["sin", "cos"], [u, v]));
-    let y = formula(|g, u, v| product(g, ["sin", "sin"], [u, v]));
-    let z = formula(|g, u, _| one(g, "cos", u));
+/// Returns a parametric surface for tests: a sphere of radius 1.
+fn unit_ball() -> Parametric {
+    let x = formula(|g, u, v| add_product(g, ["sin", "cos"], [u, v]));
+    let y = formula(|g, u, v| add_product(g, ["sin", "sin"], [u, v]));
+    let z = formula(|g, u, _| add_unary(g, "cos", u));
     let pi = std::f64::consts::PI;
     Parametric {
         container: Container::Box(crate::shape::Cuboid::new(DVec3::splat(-1.1), DVec3::splat(1.1))),
@@ -34,12 +34,12 @@ fn ball() -> Parametric {
 
 #[test]
 fn a_ball_has_the_hits_of_a_sphere() {
-    let (shape, sphere) = (ball(), crate::shape::Sphere { center: DVec3::ZERO, radius: 1.0 });
+    let (shape, sphere) = (unit_ball(), crate::shape::Sphere { center: DVec3::ZERO, radius: 1.0 });
     let mut met = 0;
     for k in 0..2000 {
         let at = |m: usize| (k * m % 997) as f64 / 498.5 - 1.0;
         let ray = Ray::new(DVec3::new(at(13), at(29), at(5)) * 3.0, DVec3::new(at(7), at(11), at(3)));
-        let (found, want) = (all(&shape, &ray), all(&sphere, &ray));
+        let (found, want) = (all_hits(&shape, &ray), all_hits(&sphere, &ray));
         // (A grazing ray may miss it, or hit once too often.)
         if want.len() == 2 && (want[1].t - want[0].t) * ray.dir.length() > 0.05 {
             met += 1;
@@ -60,17 +60,18 @@ fn a_ball_has_the_hits_of_a_sphere() {
 }
 
 #[test]
-fn it_ends_with_its_parameters_and_its_container() {
+fn a_surface_ends_with_its_parameters_and_its_container() {
     // A slightly curved sheet over a square.
     let square = |size: f64| {
         let (x, z) = (formula(|_, u, _| u), formula(|_, _, v| v));
         let y = formula(|g, u, v| {
-            let (a, b) = (g.add(Operation::Binary(Mul, u, u)), g.add(Operation::Binary(Mul, v, v)));
-            g.add(Operation::Binary(Add, a, b))
+            let (a, b) = (g.add_operation(Operation::Binary(Mul, u, u)), g.add_operation(Operation::Binary(Mul, v, v)));
+            g.add_operation(Operation::Binary(Add, a, b))
         });
         Parametric::new([x, y, z], DVec2::splat(size), DVec2::splat(-size))
     };
-    let down = |x: f64, z: f64, shape: &Parametric| all(shape, &Ray::new(DVec3::new(x, 5.0, z), DVec3::NEG_Y)).len();
+    let down =
+        |x: f64, z: f64, shape: &Parametric| all_hits(shape, &Ray::new(DVec3::new(x, 5.0, z), DVec3::NEG_Y)).len();
     let small = square(0.5);
     assert_eq!([down(0.2, 0.3, &small), down(0.499, -0.499, &small), down(0.501, 0.0, &small)], [1, 1, 0]);
     // Above 1 it leaves its container.

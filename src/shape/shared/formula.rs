@@ -1,14 +1,14 @@
 //! Functions of isosurfaces and parametric surfaces, and the container that bounds them.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::function::{Function, Gives, Interval, Slope};
+use crate::function::{Function, Interval, ResultType, Slope};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::shape::{Cuboid, Kernel, Sphere};
 use crate::value::{Next, Readable, Reader, downcast};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
-/// A function with one value.
+/// Function with one value that defines an isosurface or a parametric surface.
 #[derive(Clone, Debug)]
 pub struct Formula(Arc<Function>);
 
@@ -28,7 +28,7 @@ impl Formula {
     /// Reads a function of the parameters `names`.
     ///
     /// # Errors
-    /// A diagnostic at anything else.
+    /// A diagnostic for anything but such a function.
     pub fn read(r: &mut dyn Reader, names: &str) -> Result<Self> {
         if !matches!(r.next()?, Next::Function | Next::Thing("function")) {
             return Err(r.unexpected(&format!("`function {{ … }}` of {names}")).into());
@@ -37,7 +37,7 @@ impl Formula {
         let Some(function) = downcast::<Function>(&thing) else {
             return Diagnostic::err(codes::WRONG_TYPE, at, format!("expected `function {{ … }}` of {names}"));
         };
-        if function.gives() != Gives::Number {
+        if function.result_type() != ResultType::Number {
             return Diagnostic::new(codes::WRONG_TYPE, at, "this function does not give a number")
                 .help("declare it, and take a part of what it gives: `function { F(x, y, z).gray }`")
                 .into();
@@ -54,30 +54,30 @@ impl Formula {
         }
     }
 
-    /// For tests: a function of three numbers.
+    /// Wraps a function of three numbers, for tests.
     pub fn new(function: Function) -> Self {
         Self(Arc::new(function))
     }
 
-    /// Value at a point.
-    pub fn at(&self, p: DVec3) -> f64 {
-        self.0.part(0, &[p.x, p.y, p.z])
+    /// Value of the formula's function at a point.
+    pub fn value_at(&self, p: DVec3) -> f64 {
+        self.0.call_component(0, &[p.x, p.y, p.z])
     }
 
-    /// Bounds of value and gradient in a box; `room` is reused memory.
-    pub fn slope(&self, b: &Aabb, room: &mut Vec<Slope>) -> Slope {
+    /// Bounds of the value and gradient of the formula's function in a box; `scratch` is scratch memory.
+    pub fn slope_in_box(&self, b: &Aabb, scratch: &mut Vec<Slope>) -> Slope {
         let side = |axis: usize| Interval { lo: b.min[axis], hi: b.max[axis] };
-        self.0.slope(&[side(0), side(1), side(2)], room)
+        self.0.slope_over_box(&[side(0), side(1), side(2)], scratch)
     }
 }
 
-/// The solid that bounds a surface.
+/// Container of an isosurface or parametric surface: the solid that bounds it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Container {
-    /// A `box`, whose edges are parallel to the axes.
+    /// Container that is a `box`, whose edges are parallel to the axes.
     Box(Cuboid),
-    /// A `sphere` with any centre and radius.
+    /// Container that is a `sphere` with any centre and radius.
     Sphere(Sphere),
 }
 
@@ -88,29 +88,29 @@ impl Default for Container {
 }
 
 impl Container {
-    /// Reads `{ box { … } }` or `{ sphere { … } }`, from the opening brace on.
+    /// Reads a container, `{ box { … } }` or `{ sphere { … } }`, from the opening brace on.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
-        r.take()?;
+        r.take_token()?;
         let container = match r.next()? {
             Next::Block("box") => {
-                r.take()?;
+                r.take_token()?;
                 Self::Box(Cuboid::read(r)?)
             }
             Next::Block("sphere") => {
-                r.take()?;
+                r.take_token()?;
                 Self::Sphere(Sphere::read(r)?)
             }
             _ => return Err(r.unexpected("`sphere { … }` or `box { … }`").into()),
         };
-        r.leave()?;
-        r.leave()?;
+        r.leave_block()?;
+        r.leave_block()?;
         Ok(container)
     }
 
-    /// Bounding box of the container.
+    /// Bounding box of a surface's container.
     pub fn bounds(&self) -> Aabb {
         match self {
             Self::Box(b) => b.bounds(),
@@ -118,7 +118,7 @@ impl Container {
         }
     }
 
-    /// True if the point is inside.
+    /// True if the point is inside the surface's container.
     pub fn contains(&self, p: DVec3) -> bool {
         match self {
             Self::Box(b) => b.bounds().contains(p),
@@ -126,8 +126,8 @@ impl Container {
         }
     }
 
-    /// Interval of a line inside the solid.
-    pub fn stretch(&self, ray: &Ray) -> Option<(f64, f64)> {
+    /// Interval of a line inside the surface's container.
+    pub fn interval_inside(&self, ray: &Ray) -> Option<(f64, f64)> {
         match self {
             Self::Box(b) => b.bounds().slabs(ray, Range::ALL).filter(|(near, far)| near.is_finite() && far.is_finite()),
             Self::Sphere(s) => {
@@ -139,7 +139,7 @@ impl Container {
         }
     }
 
-    /// Outward normal at a point of the surface.
+    /// Outward normal at a point of the container's surface.
     pub fn normal(&self, p: DVec3) -> DVec3 {
         match self {
             Self::Box(b) => {
@@ -156,12 +156,12 @@ impl Container {
 }
 
 /// Reads a number above 0; any other number selects the default, as in POV-Ray.
-pub fn positive(r: &mut dyn Reader, word: &str, usual: f64) -> Result<f64> {
+pub fn read_positive(r: &mut dyn Reader, word: &str, default: f64) -> Result<f64> {
     let (at, x) = (r.span(), r.float()?);
     if x > 0.0 {
         return Ok(x);
     }
-    let message = format!("`{word}` must be more than 0, found {x}: it is {usual}, as without it");
+    let message = format!("`{word}` must be more than 0, found {x}: it is {default}, as without it");
     r.report(Diagnostic::new(codes::NOT_POSITIVE, at, message));
-    Ok(usual)
+    Ok(default)
 }

@@ -1,52 +1,52 @@
 //! Common part of `cylinder` and `cone`: a wall around an axis with a linear radius, and two end discs.
 
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, stable_pair, tolerance};
-use crate::shape::{Crossing, End, HalfSpaces, Hit, Hits, nearest, pov_bounds};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, fp, solve_quadratic_with_discriminant, tolerance};
+use crate::shape::{Crossing, End, HalfSpaces, Hit, Hits, nearest_hit, pov_bounds};
 use crate::value::words::word;
 use crate::value::{ValueKind, WordSpec};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Number of tangent planes of a round wall, for bounds.
+/// Number of tangent planes of a cone's or cylinder's wall, for bounds.
 const SIDES: usize = 8;
 
-/// Part number of the wall.
+/// Part number of the wall of a cone or cylinder.
 pub const WALL: u32 = 0;
-/// Part number of the disc around the base point.
+/// Part number of a cone's or cylinder's disc around the base point.
 pub const BASE: u32 = 1;
-/// Part number of the disc around the cap point.
+/// Part number of a cone's or cylinder's disc around the cap point.
 pub const CAP: u32 = 2;
 
-/// A wall around an axis, closed by discs unless `open`. Radii have signs: if they differ, the wall is an hourglass
-/// through the axis (quirk: `cone_negative_radii`).
+/// Frustum of a cone: a wall around an axis, closed by discs unless `open`. Radii have signs: if they differ, the wall
+/// is an hourglass through the axis (quirk: `cone_negative_radii`).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Frustum {
-    /// Centre of the base.
+    /// Centre of the frustum's base.
     pub base: DVec3,
-    /// Centre of the cap; never the base.
+    /// Centre of the frustum's cap; never equal to the base.
     pub cap: DVec3,
-    /// Radius at the base.
+    /// Radius of the frustum at the base.
     pub base_radius: f64,
-    /// Radius at the cap.
+    /// Radius of the frustum at the cap.
     pub cap_radius: f64,
-    /// True if the solid has no discs at its ends.
+    /// True if the frustum has no discs at its ends.
     pub open: bool,
     #[serde(skip)]
     frame: Precomputed,
 }
 
-/// Constants for all rays.
+/// Constants of a frustum for all rays.
 #[derive(Clone, Debug, PartialEq)]
 struct Precomputed {
-    /// Axis divided by its squared length.
+    /// Axis of the frustum divided by its squared length.
     along: DVec3,
-    /// Two unit vectors perpendicular to the axis and each other.
+    /// Two unit vectors perpendicular to the frustum's axis and each other.
     across: (DVec3, DVec3),
     middle: DVec3,
 }
 
-/// A point or direction in the frame of the axis: `w` is 0 at the base and 1 at the cap, `x` and `y` are lengths
-/// perpendicular to the axis.
+/// A point or direction in the frame of a frustum's axis: `w` is 0 at the base and 1 at the cap, `x` and `y` are
+/// lengths perpendicular to the axis.
 struct Split {
     w: f64,
     x: f64,
@@ -54,14 +54,14 @@ struct Split {
 }
 
 impl Split {
-    /// Squared distance from the axis.
+    /// Squared distance from the frustum's axis.
     fn across_squared(&self) -> f64 {
         self.x * self.x + self.y * self.y
     }
 }
 
 impl Frustum {
-    /// The wall between two different points.
+    /// Creates the frustum between two different points.
     pub fn new(base: DVec3, cap: DVec3, base_radius: f64, cap_radius: f64, open: bool) -> Self {
         let axis = cap - base;
         let frame = Precomputed {
@@ -76,22 +76,22 @@ impl Frustum {
         self.cap - self.base
     }
 
-    /// Radius at the fraction `w` of the axis from base to cap.
-    fn radius(&self, w: f64) -> f64 {
+    /// Radius of the frustum at the fraction `w` of the axis from base to cap.
+    fn radius_at(&self, w: f64) -> f64 {
         self.base_radius + w * (self.cap_radius - self.base_radius)
     }
 
-    fn split(&self, v: DVec3) -> Split {
+    fn to_axis_frame(&self, v: DVec3) -> Split {
         let Precomputed { along, across: (x, y), .. } = &self.frame;
         Split { w: v.dot(*along), x: v.dot(*x), y: v.dot(*y) }
     }
 
-    /// True if there is no surface.
+    /// True if the frustum has no surface.
     pub fn is_empty(&self) -> bool {
         self.base_radius == 0.0 && self.cap_radius == 0.0
     }
 
-    /// Box around both end circles.
+    /// Bounding box of both end circles of the frustum.
     pub fn bounds(&self) -> Aabb {
         if self.is_empty() {
             return Aabb::EMPTY;
@@ -103,44 +103,44 @@ impl Frustum {
         around(self.base, self.base_radius).union(around(self.cap, self.cap_radius))
     }
 
-    /// Returns a ray in the frame, relative to its point nearest to the centre, so that a distant eye costs no digits:
-    /// `t` of that point, the point, and the direction.
-    fn shifted(&self, ray: &Ray) -> (f64, Split, Split) {
+    /// Returns a ray in the frustum's frame, relative to its point nearest to the centre, so that a distant eye costs
+    /// no digits: `t` of that point, the point, and the direction.
+    fn ray_in_axis_frame(&self, ray: &Ray) -> (f64, Split, Split) {
         let shift = (self.frame.middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
-        (shift, self.split(ray.at(shift) - self.base), self.split(ray.dir))
+        (shift, self.to_axis_frame(ray.at(shift) - self.base), self.to_axis_frame(ray.dir))
     }
 
-    /// True for a cylinder with both end discs.
+    /// True if the frustum is a cylinder with both end discs.
     fn is_closed_cylinder(&self) -> bool {
         !self.open && self.base_radius == self.cap_radius
     }
 
-    /// The closest hit in the range.
+    /// Returns the closest hit on the frustum in the range.
     pub fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         if self.is_closed_cylinder() && !self.is_empty() {
-            let Crossing::Through(ends) = self.cross_cylinder(ray) else { return None };
+            let Crossing::Through(ends) = self.cylinder_interval(ray) else { return None };
             return ends.into_iter().find(|end| range.contains(end.t)).map(Hit::from);
         }
         let mut all = Hits::new();
         self.hits(ray, range, &mut all);
-        nearest(&all)
+        nearest_hit(&all)
     }
 
-    /// Appends the hits in the range.
+    /// Appends the frustum's hits in the range.
     pub fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         if self.is_empty() {
             return;
         }
         if self.is_closed_cylinder() {
-            if let Crossing::Through(ends) = self.cross_cylinder(ray) {
+            if let Crossing::Through(ends) = self.cylinder_interval(ray) {
                 out.extend(ends.into_iter().filter(|end| range.contains(end.t)).map(Hit::from));
             }
             return;
         }
-        let (shift, o, v) = self.shifted(ray);
+        let (shift, o, v) = self.ray_in_axis_frame(ray);
         // Roots of |across(s)|² = r(w(s))²
         let dr = self.cap_radius - self.base_radius;
-        let (r, slope) = (self.radius(o.w), v.w * dr);
+        let (r, slope) = (self.radius_at(o.w), v.w * dr);
         // half_b² - a·c without the squares that cancel: (v×o)² is what remains of (o·v)² - v²·o².
         let (tx, ty) = (v.x * r - o.x * slope, v.y * r - o.y * slope);
         let turn = o.x * v.y - o.y * v.x;
@@ -154,10 +154,10 @@ impl Frustum {
         let c = o.across_squared() - r * r;
         let mut push = |s: f64, part: u32| {
             if range.contains(s + shift) {
-                out.push(Hit::on(s + shift, part));
+                out.push(Hit::on_piece(s + shift, part));
             }
         };
-        for s in stable_pair(a, half_b, c, disc).into_iter().flat_map(|(s1, s2)| [s1, s2]) {
+        for s in solve_quadratic_with_discriminant(a, half_b, c, disc).into_iter().flat_map(|(s1, s2)| [s1, s2]) {
             if (0.0..=1.0).contains(&(o.w + s * v.w)) {
                 push(s, WALL);
             }
@@ -174,14 +174,15 @@ impl Frustum {
         }
     }
 
-    /// See [`crate::shape::Kernel::pov_bounds`]: the box of a cylinder about the same axis (quirk: `extent_boxes`).
+    /// Box that POV-Ray reports for the frustum, see [`crate::shape::Kernel::pov_bounds`]: that of a cylinder about the
+    /// same axis (quirk: `extent_boxes`).
     pub fn pov_bounds(&self, m: &Transform) -> Aabb {
         let (r, axis) = (self.base_radius.max(self.cap_radius), self.cap - self.base);
         let b = Aabb { min: DVec3::new(-r, -r, 0.0), max: DVec3::new(r, r, axis.length()) };
-        pov_bounds::framed(m, axis, self.base, &b)
+        pov_bounds::transformed_frame_bounds(m, axis, self.base, &b)
     }
 
-    /// Half-spaces of both ends and of tangent planes around the wall.
+    /// Half-spaces that contain the frustum: of both ends and of tangent planes around the wall.
     pub fn half_spaces(&self) -> HalfSpaces {
         let Self { base, cap, base_radius, cap_radius, .. } = *self;
         let axis = (cap - base).normalize();
@@ -195,15 +196,15 @@ impl Frustum {
         out
     }
 
-    /// True if the point is between the ends and nearer to the axis than the wall.
+    /// True if the point is between the frustum's ends and nearer to the axis than the wall.
     pub fn inside(&self, p: DVec3) -> bool {
-        let at = self.split(p - self.base);
+        let at = self.to_axis_frame(p - self.base);
         let slack = if self.open { tolerance::INSIDE } else { -tolerance::INSIDE };
-        let r = self.radius(at.w);
+        let r = self.radius_at(at.w);
         at.w > -slack && at.w < 1.0 + slack && at.across_squared() < r * r - tolerance::INSIDE
     }
 
-    /// True with both end discs and no hourglass.
+    /// True if the frustum is convex: with both end discs and no hourglass.
     pub fn is_convex(&self) -> bool {
         !self.open && self.base_radius * self.cap_radius >= 0.0
     }
@@ -214,37 +215,40 @@ impl Frustum {
             return Crossing::Unknown;
         }
         if self.base_radius == self.cap_radius {
-            return self.cross_cylinder(ray);
+            return self.cylinder_interval(ray);
         }
         let mut all = Hits::new();
         self.hits(ray, Range::ALL, &mut all);
         match all[..] {
             [] => Crossing::Misses,
-            [a, b] if a.t <= b.t => Crossing::Through([a, b].map(|hit| End::on(hit.t, hit.part))),
-            [a, b] => Crossing::Through([b, a].map(|hit| End::on(hit.t, hit.part))),
+            [a, b] if a.t <= b.t => Crossing::Through([a, b].map(|hit| End::on_piece(hit.t, hit.part))),
+            [a, b] => Crossing::Through([b, a].map(|hit| End::on_piece(hit.t, hit.part))),
             // The rim belongs to the wall and to a disc.
             _ => Crossing::Unknown,
         }
     }
 
-    /// The intersection of the interval between the ends and the interval within the wall.
-    fn cross_cylinder(&self, ray: &Ray) -> Crossing {
-        let (shift, o, v) = self.shifted(ray);
+    /// Interval of a line inside a closed cylinder: the intersection of the interval between the ends and the interval
+    /// within the wall.
+    fn cylinder_interval(&self, ray: &Ray) -> Crossing {
+        let (shift, o, v) = self.ray_in_axis_frame(ray);
         let r2 = self.base_radius * self.base_radius;
-        let mut ends = [End::at(f64::NEG_INFINITY), End::at(f64::INFINITY)];
+        let mut ends = [End::on_single_piece(f64::NEG_INFINITY), End::on_single_piece(f64::INFINITY)];
         let a = v.across_squared();
         if a > 0.0 {
             let turn = o.x * v.y - o.y * v.x;
             let half_b = o.x * v.x + o.y * v.y;
-            let Some((s1, s2)) = stable_pair(a, half_b, o.across_squared() - r2, a * r2 - turn * turn) else {
+            let Some((s1, s2)) =
+                solve_quadratic_with_discriminant(a, half_b, o.across_squared() - r2, a * r2 - turn * turn)
+            else {
                 return Crossing::Misses;
             };
-            ends = [End::on(s1, WALL), End::on(s2, WALL)];
+            ends = [End::on_piece(s1, WALL), End::on_piece(s2, WALL)];
         } else if o.across_squared() >= r2 {
             return Crossing::Misses;
         }
         if v.w != 0.0 {
-            let (base, cap) = (End::on(-o.w / v.w, BASE), End::on((1.0 - o.w) / v.w, CAP));
+            let (base, cap) = (End::on_piece(-o.w / v.w, BASE), End::on_piece((1.0 - o.w) / v.w, CAP));
             let (enter, leave) = if v.w > 0.0 { (base, cap) } else { (cap, base) };
             ends =
                 [if enter.t > ends[0].t { enter } else { ends[0] }, if leave.t < ends[1].t { leave } else { ends[1] }];
@@ -257,7 +261,7 @@ impl Frustum {
         }
     }
 
-    /// Outward normal at a point of a part of the surface.
+    /// Outward normal at a point of a part of the frustum's surface.
     pub fn normal(&self, p: DVec3, part: u32) -> DVec3 {
         let axis = self.axis();
         match part {
@@ -265,20 +269,20 @@ impl Frustum {
             CAP => axis,
             _ => {
                 // Half the gradient of |across|² - r(w)²
-                let at = self.split(p - self.base);
+                let at = self.to_axis_frame(p - self.base);
                 let dr = self.cap_radius - self.base_radius;
                 let across = p - self.base - at.w * axis;
-                let n = across - axis * (self.radius(at.w) * dr / axis.length_squared());
+                let n = across - axis * (self.radius_at(at.w) * dr / axis.length_squared());
                 // The apex has no normal; use the axis.
                 if n.length_squared() > 0.0 { n } else { axis * -dr.signum() }
             }
         }
     }
 
-    /// Angle about the axis, and height. POV-Ray has no mapping for these shapes.
+    /// Angle about the frustum's axis, and height along it. POV-Ray defines no uv mapping for cones and cylinders.
     pub fn uv(&self, p: DVec3, part: u32) -> DVec2 {
-        let at = self.split(p - self.base);
-        let u = fp::turn(at.y, at.x);
+        let at = self.to_axis_frame(p - self.base);
+        let u = fp::angle_in_turns(at.y, at.x);
         let v = match part {
             WALL => at.w,
             BASE => at.across_squared().sqrt() / self.base_radius.abs(),
@@ -288,7 +292,7 @@ impl Frustum {
     }
 }
 
-/// `open`: without end discs.
+/// The word `open` of a cone or cylinder: without end discs.
 pub const OPEN: WordSpec = word("open", ValueKind::Nothing, "", "takes the discs at the ends away");
 
 /// Implements [`crate::shape::Kernel`] for a shape that wraps a frustum.

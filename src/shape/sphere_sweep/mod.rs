@@ -15,7 +15,7 @@ mod piece;
 
 pub use piece::Piece;
 
-use super::{Hit, Hits, Kernel, finite, moved_box};
+use super::{Hit, Hits, Kernel, check_finite, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
@@ -27,30 +27,30 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// Interpolation between the spheres that the sweep passes.
+/// Interpolation between the spheres of a sphere sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sweep {
-    /// Straight tubes, each from one sphere to the next.
+    /// Sphere sweep of straight tubes, each from one sphere to the next.
     Linear,
-    /// A uniform cubic B-spline, which does not touch the spheres.
+    /// Sphere sweep along a uniform cubic B-spline, which does not touch the spheres.
     BSpline,
-    /// A spline through two spheres, by their neighbours.
+    /// Sphere sweep along a spline through two spheres at a time, by their neighbours.
     Cubic,
 }
 
-/// The solid that a moving sphere of changing radius sweeps.
+/// Sphere sweep: the solid that a moving sphere of changing radius sweeps.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SphereSweep {
-    /// Interpolation between the spheres that the sweep passes.
+    /// Interpolation between the spheres of the sphere sweep.
     pub kind: Sweep,
-    /// Pieces of the path, in the order of the hierarchy.
+    /// Pieces of the sphere sweep's path, in the order of the hierarchy.
     pub pieces: Vec<Piece>,
     #[serde(skip)]
     bvh: Bvh,
     #[serde(skip)]
     bounds: Aabb,
-    /// Bounding box that POV-Ray computes for the whole sweep.
+    /// Bounding box that POV-Ray computes for the whole sphere sweep.
     #[serde(skip)]
     pov_bounds: Aabb,
 }
@@ -67,11 +67,11 @@ const KINDS: [WordSpec; 3] = [
 ];
 
 impl Sweep {
-    fn fewest(self) -> usize {
+    fn min_sphere_count(self) -> usize {
         if self == Sweep::Linear { 2 } else { 4 }
     }
 
-    fn pieces(self, balls: &[(DVec3, f64)]) -> Vec<Piece> {
+    fn build_pieces(self, balls: &[(DVec3, f64)]) -> Vec<Piece> {
         if self == Sweep::Linear {
             return balls.windows(2).map(|w| Piece::straight(w[0], w[1])).collect();
         }
@@ -92,10 +92,10 @@ impl Sweep {
 }
 
 impl SphereSweep {
-    /// The sweep of these spheres: centres and radii.
+    /// Creates the sphere sweep of these spheres: centres and radii.
     pub fn new(kind: Sweep, balls: &[(DVec3, f64)]) -> Self {
-        let mut pieces = kind.pieces(balls);
-        pieces.retain(|piece| bvh::fits(&piece.bounds()));
+        let mut pieces = kind.build_pieces(balls);
+        pieces.retain(|piece| bvh::fits_single_precision(&piece.bounds()));
         let (bvh, order) = Bvh::build(pieces.iter().map(Piece::bounds));
         let pieces: Vec<Piece> = order.into_iter().map(|i| pieces[i as usize].clone()).collect();
         let bounds = pieces.iter().map(Piece::bounds).fold(Aabb::EMPTY, Aabb::union);
@@ -107,15 +107,15 @@ impl SphereSweep {
         Self { kind, pieces, bvh, bounds, pov_bounds }
     }
 
-    /// Returns the covered intervals of a ray, ascending and without overlaps. If the range starts outside of
-    /// everything, with `first` only the first interval is correct.
-    fn covers(&self, ray: &Ray, range: Range, first: bool) -> Covers {
+    /// Returns the intervals of a ray that the sphere sweep covers, ascending and without overlaps. If the range starts
+    /// outside of everything, with `first` only the first interval is correct.
+    fn covered_intervals(&self, ray: &Ray, range: Range, first: bool) -> Covers {
         let length = ray.dir.length();
         let line = Line { o: ray.origin, v: ray.dir / length };
         let mut all: SmallVec<[[Hit; 2]; 8]> = SmallVec::new();
         let mut starts_inside = false;
         self.bvh.traverse(ray, range, |i, mut max| {
-            self.pieces[i].cover(&line, &mut |cover| {
+            self.pieces[i].visit_covered(&line, &mut |cover| {
                 let ends = cover.map(|(s, at)| Hit { t: s / length, part: i as u32, uv: DVec2::new(at, 0.0) });
                 let is_ahead = ends[0].t > range.min;
                 starts_inside |= !is_ahead && ends[1].t > range.min;
@@ -126,7 +126,7 @@ impl SphereSweep {
             if first && starts_inside { ControlFlow::Break(()) } else { ControlFlow::Continue(max) }
         });
         if first && starts_inside {
-            return self.covers(ray, range, false);
+            return self.covered_intervals(ray, range, false);
         }
         all.sort_unstable_by(|a, b| a[0].t.total_cmp(&b[0].t));
         let mut merged = Covers::new();
@@ -140,7 +140,7 @@ impl SphereSweep {
     }
 }
 
-/// Intervals of a ray.
+/// Intervals of a ray that a sphere sweep covers.
 type Covers = SmallVec<[[Hit; 2]; 4]>;
 
 impl Readable for SphereSweep {
@@ -167,15 +167,16 @@ impl Readable for SphereSweep {
         let kind = read_kind(r)?;
         let span = r.span();
         let count = r.float()?.floor();
-        if !(kind.fewest() as f64..=f64::from(u32::MAX)).contains(&count) {
-            let message = format!("this `sphere_sweep` needs at least {} spheres, it has {count}", kind.fewest());
+        if !(kind.min_sphere_count() as f64..=f64::from(u32::MAX)).contains(&count) {
+            let message =
+                format!("this `sphere_sweep` needs at least {} spheres, it has {count}", kind.min_sphere_count());
             let help = "the number before the spheres says how many follow";
             return Err(Diagnostic::new(codes::FEW_POINTS, span, message).help(help).into());
         }
         let mut ball = |_| {
             let span = r.span();
             let (center, radius) = (r.vector()?, r.float()?);
-            finite(span, &[center], &[radius])?;
+            check_finite(span, &[center], &[radius])?;
             Ok((center, radius))
         };
         let balls: Result<Vec<_>> = (0..count as u32).map(&mut ball).collect();
@@ -210,36 +211,37 @@ impl Kernel for SphereSweep {
     }
 
     fn pov_bounds(&self, m: &Transform) -> Aabb {
-        moved_box(m, &self.pov_bounds)
+        transformed_box(m, &self.pov_bounds)
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
         // (The whole line, because an interval before the range can extend into it.)
-        let ends = self.covers(ray, Range::ALL, false).into_iter().flatten();
+        let ends = self.covered_intervals(ray, Range::ALL, false).into_iter().flatten();
         out.extend(ends.filter(|hit| range.contains(hit.t)));
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
-        self.covers(ray, range, true).into_iter().flatten().find(|hit| range.contains(hit.t))
+        self.covered_intervals(ray, range, true).into_iter().flatten().find(|hit| range.contains(hit.t))
     }
 
     fn inside(&self, p: DVec3) -> bool {
         let mut inside = false;
-        self.bvh.around(p, |i| {
-            inside = self.pieces[i].holds(p);
+        self.bvh.visit_boxes_around(p, |i| {
+            inside = self.pieces[i].contains(p);
             if inside { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         inside
     }
 
-    /// Away from the centre of the sphere; towards it for a negative radius (quirk: `sphere_sweep_negative_radius`).
+    /// Normal of a sphere sweep, away from the centre of the sphere; towards it for a negative radius (quirk:
+    /// `sphere_sweep_negative_radius`).
     fn normal(&self, p: DVec3, hit: &Hit) -> DVec3 {
-        let (center, radius) = self.pieces[hit.part as usize].ball(hit.uv.x);
+        let (center, radius) = self.pieces[hit.part as usize].sphere_at(hit.uv.x);
         let n = if radius < 0.0 { center - p } else { p - center };
         if n.length_squared() > 0.0 { n } else { DVec3::Y }
     }
 
-    /// POV-Ray has no mapping for this shape.
+    /// Returns false: POV-Ray defines no uv mapping for a sphere sweep.
     fn has_uv_mapping(&self) -> bool {
         false
     }
@@ -248,14 +250,14 @@ impl Kernel for SphereSweep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::testing::{all, read};
+    use crate::shape::testing::{all_hits, read_shape};
 
     const BALLS: &str = "5 <-2,0,0> .4 <-1,1,0> .3 <1,1.5,0> .5 <2,0,1> .2 <0,-1,0> .3";
 
     /// POV-Ray's `trace()` along a ray: one coordinate of the hit, and the normal.
     fn traced(text: &str, ray: Ray, want: &[(f64, [f64; 3])]) {
-        let sweep = read::<SphereSweep>(text).0.unwrap();
-        let hits = all(&sweep, &ray);
+        let sweep = read_shape::<SphereSweep>(text).0.unwrap();
+        let hits = all_hits(&sweep, &ray);
         assert_eq!(hits.len(), want.len(), "{hits:?}");
         for (hit, (at, normal)) in hits.iter().zip(want) {
             let p = ray.at(hit.t);
@@ -272,7 +274,7 @@ mod tests {
             (Ray::new(DVec3::new(-5.0, 0.8, 0.02), DVec3::X), Ray::new(DVec3::new(1.1, -5.0, 0.2), DVec3::Y));
         let b_spline = format!("b_spline {BALLS}");
         // (From within the first interval, POV-Ray's `trace` misses the gap behind it.)
-        let hits = all(&read::<SphereSweep>(&b_spline).0.unwrap(), &level);
+        let hits = all_hits(&read_shape::<SphereSweep>(&b_spline).0.unwrap(), &level);
         let at: Vec<f64> = hits.iter().map(|hit| level.at(hit.t).x).collect();
         assert!(at.len() == 4 && (at[0] + 1.162709849).abs() < 1e-6 && (at[3] - 1.371521912).abs() < 1e-6, "{at:?}");
         traced(
@@ -308,8 +310,9 @@ mod tests {
 
     #[test]
     fn pov_bounds_of_each_kind() {
-        let pov_bounds =
-            |kind: &str| read::<SphereSweep>(&format!("{kind} {BALLS}")).0.unwrap().pov_bounds(&Transform::IDENTITY);
+        let pov_bounds = |kind: &str| {
+            read_shape::<SphereSweep>(&format!("{kind} {BALLS}")).0.unwrap().pov_bounds(&Transform::IDENTITY)
+        };
         assert_eq!(pov_bounds("b_spline").min, DVec3::new(-2.4, -1.3, -0.5));
         assert_eq!(pov_bounds("cubic_spline").min, DVec3::new(-2.8, -1.6, -1.0));
         assert_eq!(pov_bounds("linear_spline").max, DVec3::new(2.2, 2.0, 1.2));
@@ -318,10 +321,10 @@ mod tests {
     #[test]
     fn reading() {
         for few in ["linear_spline 1 0 1", "b_spline 3 0 1 0 1 0 1", "cubic_spline -1", "linear_spline 1e99"] {
-            assert_eq!(read::<SphereSweep>(few).0.unwrap_err().code, codes::FEW_POINTS, "{few}");
+            assert_eq!(read_shape::<SphereSweep>(few).0.unwrap_err().code, codes::FEW_POINTS, "{few}");
         }
-        assert_eq!(read::<SphereSweep>("linear_spline 2 0 1 inf 1").0.unwrap_err().code, codes::NOT_FINITE);
-        assert_eq!(read::<SphereSweep>("linear_spline 2 0 0 <1,0,0> 0").1[0].code, codes::NO_SURFACE);
-        assert!(read::<SphereSweep>("quadratic_spline 2 0 0 <1,0,0> 0").0.is_err());
+        assert_eq!(read_shape::<SphereSweep>("linear_spline 2 0 1 inf 1").0.unwrap_err().code, codes::NOT_FINITE);
+        assert_eq!(read_shape::<SphereSweep>("linear_spline 2 0 0 <1,0,0> 0").1[0].code, codes::NO_SURFACE);
+        assert!(read_shape::<SphereSweep>("quadratic_spline 2 0 0 <1,0,0> 0").0.is_err());
     }
 }

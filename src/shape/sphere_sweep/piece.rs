@@ -9,7 +9,7 @@ use crate::math::{Aabb, DVec3, bernstein_roots};
 use serde::Serialize;
 use smallvec::SmallVec;
 
-/// C(n, k) for n up to 10.
+/// Binomial coefficients C(n, k) for n up to 10.
 const BINOMIALS: [[f64; 11]; 11] = {
     let mut table = [[0.0; 11]; 11];
     let mut n = 0;
@@ -25,21 +25,22 @@ const BINOMIALS: [[f64; 11]; 11] = {
     table
 };
 
-/// Bernstein coefficients of centre and radius.
+/// Piece of a sphere sweep's path: Bernstein coefficients of centre and radius.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Piece {
-    /// Coefficients of the centre.
+    /// Bernstein coefficients of the sphere's centre along the piece.
     pub centers: [DVec3; 4],
-    /// Coefficients of the radius.
+    /// Bernstein coefficients of the sphere's radius along the piece.
     pub radii: [f64; 4],
-    /// 1 or 3; at 1 the last two coefficients are unused.
+    /// Degree of the piece, 1 or 3; at 1 the last two coefficients are unused.
     pub degree: usize,
 }
 
-/// Interval of a ray that spheres of one piece cover without a gap; each end with its t.
+/// Interval of a ray that spheres of one piece of a sphere sweep cover without a gap; each end with its position on the
+/// piece.
 pub type Cover = [(f64, f64); 2];
 
-/// Called with each covered interval.
+/// Function that receives each interval of a ray that a sphere sweep covers.
 type Visit<'a> = &'a mut dyn FnMut(Cover);
 
 /// A polynomial of degree N - 1: its Bernstein coefficients, each multiplied by C(n, k), so that products are plain
@@ -73,7 +74,7 @@ impl<const N: usize> Scaled<N> {
 }
 
 /// Value at t of a polynomial with these Bernstein coefficients, by de Casteljau's algorithm.
-fn blend<const N: usize>(mut b: [f64; N], t: f64) -> f64 {
+fn evaluate_bernstein<const N: usize>(mut b: [f64; N], t: f64) -> f64 {
     for last in (1..N).rev() {
         for i in 0..last {
             b[i] += (b[i + 1] - b[i]) * t;
@@ -82,23 +83,23 @@ fn blend<const N: usize>(mut b: [f64; N], t: f64) -> f64 {
     b[0]
 }
 
-/// Bernstein coefficients of the derivative.
-fn slope<const N: usize, const M: usize>(b: &[f64; N]) -> [f64; M] {
+/// Bernstein coefficients of a polynomial's derivative.
+fn bernstein_derivative<const N: usize, const M: usize>(b: &[f64; N]) -> [f64; M] {
     std::array::from_fn(|k| (b[k + 1] - b[k]) * M as f64)
 }
 
 impl Piece {
-    /// Spheres on a straight path.
+    /// Creates a piece of a sphere sweep whose spheres are on a straight path.
     pub fn straight(from: (DVec3, f64), to: (DVec3, f64)) -> Self {
         Self { centers: [from.0, to.0, to.0, to.0], radii: [from.1, to.1, to.1, to.1], degree: 1 }
     }
 
-    /// A piece from Bernstein coefficients.
+    /// Creates a piece of a sphere sweep from Bernstein coefficients.
     pub fn curved(b: [(DVec3, f64); 4]) -> Self {
         Self { centers: b.map(|ball| ball.0), radii: b.map(|ball| ball.1), degree: 3 }
     }
 
-    /// Bounding box of the piece.
+    /// Bounding box of the piece of a sphere sweep.
     pub fn bounds(&self) -> Aabb {
         let ball = |k: usize| {
             let reach = DVec3::splat(self.radii[k].abs());
@@ -107,26 +108,26 @@ impl Piece {
         (0..=self.degree).map(ball).fold(Aabb::EMPTY, Aabb::union)
     }
 
-    /// Centre and radius of a sphere.
-    pub fn ball(&self, t: f64) -> (DVec3, f64) {
+    /// Centre and radius of the sphere at position t of the piece.
+    pub fn sphere_at(&self, t: f64) -> (DVec3, f64) {
         let b = &self.centers;
         if self.degree == 1 {
             return (b[0] + (b[1] - b[0]) * t, self.radii[0] + (self.radii[1] - self.radii[0]) * t);
         }
-        let along = |axis: usize| blend(b.map(|p| p[axis]), t);
-        (DVec3::new(along(0), along(1), along(2)), blend(self.radii, t))
+        let along = |axis: usize| evaluate_bernstein(b.map(|p| p[axis]), t);
+        (DVec3::new(along(0), along(1), along(2)), evaluate_bernstein(self.radii, t))
     }
 
-    /// True if the point is in one of the spheres.
-    pub fn holds(&self, p: DVec3) -> bool {
+    /// True if the point is in one of the spheres of the piece.
+    pub fn contains(&self, p: DVec3) -> bool {
         match self.degree {
-            1 => self.holds_by::<2, 3>(p),
-            _ => self.holds_by::<4, 7>(p),
+            1 => self.contains_by::<2, 3>(p),
+            _ => self.contains_by::<4, 7>(p),
         }
     }
 
-    fn holds_by<const N: usize, const D: usize>(&self, p: DVec3) -> bool {
-        let depth = self.depth::<N, D>(|center| center - p).coefficients();
+    fn contains_by<const N: usize, const D: usize>(&self, p: DVec3) -> bool {
+        let depth = self.signed_depth::<N, D>(|center| center - p).coefficients();
         let mut holds = depth[0] > 0.0;
         bernstein_roots(&depth, &mut |_| {
             holds = true;
@@ -135,8 +136,8 @@ impl Piece {
         holds
     }
 
-    /// r² - |way|² along the piece.
-    fn depth<const N: usize, const D: usize>(&self, way: impl Fn(DVec3) -> DVec3) -> Scaled<D> {
+    /// Bernstein coefficients of r² - |way|² along the piece of a sphere sweep.
+    fn signed_depth<const N: usize, const D: usize>(&self, way: impl Fn(DVec3) -> DVec3) -> Scaled<D> {
         let square = |value: &dyn Fn(usize) -> f64| {
             let scaled = Scaled::<N>::new(&std::array::from_fn(value));
             scaled.times::<N, D>(&scaled)
@@ -146,16 +147,25 @@ impl Piece {
         (0..3).fold(radius2, |sum, axis| sum.minus(square(&|k| ways[k][axis]), 1.0))
     }
 
-    /// Calls `visit` with the intervals that the spheres cover, in any order; intervals can overlap.
-    pub fn cover(&self, line: &Line, visit: Visit) {
+    /// Calls `visit` with the intervals of a line that the spheres of the piece cover, in any order; intervals can
+    /// overlap.
+    pub fn visit_covered(&self, line: &Line, visit: Visit) {
         match self.degree {
-            1 => self.cover_by::<2, 1, 1, 3, 2, 3>(line, visit),
-            _ => self.cover_by::<4, 3, 5, 7, 6, 11>(line, visit),
+            1 => self.visit_covered_by::<2, 1, 1, 3, 2, 3>(line, visit),
+            _ => self.visit_covered_by::<4, 3, 5, 7, 6, 11>(line, visit),
         }
     }
 
-    /// The type parameters count coefficients: of the centre, of b', of b'², of Δ, of Δ', and of Δ'² - 4·b'²·Δ.
-    fn cover_by<const N: usize, const B: usize, const B2: usize, const D: usize, const S: usize, const Q: usize>(
+    /// Finds the intervals of a line that the piece covers. The type parameters count coefficients: of the centre, of
+    /// b', of b'², of Δ, of Δ', and of Δ'² - 4·b'²·Δ.
+    fn visit_covered_by<
+        const N: usize,
+        const B: usize,
+        const B2: usize,
+        const D: usize,
+        const S: usize,
+        const Q: usize,
+    >(
         &self,
         line: &Line,
         visit: Visit,
@@ -163,7 +173,7 @@ impl Piece {
         // Start from the ray's point nearest to a point of the piece, so that a distant origin costs no digits.
         let start = (self.centers[0] - line.o).dot(line.v);
         let o = line.o + line.v * start;
-        let scaled = self.depth::<N, D>(|center| {
+        let scaled = self.signed_depth::<N, D>(|center| {
             let way = center - o;
             way - line.v * way.dot(line.v)
         });
@@ -172,7 +182,7 @@ impl Piece {
             return;
         }
         let along: [f64; N] = std::array::from_fn(|k| (self.centers[k] - o).dot(line.v));
-        let (speed, bend): ([f64; B], [f64; S]) = (slope(&along), slope(&delta));
+        let (speed, bend): ([f64; B], [f64; S]) = (bernstein_derivative(&along), bernstein_derivative(&delta));
         let (b1, d1) = (Scaled::new(&speed), Scaled::new(&bend));
         let extremes = d1.times::<S, Q>(&d1).minus(b1.times::<B, B2>(&b1).times::<D, Q>(&scaled), 4.0);
         let mut places: SmallVec<[f64; 16]> = SmallVec::new();
@@ -186,7 +196,8 @@ impl Piece {
         let mut reach = |from: f64, to: f64| {
             let mut cover = [(f64::INFINITY, from), (f64::NEG_INFINITY, from)];
             for t in places.iter().copied().filter(|t| *t > from && *t < to).chain([from, to]) {
-                let (middle, half) = (start + blend(along, t), blend(delta, t).max(0.0).sqrt());
+                let (middle, half) =
+                    (start + evaluate_bernstein(along, t), evaluate_bernstein(delta, t).max(0.0).sqrt());
                 if middle - half < cover[0].0 {
                     cover[0] = (middle - half, t);
                 }
@@ -213,9 +224,9 @@ impl Piece {
 /// A line o + s·v with |v| = 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// Point at s = 0.
+    /// Point o of the line, at s = 0.
     pub o: DVec3,
-    /// Direction of the line.
+    /// Direction v of the line, of length 1.
     pub v: DVec3,
 }
 
@@ -225,7 +236,7 @@ mod tests {
 
     fn covers(piece: &Piece, o: [f64; 3], v: DVec3) -> Vec<[f64; 2]> {
         let mut all = vec![];
-        piece.cover(&Line { o: o.into(), v: v.normalize() }, &mut |c| all.push([c[0].0, c[1].0]));
+        piece.visit_covered(&Line { o: o.into(), v: v.normalize() }, &mut |c| all.push([c[0].0, c[1].0]));
         all
     }
 
@@ -243,8 +254,8 @@ mod tests {
             (near - 5.0 + 2.0 * tangent).abs() < 1e-15 && (far - 5.0 - 2.0 * tangent).abs() < 1e-15,
             "{near} {far}"
         );
-        assert!(cone.holds(DVec3::new(2.0, 0.516, 0.0)) && !cone.holds(DVec3::new(2.0, 0.517, 0.0)));
-        assert!(!cone.holds(DVec3::new(-0.1, 0.0, 0.0)));
+        assert!(cone.contains(DVec3::new(2.0, 0.516, 0.0)) && !cone.contains(DVec3::new(2.0, 0.517, 0.0)));
+        assert!(!cone.contains(DVec3::new(-0.1, 0.0, 0.0)));
     }
 
     #[test]
@@ -257,7 +268,7 @@ mod tests {
         assert!((both[0][0] + both[1][1] - 14.0).abs() < 1e-12, "{both:?}");
         // Compare with a dense row of spheres.
         let nearest = (0..=100_000).filter_map(|k| {
-            let (c, r) = arch.ball(f64::from(k) / 1e5);
+            let (c, r) = arch.sphere_at(f64::from(k) / 1e5);
             let depth = r * r - (c.y - 1.5).powi(2);
             (depth > 0.0).then(|| c.x + 5.0 - depth.sqrt())
         });

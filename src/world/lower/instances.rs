@@ -66,7 +66,7 @@ impl Lowering {
         }
         let shared = original.shared.clone();
         let copied = Instance::new(shared, place(&object.transform), before.parts as u32, before.objects as u32);
-        Ok(Some(copied).filter(|copied| bvh::fits(&copied.bounds())))
+        Ok(Some(copied).filter(|copied| bvh::fits_single_precision(&copied.bounds())))
     }
 }
 

@@ -19,7 +19,7 @@ use crate::diagnostic::Result;
 use crate::math::cancel;
 use crate::medium::Interior;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, PhotonSettings, Scene};
-use crate::shape::{Bounding, Kernel, Shape, moved_box};
+use crate::shape::{Bounding, Kernel, Shape, transformed_box};
 use crate::source::{Activity, Span};
 use crate::texture::{Texture, Uncommon};
 use crate::value::SharedDefault;
@@ -81,7 +81,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
     let lit_by = lowering.lit_by();
     let noise = scene.settings.noise_generator.unwrap_or_default();
     let Lowering { parts, objects, cuts, materials, interiors, filled, lights, photons, .. } = lowering;
-    let eye = scene.camera.eye(noise, scene.settings.number_of_waves);
+    let eye = scene.camera.lower(noise, scene.settings.number_of_waves);
     let geometry = Geometry::from(builder);
     Ok(World {
         epsilon: RayEpsilon::of(&geometry, eye.frame.origin),
@@ -101,7 +101,7 @@ fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result
         lights,
         lit_by,
         sky: Sky::new(scene),
-        fogs: scene.fogs.iter().filter(|fog| fog.shows()).cloned().collect(),
+        fogs: scene.fogs.iter().filter(|fog| fog.has_effect()).cloned().collect(),
         rainbows: scene.rainbows.clone(),
         gamma: scene.settings.gamma.unwrap_or(Gamma::Power(1.0)),
         noise,
@@ -235,7 +235,7 @@ impl Lowering {
         let solid = match &object.kind {
             ObjectKind::Light(light) => self.lower_light(light, &own, inherited)?,
             ObjectKind::Shape(shape) => {
-                let shape = shape.under(&own.place.now);
+                let shape = shape.shape_under_transform(&own.place.now);
                 let is_there = !shape.is_open() || !shape.bounds_under(&own.place.now).is_empty();
                 is_there.then(|| self.lower_shape(object, &shape, &own)).transpose()?
             }
@@ -243,7 +243,7 @@ impl Lowering {
         };
         let Some(Solid { mut node, opaque }) = solid else { return Ok(None) };
         if matches!(object.kind, ObjectKind::Csg(CsgOp::Intersection | CsgOp::Difference, _)) {
-            node = node.visible_within(moved_box(&inherited.place.now, &object.pov_bounds()));
+            node = node.visible_within(transformed_box(&inherited.place.now, &object.pov_bounds()));
         }
         if object.uncommon.flags.inverse {
             node = node.inverted();

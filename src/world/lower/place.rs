@@ -51,7 +51,7 @@ impl Place {
 
 /// Returns `inner` followed by `outer`; shares one of them if the other is the identity.
 fn composed(inner: &SharedDefault<Transform>, outer: &SharedDefault<Transform>) -> SharedDefault<Transform> {
-    match (inner.explicit(), outer.explicit()) {
+    match (inner.explicit_value(), outer.explicit_value()) {
         (None, _) => outer.clone(),
         (_, None) => inner.clone(),
         (Some(inner), Some(outer)) => inner.then(outer).into(),
@@ -65,7 +65,7 @@ fn moved(
     source: Span,
 ) -> Result<SharedDefault<Transform>> {
     let transform = composed(inner, outer);
-    match inner.explicit() {
+    match inner.explicit_value() {
         Some(_) => checked(*transform, source).map(|_| transform),
         // `outer` has been checked.
         None => Ok(transform),

@@ -27,8 +27,8 @@ impl SolidNode {
         self.bounded(around.map(|b| SolidNode::leaf(Leaf::new(Shape::from(b), &Transform::IDENTITY, 0), 0)))
     }
 
-    /// Restricts the node to rays that meet the box that POV-Ray computes for it (quirk: `intersection_box`), which can be smaller
-    /// than the node.
+    /// Restricts the node to rays that meet the box that POV-Ray computes for it (quirk: `intersection_box`), which can
+    /// be smaller than the node.
     pub fn visible_within(self, pov_bounds: Aabb) -> Self {
         // Slack for the rounding margins of the parts' boxes.
         let pov_bounds = pov_bounds.grown(1e-6 * pov_bounds.max.abs().max(pov_bounds.min.abs()).max_element().max(1.0));
@@ -52,7 +52,9 @@ impl SolidNode {
         if !self.is_whole() || leaf.inverse || !leaf.shape.is_convex() {
             return false;
         }
-        let holds = |b: Aabb| b.is_empty() || (bvh::fits(&b) && b.corners().into_iter().all(|p| leaf.inside(p)));
+        let holds = |b: Aabb| {
+            b.is_empty() || (bvh::fits_single_precision(&b) && b.corners().into_iter().all(|p| leaf.inside(p)))
+        };
         let parts = |parts: &[SolidNode]| parts.iter().all(|part| self.surrounds(part));
         holds(other.bounds())
             || matches!(&other.kind, SolidKind::Union(c) | SolidKind::Merge(c) if parts(c))

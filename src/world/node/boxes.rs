@@ -38,11 +38,13 @@ impl SolidNode {
         !solid.is_empty() && solid.union(surface) != surface
     }
 
-    /// Box within which a camera can be inside a node whose inside extends beyond its bounds: POV-Ray's box of its shapes, before they
-    /// are inverted (quirk: `camera_inside_box`).
+    /// Box within which a camera can be inside a node whose inside extends beyond its bounds: POV-Ray's box of its
+    /// shapes, before they are inverted (quirk: `camera_inside_box`).
     pub(in crate::world) fn camera_bounds(&self) -> Aabb {
         match &self.kind {
-            SolidKind::Leaf(leaf) if leaf.shape.solid_bounds().is_some() || !bvh::fits(&self.bounds()) => {
+            SolidKind::Leaf(leaf)
+                if leaf.shape.solid_bounds().is_some() || !bvh::fits_single_precision(&self.bounds()) =>
+            {
                 Aabb::INFINITE
             }
             SolidKind::Leaf(leaf) => leaf.shape.pov_bounds(&leaf.transform()),
@@ -93,7 +95,7 @@ impl SolidNode {
             }
             for_each_enclosing_shape(&self.kind, &clip, &mut |leaf| {
                 if let Some(quadratic) = leaf.quadratic() {
-                    (surface, solid) = (quadratic.bounds_in(surface), quadratic.bounds_in(solid));
+                    (surface, solid) = (quadratic.bounds_within(surface), quadratic.bounds_within(solid));
                 }
             });
         }
@@ -103,7 +105,7 @@ impl SolidNode {
             _ => boxes.surface.union(boxes.solid),
         };
         let is_known =
-            |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.is_whole() && leaf.shape.knows_crossings());
+            |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.is_whole() && leaf.shape.computes_crossings());
         let known = match &self.kind {
             SolidKind::Leaf(_) | SolidKind::Union(_) => false,
             SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_known),

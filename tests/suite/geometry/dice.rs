@@ -19,7 +19,7 @@ impl Dice {
 
     pub fn unit(&mut self) -> f64 {
         self.count += 1;
-        rng::unit(&[self.seed, self.count])
+        rng::random_unit(&[self.seed, self.count])
     }
 
     pub fn between(&mut self, lo: f64, hi: f64) -> f64 {
@@ -156,7 +156,7 @@ impl Dice {
             });
             let waves = [x, y].map(|x| {
                 let x = scaled(g, k, x);
-                g.add(Operation::One(numeric::find("sin").unwrap(), x))
+                g.add_operation(Operation::One(numeric::find_numeric("sin").unwrap(), x))
             });
             let waves = two(g, Operator::Mul, waves[0], waves[1]);
             let waves = scaled(g, wave, waves);
@@ -186,7 +186,7 @@ impl Dice {
             let product = two(g, Operator::Mul, u, v);
             let product = scaled(g, twist, product);
             let turned = scaled(g, k, u);
-            let sine = g.add(Operation::One(numeric::find("sin").unwrap(), turned));
+            let sine = g.add_operation(Operation::One(numeric::find_numeric("sin").unwrap(), turned));
             let sine = scaled(g, wave, sine);
             two(g, Operator::Add, product, sine)
         });
@@ -287,18 +287,18 @@ impl Dice {
 }
 
 fn two(g: &mut Graph, op: Operator, a: Id, b: Id) -> Id {
-    g.add(Operation::Binary(op, a, b))
+    g.add_operation(Operation::Binary(op, a, b))
 }
 
 fn scaled(g: &mut Graph, factor: f64, x: Id) -> Id {
-    let factor = g.constant(factor);
+    let factor = g.add_constant(factor);
     two(g, Operator::Mul, factor, x)
 }
 
 /// A function of three numbers.
 fn formula(make: impl FnOnce(&mut Graph, [Id; 3]) -> Id) -> Formula {
     let mut graph = Graph::default();
-    let parameters = [0, 1, 2].map(|i| graph.add(Operation::Parameter(i)));
+    let parameters = [0, 1, 2].map(|i| graph.add_operation(Operation::Parameter(i)));
     graph.result = make(&mut graph, parameters);
     let body = Body::Numeric(Program::new(graph, 3).unwrap());
     Formula::new(Function { parameters: ["x", "y", "z"].map(Into::into).into(), body })

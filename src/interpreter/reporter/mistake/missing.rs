@@ -102,7 +102,7 @@ impl Reporter<'_> {
             Some(path) => {
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
                 let own = self.inputs.options.search.folders.first().map(|folder| folder.as_path());
-                library::is_standard(&name) && path.parent() != own
+                library::is_standard_include(&name) && path.parent() != own
             }
             None => self.inputs.sources.name(id).starts_with(library::FOLDER),
         }
@@ -111,7 +111,7 @@ impl Reporter<'_> {
     /// True if a standard include file declares the name, perhaps with other capitals.
     pub fn is_in_include(&self, name: &str) -> bool {
         self.include_missing_for(name).is_some()
-            || name.len() > 4 && library::index_names().any(|n| n.eq_ignore_ascii_case(name))
+            || name.len() > 4 && library::standard_names().any(|n| n.eq_ignore_ascii_case(name))
     }
 
     /// Help for the name of an include file's thing outside of all blocks.
@@ -123,7 +123,7 @@ impl Reporter<'_> {
 
     /// The standard include file that declares a name, unless the file has been read.
     pub(super) fn include_missing_for(&self, name: &str) -> Option<&'static str> {
-        let file = library::declared_in(name)?;
+        let file = library::standard_file_of(name)?;
         let read = |(id, _): (crate::source::FileId, &_)| {
             Path::new(self.inputs.sources.name(id)).file_name() == Some(file.as_ref())
         };

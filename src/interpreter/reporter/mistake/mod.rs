@@ -118,11 +118,11 @@ impl Reporter<'_> {
 
     /// True if the name would be declared without the earlier faults.
     fn is_left_undone(&self, name: &str, user: FileId) -> bool {
-        let gives = |(file, includer): &(String, FileId)| match library::is_standard(file) {
+        let gives = |(file, includer): &(String, FileId)| match library::is_standard_include(file) {
             true => library::declares(file, name),
             // The contents of the author's own missing file are unknown: it may declare any name in the file that
             // includes it.
-            false => *includer == user && library::declared_in(name).is_none(),
+            false => *includer == user && library::standard_file_of(name).is_none(),
         };
         self.mistakes.names.contains(name) || self.mistakes.files.iter().any(gives)
     }

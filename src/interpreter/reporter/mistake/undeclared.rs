@@ -62,7 +62,7 @@ fn meant_word(name: &str) -> Option<String> {
 fn meant_include(name: &str) -> Option<String> {
     // Short names resemble too many others.
     let near =
-        nearest(name, library::index_names()).filter(|found| name.len() > 4 || found.eq_ignore_ascii_case(name))?;
-    let file = library::declared_in(near)?;
+        nearest(name, library::standard_names()).filter(|found| name.len() > 4 || found.eq_ignore_ascii_case(name))?;
+    let file = library::standard_file_of(near)?;
     Some(format!("did you mean `{near}`? `#include \"{file}\"` declares it"))
 }

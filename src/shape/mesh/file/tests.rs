@@ -17,22 +17,22 @@ const CORNERS: [[f64; 3]; 8] = [
 ];
 const SIDES: [[usize; 4]; 6] = [[0, 1, 2, 3], [4, 7, 6, 5], [0, 4, 5, 1], [3, 2, 6, 7], [0, 3, 7, 4], [1, 5, 6, 2]];
 
-fn triangles() -> impl Iterator<Item = [usize; 3]> {
+fn cube_triangles() -> impl Iterator<Item = [usize; 3]> {
     SIDES.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]])
 }
 
-fn text(corner: impl Fn(&[f64; 3]) -> String, side: impl Fn([usize; 4]) -> String) -> String {
+fn cube_text(corner: impl Fn(&[f64; 3]) -> String, side: impl Fn([usize; 4]) -> String) -> String {
     CORNERS.iter().map(corner).chain(SIDES.into_iter().map(side)).collect()
 }
 
-fn ply_text() -> Vec<u8> {
+fn cube_ply_text() -> Vec<u8> {
     let head = "ply\nformat ascii 1.0\ncomment a cube\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n\
                 property uchar red\nelement face 6\nproperty list uchar int vertex_indices\nend_header\n";
-    let body = text(|[x, y, z]| format!("{x} {y} {z} 255\n"), |[a, b, c, d]| format!("4 {a} {b} {c} {d}\n"));
+    let body = cube_text(|[x, y, z]| format!("{x} {y} {z} 255\n"), |[a, b, c, d]| format!("4 {a} {b} {c} {d}\n"));
     (head.to_string() + &body).into()
 }
 
-fn ply_bytes(big: bool) -> Vec<u8> {
+fn cube_ply_bytes(big: bool) -> Vec<u8> {
     let order = if big { "big" } else { "little" };
     let mut out = format!(
         "ply\r\nformat binary_{order}_endian 1.0\r\nelement vertex 8\r\nproperty double x\r\nproperty float y\r\nproperty short z\r\n\
@@ -60,31 +60,31 @@ fn ply_bytes(big: bool) -> Vec<u8> {
     out
 }
 
-fn obj() -> Vec<u8> {
+fn cube_obj() -> Vec<u8> {
     // By numbers, by numbers from the end, and with all that a corner may have.
     let side = |[a, b, c, d]: [usize; 4]| match a {
         0 => format!("f {} {} {} {}\n", a + 1, b + 1, c + 1, d + 1),
         3 => format!("f -{} -{} \\\n -{} -{}\r\n", 8 - a, 8 - b, 8 - c, 8 - d),
         _ => format!("f {}/1/1 {}//1 {}/1 {}\n", a + 1, b + 1, c + 1, d + 1),
     };
-    let body = text(|[x, y, z]| format!("v {x} {y} {z}\n"), side);
+    let body = cube_text(|[x, y, z]| format!("v {x} {y} {z}\n"), side);
     format!("# a cube\no cube\nvt 0 0\nvn 0 0 1\ng sides\ns off\n{body}l 1 2\n").into()
 }
 
-fn stl_text() -> Vec<u8> {
+fn cube_stl_text() -> Vec<u8> {
     let vertex = |i: usize| format!("   vertex {} {} {}\n", CORNERS[i][0], CORNERS[i][1], CORNERS[i][2]);
     let facet = |[a, b, c]: [usize; 3]| {
         format!(" facet normal 0 0 0\n  outer loop\n{}{}{}  endloop\n endfacet\n", vertex(a), vertex(b), vertex(c))
     };
-    format!("solid cube\n{}endsolid cube\n", triangles().map(facet).collect::<String>()).into()
+    format!("solid cube\n{}endsolid cube\n", cube_triangles().map(facet).collect::<String>()).into()
 }
 
-fn stl_bytes() -> Vec<u8> {
+fn cube_stl_bytes() -> Vec<u8> {
     // As some programs begin them.
     let mut out = b"solid no text".to_vec();
     out.resize(80, b' ');
     out.extend(12u32.to_le_bytes());
-    for corners in triangles() {
+    for corners in cube_triangles() {
         out.extend([0; 12]);
         for x in corners.into_iter().flat_map(|i| CORNERS[i]) {
             out.extend((x as f32).to_le_bytes());
@@ -94,9 +94,9 @@ fn stl_bytes() -> Vec<u8> {
     out
 }
 
-/// Half as large, and put in its place by two nodes.
-fn gltf_parts() -> (String, Vec<u8>) {
-    let mut bytes: Vec<u8> = triangles().flatten().map(|i| i as u8).collect();
+/// Creates a glTF file whose triangles are half as large, and put in their place by two nodes.
+fn cube_gltf_parts() -> (String, Vec<u8>) {
+    let mut bytes: Vec<u8> = cube_triangles().flatten().map(|i| i as u8).collect();
     for [x, y, z] in CORNERS {
         for x in [x / 2.0 - 1.0, y, z / 2.0] {
             bytes.extend((x as f32).to_le_bytes());
@@ -113,8 +113,8 @@ fn gltf_parts() -> (String, Vec<u8>) {
     (json.into(), bytes)
 }
 
-fn glb() -> Vec<u8> {
-    let (json, bytes) = gltf_parts();
+fn cube_glb() -> Vec<u8> {
+    let (json, bytes) = cube_gltf_parts();
     let json = format!("{{{json}, \"buffers\": [{{\"byteLength\": {}}}]}}", bytes.len());
     let mut out = b"glTF\x02\0\0\0\0\0\0\0".to_vec();
     for (kind, part) in [(b"JSON", json.as_bytes()), (b"BIN\0", &bytes)] {
@@ -125,14 +125,14 @@ fn glb() -> Vec<u8> {
     out
 }
 
-fn gltf() -> Vec<u8> {
-    let (json, _) = gltf_parts();
+fn cube_gltf() -> Vec<u8> {
+    let (json, _) = cube_gltf_parts();
     format!("{{{json}, \"buffers\": [{{\"byteLength\": 164, \"uri\": \"my%20cube.bin\"}}]}}").into()
 }
 
-fn read(bytes: &[u8], ending: &str) -> Result<MeshFile, String> {
-    mesh_io::read(bytes, ending, &mut |name| match name {
-        "my cube.bin" => Ok(gltf_parts().1),
+fn read_mesh(bytes: &[u8], ending: &str) -> Result<MeshFile, String> {
+    mesh_io::read_mesh_file(bytes, ending, &mut |name| match name {
+        "my cube.bin" => Ok(cube_gltf_parts().1),
         "red.mtl" => {
             Ok(b"newmtl red\nKd 1 0 0\nd 0.25\nKs 0.5 0.5 0.5\nNs 60\nmap_Kd -s 1 1 1 -bm 2 my red.png\n".into())
         }
@@ -144,17 +144,17 @@ fn read(bytes: &[u8], ending: &str) -> Result<MeshFile, String> {
 fn a_cube_is_a_box() {
     let cuboid = Cuboid::new(DVec3::ZERO, DVec3::new(2.0, 1.0, 3.0));
     let files = [
-        ("ply", ply_text()),
-        ("ply", ply_bytes(false)),
-        ("ply", ply_bytes(true)),
-        ("obj", obj()),
-        ("STL", stl_text()),
-        ("stl", stl_bytes()),
-        ("gltf", gltf()),
-        ("glb", glb()),
+        ("ply", cube_ply_text()),
+        ("ply", cube_ply_bytes(false)),
+        ("ply", cube_ply_bytes(true)),
+        ("obj", cube_obj()),
+        ("STL", cube_stl_text()),
+        ("stl", cube_stl_bytes()),
+        ("gltf", cube_gltf()),
+        ("glb", cube_glb()),
     ];
     for (ending, bytes) in files {
-        let file = read(&bytes, ending).unwrap();
+        let file = read_mesh(&bytes, ending).unwrap();
         assert_eq!((file.triangles.corners.len(), file.triangles.vertices.len()), (12, 8), "{ending}");
         let mesh = Ordered::new(file.triangles);
         for k in 0..2000 {
@@ -172,9 +172,9 @@ fn a_cube_is_a_box() {
 }
 
 #[test]
-fn materials() {
+fn materials_are_read_from_obj_and_gltf() {
     let text = "mtllib red.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 3\n";
-    let file = read(text.as_bytes(), "obj").unwrap();
+    let file = read_mesh(text.as_bytes(), "obj").unwrap();
     assert_eq!(file.triangles.painted, [[0; 3], [1; 3], [0; 3]]);
     assert_eq!(file.remarks, ["line 8: there is no material `blue`"]);
     let material = &file.materials[0];
@@ -183,18 +183,18 @@ fn materials() {
         ([1.0, 0.0, 0.0], 0.25, 0.5, 60.0)
     );
     assert_eq!(material.picture.as_deref(), Some("my red.png"));
-    let file = read(&glb(), "").unwrap();
+    let file = read_mesh(&cube_glb(), "").unwrap();
     assert_eq!((file.materials[0].color, file.materials[0].is_linear), ([1.0, 0.25, 0.0], true));
     assert_eq!(file.triangles.painted, [[1; 3]; 12]);
 }
 
 #[test]
 fn strips_and_fans_turn_one_way() {
-    let (json, bytes) = gltf_parts();
+    let (json, bytes) = cube_gltf_parts();
     for (mode, want) in [(5, [[0, 1, 2], [1, 0, 2]]), (6, [[1, 2, 0], [2, 0, 0]])] {
         let json = json.replace("\"indices\": 0", &format!("\"indices\": 0, \"mode\": {mode}")).replace("36,", "4,");
         let json = format!("{{{json}, \"buffers\": [{{\"uri\": \"my cube.bin\"}}]}}");
-        let file = read(json.as_bytes(), "gltf").unwrap();
+        let file = read_mesh(json.as_bytes(), "gltf").unwrap();
         assert_eq!((bytes[..4].to_vec(), file.triangles.corners), (vec![0, 1, 2, 0], want.to_vec()));
     }
 }
@@ -202,11 +202,11 @@ fn strips_and_fans_turn_one_way() {
 #[test]
 fn faults_have_a_place() {
     let mut others = vec![];
-    let ply = String::from_utf8(ply_text()).unwrap();
+    let ply = String::from_utf8(cube_ply_text()).unwrap();
     let changed = |from: &str, to: &str| ply.replacen(from, to, 1).into_bytes();
-    let mut cut = ply_bytes(false);
+    let mut cut = cube_ply_bytes(false);
     cut.truncate(cut.len() - 5);
-    let mut far = glb();
+    let mut far = cube_glb();
     let at = far.windows(3).position(|w| w == b"128").unwrap();
     far[at..at + 3].copy_from_slice(b"990");
     for (bytes, ending, want) in [
@@ -227,7 +227,7 @@ fn faults_have_a_place() {
         (b"v 1 1 1e999\n".to_vec(), "obj", "line 1: a corner's place is not a number"),
         (vec![], "obj", "it holds no triangles"),
         (vec![], "stl", "it ends within its first 84 bytes"),
-        (stl_bytes()[..100].to_vec(), "stl", "it holds no triangles"),
+        (cube_stl_bytes()[..100].to_vec(), "stl", "it holds no triangles"),
         (
             {
                 let mut b = vec![0; 84];
@@ -243,7 +243,7 @@ fn faults_have_a_place() {
         (far, "glb", "accessor 1: its bytes from 36 on are 990, and buffer 0 ends at 164"),
         (b"hello".to_vec(), "txt", "it is none of ply, obj, stl, gltf and glb"),
     ] {
-        let found = read(&bytes, ending).unwrap_err();
+        let found = read_mesh(&bytes, ending).unwrap_err();
         if !found.contains(want) {
             others.push((found, want));
         }
@@ -258,9 +258,13 @@ fn whatever_is_changed_gives_a_message_or_triangles() {
         seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         (seed >> 8) as usize % n
     };
-    for (ending, bytes) in
-        [("ply", ply_text()), ("ply", ply_bytes(true)), ("obj", obj()), ("stl", stl_bytes()), ("glb", glb())]
-    {
+    for (ending, bytes) in [
+        ("ply", cube_ply_text()),
+        ("ply", cube_ply_bytes(true)),
+        ("obj", cube_obj()),
+        ("stl", cube_stl_bytes()),
+        ("glb", cube_glb()),
+    ] {
         for _ in 0..2000 {
             let mut bytes = bytes.clone();
             for _ in 0..1 + random(4) {
@@ -275,9 +279,9 @@ fn whatever_is_changed_gives_a_message_or_triangles() {
                     break;
                 }
             }
-            if let Ok(file) = read(&bytes, ending) {
+            if let Ok(file) = read_mesh(&bytes, ending) {
                 let mesh = Ordered::new(file.triangles);
-                mesh.any(&Ray::new(DVec3::splat(-3.0), DVec3::new(0.3, 0.2, 0.4)), Range::FORWARD);
+                mesh.any_hit(&Ray::new(DVec3::splat(-3.0), DVec3::new(0.3, 0.2, 0.4)), Range::FORWARD);
             }
         }
     }

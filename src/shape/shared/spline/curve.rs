@@ -3,18 +3,19 @@
 use crate::math::{DVec2, bernstein_roots, solve_quadratic};
 use serde::Serialize;
 
-/// A curve. Each segment starts at exactly the end of the one before, unless it belongs to another outline.
+/// Curve of a lathe's or prism's outline. Each segment starts at exactly the end of the one before, unless it belongs
+/// to another outline.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Curve {
-    /// Degree: number of control points of a segment after the first.
+    /// Degree of the curve: number of control points of a segment after the first.
     pub degree: usize,
-    /// Control points; those beyond the degree are unused.
+    /// Control points of each segment of the curve; those beyond the degree are unused.
     pub segments: Vec<[DVec2; 4]>,
 }
 
 /// Value at t of a polynomial with these Bernstein coefficients, by de Casteljau's algorithm.
 #[inline]
-pub fn blend(b: &[f64], t: f64) -> f64 {
+pub fn evaluate_bernstein(b: &[f64], t: f64) -> f64 {
     let between = |a: f64, b: f64| a + (b - a) * t;
     match *b {
         [a, b] => between(a, b),
@@ -23,11 +24,11 @@ pub fn blend(b: &[f64], t: f64) -> f64 {
             let (ab, bc, cd) = (between(a, b), between(b, c), between(c, d));
             between(between(ab, bc), between(bc, cd))
         }
-        _ => blend_many(b, t),
+        _ => evaluate_bernstein_of_any_degree(b, t),
     }
 }
 
-fn blend_many(b: &[f64], t: f64) -> f64 {
+fn evaluate_bernstein_of_any_degree(b: &[f64], t: f64) -> f64 {
     let mut b: smallvec::SmallVec<[f64; 8]> = b.into();
     for last in (1..b.len()).rev() {
         for i in 0..last {
@@ -38,9 +39,9 @@ fn blend_many(b: &[f64], t: f64) -> f64 {
 }
 
 /// Derivative, by t, of the polynomial with the Bernstein coefficients `b`.
-pub fn blend_slope(b: &[f64], t: f64) -> f64 {
+pub fn bernstein_derivative_at(b: &[f64], t: f64) -> f64 {
     let rises: smallvec::SmallVec<[f64; 8]> = b.windows(2).map(|w| w[1] - w[0]).collect();
-    rises.len() as f64 * blend(&rises, t)
+    rises.len() as f64 * evaluate_bernstein(&rises, t)
 }
 
 /// Binomial coefficient C(n, k).
@@ -48,55 +49,56 @@ fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
 }
 
-/// Bernstein coefficients of a product. The first and last are exactly the products of the first and last factors.
-pub fn product(f: &[f64], g: &[f64]) -> Vec<f64> {
+/// Bernstein coefficients of a product of two polynomials. The first and last are exactly the products of the first and
+/// last factors.
+pub fn bernstein_product(f: &[f64], g: &[f64]) -> Vec<f64> {
     let (m, n) = (f.len() - 1, g.len() - 1);
     let term = |i: usize, k: usize| binomial(m, i) * binomial(n, k - i) / binomial(m + n, k) * (f[i] * g[k - i]);
     (0..=m + n).map(|k| (k.saturating_sub(n)..=k.min(m)).map(|i| term(i, k)).sum()).collect()
 }
 
 impl Curve {
-    /// Control points of a segment.
+    /// Control points of a segment of the curve.
     #[inline]
-    pub fn controls(&self, segment: usize) -> &[DVec2] {
+    pub fn control_points(&self, segment: usize) -> &[DVec2] {
         &self.segments[segment][..=self.degree]
     }
 
-    /// Point of a segment.
+    /// Point of the curve's segment at t.
     #[inline]
-    pub fn at(&self, segment: usize, t: f64) -> DVec2 {
-        let along = |axis: usize| blend(&self.coordinates(segment, |p| p[axis]), t);
+    pub fn point_at(&self, segment: usize, t: f64) -> DVec2 {
+        let along = |axis: usize| evaluate_bernstein(&self.affine_coefficients(segment, |p| p[axis]), t);
         DVec2::new(along(0), along(1))
     }
 
-    /// Direction of a segment at t; zero only if all control points coincide.
+    /// Direction of the curve's segment at t; zero only if all control points coincide.
     pub fn tangent(&self, segment: usize, t: f64) -> DVec2 {
-        let along = |axis: usize| blend_slope(&self.coordinates(segment, |p| p[axis]), t);
+        let along = |axis: usize| bernstein_derivative_at(&self.affine_coefficients(segment, |p| p[axis]), t);
         let tangent = DVec2::new(along(0), along(1));
         if tangent != DVec2::ZERO {
             return tangent;
         }
         // A cusp, or coinciding control points.
-        let c = self.controls(segment);
+        let c = self.control_points(segment);
         c[self.degree] - c[0]
     }
 
-    /// Bernstein coefficients of an affine function of the control points.
+    /// Bernstein coefficients, along a segment of the curve, of an affine function of the point.
     #[inline]
-    pub fn coordinates(&self, segment: usize, f: impl Fn(DVec2) -> f64) -> smallvec::SmallVec<[f64; 4]> {
+    pub fn affine_coefficients(&self, segment: usize, f: impl Fn(DVec2) -> f64) -> smallvec::SmallVec<[f64; 4]> {
         let mut all = [0.0; 4];
-        all.iter_mut().zip(self.controls(segment)).for_each(|(to, p)| *to = f(*p));
-        smallvec::SmallVec::from_buf_and_len(all, self.controls(segment).len())
+        all.iter_mut().zip(self.control_points(segment)).for_each(|(to, p)| *to = f(*p));
+        smallvec::SmallVec::from_buf_and_len(all, self.control_points(segment).len())
     }
 
-    /// True if the number of crossings between the outlines and a half-line at height y is odd. `beyond` returns true
-    /// for an x on the half-line; all x between two such x are on it too.
-    pub fn surrounds(&self, y: f64, beyond: impl Fn(f64) -> bool) -> bool {
+    /// True if the number of crossings between the curve's outlines and a half-line at height y is odd. `beyond`
+    /// returns true for an x on the half-line; all x between two such x are on it too.
+    pub fn is_crossed_oddly(&self, y: f64, beyond: impl Fn(f64) -> bool) -> bool {
         let mut odd = false;
         for segment in 0..self.segments.len() {
-            let height = self.coordinates(segment, |p| p.y - y);
+            let height = self.affine_coefficients(segment, |p| p.y - y);
             let [mut all, mut none] = [true; 2];
-            for p in self.controls(segment) {
+            for p in self.control_points(segment) {
                 let counts = beyond(p.x);
                 (all, none) = (all && counts, none && !counts);
             }
@@ -109,38 +111,38 @@ impl Curve {
                 continue;
             }
             bernstein_roots(&height, &mut |t| {
-                odd ^= beyond(blend(&self.coordinates(segment, |p| p.x), t));
+                odd ^= beyond(evaluate_bernstein(&self.affine_coefficients(segment, |p| p.x), t));
                 false
             });
         }
         odd
     }
 
-    /// Minimum and maximum of the points of the curve.
-    pub fn ends(&self) -> (DVec2, DVec2) {
+    /// Minimum and maximum coordinates of the points of the curve.
+    pub fn point_bounds(&self) -> (DVec2, DVec2) {
         let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         let mut reach = |p: DVec2| (min, max) = (min.min(p), max.max(p));
         for segment in 0..self.segments.len() {
-            let c = self.controls(segment);
+            let c = self.control_points(segment);
             reach(c[0]);
             reach(c[self.degree]);
             for axis in 0..2 {
-                let b = self.coordinates(segment, |p| p[axis]);
-                turns(&b).into_iter().flatten().for_each(|t| reach(self.at(segment, t)));
+                let b = self.affine_coefficients(segment, |p| p[axis]);
+                derivative_roots(&b).into_iter().flatten().for_each(|t| reach(self.point_at(segment, t)));
             }
         }
         (min, max)
     }
 
-    /// Minimum and maximum of the control points.
-    pub fn hull(&self) -> (DVec2, DVec2) {
-        let all = (0..self.segments.len()).flat_map(|segment| self.controls(segment).iter().copied());
+    /// Minimum and maximum coordinates of the curve's control points.
+    pub fn control_bounds(&self) -> (DVec2, DVec2) {
+        let all = (0..self.segments.len()).flat_map(|segment| self.control_points(segment).iter().copied());
         all.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(min, max), p| (min.min(p), max.max(p)))
     }
 }
 
-/// Roots of the derivative between 0 and 1, for a degree up to 3.
-pub fn turns(b: &[f64]) -> [Option<f64>; 2] {
+/// Roots of the derivative of a Bernstein polynomial between 0 and 1, for a degree up to 3.
+pub fn derivative_roots(b: &[f64]) -> [Option<f64>; 2] {
     let rise: smallvec::SmallVec<[f64; 4]> = b.windows(2).map(|w| w[1] - w[0]).collect();
     let (x, y) = match rise[..] {
         [a, b] => (a / (a - b), f64::NAN),
@@ -163,16 +165,16 @@ mod tests {
     #[test]
     fn products_and_slopes() {
         // (1 + t)·(3 - t²) with t² as 0, 0, 1
-        let f = product(&[1.0, 2.0], &[3.0, 3.0, 2.0]);
+        let f = bernstein_product(&[1.0, 2.0], &[3.0, 3.0, 2.0]);
         for t in [0.0, 0.3, 1.0] {
-            assert!((blend(&f, t) - (1.0 + t) * (3.0 - t * t)).abs() < 1e-15);
-            assert!((blend_slope(&f, t) - (3.0 - t * t - 2.0 * t * (1.0 + t))).abs() < 1e-14);
+            assert!((evaluate_bernstein(&f, t) - (1.0 + t) * (3.0 - t * t)).abs() < 1e-15);
+            assert!((bernstein_derivative_at(&f, t) - (3.0 - t * t - 2.0 * t * (1.0 + t))).abs() < 1e-14);
         }
     }
 
     #[test]
     fn inside_of_a_square_level_with_its_corners() {
-        let inside = |x: f64, y: f64| square().surrounds(y, |at| at > x);
+        let inside = |x: f64, y: f64| square().is_crossed_oddly(y, |at| at > x);
         for (x, y, want) in
             [(1.0, 1.0, true), (3.0, 1.0, false), (-1.0, 1.0, false), (-1.0, 0.0, false), (-1.0, 2.0, false)]
         {
@@ -184,8 +186,8 @@ mod tests {
     fn ends_of_an_arch() {
         let p = [(0.0, 0.0), (1.0, 1.0), (2.0, 1.0), (3.0, 0.0)].map(|(x, y)| DVec2::new(x, y));
         let arch = Curve { degree: 3, segments: vec![p] };
-        assert_eq!(arch.ends(), (DVec2::ZERO, DVec2::new(3.0, 0.75)));
-        assert_eq!(arch.hull(), (DVec2::ZERO, DVec2::new(3.0, 1.0)));
+        assert_eq!(arch.point_bounds(), (DVec2::ZERO, DVec2::new(3.0, 0.75)));
+        assert_eq!(arch.control_bounds(), (DVec2::ZERO, DVec2::new(3.0, 1.0)));
         assert!(arch.tangent(0, 0.5).y.abs() < 1e-15);
     }
 }

@@ -3,5 +3,5 @@
 mod curve;
 mod points;
 
-pub use curve::{Curve, blend, blend_slope, product, turns};
-pub use points::{Interpolation, KINDS, outlines, read_points, report_open, single_row};
+pub use curve::{Curve, bernstein_derivative_at, bernstein_product, derivative_roots, evaluate_bernstein};
+pub use points::{Interpolation, KINDS, closed_outlines, read_points, report_open, single_outline};

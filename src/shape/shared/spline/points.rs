@@ -8,24 +8,24 @@ use crate::value::words::word;
 use crate::value::{Reader, ReaderExt, Value, ValueKind, WordSpec};
 use serde::Serialize;
 
-/// Interpolation of an outline between its points.
+/// Interpolation of a lathe's or prism's outline between its points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Interpolation {
-    /// Straight lines between the points.
+    /// Outline of straight lines between the points.
     #[default]
     Linear,
-    /// The parabola through two points and the one before them.
+    /// Outline of parabolas, each through two points and the one before them.
     Quadratic,
-    /// A smooth curve by two points and their neighbours (Catmull & Rom, 1974).
+    /// Outline of a smooth curve by two points and their neighbours (Catmull & Rom, 1974).
     Cubic,
-    /// Each four points are a Bézier segment.
+    /// Outline of Bézier segments, each with four points.
     Bezier,
 }
 
 use Interpolation::*;
 
-/// Words of the interpolations.
+/// Words of an outline's interpolations.
 pub const KINDS: [WordSpec; 4] = [
     word("linear_spline", ValueKind::Nothing, "", "straight lines join the points; so it is without any such word"),
     word(
@@ -44,7 +44,7 @@ pub const KINDS: [WordSpec; 4] = [
 ];
 
 impl Interpolation {
-    /// Reads the word of an interpolation, if it is next.
+    /// Reads the word of an outline's interpolation, if it is next.
     ///
     /// # Errors
     /// Errors of the reader.
@@ -65,12 +65,12 @@ impl Interpolation {
         }
     }
 
-    /// Minimum number of points.
-    fn fewest(self) -> usize {
+    /// Minimum number of points of an outline.
+    fn min_point_count(self) -> usize {
         self.degree() + 1
     }
 
-    /// Segments of one row of points.
+    /// Returns the segments of an outline through one row of points.
     fn segments(self, points: &[DVec2]) -> Vec<[DVec2; 4]> {
         let none = DVec2::ZERO;
         let inner = |p: &[DVec2]| [p[1], p[1] + (p[2] - p[0]) / 6.0, p[2] - (p[3] - p[1]) / 6.0, p[2]];
@@ -84,14 +84,14 @@ impl Interpolation {
     }
 }
 
-/// Reads the number of points, and the points. `block` is the shape's word.
+/// Reads the number of points of an outline, and the points. `block` is the shape's word.
 ///
 /// # Errors
 /// E0302 for fewer points than the interpolation needs; a diagnostic for anything that is not a point.
 pub fn read_points(block: &str, kind: Interpolation, fewest: usize, r: &mut dyn Reader) -> Result<Vec<DVec2>> {
     let span = r.span();
     let count = r.float()?.floor();
-    let fewest = fewest.max(kind.fewest());
+    let fewest = fewest.max(kind.min_point_count());
     if !(fewest as f64..=f64::from(u32::MAX)).contains(&count) {
         let message = format!("this `{block}` needs at least {fewest} points, it has {count}");
         let help = "the number before the points says how many follow";
@@ -121,14 +121,14 @@ fn read_point(r: &mut dyn Reader) -> Result<DVec2> {
     Diagnostic::err(codes::NOT_FINITE, span, "one of these numbers is infinite or not a number")
 }
 
-/// One curve through all points.
-pub fn single_row(kind: Interpolation, points: &[DVec2]) -> Curve {
+/// Creates the curve of one outline through all points.
+pub fn single_outline(kind: Interpolation, points: &[DVec2]) -> Curve {
     Curve { degree: kind.degree(), segments: kind.segments(points) }
 }
 
-/// Returns closed outlines: an outline ends where its first point is repeated, and the next starts after it. Also
-/// returns true if the last outline is open: a `linear_spline` is then closed, any other is left out.
-pub fn outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
+/// Creates the curve of closed outlines: an outline ends where its first point is repeated, and the next starts after
+/// it. Also returns true if the last outline is open: a `linear_spline` is then closed, any other is left out.
+pub fn closed_outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
     let same = |p: DVec2, q: DVec2| (p - q).abs().max_element() < tolerance::SAME_POINT;
     let mut curve = Curve { degree: kind.degree(), segments: vec![] };
     // Number of points before the first and after the last of an outline that only give directions.
@@ -159,7 +159,7 @@ pub fn outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
     (curve, unclosed)
 }
 
-/// Reports an outline that is not closed.
+/// Reports an outline of a lathe or prism that is not closed.
 pub fn report_open(block: &str, kind: Interpolation, span: Span, r: &mut dyn Reader) {
     let done = if kind == Linear { "closed now" } else { "left out" };
     let message = format!("the last outline of this `{block}` is not closed; it is {done}");
@@ -179,9 +179,9 @@ mod tests {
     fn as_pov_ray_tells() {
         // Largest radius and ends of lathes, by min_extent and max_extent.
         let p = points(&[(0.0, 0.0), (1.0, 0.5), (0.5, 1.0), (0.7, 2.0), (0.2, 3.0), (1.0, 4.0)]);
-        let (min, max) = single_row(Quadratic, &p[..5]).ends();
+        let (min, max) = single_outline(Quadratic, &p[..5]).point_bounds();
         assert!((max - DVec2::new(1.020833333, 3.0)).length() < 1e-7 && min.y == 0.5, "{min} {max}");
-        let (min, max) = single_row(Cubic, &p).ends();
+        let (min, max) = single_outline(Cubic, &p).point_bounds();
         assert!((max - DVec2::new(1.008820295, 3.0)).length() < 1e-7 && min.y == 0.5, "{min} {max}");
     }
 
@@ -189,9 +189,9 @@ mod tests {
     fn outlines_of_the_manual() {
         let frame =
             [(0., 0.), (6., 0.), (6., 8.), (0., 8.), (0., 0.), (1., 1.), (5., 1.), (5., 7.), (1., 7.), (1., 1.)];
-        let (curve, open) = outlines(Linear, &points(&frame));
+        let (curve, open) = closed_outlines(Linear, &points(&frame));
         assert!(curve.segments.len() == 8 && !open);
-        let inside = |curve: &Curve, x: f64, y: f64| curve.surrounds(y, |at| at > x);
+        let inside = |curve: &Curve, x: f64, y: f64| curve.is_crossed_oddly(y, |at| at > x);
         assert!(inside(&curve, 0.5, 4.0) && !inside(&curve, 3.0, 4.0) && !inside(&curve, 7.0, 4.0));
         let frame = [
             (1., -1.),
@@ -209,11 +209,11 @@ mod tests {
             (1., 1.),
             (0., 2.),
         ];
-        let (curve, open) = outlines(Cubic, &points(&frame));
+        let (curve, open) = closed_outlines(Cubic, &points(&frame));
         assert!(curve.segments.len() == 8 && !open && inside(&curve, 0.5, 4.0) && !inside(&curve, 3.0, 4.0));
-        let (curve, open) = outlines(Cubic, &points(&frame[..6]));
+        let (curve, open) = closed_outlines(Cubic, &points(&frame[..6]));
         assert!(curve.segments.is_empty() && open);
-        let (curve, open) = outlines(Linear, &points(&[(0., 0.), (1., 0.), (0., 1.)]));
+        let (curve, open) = closed_outlines(Linear, &points(&[(0., 0.), (1., 0.), (0., 1.)]));
         assert!(curve.segments.len() == 3 && open && inside(&curve, 0.2, 0.2));
     }
 }
