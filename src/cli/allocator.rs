@@ -112,4 +112,8 @@ impl Host for MeteredHost {
             used => Some(used as u64),
         }
     }
+
+    fn counts_memory(&self) -> bool {
+        used() != 0
+    }
 }

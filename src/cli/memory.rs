@@ -53,6 +53,15 @@ pub fn default_limit() -> Option<u64> {
     most.into_iter().chain(limited).min()
 }
 
+/// The limit at which the process ends wherever it is: above that of the interpreter, whose messages name a place.
+/// Without `--max-memory`, most of the free memory.
+pub fn hard_limit(limit: Option<u64>) -> Option<u64> {
+    limit.map(|bytes| bytes.saturating_add(HARD_LIMIT_MARGIN)).or_else(|| available().map(|free| free / 20 * 19))
+}
+
+/// Bytes above `--max-memory` at which the process ends.
+const HARD_LIMIT_MARGIN: u64 = 32 << 20;
+
 /// Bytes of address space that `ulimit -v` leaves; `None` without such a limit.
 fn address_space() -> Option<u64> {
     let limits = std::fs::read_to_string("/proc/self/limits").ok()?;

@@ -112,7 +112,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
 
 /// Ends the process if it needs more than `--max-memory`, or by default more than is free.
 pub fn enforce_memory_limit(limit: Option<Bytes>) {
-    allocator::set_limit(limit.map(|bytes| bytes.0).or_else(memory::default_limit));
+    allocator::set_limit(memory::hard_limit(limit.map(|bytes| bytes.0)));
 }
 
 /// Default of the option `--aa`, the threshold of anti-aliasing.

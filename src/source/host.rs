@@ -13,6 +13,11 @@ pub trait Host: Debug + Send + Sync {
 
     /// Returns the memory that the process occupies, in bytes; `None` if the system does not report it.
     fn resident_bytes(&self) -> Option<u64>;
+
+    /// True if [`Host::resident_bytes`] is a count that costs as little as reading a variable.
+    fn counts_memory(&self) -> bool {
+        false
+    }
 }
 
 /// The machine on which the program runs.

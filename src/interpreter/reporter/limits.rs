@@ -17,6 +17,8 @@ const PER_POINT: u64 = 16;
 const MAX_POINTS: u64 = 1 << 26;
 /// Number of steps between two checks of the clock, which cost more than a step.
 const CLOCK_EVERY: u64 = 4096;
+/// Number of steps between two looks at the memory count of a host that counts.
+const MEMORY_EVERY: u64 = 16;
 /// Number of bytes of strings between two checks of the clock.
 const TEXT_EVERY: usize = 64 << 20;
 
@@ -62,6 +64,9 @@ impl Reporter<'_> {
         if self.usage.steps.is_multiple_of(CLOCK_EVERY) {
             return self.check_limits(span);
         }
+        if self.usage.steps.is_multiple_of(MEMORY_EVERY) && self.inputs.options.host.counts_memory() {
+            return self.check_memory(span);
+        }
         Ok(())
     }
 
@@ -86,6 +91,10 @@ impl Reporter<'_> {
             self.limit_reached = true;
             return diagnostic.into();
         }
+        self.check_memory(span)
+    }
+
+    fn check_memory(&mut self, span: Span) -> Result<()> {
         if let Some(bytes) = self.inputs.options.max_memory
             && self.inputs.options.host.resident_bytes().is_some_and(|used| used > bytes)
         {

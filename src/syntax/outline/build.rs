@@ -19,6 +19,7 @@ impl Outline {
         let written = classes.filter(|(token, _)| token.start < token.end);
         let outline = Outline {
             text: text.into(),
+            line_starts: memchr::memchr2_iter(b'\n', b'\r', text.as_bytes()).map(|end| end as u32 + 1).collect(),
             base: tokens.base,
             tokens: written.map(|(token, &class)| outline_token(text, class, range(token.start, token.end))).collect(),
             comments: tokens.comments.iter().map(|&(start, end)| range(start, end)).collect(),

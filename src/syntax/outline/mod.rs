@@ -115,6 +115,8 @@ pub struct Line {
 #[derive(Debug, Default)]
 pub struct Outline {
     text: Box<str>,
+    /// Byte offsets of the lines after the first, ascending.
+    line_starts: Vec<u32>,
     /// Global offset of the text's first byte.
     base: usize,
     /// Tokens of the text.
@@ -201,7 +203,8 @@ impl Outline {
 
     /// Returns the line that contains a byte offset.
     pub fn line_at(&self, offset: usize) -> Line {
-        let start = self.text[..offset].rfind(['\n', '\r']).map_or(0, |i| i + 1);
+        let after = self.line_starts.partition_point(|&start| start as usize <= offset);
+        let start = after.checked_sub(1).map_or(0, |line| self.line_starts[line] as usize);
         let blanks = self.text[start..].bytes().take_while(|b| matches!(b, b' ' | b'\t'));
         let add = |(count, width), b| (count + 1, width + if b == b'\t' { 8 } else { 1 });
         let (count, indent) = blanks.fold((0, 0), add);

@@ -284,7 +284,7 @@ impl Lowering {
     /// Adds the photon settings of an object in a group with the settings number `group`; returns their number.
     fn add_photons(&mut self, object: &Object, group: u32) -> u32 {
         let Some(own) = object.uncommon.photons else { return group };
-        let settings = own.inherit(self.photons[group as usize]);
+        let settings = own.inherit(self.photons.get(group as usize).copied().unwrap_or_default());
         let known = self.photons.iter().position(|other| *other == settings);
         let number = known.unwrap_or(self.photons.len());
         if number == self.photons.len() {
