@@ -58,7 +58,7 @@
 //! let sources = Sources::new(Arc::new(files));
 //! let file = durer::load(&sources, Path::new("main.scene")).unwrap();
 //! let search = SearchPath { folders: vec![".".into()], fonts: vec![] };
-//! let options = BuildOptions { sandbox: Sandbox::around(&search), search, ..BuildOptions::default() };
+//! let options = BuildOptions { sandbox: Sandbox::allow_search_path(&search), search, ..BuildOptions::default() };
 //! let built = durer::build(&sources, file, &options, &mut |_| {});
 //! assert!(built.world.is_some());
 //! assert_eq!(sources.read_files().len(), 2);
@@ -180,8 +180,9 @@ pub use math::cancel::{CancelReason, CancelToken};
 pub use render::{Cancelled, Options as RenderOptions, RayCounts, Region, Unwatched, Watch, render};
 #[doc(inline)]
 pub use source::{
-    ContentHash, Disk, Draft, Entry, FileId, FileKind, Files, Host, LocalHost, Memory, Metadata, Overlay, Place,
-    ReadFiles, Sandbox, SearchPath, Sources, Span, Stamp, WriteMode,
+    ContentHash, CreatedFiles, CreatedInSession, Disk, Draft, Entry, FileId, FileKind, Files, Host, LocalHost, Memory,
+    Metadata, Overlay, Place, ReadFiles, ReadPolicy, Sandbox, SearchPath, Sources, Span, Stamp, WriteAccess,
+    WriteFolder, WriteMode, WritePolicy,
 };
 #[doc(inline)]
 pub use world::World;
@@ -252,6 +253,8 @@ pub struct Built {
     pub origins: Vec<Vec<Label>>,
     /// Branches of `#if` and its kin that never ran; empty unless `BuildOptions::record_branches` is set.
     pub unused_branches: Vec<Span>,
+    /// Files that the scene wrote to memory alone (see [`source::WritePolicy::InMemory`]).
+    pub written_in_memory: Vec<std::path::PathBuf>,
     /// Duration of text → Scene.
     pub parse_time: Duration,
     /// Duration of Scene → World.
@@ -303,8 +306,14 @@ fn build_uncancelled(
     debug: &mut dyn FnMut(&str),
 ) -> Built {
     let start = options.host.elapsed();
-    let interpreter::Outcome { mut scene, mut diagnostics, mut limit_reached, origins, unused_branches } =
-        interpreter::interpret_with(parsed, sources, file, options, debug);
+    let interpreter::Outcome {
+        mut scene,
+        mut diagnostics,
+        mut limit_reached,
+        origins,
+        unused_branches,
+        written_in_memory,
+    } = interpreter::interpret_with(parsed, sources, file, options, debug);
     let parse_time = options.host.elapsed().saturating_sub(start);
     if let Some(scene) = &scene {
         diagnostics.extend(advice::of_scene(scene, sources));
@@ -326,7 +335,17 @@ fn build_uncancelled(
     };
     let world = lowered.and_then(|world| world.map_err(|e| diagnostics.push(*e)).ok());
     let build_time = options.host.elapsed().saturating_sub(start);
-    Built { scene, world, diagnostics, limit_reached, origins, unused_branches, parse_time, build_time }
+    Built {
+        scene,
+        world,
+        diagnostics,
+        limit_reached,
+        origins,
+        unused_branches,
+        written_in_memory,
+        parse_time,
+        build_time,
+    }
 }
 
 /// Stack size for parser and interpreter, in bytes. Pages that are not used take no memory.
@@ -377,7 +396,8 @@ mod tests {
             let sources = Sources::new(Arc::new(files.clone()));
             let file = load(&sources, Path::new("main.pov")).unwrap();
             let search = SearchPath { folders: vec![".".into()], fonts: vec![] };
-            let options = interpreter::Options { sandbox: Sandbox::around(&search), search, ..Default::default() };
+            let options =
+                interpreter::Options { sandbox: Sandbox::allow_search_path(&search), search, ..Default::default() };
             let mut printed = String::new();
             let built = build(&sources, file, &options, &mut |text| printed.push_str(text));
             assert_eq!(built.diagnostics.iter().map(|d| &d.message).collect::<Vec<_>>(), [""; 0]);
@@ -403,7 +423,7 @@ mod tests {
         let sources = Sources::new(Arc::new(files.clone()));
         let file = load(&sources, Path::new("/work/main.pov")).unwrap();
         let search = SearchPath { folders: vec!["/work".into()], fonts: vec![] };
-        let sandbox = Sandbox { read: vec!["/work".into()], write: vec!["/work".into()] };
+        let sandbox = Sandbox::allow_search_path(&search);
         let options = interpreter::Options { search, sandbox, ..Default::default() };
         let built = build(&sources, file, &options, &mut |_| {});
         let codes: Vec<_> = built.diagnostics.iter().map(|d| d.code).collect();

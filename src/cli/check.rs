@@ -59,8 +59,8 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
         Err(other) => return Err(other),
     };
     let options = session::reading_options(&scene, &input, session::timing(&scene, animation.as_ref())?);
-    session::enforce_memory_limit(scene.max_memory);
-    let deadline = Deadline::start(scene.max_time, CancelToken::default(), Overrun::EndsProcess);
+    session::enforce_memory_limit(scene.memory_limit());
+    let deadline = Deadline::start(scene.time_limit(), CancelToken::default(), Overrun::EndsProcess);
     let options = BuildOptions { cancel: deadline.token().clone(), ..options };
     let parsed = ParsedFiles::default();
     let doubtful = args.warn.contains(&Warn::Doubtful);

@@ -11,10 +11,15 @@ const MAX_PIXELS: u128 = 1 << 36;
 
 /// Refuses a picture with more than [`MAX_PIXELS`] (E0006).
 pub fn check_size(size: Size) -> Result<()> {
-    if size.width as u128 * size.height as u128 <= MAX_PIXELS {
+    check_pixels(size, MAX_PIXELS)
+}
+
+/// Refuses a picture with more than `most` pixels (E0006).
+pub fn check_pixels(size: Size, most: u128) -> Result<()> {
+    if size.width as u128 * size.height as u128 <= most {
         return Ok(());
     }
-    let text = format!("a picture of {}x{} is too large: {MAX_PIXELS} pixels are the most", size.width, size.height);
+    let text = format!("a picture of {}x{} is too large: {most} pixels are the most", size.width, size.height);
     Diagnostic::new(codes::PICTURE_TOO_LARGE, Span::NONE, text).help("make it smaller with `--size`").into()
 }
 

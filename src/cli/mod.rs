@@ -6,6 +6,7 @@ mod args;
 mod check;
 mod completions;
 mod console;
+mod created_files;
 mod exit;
 mod explain;
 mod fmt;

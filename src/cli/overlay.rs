@@ -9,7 +9,7 @@ use super::povray;
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::source::{Sources, Span};
 use clap::Parser;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Arguments of one scene, and what only an INI file or POV-Ray's options can add to them.
 #[derive(Clone, Debug)]
@@ -50,6 +50,12 @@ pub fn read_ini(sources: &Sources, input: &Path, all: bool) -> std::result::Resu
     match Cli::try_parse_from(words) {
         Ok(Cli { common, command: Command::Render(args) }) => {
             let input = args.inputs.first().cloned().unwrap_or_default();
+            if let Some(output) = args.output.as_ref().filter(|path| is_hidden(path)) {
+                let text =
+                    format!("the INI file names `{}` for its picture, a file that begins with a dot", output.display());
+                let fault = Diagnostic::new(codes::FORBIDDEN_FILE, Span::NONE, text);
+                return Err(vec![fault.help("`-o` on the command line takes any name")]);
+            }
             let invocation = Invocation { input, args: *args, animation, exact_name: false };
             Ok(Some(IniFile { invocation, quiet: common.quiet, warnings: diagnostics }))
         }
@@ -107,6 +113,16 @@ pub fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Fa
     Failure::Reported(first.map_or(Exit::Usage, |d| Exit::of(d.code)))
 }
 
+/// True if the name of a file or of one of its folders begins with a dot.
+fn is_hidden(path: &Path) -> bool {
+    path.components().any(|part| matches!(part, Component::Normal(name) if name.to_string_lossy().starts_with('.')))
+}
+
+/// True for the name of a file in the current folder.
+fn is_plain_name(path: &Path) -> bool {
+    matches!(path.components().collect::<Vec<_>>()[..], [Component::Normal(_)])
+}
+
 impl RenderArgs {
     /// Merges these arguments with the INI file's, which apply where these are absent.
     fn over(self, ini: RenderArgs) -> RenderArgs {
@@ -120,7 +136,7 @@ impl RenderArgs {
             file_gamma: self.file_gamma.or(ini.file_gamma),
             dither: self.dither.or(ini.dither),
             exr_packing: self.exr_packing.or(ini.exr_packing),
-            output: self.output.or(ini.output),
+            output: self.output.or(ini.output.filter(|path| !self.scene.is_untrusted() || is_plain_name(path))),
             scene: self.scene.over(ini.scene),
             look: self.look.over(&ini.look),
             region: self.region.or(ini.region),
@@ -154,7 +170,12 @@ impl LookArgs {
 impl SceneArgs {
     fn over(self, ini: SceneArgs) -> SceneArgs {
         SceneArgs {
-            include: [self.include, ini.include].concat(),
+            // An untrusted INI file opens no folders.
+            include: if self.is_untrusted() {
+                self.include.clone()
+            } else {
+                [&self.include[..], &ini.include].concat()
+            },
             // The last declaration of a name is valid.
             declare: [ini.declare, self.declare].concat(),
             language: self.language.or(ini.language),
@@ -162,6 +183,7 @@ impl SceneArgs {
             clock: self.clock.or(ini.clock),
             single_tokens: false,
             // Options that an INI file does not have:
+            untrusted: self.untrusted,
             allow_read: self.allow_read,
             allow_write: self.allow_write,
             frame: self.frame,

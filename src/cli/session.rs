@@ -5,6 +5,7 @@ use super::animation::{self, Animation};
 use super::args::values::{Bytes, Frames, Size};
 use super::args::{AaMethod, Library, LookArgs, SceneArgs};
 use super::console::{Console, print_message};
+use super::created_files::CreatedByScene;
 use super::exit::{Exit, Failure, Result, usage};
 use super::interrupt::{Deadline, Overrun};
 use super::memory;
@@ -12,7 +13,9 @@ use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::math::cancel::CancelToken;
 use crate::render::{SampleLayout, Sampling};
-use crate::source::{Disk, FileId, ReadError, Sandbox, SearchPath, Sources, Span};
+use crate::source::{
+    CreatedFiles, Disk, FileId, ReadError, ReadPolicy, Sandbox, SearchPath, Sources, Span, WriteFolder, WritePolicy,
+};
 use crate::syntax::Granularity;
 use crate::world::World;
 use crate::{Built, Keep, interpreter, render};
@@ -84,13 +87,18 @@ pub fn timing(args: &SceneArgs, animation: Option<&Animation>) -> Result<Timing>
 pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interpreter::Options {
     let folder = input.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let size = args.size();
+    let untrusted = args.is_untrusted();
     let search = match args.library {
+        _ if untrusted => SearchPath { folders: [&[folder.to_path_buf()], &args.include[..]].concat(), fonts: vec![] },
         Library::Installed => SearchPath::new(folder, &args.include),
         Library::Durer => SearchPath::new(folder, &args.include).without_installed(),
     };
-    let mut sandbox = Sandbox::around(&search);
-    sandbox.read.extend(args.allow_read.iter().cloned());
-    sandbox.write.extend(args.allow_write.iter().cloned());
+    let read = if untrusted {
+        ReadPolicy::Below(search.folders.iter().chain(&args.allow_read).cloned().collect())
+    } else {
+        ReadPolicy::Anywhere
+    };
+    let sandbox = Sandbox { read, write: WritePolicy::InMemory };
     interpreter::Options {
         search,
         sandbox,
@@ -100,8 +108,8 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
         input_name: input.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         size: (size.width, size.height),
         max_steps: args.max_steps,
-        max_time: args.max_time.map(|s| s.0),
-        max_memory: args.max_memory.map(|b| b.0).or_else(memory::default_limit),
+        max_time: args.time_limit().map(|s| s.0),
+        max_memory: args.memory_limit().map(|b| b.0).or_else(memory::default_limit),
         host: Arc::new(MeteredHost::default()),
         cancel: CancelToken::current(),
         granularity: if args.single_tokens { Granularity::Tokens } else { Granularity::Whole },
@@ -150,13 +158,34 @@ fn sampling(look: &LookArgs) -> Sampling {
     }
 }
 
+/// Lets a scene create files below the current folder, and write in those of `--allow-write`.
+pub fn allow_writing(options: &mut interpreter::Options, args: &SceneArgs, input: &Path) {
+    if args.is_untrusted() {
+        return;
+    }
+    let created: Arc<dyn CreatedFiles> = Arc::new(CreatedByScene::new(input));
+    let folder = |path: &Path, replaces_all| WriteFolder { path: path.into(), created: created.clone(), replaces_all };
+    let allowed = args.allow_write.iter().map(|path| folder(path, true));
+    options.sandbox.write = WritePolicy::Below(allowed.chain([folder(Path::new("."), false)]).collect());
+}
+
+/// Returns a line about the files that a scene wrote to memory alone; `None` if there are none.
+pub fn note_of_writes(built: &Built) -> Option<String> {
+    let [first, rest @ ..] = &built.written_in_memory[..] else { return None };
+    let others = match rest.len() {
+        0 => String::new(),
+        n => format!(" and {n} more"),
+    };
+    Some(format!("`{}`{others} was not written: only `durer render` writes the files of a scene\n", first.display()))
+}
+
 /// Runs `work` on a scene within `--max-time` and `--max-memory`. The work polls the token of its thread, as [`reading_options`] does.
 ///
 /// # Errors
 /// Those of `work`, or that the time is over.
 pub fn within_limits<T>(args: &SceneArgs, work: impl FnOnce() -> Result<T>) -> Result<T> {
-    enforce_memory_limit(args.max_memory);
-    let deadline = Deadline::start(args.max_time, CancelToken::default(), Overrun::EndsProcess);
+    enforce_memory_limit(args.memory_limit());
+    let deadline = Deadline::start(args.time_limit(), CancelToken::default(), Overrun::EndsProcess);
     let result = deadline.token().scope(work)?;
     let limit = interpreter::Options {
         max_time: args.max_time.map(|s| s.0),
@@ -179,11 +208,13 @@ pub fn build(
     keep: Keep,
 ) -> Built {
     let quiet = console.quiet;
-    crate::build_with(parsed, sources, file, options, keep, &mut |text| {
+    let built = crate::build_with(parsed, sources, file, options, keep, &mut |text| {
         if !quiet {
             print_message(text);
         }
-    })
+    });
+    note_of_writes(&built).iter().for_each(|note| console.info(note));
+    built
 }
 
 /// Returns the exit code of a run of the interpreter.

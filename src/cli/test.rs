@@ -148,8 +148,8 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     memory::check_memory(header.scene.size(), None, bytes_per_pixel, header.scene.max_memory.map(|b| b.0))?;
 
     let timing = session::timing(&header.scene, None)?;
-    session::enforce_memory_limit(header.scene.max_memory);
-    let deadline = Deadline::start(header.scene.max_time, CancelToken::default(), Overrun::EndsProcess);
+    session::enforce_memory_limit(header.scene.memory_limit());
+    let deadline = Deadline::start(header.scene.time_limit(), CancelToken::default(), Overrun::EndsProcess);
     let options = session::reading_options(&header.scene, &case.scene, timing);
     let options = BuildOptions { cancel: deadline.token().clone(), ..options };
     let built = crate::build(sources, file, &options, &mut |_| {});

@@ -22,6 +22,6 @@ pub use decode::{Pixels, Samples, decode_picture_file, decode_pixels, expand_pix
 pub use density::Voxels;
 pub use dither::Dither;
 pub use encode::{EncodeError, Encoder, Encoding, Packing, Rows, encode};
-pub use format::Format;
+pub use format::{Format, SIGNATURE_BYTES, begins_like_a_picture};
 pub use frame::Frame;
 pub use picture::{Picture, Stored, povray_gray, wrap_to_u16};

@@ -35,6 +35,7 @@ use reporter::Reporter;
 pub use rvalue::UNSUPPORTED_BLOCKS;
 use scene_builder::{SceneBuilder, compat};
 pub use statement::STATEMENTS;
+use std::path::PathBuf;
 use std::sync::Arc;
 use stream::{FrameKind, Mode, TokenStream};
 
@@ -113,6 +114,8 @@ pub struct Outcome {
     /// Macro calls and includes around each of the scene's objects, innermost first; empty without
     /// [`Options::record_origins`].
     pub origins: Vec<Vec<Label>>,
+    /// Files that the scene wrote to memory alone, because its sandbox does not let it write files.
+    pub written_in_memory: Vec<PathBuf>,
     /// Branches of `#if`, `#ifdef` and `#switch` that never ran; empty without [`Options::record_branches`].
     pub unused_branches: Vec<Span>,
 }
@@ -136,7 +139,7 @@ pub fn interpret_with(
     let inputs = Inputs { sources, files: &files, names: &parsed.names, parsed, options };
     let mut interpreter = Interpreter::new(inputs, debug);
     interpreter.run(file);
-    interpreter.outcome()
+    Outcome { written_in_memory: files.written_in_memory(), ..interpreter.outcome() }
 }
 
 /// Inputs of a run, shared by all its parts.
@@ -234,7 +237,14 @@ impl<'a> Interpreter<'a> {
         let limit_reached = self.reporter.limit_reached();
         let (scene, origins) = self.builder.into_scene();
         let (diagnostics, unused_branches) = self.reporter.into_diagnostics();
-        Outcome { scene: (!failed).then_some(scene), diagnostics, limit_reached, origins, unused_branches }
+        Outcome {
+            scene: (!failed).then_some(scene),
+            diagnostics,
+            limit_reached,
+            origins,
+            unused_branches,
+            written_in_memory: vec![],
+        }
     }
 
     /// Sets the language version of the text that follows.

@@ -1,8 +1,8 @@
 //! The disk, and files that appear whole or not at all.
 
-use super::{Entry, FileKind, Files, Metadata, WriteMode};
+use super::{Entry, FileKind, Files, Metadata, WriteAccess, WriteMode};
 use std::fs::{File, FileType, OpenOptions};
-use std::io::{self, Cursor, Seek, SeekFrom, Write};
+use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
@@ -11,8 +11,20 @@ use tempfile::NamedTempFile;
 pub struct Disk;
 
 impl Files for Disk {
+    /// Refuses devices and pipes, which may never end; opening them does not block.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        std::fs::read(path)
+        let mut options = OpenOptions::new();
+        options.read(true);
+        #[cfg(unix)]
+        std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, rustix::fs::OFlags::NONBLOCK.bits() as i32);
+        let mut file = options.open(path)?;
+        let metadata = file.metadata()?;
+        if !metadata.is_file() && !metadata.is_dir() {
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is a device or a pipe"));
+        }
+        let mut bytes = Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or(usize::MAX).min(MAX_RESERVED));
+        file.read_to_end(&mut bytes)?;
+        Ok(bytes)
     }
 
     fn metadata(&self, path: &Path) -> io::Result<Metadata> {
@@ -40,6 +52,11 @@ impl Files for Disk {
         let append = mode == WriteMode::Append;
         let file = OpenOptions::new().create(true).write(true).append(append).truncate(!append).open(path)?;
         Ok(Box::new(file))
+    }
+
+    #[cfg(unix)]
+    fn open_below(&self, root: &Path, relative: &Path, access: WriteAccess) -> io::Result<Box<dyn Write + Send>> {
+        below::open(root, relative, access).map(|file| Box::new(file) as Box<dyn Write + Send>)
     }
 
     /// Writes a temporary file in the same folder, which then replaces the old file. Devices and pipes are written
@@ -70,6 +87,45 @@ impl Files for Disk {
             return OpenOptions::new().write(true).open(&path).map(drop);
         }
         temporary(&path).map(drop)
+    }
+}
+
+/// Maximum number of bytes that are reserved for a file before it is read; larger files grow while they are read.
+const MAX_RESERVED: usize = 1 << 30;
+
+/// Files that are opened without following links.
+#[cfg(unix)]
+mod below {
+    use super::{File, Path, WriteAccess, io};
+    use rustix::fs::{Mode, OFlags, open as open_path, openat};
+    use std::os::unix::fs::MetadataExt;
+
+    /// Opens each folder from `root` on by its name in the folder before, and the file in the last one. The kernel refuses
+    /// links, so that nothing can change between a check and the opening.
+    pub fn open(root: &Path, relative: &Path, access: WriteAccess) -> io::Result<File> {
+        let folder_flags = OFlags::DIRECTORY | OFlags::CLOEXEC | OFlags::RDONLY;
+        let mut folder = open_path(root, folder_flags, Mode::empty())?;
+        let mut names: Vec<_> = relative.iter().collect();
+        let Some(name) = names.pop() else { return Err(io::ErrorKind::IsADirectory.into()) };
+        for name in names {
+            folder = openat(&folder, name, folder_flags | OFlags::NOFOLLOW, Mode::empty())?;
+        }
+        // (A pipe without a reader is an error, and does not block.)
+        let flags = OFlags::WRONLY | OFlags::CLOEXEC | OFlags::NOFOLLOW | OFlags::NONBLOCK;
+        let flags = match access {
+            WriteAccess::Create => flags | OFlags::CREATE | OFlags::EXCL,
+            WriteAccess::Replace => flags,
+            WriteAccess::Append => flags | OFlags::APPEND,
+        };
+        let file = File::from(openat(&folder, name, flags, Mode::from_raw_mode(0o666))?);
+        let metadata = file.metadata()?;
+        if !metadata.is_file() || metadata.nlink() > 1 {
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "it is not a regular file with one name"));
+        }
+        if access == WriteAccess::Replace {
+            file.set_len(0)?;
+        }
+        Ok(file)
     }
 }
 

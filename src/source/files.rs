@@ -56,6 +56,22 @@ pub trait Files: Send + Sync {
     /// If the file cannot be created or written.
     fn open_writer(&self, path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>>;
 
+    /// Opens a regular file below a folder for writing. No link is followed below `root`, and a file that has other names
+    /// (hard links) is refused; so are devices and pipes.
+    ///
+    /// # Errors
+    /// If the file exists with [`WriteAccess::Create`] ([`io::ErrorKind::AlreadyExists`]), if it does not exist with the
+    /// others, or if it is refused.
+    fn open_below(&self, root: &Path, relative: &Path, access: WriteAccess) -> io::Result<Box<dyn Write + Send>> {
+        let path = root.join(relative);
+        match (access, self.exists(&path)) {
+            (WriteAccess::Create, true) => Err(io::ErrorKind::AlreadyExists.into()),
+            (WriteAccess::Replace | WriteAccess::Append, false) => Err(io::ErrorKind::NotFound.into()),
+            (WriteAccess::Append, true) => self.open_writer(&path, WriteMode::Append),
+            (WriteAccess::Create, false) | (WriteAccess::Replace, true) => self.open_writer(&path, WriteMode::Truncate),
+        }
+    }
+
     /// Replaces a file, or creates it: the whole of `bytes` or nothing.
     ///
     /// # Errors
@@ -80,11 +96,6 @@ pub trait Files: Send + Sync {
 
     /// True if the policy of this storage allows to read `path`. [`Sandboxed`](super::Sandboxed) restricts it.
     fn may_read(&self, _path: &Path) -> bool {
-        true
-    }
-
-    /// True if the policy of this storage allows to write `path`, which need not exist yet.
-    fn may_write(&self, _path: &Path) -> bool {
         true
     }
 
@@ -156,5 +167,16 @@ pub enum WriteMode {
     /// Mode of writing that removes the file's old contents.
     Truncate,
     /// Mode of writing that appends new bytes to the old contents.
+    Append,
+}
+
+/// Way in which [`Files::open_below`] opens a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WriteAccess {
+    /// Creates a file that does not exist.
+    Create,
+    /// Removes the contents of an existing file.
+    Replace,
+    /// Appends to an existing file.
     Append,
 }

@@ -1,6 +1,6 @@
 //! Files in memory: for programs that embed durer, for tests, and for the open documents of an editor.
 
-use super::{Entry, FileKind, Files, Metadata, WriteMode};
+use super::{Entry, FileKind, Files, Metadata, WriteAccess, WriteMode};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Component, Path, PathBuf};
@@ -51,6 +51,11 @@ impl Memory {
     /// Returns the absolute paths of all files in alphabetical order.
     pub fn paths(&self) -> Vec<PathBuf> {
         self.stored().files.keys().cloned().collect()
+    }
+
+    /// True if there are no files.
+    pub fn is_empty(&self) -> bool {
+        self.stored().files.is_empty()
     }
 
     fn stored(&self) -> MutexGuard<'_, Stored> {
@@ -215,6 +220,10 @@ impl Files for Overlay {
 
     fn open_writer(&self, path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>> {
         self.files.open_writer(path, mode)
+    }
+
+    fn open_below(&self, root: &Path, relative: &Path, access: WriteAccess) -> io::Result<Box<dyn Write + Send>> {
+        self.files.open_below(root, relative, access)
     }
 
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {

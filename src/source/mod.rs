@@ -16,12 +16,12 @@ mod span;
 
 pub use activity::Activity;
 pub use disk::{Disk, Draft};
-pub use files::{Entry, FileKind, Files, Metadata, Stamp, WriteMode};
+pub use files::{Entry, FileKind, Files, Metadata, Stamp, WriteAccess, WriteMode};
 pub use host::{Host, LocalHost};
 pub use memory::{Memory, Overlay};
 pub use read::{ReadError, read_text, text_of};
 pub use recorder::{ContentHash, ReadFiles, Recorder};
-pub use sandbox::{Sandbox, Sandboxed};
+pub use sandbox::{CreatedFiles, CreatedInSession, ReadPolicy, Sandbox, Sandboxed, WriteFolder, WritePolicy};
 pub use scenes::{scenes_below, texts_below};
 pub use search::{Found, SearchPath};
 pub use sources::{FileId, Place, Sources, decode_text};

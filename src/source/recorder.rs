@@ -1,6 +1,6 @@
 //! Records which files were read, with hashes of their contents: the inputs of a picture.
 
-use super::{Draft, Entry, Files, Metadata, WriteMode};
+use super::{Draft, Entry, Files, Metadata, WriteAccess, WriteMode};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -105,8 +105,8 @@ impl Files for Recorder {
         self.files.may_read(path)
     }
 
-    fn may_write(&self, path: &Path) -> bool {
-        self.files.may_write(path)
+    fn open_below(&self, root: &Path, relative: &Path, access: WriteAccess) -> io::Result<Box<dyn Write + Send>> {
+        self.files.open_below(root, relative, access)
     }
 }
 

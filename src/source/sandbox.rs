@@ -1,23 +1,87 @@
-//! Policy for the files of a scene: the folders it may read and write, whatever links and `..` its paths contain.
+//! Policy for the files of a scene: what it may read and write, whatever links and `..` its paths contain.
 
-use super::{Draft, Entry, Files, Metadata, WriteMode};
+use super::{Draft, Entry, Files, Memory, Metadata, WriteAccess, WriteMode};
+use std::collections::BTreeSet;
+use std::fmt::Debug;
 use std::io::{self, Write};
 use std::path::{Component, Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
-/// Folders that a scene may access.
+/// What a scene may read and write.
 #[derive(Clone, Debug, Default)]
 pub struct Sandbox {
-    /// Folders below which the scene may read: its own folder, the include path, `--allow-read`.
-    pub read: Vec<PathBuf>,
-    /// Folders below which the scene may write and read: the current folder, `--allow-write`.
-    pub write: Vec<PathBuf>,
+    /// Files that the scene may read.
+    pub read: ReadPolicy,
+    /// Files that the scene may write.
+    pub write: WritePolicy,
+}
+
+/// Files that a scene may read.
+#[derive(Clone, Debug, Default)]
+pub enum ReadPolicy {
+    /// All regular files, as for a compiler or POV-Ray.
+    Anywhere,
+    /// Files below these folders.
+    Below(Vec<PathBuf>),
+    /// No files.
+    #[default]
+    Nowhere,
+}
+
+/// Files that a scene may write.
+#[derive(Clone, Debug, Default)]
+pub enum WritePolicy {
+    /// No file changes: what the scene writes stays in memory, where the scene itself can read it during the run.
+    #[default]
+    InMemory,
+    /// Files below these folders, except those that [`WriteFolder`] protects.
+    Below(Vec<WriteFolder>),
+}
+
+/// A folder below which a scene may create files, and replace those that it created before.
+///
+/// Never written are files whose name or folder begins with a dot, scenes, INI files and snapshots, and nothing is
+/// written through a link.
+#[derive(Clone, Debug)]
+pub struct WriteFolder {
+    /// The folder.
+    pub path: PathBuf,
+    /// Memory of the files that the scene created.
+    pub created: Arc<dyn CreatedFiles>,
+    /// True if the scene may also replace files that it did not create.
+    pub replaces_all: bool,
+}
+
+/// Memory of the files that a scene created.
+pub trait CreatedFiles: Debug + Send + Sync {
+    /// Records that the scene creates or replaces this file now.
+    fn add(&self, path: &Path);
+    /// True if the scene created this file, and nobody else has changed the file since.
+    fn contains(&self, path: &Path) -> bool;
+}
+
+/// Files that were created while this value exists.
+#[derive(Debug, Default)]
+pub struct CreatedInSession(Mutex<BTreeSet<PathBuf>>);
+
+impl CreatedFiles for CreatedInSession {
+    fn add(&self, path: &Path) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_path_buf());
+    }
+
+    fn contains(&self, path: &Path) -> bool {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).contains(path)
+    }
 }
 
 impl Sandbox {
-    /// Allows to read in all folders of the search path and to write below the current folder.
-    pub fn around(search: &super::SearchPath) -> Self {
+    /// Allows to read in all folders of the search path, and to create files below the current folder.
+    pub fn allow_search_path(search: &super::SearchPath) -> Self {
         // Fonts are not confidential, and include folders hold links to them.
-        Self { read: search.folders.iter().chain(&search.fonts).cloned().collect(), write: vec![PathBuf::from(".")] }
+        let read = search.folders.iter().chain(&search.fonts).cloned().collect();
+        let current =
+            WriteFolder { path: ".".into(), created: Arc::<CreatedInSession>::default(), replaces_all: false };
+        Self { read: ReadPolicy::Below(read), write: WritePolicy::Below(vec![current]) }
     }
 }
 
@@ -25,12 +89,19 @@ impl Sandbox {
 pub struct Sandboxed<'a> {
     files: &'a dyn Files,
     sandbox: &'a Sandbox,
+    /// Files that were written under [`WritePolicy::InMemory`], by their paths without links.
+    written: Memory,
 }
 
 impl<'a> Sandboxed<'a> {
     /// Restricts the access to `files` by the rules of `sandbox`.
     pub fn new(files: &'a dyn Files, sandbox: &'a Sandbox) -> Self {
-        Self { files, sandbox }
+        Self { files, sandbox, written: Memory::default() }
+    }
+
+    /// Returns the files that the scene wrote to memory alone, in alphabetical order.
+    pub fn written_in_memory(&self) -> Vec<PathBuf> {
+        self.written.paths()
     }
 
     /// Returns the path without links and `..`. The file need not exist, but its folder must.
@@ -55,25 +126,111 @@ impl<'a> Sandboxed<'a> {
         if self.may_read(path) { Ok(()) } else { Err(io::ErrorKind::PermissionDenied.into()) }
     }
 
-    fn check_write(&self, path: &Path) -> io::Result<()> {
-        if self.may_write(path) { Ok(()) } else { Err(io::ErrorKind::PermissionDenied.into()) }
+    /// The key in [`Self::written`] of a file that the scene wrote to memory.
+    fn in_memory(&self, path: &Path) -> Option<PathBuf> {
+        if self.written.is_empty() {
+            return None;
+        }
+        self.resolved(path).ok().filter(|path| self.written.is_file(path))
+    }
+
+    fn open_in_memory(&self, path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>> {
+        let key = self.resolved(path)?;
+        if mode == WriteMode::Append && !self.written.is_file(&key) && self.may_read(path) {
+            self.written.insert(&key, self.files.read(path).unwrap_or_default());
+        }
+        self.written.open_writer(&key, mode)
+    }
+
+    fn open_below(&self, folders: &[WriteFolder], path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>> {
+        let refused = |reason: &str| Err(io::Error::new(io::ErrorKind::PermissionDenied, reason.to_string()));
+        let Some((folder, root, relative)) = folders.iter().find_map(|folder| {
+            let (root, relative) = self.relative_to(&folder.path, path)?;
+            Some((folder, root, relative))
+        }) else {
+            return refused("it is outside of the folders that scenes may write to");
+        };
+        if let Some(reason) = protection(&relative) {
+            return refused(reason);
+        }
+        let whole = root.join(&relative);
+        let opened = self.files.open_below(&root, &relative, WriteAccess::Create);
+        if !matches!(&opened, Err(error) if error.kind() == io::ErrorKind::AlreadyExists) {
+            if opened.is_ok() {
+                folder.created.add(&whole);
+            }
+            return opened;
+        }
+        if !folder.replaces_all && !folder.created.contains(&whole) {
+            return refused("the file exists, and this scene did not create it");
+        }
+        let access = match mode {
+            WriteMode::Truncate => WriteAccess::Replace,
+            WriteMode::Append => WriteAccess::Append,
+        };
+        folder.created.add(&whole);
+        self.files.open_below(&root, &relative, access)
+    }
+
+    /// Returns a folder without links, and a path relative to it without `..`; `None` if the path is not below.
+    fn relative_to(&self, folder: &Path, path: &Path) -> Option<(PathBuf, PathBuf)> {
+        let root = self.files.canonicalize(folder).ok()?;
+        let current = self.files.canonicalize(Path::new(".")).ok()?;
+        let whole = without_dots(&current.join(path));
+        let relative = whole.strip_prefix(&root).or_else(|_| whole.strip_prefix(folder)).ok()?;
+        (relative.components().next().is_some()).then(|| (root, relative.to_path_buf()))
+    }
+}
+
+/// The path without `.`, and with each `..` applied to the name before it.
+fn without_dots(path: &Path) -> PathBuf {
+    let mut out = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir => _ = out.pop(),
+            part => out.push(part),
+        }
+    }
+    out
+}
+
+/// The reason for which scenes never write a file of this name; `None` if they may.
+fn protection(relative: &Path) -> Option<&'static str> {
+    let names: Vec<String> = relative.iter().map(|name| name.to_string_lossy().to_lowercase()).collect();
+    let (file, folders) = names.split_last()?;
+    let ends_with = |endings: &[&str]| endings.iter().any(|ending| file.ends_with(ending));
+    if file.starts_with('.') {
+        Some("its name begins with a dot")
+    } else if folders.iter().any(|name| name.starts_with('.')) {
+        Some("it is in a folder whose name begins with a dot")
+    } else if ends_with(&[".scene", ".pov"]) {
+        Some("scenes don't write scenes")
+    } else if ends_with(&[".ini"]) {
+        Some("scenes don't write INI files")
+    } else if ends_with(&[".snapshot.png"]) {
+        Some("scenes don't write snapshots")
+    } else {
+        None
     }
 }
 
 impl Files for Sandboxed<'_> {
     fn may_read(&self, path: &Path) -> bool {
-        let Ok(resolved) = self.resolved(path) else { return false };
-        let Sandbox { read, write } = self.sandbox;
-        (self.is_below(&resolved, read) || self.is_below(&resolved, write)) && self.files.may_read(path)
-    }
-
-    fn may_write(&self, path: &Path) -> bool {
-        self.resolved(path).is_ok_and(|path| self.is_below(&path, &self.sandbox.write)) && self.files.may_write(path)
+        let allowed = match &self.sandbox.read {
+            ReadPolicy::Anywhere => true,
+            ReadPolicy::Nowhere => false,
+            ReadPolicy::Below(folders) => self.resolved(path).is_ok_and(|path| self.is_below(&path, folders)),
+        };
+        (allowed || self.in_memory(path).is_some() || self.is_writable_folder(path)) && self.files.may_read(path)
     }
 
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         self.check_read(path)?;
-        self.files.read(path)
+        match self.in_memory(path) {
+            Some(key) => self.written.read(&key),
+            None => self.files.read(path),
+        }
     }
 
     fn inspect(&self, path: &Path) -> io::Result<Vec<u8>> {
@@ -82,27 +239,26 @@ impl Files for Sandboxed<'_> {
     }
 
     fn open_writer(&self, path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>> {
-        self.check_write(path)?;
-        self.files.open_writer(path, mode)
+        match &self.sandbox.write {
+            WritePolicy::InMemory => self.open_in_memory(path, mode),
+            WritePolicy::Below(folders) => self.open_below(folders, path, mode),
+        }
     }
 
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
-        self.check_write(path)?;
-        self.files.write(path, bytes)
+        self.open_writer(path, WriteMode::Truncate)?.write_all(bytes)
     }
 
-    fn draft(&self, path: &Path) -> io::Result<Draft> {
-        self.check_write(path)?;
-        self.files.draft(path)
-    }
-
-    fn check_writable(&self, path: &Path) -> io::Result<()> {
-        self.check_write(path)?;
-        self.files.check_writable(path)
+    fn draft(&self, _: &Path) -> io::Result<Draft> {
+        // Scenes write piece by piece.
+        Err(io::ErrorKind::PermissionDenied.into())
     }
 
     fn metadata(&self, path: &Path) -> io::Result<Metadata> {
-        self.files.metadata(path)
+        match self.in_memory(path) {
+            Some(key) => self.written.metadata(&key),
+            None => self.files.metadata(path),
+        }
     }
 
     fn list(&self, folder: &Path) -> io::Result<Vec<Entry>> {
@@ -110,11 +266,20 @@ impl Files for Sandboxed<'_> {
     }
 
     fn canonicalize(&self, path: &Path) -> io::Result<PathBuf> {
-        self.files.canonicalize(path)
+        self.in_memory(path).map_or_else(|| self.files.canonicalize(path), Ok)
     }
 
     fn is_link(&self, path: &Path) -> bool {
         self.files.is_link(path)
+    }
+}
+
+impl Sandboxed<'_> {
+    /// True for a file in a folder that the scene may write to: what it has written, it may read.
+    fn is_writable_folder(&self, path: &Path) -> bool {
+        let WritePolicy::Below(folders) = &self.sandbox.write else { return false };
+        let folders: Vec<PathBuf> = folders.iter().map(|folder| folder.path.clone()).collect();
+        self.resolved(path).is_ok_and(|path| self.is_below(&path, &folders))
     }
 }
 
@@ -123,36 +288,91 @@ mod tests {
     use super::*;
     use crate::source::Disk;
 
+    fn below(folder: &Path) -> WritePolicy {
+        let created = Arc::<CreatedInSession>::default();
+        WritePolicy::Below(vec![WriteFolder { path: folder.into(), created, replaces_all: false }])
+    }
+
+    fn try_write(files: &Sandboxed, path: &Path) -> Result<(), String> {
+        files.write(path, b"new").map_err(|error| error.to_string())
+    }
+
     #[test]
     fn files_outside_the_folders_are_refused() {
         let (inner, outer) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-        let sandbox = Sandbox { read: vec![], write: vec![inner.path().into()] };
+        let sandbox = Sandbox { read: ReadPolicy::Below(vec![]), write: below(inner.path()) };
         let files = Sandboxed::new(&Disk, &sandbox);
-        assert!(files.may_write(&inner.path().join("a.txt")));
-        assert!(!files.may_write(&outer.path().join("a.txt")));
-        assert!(!files.may_write(&inner.path().join("..").join("a.txt")));
-        assert!(!files.may_write(&inner.path().join("no").join("a.txt")));
+        assert_eq!(try_write(&files, &inner.path().join("a.txt")), Ok(()));
+        for path in [outer.path().join("a.txt"), inner.path().join("..").join("a.txt"), inner.path().to_path_buf()] {
+            assert!(try_write(&files, &path).unwrap_err().contains("outside"), "{path:?}");
+        }
+        assert!(try_write(&files, &inner.path().join("no").join("a.txt")).is_err());
         std::fs::write(outer.path().join("secret"), "s").unwrap();
         assert!(!files.may_read(&outer.path().join("secret")));
         assert!(files.may_read(&inner.path().join("a.txt")));
         assert!(files.read(&outer.path().join("secret")).is_err());
-        assert!(files.write(&outer.path().join("a.txt"), b"").is_err());
-        assert!(files.open_writer(&outer.path().join("a.txt"), WriteMode::Append).is_err());
+    }
+
+    #[test]
+    fn only_created_files_are_replaced_and_protected_names_never_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let sandbox = Sandbox { read: ReadPolicy::Anywhere, write: below(folder.path()) };
+        let files = Sandboxed::new(&Disk, &sandbox);
+        std::fs::create_dir(folder.path().join(".git")).unwrap();
+        std::fs::write(folder.path().join("mine.txt"), "old").unwrap();
+        let at = |name: &str| folder.path().join(name);
+        assert_eq!(try_write(&files, &at("data.inc")), Ok(()));
+        assert_eq!(try_write(&files, &at("data.inc")), Ok(()));
+        assert!(try_write(&files, &at("mine.txt")).unwrap_err().contains("did not create"));
+        for name in [".git/config", ".profile", "a.scene", "A.POV", "povray.ini", "a.snapshot.png"] {
+            assert!(try_write(&files, &at(name)).is_err(), "{name}");
+            assert!(!at(name).exists(), "{name}");
+        }
+        assert_eq!(std::fs::read(at("mine.txt")).unwrap(), b"old");
     }
 
     #[cfg(unix)]
     #[test]
-    fn links_to_files_outside_are_refused() {
+    fn links_and_pipes_are_never_written() {
+        use std::os::unix::fs::symlink;
         let (inner, outer) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
         std::fs::write(outer.path().join("secret"), "s").unwrap();
-        let sandbox = Sandbox { read: vec![inner.path().into()], write: vec![inner.path().into()] };
+        std::fs::write(inner.path().join("own"), "o").unwrap();
+        let created = Arc::<CreatedInSession>::default();
+        let folder = WriteFolder { path: inner.path().into(), created, replaces_all: true };
+        let sandbox =
+            Sandbox { read: ReadPolicy::Below(vec![inner.path().into()]), write: WritePolicy::Below(vec![folder]) };
         let files = Sandboxed::new(&Disk, &sandbox);
-        for target in ["secret", "new"] {
-            let link = inner.path().join(target);
-            std::os::unix::fs::symlink(outer.path().join(target), &link).unwrap();
-            assert!(!files.may_read(&link) && !files.may_write(&link));
+        for (name, target) in [("a", "secret"), ("b", "new")] {
+            symlink(outer.path().join(target), inner.path().join(name)).unwrap();
+            assert!(!files.may_read(&inner.path().join(name)));
+            assert!(try_write(&files, &inner.path().join(name)).is_err());
         }
-        std::os::unix::fs::symlink(outer.path(), inner.path().join("folder")).unwrap();
-        assert!(!files.may_write(&inner.path().join("folder").join("x")));
+        symlink(inner.path().join("own"), inner.path().join("c")).unwrap();
+        std::fs::hard_link(outer.path().join("secret"), inner.path().join("d")).unwrap();
+        symlink(outer.path(), inner.path().join("folder")).unwrap();
+        for name in ["c", "d", "folder/x"] {
+            assert!(try_write(&files, &inner.path().join(name)).is_err(), "{name}");
+        }
+        assert_eq!(std::fs::read(outer.path().join("secret")).unwrap(), b"s");
+        assert_eq!(std::fs::read(inner.path().join("own")).unwrap(), b"o");
+        assert_eq!(std::fs::read_dir(outer.path()).unwrap().count(), 1);
+        assert_eq!(try_write(&files, &inner.path().join("own")), Ok(()));
+    }
+
+    #[test]
+    fn files_in_memory_are_visible_to_the_scene_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        std::fs::write(&path, "old ").unwrap();
+        let sandbox = Sandbox { read: ReadPolicy::Anywhere, write: WritePolicy::InMemory };
+        let files = Sandboxed::new(&Disk, &sandbox);
+        files.open_writer(&path, WriteMode::Append).unwrap().write_all(b"new").unwrap();
+        assert_eq!(files.read(&path).unwrap(), b"old new");
+        let other = folder.path().join("other.inc");
+        files.write(&other, b"1").unwrap();
+        assert!(files.exists(&other) && files.is_file(&other) && !other.exists());
+        assert_eq!(files.written_in_memory().len(), 2);
+        assert_eq!(std::fs::read(&path).unwrap(), b"old ");
     }
 }

@@ -1,7 +1,9 @@
 //! The options of the command line, in the form that clap reads. Every option that is accepted has an effect.
 
 mod choices;
+mod untrusted;
 pub mod values;
+pub use untrusted::MAX_PIXELS as MAX_UNTRUSTED_PIXELS;
 
 use crate::image_io::Format;
 pub use choices::{
@@ -110,10 +112,13 @@ pub struct SceneArgs {
     /// Choose the standard include files
     #[arg(help_heading = FILES, long, value_name = "WHOSE", default_value = "installed", hide_possible_values = false)]
     pub library: Library,
-    /// Allow the scene to read files below this folder
+    /// Distrust the scene and its INI file: they read only below their folder, write nothing, and get limited resources
+    #[arg(help_heading = FILES, long)]
+    pub untrusted: bool,
+    /// Allow an untrusted scene to read files below this folder
     #[arg(help_heading = FILES, long, value_name = "DIR")]
     pub allow_read: Vec<PathBuf>,
-    /// Allow the scene to write files below this folder
+    /// Allow the scene to create and replace files below this folder
     #[arg(help_heading = FILES, long, value_name = "DIR")]
     pub allow_write: Vec<PathBuf>,
     /// Parse single tokens only; slow, with the same result (for tests)

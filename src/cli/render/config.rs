@@ -5,7 +5,7 @@ use super::target::Target;
 use crate::advice::Circumstances;
 use crate::cli::animation::Animation;
 use crate::cli::args::values::{Bytes, Seconds, Stats};
-use crate::cli::args::{Dump, RenderArgs, When};
+use crate::cli::args::{Dump, MAX_UNTRUSTED_PIXELS, RenderArgs, When};
 use crate::cli::exit::{Result, usage};
 use crate::cli::overlay::Invocation;
 use crate::cli::{memory, session};
@@ -85,7 +85,10 @@ impl Config {
         let threads = args.threads.map_or(0, usize::from);
         let (timing, region) = (Timing::default(), args.region.map(|part| part.0));
         let drawing = render::Options { region, ..session::drawing_options(&args.scene, &args.look, threads, timing) };
-        let reading = session::reading_options(&args.scene, &input, timing);
+        let mut reading = session::reading_options(&args.scene, &input, timing);
+        if args.dump.is_none() && cancel.is_none() {
+            session::allow_writing(&mut reading, &args.scene, &input);
+        }
         Ok(Self {
             input,
             pictures,
@@ -93,8 +96,8 @@ impl Config {
             dump: args.dump,
             resume: args.resume,
             keep_after: Duration::from_secs_f64(args.keep_after.0),
-            max_time: args.scene.max_time,
-            max_memory: args.scene.max_memory,
+            max_time: args.scene.time_limit(),
+            max_memory: args.scene.memory_limit(),
             progress: args.progress.unwrap_or(When::Auto),
             stats: args.stats,
             is_animated: args.frames.is_some() || animation.is_some(),
@@ -163,10 +166,13 @@ fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
 fn checked_target(input: &std::path::Path, args: &RenderArgs) -> Result<Target> {
     if args.dump.is_none() {
         memory::check_size(args.scene.size())?;
+        if args.scene.is_untrusted() {
+            memory::check_pixels(args.scene.size(), MAX_UNTRUSTED_PIXELS)?;
+        }
     }
     let target = Target::new(input, args)?;
     if args.dump.is_none() {
-        let limit = args.scene.max_memory.map(|bytes| bytes.0);
+        let limit = args.scene.memory_limit().map(|bytes| bytes.0);
         memory::check_memory(args.scene.size(), args.region.map(|part| part.0), target.kept_bytes(), limit)?;
     }
     Ok(target)

@@ -5,9 +5,11 @@ use crate::cli::args::{DitherMethod, ExrPacking, LookArgs, RenderArgs};
 use crate::cli::console::Console;
 use crate::cli::exit::{Result, usage};
 use crate::diagnostic::{Diagnostic, codes, file};
-use crate::image_io::{Dither, Encoding, Format, Packing};
+use crate::image_io::{self, Dither, Encoding, Format, Packing};
 use crate::snapshot;
 use crate::source::{Disk, Draft, Files, Span};
+use std::fs::File;
+use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -122,6 +124,7 @@ impl Target {
     pub fn check(&self) -> Result<()> {
         match &self.location {
             Location::File(path) => {
+                check_old_file(path)?;
                 Ok(Disk.check_writable(path).map_err(|e| file::unwritable(&Disk, path, &e)).map_err(Box::new)?)
             }
             _ => Ok(()),
@@ -160,6 +163,20 @@ impl Target {
     pub fn kept_bytes(&self) -> usize {
         if self.location == Location::Nowhere { 0 } else { self.encoding.buffered_bytes_per_pixel() }
     }
+}
+
+/// Refuses to replace a regular file that is neither a picture nor empty.
+fn check_old_file(path: &Path) -> Result<()> {
+    let mut start = Vec::with_capacity(image_io::SIGNATURE_BYTES);
+    let is_regular = path.metadata().is_ok_and(|metadata| metadata.is_file());
+    let Some(file) = is_regular.then(|| File::open(path).ok()).flatten() else { return Ok(()) };
+    let read = file.take(image_io::SIGNATURE_BYTES as u64).read_to_end(&mut start);
+    if read.is_err() || start.is_empty() || image_io::begins_like_a_picture(&start) {
+        return Ok(());
+    }
+    let text = format!("`{}` is not a picture, and is not replaced by one", path.display());
+    let fault = Diagnostic::new(codes::FILE_UNWRITABLE, Span::NONE, text);
+    Err(Box::new(fault.help("move it away, or give the picture another name with `-o`")).into())
 }
 
 fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {

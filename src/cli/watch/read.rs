@@ -12,7 +12,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::math::cancel::{CancelReason, CancelToken};
 use crate::preview::{Link, Message, Settings};
-use crate::source::{ReadFiles, Sandbox, Sources, Span};
+use crate::source::{ReadFiles, Sources, Span};
 use crate::world::World;
 use crate::{Keep, render};
 use std::path::{Path, PathBuf};
@@ -113,17 +113,16 @@ fn try_read(
     }
     out.clock = [timing.clock, range.first, range.last];
     let options = session::reading_options(&args.scene, &input, timing);
-    // A preview writes no files, unless `--allow-write` names their folder.
-    let sandbox = Sandbox { write: args.scene.allow_write.clone(), ..options.sandbox.clone() };
-    let options = interpreter::Options { sandbox, cancel: cancel.clone(), ..options };
+    let options = interpreter::Options { cancel: cancel.clone(), ..options };
     let log = &mut out.log;
     let mut print = |text: &str| {
         print_message(text);
         log.push_str(&text[..text.floor_char_boundary(MAX_LOG.saturating_sub(log.len()))]);
     };
-    let _deadline = Deadline::start(args.scene.max_time, cancel.clone(), Overrun::Continues);
+    let _deadline = Deadline::start(args.scene.time_limit(), cancel.clone(), Overrun::Continues);
     let built = crate::build_with(&ParsedFiles::default(), sources, file, &options, Keep::World, &mut print);
     out.times = [built.parse_time, built.build_time];
+    out.log.push_str(&session::note_of_writes(&built).unwrap_or_default());
     messages.extend(built.diagnostics);
     Ok((messages, built.world.map(|world| (world, input, args, timing))))
 }

@@ -150,7 +150,7 @@ impl RenderLoop {
         let Region { width, height, .. } = part_of(options);
         memory::check_memory(Size { width, height }, None, 2 * size_of::<[f32; 4]>(), limit)?;
         let start = Instant::now();
-        let deadline = Deadline::start(scene.args.scene.max_time, cancel.clone(), Overrun::Continues);
+        let deadline = Deadline::start(scene.args.scene.time_limit(), cancel.clone(), Overrun::Continues);
         let (rays, first) = preview::render_progressively(&scene.world, options, &self.screen, deadline.token())?;
         Ok(Rendered { rays, first, rest: start.elapsed().saturating_sub(first) })
     }

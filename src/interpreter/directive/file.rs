@@ -9,7 +9,7 @@ use crate::interpreter::stream::Token;
 use crate::source::{FileId, Files, Span, WriteMode};
 use crate::syntax::ast::{ElementKind, Expr, ExprKind, Symbol};
 use crate::value::Value;
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -118,18 +118,19 @@ impl<'a> Interpreter<'a> {
 
     fn open_to_write(&mut self, name: &str, append: bool, span: Span) -> Result<OpenFile> {
         let path = PathBuf::from(name);
-        if !self.inputs.files.may_write(&path) {
-            let message = format!("the scene may not write `{name}`");
-            return Diagnostic::new(codes::FORBIDDEN_FILE, span, message)
-                .help("scenes write below the current folder only; --allow-write DIR allows another one")
-                .into();
-        }
         let mode = if append { WriteMode::Append } else { WriteMode::Truncate };
         match self.inputs.files.open_writer(&path, mode) {
             Ok(file) => {
                 self.inputs.parsed.forget(self.inputs.files, &path);
                 let access = Access::Write(BufWriter::new(file));
                 Ok(OpenFile { name: name.into(), path, access, span })
+            }
+            // The policy has no number of the operating system.
+            Err(error) if error.kind() == ErrorKind::PermissionDenied && error.raw_os_error().is_none() => {
+                let message = format!("the scene may not write `{name}`: {error}");
+                let help = "scenes create files below the current folder; --allow-write DIR lets them write in another \
+                            folder, and replace files there";
+                Diagnostic::new(codes::FORBIDDEN_FILE, span, message).help(help).into()
             }
             Err(error) => Err(unwritable(self.inputs.files, &path, &error, span).into()),
         }

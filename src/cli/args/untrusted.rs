@@ -1,0 +1,28 @@
+//! `--untrusted`: limits that apply unless others are given.
+
+use super::SceneArgs;
+use super::values::{Bytes, Seconds};
+
+/// Time for a scene.
+const MAX_TIME: Seconds = Seconds(60.0);
+/// Memory of the process.
+const MAX_MEMORY: Bytes = Bytes(2 << 30);
+/// Number of pixels of a picture.
+pub const MAX_PIXELS: u128 = 1 << 24;
+
+impl SceneArgs {
+    /// True with `--untrusted`, and if the environment variable `DURER_UNTRUSTED` is neither empty nor `0`.
+    pub fn is_untrusted(&self) -> bool {
+        self.untrusted || std::env::var_os("DURER_UNTRUSTED").is_some_and(|value| !value.is_empty() && value != "0")
+    }
+
+    /// Time limit of the scene; `None` for no limit.
+    pub fn time_limit(&self) -> Option<Seconds> {
+        self.max_time.or_else(|| self.is_untrusted().then_some(MAX_TIME))
+    }
+
+    /// Memory limit of the process; `None` for that of the machine.
+    pub fn memory_limit(&self) -> Option<Bytes> {
+        self.max_memory.or_else(|| self.is_untrusted().then_some(MAX_MEMORY))
+    }
+}

@@ -1,0 +1,144 @@
+//! Memory of the files that scenes created, in one small file in the user's state folder. So a scene that writes data
+//! for its next run, or an animation that rewrites it for each frame, may replace its own files, and no others.
+
+use crate::source::CreatedFiles;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::fs::{File, Metadata};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+use std::time::UNIX_EPOCH;
+
+/// Number of files above which those that no longer exist are forgotten.
+const MANY: usize = 1000;
+
+/// State of a file when the scene had finished it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Fingerprint {
+    length: u64,
+    /// Nanoseconds since 1970.
+    modified: u128,
+}
+
+/// Files by scene, each with its state after the scene had finished; `None` while it writes.
+type Created = BTreeMap<PathBuf, BTreeMap<PathBuf, Option<Fingerprint>>>;
+
+/// Files that one scene created, in this run and in earlier ones.
+#[derive(Debug)]
+pub struct CreatedByScene {
+    scene: PathBuf,
+    /// The file of the user's state folder; `None` if there is no such folder.
+    store: Option<PathBuf>,
+    /// Files of this run.
+    opened: Mutex<Vec<PathBuf>>,
+}
+
+impl CreatedByScene {
+    /// Memory of the scene in the file `scene`.
+    pub fn new(scene: &Path) -> Self {
+        let scene = scene.canonicalize().unwrap_or_else(|_| scene.to_path_buf());
+        Self { scene, store: state_folder().map(|folder| folder.join("created-files.json")), opened: Mutex::default() }
+    }
+
+    fn opened(&self) -> std::sync::MutexGuard<'_, Vec<PathBuf>> {
+        self.opened.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Changes the stored memory. Programs that run at the same time wait for each other; a memory that cannot be written
+    /// stays as it is, and the scene then replaces fewer files.
+    fn change(&self, change: impl FnOnce(&mut BTreeMap<PathBuf, Option<Fingerprint>>)) -> Option<()> {
+        let store = self.store.as_ref()?;
+        std::fs::create_dir_all(store.parent()?).ok()?;
+        let lock = File::create(store.with_extension("lock")).ok()?;
+        lock.lock().ok()?;
+        let mut all = read(store);
+        change(all.entry(self.scene.clone()).or_default());
+        if all.values().map(BTreeMap::len).sum::<usize>() > MANY {
+            all.values_mut().for_each(|files| files.retain(|path, _| path.exists()));
+            all.retain(|_, files| !files.is_empty());
+        }
+        let mut file = tempfile::NamedTempFile::new_in(store.parent()?).ok()?;
+        serde_json::to_writer(&mut file, &all).ok()?;
+        file.persist(store).ok().map(drop)
+    }
+}
+
+impl CreatedFiles for CreatedByScene {
+    fn add(&self, path: &Path) {
+        let is_new = {
+            let mut opened = self.opened();
+            let is_new = !opened.iter().any(|known| known == path);
+            if is_new {
+                opened.push(path.to_path_buf());
+            }
+            is_new
+        };
+        if is_new {
+            self.change(|files| _ = files.insert(path.to_path_buf(), None));
+        }
+    }
+
+    fn contains(&self, path: &Path) -> bool {
+        if self.opened().iter().any(|known| known == path) {
+            return true;
+        }
+        let stored = self.store.as_deref().map(read).and_then(|mut all| all.remove(&self.scene)?.remove(path));
+        stored.is_some_and(|state| state.is_none_or(|state| Some(state) == fingerprint(path)))
+    }
+}
+
+impl Drop for CreatedByScene {
+    fn drop(&mut self) {
+        let opened = std::mem::take(&mut *self.opened());
+        if !opened.is_empty() {
+            self.change(|files| files.extend(opened.into_iter().map(|path| (path.clone(), fingerprint(&path)))));
+        }
+    }
+}
+
+fn read(store: &Path) -> Created {
+    std::fs::read(store).ok().and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default()
+}
+
+fn fingerprint(path: &Path) -> Option<Fingerprint> {
+    let metadata: Metadata = path.symlink_metadata().ok()?;
+    let modified = metadata.modified().ok()?.duration_since(UNIX_EPOCH).ok()?.as_nanos();
+    Some(Fingerprint { length: metadata.len(), modified })
+}
+
+/// Folder for the state of programs, where durer's has its place (XDG Base Directory Specification).
+fn state_folder() -> Option<PathBuf> {
+    let folder = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+    let base = folder("XDG_STATE_HOME")
+        .or_else(|| folder("LOCALAPPDATA"))
+        .or_else(|| folder("HOME").map(|home| home.join(".local/state")))?;
+    Some(base.join("durer"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_scene_knows_its_files_until_somebody_else_changes_them() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        let scene = |name: &str| CreatedByScene {
+            scene: at(name),
+            store: Some(at("state/created-files.json")),
+            opened: Mutex::default(),
+        };
+        let (data, other) = (at("data.txt"), at("other.txt"));
+        std::fs::write(&other, "mine").unwrap();
+        let first = scene("a.pov");
+        assert!(!first.contains(&data));
+        first.add(&data);
+        std::fs::write(&data, "1").unwrap();
+        assert!(first.contains(&data));
+        drop(first);
+        let again = scene("a.pov");
+        assert!(again.contains(&data) && !again.contains(&other) && !scene("b.pov").contains(&data));
+        std::fs::write(&data, "edited by hand").unwrap();
+        assert!(!again.contains(&data));
+    }
+}
