@@ -423,7 +423,12 @@ mod tests {
         let sources = Sources::new(Arc::new(files.clone()));
         let file = load(&sources, Path::new("/work/main.pov")).unwrap();
         let search = SearchPath { folders: vec!["/work".into()], fonts: vec![] };
-        let sandbox = Sandbox::allow_search_path(&search);
+        let created: Arc<dyn source::CreatedFiles> = Arc::<source::CreatedInSession>::default();
+        let folder = source::WriteFolder { path: "/work".into(), created, replaces_all: false };
+        let sandbox = Sandbox {
+            read: source::ReadPolicy::Below(vec!["/work".into()]),
+            write: source::WritePolicy::Below(vec![folder]),
+        };
         let options = interpreter::Options { search, sandbox, ..Default::default() };
         let built = build(&sources, file, &options, &mut |_| {});
         let codes: Vec<_> = built.diagnostics.iter().map(|d| d.code).collect();

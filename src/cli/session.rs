@@ -14,7 +14,8 @@ use crate::interpreter::{ParsedFiles, Timing};
 use crate::math::cancel::CancelToken;
 use crate::render::{SampleLayout, Sampling};
 use crate::source::{
-    CreatedFiles, Disk, FileId, ReadError, ReadPolicy, Sandbox, SearchPath, Sources, Span, WriteFolder, WritePolicy,
+    CreatedFiles, Disk, FileId, FileKind, Files, ReadError, ReadPolicy, Sandbox, SearchPath, Sources, Span,
+    WriteFolder, WritePolicy,
 };
 use crate::syntax::Granularity;
 use crate::world::World;
@@ -46,6 +47,11 @@ pub fn check_input(input: &Path) -> Result<()> {
 /// Reads the scene; `-` is standard input.
 pub fn open(sources: &Sources, input: &Path) -> Result<FileId> {
     if input != Path::new("-") {
+        // A pipe that the user names is read, as in `durer render <(program)`; one that a scene names is not.
+        if Disk.metadata(input).is_ok_and(|metadata| metadata.kind == FileKind::Special) {
+            let bytes = std::fs::read(input).map_err(|e| Box::new(file::unreadable(&Disk, input, &e.into())))?;
+            return Ok(crate::load_bytes(sources, &input.to_string_lossy(), bytes)?);
+        }
         return Ok(crate::load(sources, input)?);
     }
     let mut bytes = Vec::new();

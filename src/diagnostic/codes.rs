@@ -147,8 +147,9 @@ colour with equal components: `scale 2` is `scale <2, 2, 2>`.\n\n    sphere { <0
     USER_ERROR "E0234" "the scene's own `#error`"
 "The scene itself, or a file it includes, found a reason to stop."
     FORBIDDEN_FILE "E0235" "a file that the scene may not touch"
-"A scene reads below its own folder and the include paths, and writes below the current folder; links and `..` are followed
-first. `--allow-read DIR` and `--allow-write DIR` allow more. No scene can start a program."
+"A scene creates files below the current folder, and replaces only those that it created before; files and folders whose names
+begin with a dot, scenes, INI files and snapshots are never written. `--allow-write DIR` allows more. With `--untrusted`, a scene reads
+only below its own folder; `--allow-read DIR` allows more. No scene can start a program."
     BAD_DATA "E0236" "a data file holds something else"
 "`#read` takes numbers, vectors such as `<1, 2, 3>` and strings in double quotes, with commas or blanks between them."
     STEP_LIMIT "E0240" "too many steps"

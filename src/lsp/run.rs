@@ -6,7 +6,7 @@ use crate::Keep;
 use crate::diagnostic::Severity;
 use crate::interpreter::{Options, ParsedFiles};
 use crate::math::cancel::{CancelReason, CancelToken};
-use crate::source::{Disk, Overlay, ReadPolicy, Sandbox, SearchPath, Sources, WritePolicy};
+use crate::source::{Disk, Overlay, Sandbox, SearchPath, Sources};
 use crate::syntax::lint::{self, Lints};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -81,7 +81,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
     let input = job.path.as_deref().and_then(Path::file_name).unwrap_or_default().to_string_lossy().into_owned();
     let options = Options {
         // A run in the editor writes no files.
-        sandbox: Sandbox { read: ReadPolicy::Anywhere, write: WritePolicy::InMemory },
+        sandbox: Sandbox::reading(),
         search,
         input_name: input,
         size: (640, 480),

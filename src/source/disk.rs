@@ -96,7 +96,7 @@ const MAX_RESERVED: usize = 1 << 30;
 /// Files that are opened without following links.
 #[cfg(unix)]
 mod below {
-    use super::{File, Path, WriteAccess, io};
+    use super::{File, Path, WriteAccess, io, refused_link};
     use rustix::fs::{Mode, OFlags, open as open_path, openat};
     use std::os::unix::fs::MetadataExt;
 
@@ -108,7 +108,7 @@ mod below {
         let mut names: Vec<_> = relative.iter().collect();
         let Some(name) = names.pop() else { return Err(io::ErrorKind::IsADirectory.into()) };
         for name in names {
-            folder = openat(&folder, name, folder_flags | OFlags::NOFOLLOW, Mode::empty())?;
+            folder = openat(&folder, name, folder_flags | OFlags::NOFOLLOW, Mode::empty()).map_err(refused_link)?;
         }
         // (A pipe without a reader is an error, and does not block.)
         let flags = OFlags::WRONLY | OFlags::CLOEXEC | OFlags::NOFOLLOW | OFlags::NONBLOCK;
@@ -117,7 +117,7 @@ mod below {
             WriteAccess::Replace => flags,
             WriteAccess::Append => flags | OFlags::APPEND,
         };
-        let file = File::from(openat(&folder, name, flags, Mode::from_raw_mode(0o666))?);
+        let file = File::from(openat(&folder, name, flags, Mode::from_raw_mode(0o666)).map_err(refused_link)?);
         let metadata = file.metadata()?;
         if !metadata.is_file() || metadata.nlink() > 1 {
             return Err(io::Error::new(io::ErrorKind::PermissionDenied, "it is not a regular file with one name"));
@@ -126,6 +126,17 @@ mod below {
             file.set_len(0)?;
         }
         Ok(file)
+    }
+}
+
+/// Names the refusal of a link.
+#[cfg(unix)]
+fn refused_link(error: rustix::io::Errno) -> io::Error {
+    match error {
+        rustix::io::Errno::LOOP | rustix::io::Errno::NOTDIR => {
+            io::Error::new(io::ErrorKind::PermissionDenied, "its path contains a link")
+        }
+        other => other.into(),
     }
 }
 

@@ -75,6 +75,11 @@ impl CreatedFiles for CreatedInSession {
 }
 
 impl Sandbox {
+    /// Allows to read all files; what the scene writes stays in memory.
+    pub fn reading() -> Self {
+        Self { read: ReadPolicy::Anywhere, write: WritePolicy::InMemory }
+    }
+
     /// Allows to read in all folders of the search path, and to create files below the current folder.
     pub fn allow_search_path(search: &super::SearchPath) -> Self {
         // Fonts are not confidential, and include folders hold links to them.

@@ -53,7 +53,7 @@ fn options() -> Options {
     Options {
         // Files that a scene has written are in the current folder.
         search: SearchPath { folders: vec![".".into()], fonts: vec![] },
-        sandbox: Sandbox { read: vec![".".into()], write: vec![".".into()] },
+        sandbox: Sandbox::reading(),
         size: SIZE,
         ..Options::default()
     }

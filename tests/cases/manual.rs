@@ -345,13 +345,7 @@ fn world_of(source: &Path, text: &str, size: (usize, usize)) -> Result<World, Fa
 
 fn options(folder: &Path) -> Options {
     let search = SearchPath::new(folder, &[]);
-    Options {
-        sandbox: Sandbox::around(&search),
-        search,
-        input_name: "example.pov".into(),
-        size: SIZE,
-        ..Options::default()
-    }
+    Options { sandbox: Sandbox::reading(), search, input_name: "example.pov".into(), size: SIZE, ..Options::default() }
 }
 
 fn drawing(width: usize, height: usize) -> render::Options {

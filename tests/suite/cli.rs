@@ -106,9 +106,9 @@ fn exit_codes() {
 #[test]
 fn failed_renders_keep_the_old_picture() {
     let scratch = Scratch::new();
-    scratch.put("ball.png", "old");
+    scratch.put("ball.png", "P6 old");
     scratch.exits(4, "render ball.scene --max-time 0");
-    assert_eq!(scratch.read("ball.png"), b"old");
+    assert_eq!(scratch.read("ball.png"), b"P6 old");
     assert_eq!(scratch.names(), ["ball.png", "ball.scene"]);
 }
 

@@ -118,7 +118,7 @@ fn draw(path: &Path, quality: u8) -> Result<durer::image_io::Frame, String> {
     let sources = Sources::default();
     let reading = interpreter::Options {
         search: SearchPath::new(path.parent().unwrap(), &[]),
-        sandbox: Sandbox { read: vec![path.parent().unwrap().into()], write: vec![] },
+        sandbox: Sandbox::reading(),
         size: SIZE,
         ..interpreter::Options::default()
     };

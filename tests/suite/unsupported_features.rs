@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 fn outcome(text: &str, fonts: Vec<PathBuf>) -> Outcome {
     let options = Options {
-        sandbox: Sandbox { read: fonts.clone(), write: vec![] },
+        sandbox: Sandbox::reading(),
         search: SearchPath { folders: vec![], fonts },
         size: (4, 3),
         ..Options::default()

@@ -112,7 +112,7 @@ pub struct SceneArgs {
     /// Choose the standard include files
     #[arg(help_heading = FILES, long, value_name = "WHOSE", default_value = "installed", hide_possible_values = false)]
     pub library: Library,
-    /// Distrust the scene and its INI file: they read only below their folder, write nothing, and get limited resources
+    /// Distrust scene and INI file: they read below their folder alone, write nothing, and have limits
     #[arg(help_heading = FILES, long)]
     pub untrusted: bool,
     /// Allow an untrusted scene to read files below this folder

@@ -4,6 +4,11 @@ use super::limited_run::{Case, ScratchFolder, case, drawn};
 use libtest_mimic::{Failed, Trial};
 use std::process::Stdio;
 
+/// Command for a scene that is not trusted.
+const UNTRUSTED: &str = "render a.scene -o out.png --size 8x6 --threads 2 --untrusted";
+/// Command for a scene that may replace all files of its folder.
+const WRITING: &str = "render a.scene -o out.png --size 8x6 --threads 2 --allow-write .";
+
 /// Cases of one command with files.
 pub fn cases() -> Vec<Case> {
     let bomb =
@@ -15,16 +20,16 @@ pub fn cases() -> Vec<Case> {
         case("write_home", "#fopen F \"~/durer.txt\" write\n", 1, &["a.scene:1:10"]),
         case("write_device", "#fopen F \"/dev/null\" write\n", 1, &["E0235"]),
         case("write_folder", "#fopen F \".\" write\n", 1, &["a.scene:1:10"]),
-        case("read_secrets", "#fopen F \"/etc/passwd\" read\n", 1, &["E0235", "--allow-read"]),
-        case("read_above", "#fopen F \"../../../../../../etc/passwd\" read\n", 1, &["E0235"]),
-        case("include_secrets", "#include \"/etc/passwd\"\n", 1, &["E0235"]),
-        case("exists_is_no_spy", "#if (file_exists(\"/etc/passwd\")) #error \"seen\" #end\n", 0, &["W0206"]),
+        case("read_secrets", "#fopen F \"/etc/passwd\" read\n", 1, &["E0235", "--allow-read"]).args(UNTRUSTED),
+        case("read_above", "#fopen F \"../../../../../../etc/passwd\" read\n", 1, &["E0235"]).args(UNTRUSTED),
+        case("include_secrets", "#include \"/etc/passwd\"\n", 1, &["E0235"]).args(UNTRUSTED),
+        case("exists_is_no_spy", "#if (file_exists(\"/etc/passwd\")) #error \"seen\" #end\n", 0, &["W0206"]).args(UNTRUSTED),
         case("read_picture", "#fopen F \"out.png\" read\n#read (F, A)\n", 1, &["out.png"]),
         case("read_binary", "#fopen F \"b.dat\" read\n#read (F, A)\n", 1, &["E0231"]).with("b.dat", [0, 1, 2, 255]),
         case("read_nonsense", "#fopen F \"b.dat\" read\n#read (F, A)\n", 1, &["E0236", "b.dat:1:1"]).with("b.dat", "?"),
         case("read_open_string", "#fopen F \"b.dat\" read\n#read (F, A)\n", 1, &["E0236"]).with("b.dat", "\"abc"),
         case("read_open_vector", "#fopen F \"b.dat\" read\n#read (F, A)\n", 1, &["E0236"]).with("b.dat", "<1, 2"),
-        case("mesh_of_secrets", "mesh { file \"/etc/passwd\" }\n", 1, &["E0235", "--allow-read"]),
+        case("mesh_of_secrets", "mesh { file \"/etc/passwd\" }\n", 1, &["E0235", "--allow-read"]).args(UNTRUSTED),
         case("mesh_folder", "mesh { file \".\" }\n", 1, &["E0230", "a.scene:1:13"]),
         case("mesh_of_nothing", "mesh { file \"a.obj\" }\n", 1, &["E0018", "no triangles"]).with("a.obj", ""),
         case("mesh_that_ends", "mesh { file \"a.stl\" }\n", 1, &["E0018", "byte 84"]).with("a.stl", [255; 84]),
@@ -42,6 +47,7 @@ pub fn cases() -> Vec<Case> {
         case("mesh_beyond_measure", "mesh { file \"a.obj\" scale 1e30 }\n", 0, &["W0300"])
             .with("a.obj", "v 0 0 1e37\nv 1e33 0 0\nv 0 1e33 0\nf 1 2 3\n"),
         case("mesh_names_secrets", "mesh { file \"a.obj\" }\n", 0, &["W0214", "may not be read"])
+            .args(UNTRUSTED)
             .with("a.obj", "mtllib /etc/passwd\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
         case("mesh_of_itself", "mesh { file \"a.gltf\" }\n", 1, &["E0018", "node 0 hangs in the tree twice"])
             .with("a.gltf", "{\"nodes\": [{\"children\": [1]}, {\"children\": [0, 0]}]}"),
@@ -62,6 +68,7 @@ pub fn cases() -> Vec<Case> {
             4,
             &["E0244"],
         )
+        .args(WRITING)
         .with("b.inc", ""),
         drawn(
             "include_grows",
@@ -69,6 +76,7 @@ pub fn cases() -> Vec<Case> {
             1,
             &["b.inc:2:1"],
         )
+        .args(WRITING)
         .with("b.inc", ""),
         case("string_doubles", "#declare S = \"x\";\n#while (1) #declare S = concat(S, S); #end\n", 4, &["E0242"]),
         case("array_of_billions", "#declare A = array[100000][100000];\n", 4, &["E0242"]),
@@ -105,15 +113,16 @@ fn links_lead_nowhere_else() -> Result<(), Failed> {
     std::fs::write(outside.path().join("secret.txt"), "1")?;
     std::os::unix::fs::symlink(outside.path(), folder.path().join("folder"))?;
     std::os::unix::fs::symlink(outside.path().join("secret.txt"), folder.path().join("link.txt"))?;
-    for text in [
-        "#fopen F \"link.txt\" read",
-        "#fopen F \"link.txt\" write",
-        "#fopen F \"folder/secret.txt\" append",
-        "#fopen F \"folder/new.txt\" write",
-        "#include \"link.txt\"",
+    let (reads, writes) = ("check a.scene --untrusted", "render a.scene --no-output --allow-write .");
+    for (text, command) in [
+        ("#fopen F \"link.txt\" read", reads),
+        ("#fopen F \"link.txt\" write", writes),
+        ("#fopen F \"folder/secret.txt\" append", writes),
+        ("#fopen F \"folder/new.txt\" write", writes),
+        ("#include \"link.txt\"", reads),
     ] {
         folder.put("a.scene", text.as_bytes())?;
-        let ended = folder.run("check a.scene", Stdio::null())?;
+        let ended = folder.run(command, Stdio::null())?;
         if ended.status.code() != Some(1) || !ended.stderr.contains("E0235") {
             return Err(format!("{text}: {}", ended.stderr).into());
         }
