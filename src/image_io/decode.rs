@@ -87,7 +87,16 @@ pub fn decode_pixels(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
     decode_any(bytes, ending).map(|decoded| decoded.pixels)
 }
 
+/// Decodes a picture, and refuses one without pixels, which no pattern could look up.
 fn decode_any(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
+    let decoded = decode_by_signature(bytes, ending)?;
+    match (decoded.pixels.width, decoded.pixels.height) {
+        (0, _) | (_, 0) => Err("it has no pixels".into()),
+        _ => Ok(decoded),
+    }
+}
+
+fn decode_by_signature(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
     if let Some(pixels) = netpbm::decode_netpbm(bytes) {
         return pixels.map(Decoded::from);
     }

@@ -30,6 +30,10 @@ pub fn cases() -> Vec<Case> {
         case("read_open_string", "#fopen F \"b.dat\" read\n#read (F, A)\n", 1, &["E0236"]).with("b.dat", "\"abc"),
         case("read_open_vector", "#fopen F \"b.dat\" read\n#read (F, A)\n", 1, &["E0236"]).with("b.dat", "<1, 2"),
         case("mesh_of_secrets", "mesh { file \"/etc/passwd\" }\n", 1, &["E0235", "--allow-read"]).args(UNTRUSTED),
+        case("picture_without_width", "sphere { z, 1 normal { bump_map { pgm \"a.pgm\" } } }\n", 1, &["E0007", "no pixels"])
+            .with("a.pgm", "P5 0 4 255\n"),
+        case("picture_without_height", "sphere { z, 1 pigment { image_map { pgm \"a.pgm\" } } }\n", 1, &["E0007"])
+            .with("a.pgm", "P5 4 0 255\n"),
         case("mesh_folder", "mesh { file \".\" }\n", 1, &["E0230", "a.scene:1:13"]),
         case("mesh_of_nothing", "mesh { file \"a.obj\" }\n", 1, &["E0018", "no triangles"]).with("a.obj", ""),
         case("mesh_that_ends", "mesh { file \"a.stl\" }\n", 1, &["E0018", "byte 84"]).with("a.stl", [255; 84]),
