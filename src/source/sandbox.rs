@@ -7,7 +7,7 @@ use std::io::{self, Write};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// What a scene may read and write.
+/// Files that a scene may read and write.
 #[derive(Clone, Debug, Default)]
 pub struct Sandbox {
     /// Files that the scene may read.
