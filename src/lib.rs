@@ -287,25 +287,34 @@ pub fn build_with(
     keep: Keep,
     debug: &mut dyn FnMut(&str),
 ) -> Built {
-    let mut built = options.cancel.scope(|| build_uncancelled(parsed, sources, file, options, keep, debug));
+    let mut built = options.cancel.scope(|| {
+        let start = options.host.elapsed();
+        let outcome = interpreter::interpret_with(parsed, sources, file, options, debug);
+        let parse_time = options.host.elapsed().saturating_sub(start);
+        lower_outcome(outcome, parse_time, sources, file, options, keep)
+    });
     if !built.limit_reached && options.cancel.is_cancelled() {
         // Whatever was computed after the cancellation is worthless.
         built.world = None;
         built.limit_reached = true;
-        built.diagnostics.extend(options.cancellation(source::Span::NONE));
+        built.diagnostics.extend(interpreter::cancellation_error(
+            &options.cancel,
+            options.max_time,
+            source::Span::NONE,
+        ));
     }
     built
 }
 
-fn build_uncancelled(
-    parsed: &interpreter::ParsedFiles,
+/// Adds advice to the diagnostics of a run, and lowers its scene.
+fn lower_outcome(
+    outcome: interpreter::Outcome,
+    parse_time: std::time::Duration,
     sources: &Sources,
     file: FileId,
     options: &interpreter::Options,
     keep: Keep,
-    debug: &mut dyn FnMut(&str),
 ) -> Built {
-    let start = options.host.elapsed();
     let interpreter::Outcome {
         mut scene,
         mut diagnostics,
@@ -313,8 +322,7 @@ fn build_uncancelled(
         origins,
         unused_branches,
         written_in_memory,
-    } = interpreter::interpret_with(parsed, sources, file, options, debug);
-    let parse_time = options.host.elapsed().saturating_sub(start);
+    } = outcome;
     if let Some(scene) = &scene {
         diagnostics.extend(advice::of_scene(scene, sources));
     }

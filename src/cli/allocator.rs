@@ -32,11 +32,12 @@ pub fn set_limit(bytes: Option<u64>) {
 }
 
 /// Number of allocated bytes of the process.
-fn used() -> usize {
+fn allocated_bytes() -> usize {
     USED.load(Relaxed).max(0) as usize
 }
 
-fn count(bytes: isize) {
+/// Adds to the count of allocated bytes; `bytes` is negative for memory that is freed.
+fn count_allocation(bytes: isize) {
     // A thread that ends has no count any more; what it frees then is negligible.
     let _ = UNCOUNTED.try_with(|uncounted| {
         let sum = uncounted.get() + bytes;
@@ -71,23 +72,23 @@ fn end_process() -> ! {
 // SAFETY: all methods pass their arguments to the system's allocator; counting does not touch the memory.
 unsafe impl GlobalAlloc for Metered {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        count(layout.size() as isize);
+        count_allocation(layout.size() as isize);
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        count(layout.size() as isize);
+        count_allocation(layout.size() as isize);
         unsafe { System.alloc_zeroed(layout) }
     }
 
     unsafe fn dealloc(&self, memory: *mut u8, layout: Layout) {
-        count(-(layout.size() as isize));
+        count_allocation(-(layout.size() as isize));
         unsafe { System.dealloc(memory, layout) }
     }
 
     unsafe fn realloc(&self, memory: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         // The system moves the pages of large lists that grow, and does not copy them.
-        count(size as isize - layout.size() as isize);
+        count_allocation(size as isize - layout.size() as isize);
         unsafe { System.realloc(memory, layout, size) }
     }
 }
@@ -106,7 +107,7 @@ impl Host for MeteredHost {
     }
 
     fn resident_bytes(&self) -> Option<u64> {
-        match used() {
+        match allocated_bytes() {
             // The program has another allocator.
             0 => self.0.resident_bytes(),
             used => Some(used as u64),
@@ -114,6 +115,6 @@ impl Host for MeteredHost {
     }
 
     fn counts_memory(&self) -> bool {
-        used() != 0
+        allocated_bytes() != 0
     }
 }

@@ -1,12 +1,11 @@
 //! Memory of the files that scenes created, in one small file in the user's state folder. So a scene that writes data
 //! for its next run, or an animation that rewrites it for each frame, may replace its own files, and no others.
 
-use crate::source::CreatedFiles;
+use crate::source::{CreatedFiles, CreatedInSession};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::{File, Metadata};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
 use std::time::UNIX_EPOCH;
 
 /// Number of files above which those that no longer exist are forgotten.
@@ -29,29 +28,29 @@ pub struct CreatedByScene {
     scene: PathBuf,
     /// The file of the user's state folder; `None` if there is no such folder.
     store: Option<PathBuf>,
-    /// Files of this run.
-    opened: Mutex<Vec<PathBuf>>,
+    /// Files that this run has created or replaced.
+    session: CreatedInSession,
 }
 
 impl CreatedByScene {
     /// Memory of the scene in the file `scene`.
     pub fn new(scene: &Path) -> Self {
         let scene = scene.canonicalize().unwrap_or_else(|_| scene.to_path_buf());
-        Self { scene, store: state_folder().map(|folder| folder.join("created-files.json")), opened: Mutex::default() }
+        Self {
+            scene,
+            store: state_folder().map(|folder| folder.join("created-files.json")),
+            session: CreatedInSession::default(),
+        }
     }
 
-    fn opened(&self) -> std::sync::MutexGuard<'_, Vec<PathBuf>> {
-        self.opened.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Changes the stored memory. Programs that run at the same time wait for each other; a memory that cannot be written
-    /// stays as it is, and the scene then replaces fewer files.
-    fn change(&self, change: impl FnOnce(&mut BTreeMap<PathBuf, Option<Fingerprint>>)) -> Option<()> {
+    /// Changes the scene's files in the store. Programs that run at the same time wait for each other. A store that
+    /// cannot be written stays as it is; a later run of the scene then replaces fewer files.
+    fn update_store(&self, change: impl FnOnce(&mut BTreeMap<PathBuf, Option<Fingerprint>>)) -> Option<()> {
         let store = self.store.as_ref()?;
         std::fs::create_dir_all(store.parent()?).ok()?;
         let lock = File::create(store.with_extension("lock")).ok()?;
         lock.lock().ok()?;
-        let mut all = read(store);
+        let mut all = read_store(store);
         change(all.entry(self.scene.clone()).or_default());
         if all.values().map(BTreeMap::len).sum::<usize>() > MANY {
             all.values_mut().for_each(|files| files.retain(|path, _| path.exists()));
@@ -65,38 +64,31 @@ impl CreatedByScene {
 
 impl CreatedFiles for CreatedByScene {
     fn add(&self, path: &Path) {
-        let is_new = {
-            let mut opened = self.opened();
-            let is_new = !opened.iter().any(|known| known == path);
-            if is_new {
-                opened.push(path.to_path_buf());
-            }
-            is_new
-        };
-        if is_new {
-            self.change(|files| _ = files.insert(path.to_path_buf(), None));
+        if !self.session.contains(path) {
+            self.session.add(path);
+            self.update_store(|files| _ = files.insert(path.to_path_buf(), None));
         }
     }
 
     fn contains(&self, path: &Path) -> bool {
-        if self.opened().iter().any(|known| known == path) {
+        if self.session.contains(path) {
             return true;
         }
-        let stored = self.store.as_deref().map(read).and_then(|mut all| all.remove(&self.scene)?.remove(path));
+        let stored = self.store.as_deref().map(read_store).and_then(|mut all| all.remove(&self.scene)?.remove(path));
         stored.is_some_and(|state| state.is_none_or(|state| Some(state) == fingerprint(path)))
     }
 }
 
 impl Drop for CreatedByScene {
     fn drop(&mut self) {
-        let opened = std::mem::take(&mut *self.opened());
-        if !opened.is_empty() {
-            self.change(|files| files.extend(opened.into_iter().map(|path| (path.clone(), fingerprint(&path)))));
+        let created = self.session.paths();
+        if !created.is_empty() {
+            self.update_store(|files| files.extend(created.into_iter().map(|path| (path.clone(), fingerprint(&path)))));
         }
     }
 }
 
-fn read(store: &Path) -> Created {
+fn read_store(store: &Path) -> Created {
     std::fs::read(store).ok().and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default()
 }
 
@@ -126,7 +118,7 @@ mod tests {
         let scene = |name: &str| CreatedByScene {
             scene: at(name),
             store: Some(at("state/created-files.json")),
-            opened: Mutex::default(),
+            session: CreatedInSession::default(),
         };
         let (data, other) = (at("data.txt"), at("other.txt"));
         std::fs::write(&other, "mine").unwrap();

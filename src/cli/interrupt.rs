@@ -1,7 +1,7 @@
 //! Ends work early: Ctrl-C, and the time limit of a command.
 //!
-//! Both cancel the work's [`CancelToken`], which every long loop polls. Work that does not end within [`GRACE`], such as
-//! a decoder of another crate, is ended together with the process.
+//! Both cancel the work's [`CancelToken`], which every long loop polls. Work that does not end within [`GRACE`], such
+//! as a decoder of another crate, is ended together with the process.
 
 use super::args::values::Seconds;
 use super::console::print_message;
@@ -51,8 +51,8 @@ pub fn is_requested() -> bool {
     REQUESTED.load(SeqCst)
 }
 
-/// Reports that cancelled work has noticed its end, and takes the time to finish properly.
-pub fn notice() {
+/// Keeps the process alive until cancelled work, which has noticed its cancellation, has finished properly.
+pub fn await_cancelled_work() {
     NOTICED.store(true, SeqCst);
 }
 
@@ -122,6 +122,7 @@ pub struct Deadline {
 impl Deadline {
     /// Starts the time limit of work that polls `token`; `None` for no limit.
     pub fn start(limit: Option<Seconds>, token: CancelToken, overrun: Overrun) -> Self {
+        NOTICED.store(false, SeqCst);
         lock(&TOKENS).push(token.clone());
         if is_requested() {
             token.cancel(CancelReason::Request);
@@ -137,7 +138,6 @@ impl Deadline {
                 if sleep_until(end, &is_done) {
                     return;
                 }
-                NOTICED.store(false, SeqCst);
                 token.cancel(CancelReason::TimeLimit);
                 if overrun == Overrun::EndsProcess
                     && !sleep_until(Instant::now() + GRACE, &is_done)

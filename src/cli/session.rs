@@ -185,7 +185,8 @@ pub fn note_of_writes(built: &Built) -> Option<String> {
     Some(format!("`{}`{others} was not written: only `durer render` writes the files of a scene\n", first.display()))
 }
 
-/// Runs `work` on a scene within `--max-time` and `--max-memory`. The work polls the token of its thread, as [`reading_options`] does.
+/// Runs `work` on a scene within `--max-time` and `--max-memory`. The work polls the token of its thread, which
+/// [`reading_options`] uses.
 ///
 /// # Errors
 /// Those of `work`, or that the time is over.
@@ -193,12 +194,8 @@ pub fn within_limits<T>(args: &SceneArgs, work: impl FnOnce() -> Result<T>) -> R
     enforce_memory_limit(args.memory_limit());
     let deadline = Deadline::start(args.time_limit(), CancelToken::default(), Overrun::EndsProcess);
     let result = deadline.token().scope(work)?;
-    let limit = interpreter::Options {
-        max_time: args.max_time.map(|s| s.0),
-        cancel: deadline.token().clone(),
-        ..Default::default()
-    };
-    match limit.cancellation(Span::NONE) {
+    let max_time = args.time_limit().map(|s| s.0);
+    match interpreter::cancellation_error(deadline.token(), max_time, Span::NONE) {
         Some(diagnostic) => Err(Failure::Fault(Box::new(diagnostic))),
         None => Ok(result),
     }

@@ -140,17 +140,15 @@ impl Format {
 /// Number of bytes at the start of a file that [`begins_like_a_picture`] needs.
 pub const SIGNATURE_BYTES: usize = 18;
 
-/// True if a file that begins with these bytes is a picture in one of the formats that durer writes, or a GIF.
+/// True if a file that begins with these bytes is a picture in one of the formats that durer writes, or in another that the crate
+/// `image` knows.
 pub fn begins_like_a_picture(start: &[u8]) -> bool {
-    const SIGNATURES: &[&[u8]] =
-        &[b"\x89PNG", b"\x76\x2f\x31\x01", b"#?", b"\xff\xd8\xff", b"BM", b"II*\0", b"MM\0*", b"GIF8"];
-    let is_netpbm = matches!(start, [b'P', b'1'..=b'7', space, ..] if space.is_ascii_whitespace());
     // TGA has no signature: the kinds of palette and picture, and the bits of a pixel.
     let is_tga = start.len() >= SIGNATURE_BYTES
         && start[1] <= 1
         && matches!(start[2], 1..=3 | 9..=11)
         && matches!(start[16], 8 | 15 | 16 | 24 | 32);
-    is_netpbm || is_tga || SIGNATURES.iter().any(|signature| start.starts_with(signature))
+    is_tga || image::guess_format(start).is_ok()
 }
 
 #[cfg(test)]

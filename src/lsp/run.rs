@@ -81,7 +81,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
     let input = job.path.as_deref().and_then(Path::file_name).unwrap_or_default().to_string_lossy().into_owned();
     let options = Options {
         // A run in the editor writes no files.
-        sandbox: Sandbox::reading(),
+        sandbox: Sandbox::read_only(),
         search,
         input_name: input,
         size: (640, 480),

@@ -64,6 +64,13 @@ pub trait CreatedFiles: Debug + Send + Sync {
 #[derive(Debug, Default)]
 pub struct CreatedInSession(Mutex<BTreeSet<PathBuf>>);
 
+impl CreatedInSession {
+    /// Returns the created files in alphabetical order.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
+    }
+}
+
 impl CreatedFiles for CreatedInSession {
     fn add(&self, path: &Path) {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_path_buf());
@@ -76,7 +83,7 @@ impl CreatedFiles for CreatedInSession {
 
 impl Sandbox {
     /// Allows to read all files; what the scene writes stays in memory.
-    pub fn reading() -> Self {
+    pub fn read_only() -> Self {
         Self { read: ReadPolicy::Anywhere, write: WritePolicy::InMemory }
     }
 
@@ -155,7 +162,7 @@ impl<'a> Sandboxed<'a> {
         }) else {
             return refused("it is outside of the folders that scenes may write to");
         };
-        if let Some(reason) = protection(&relative) {
+        if let Some(reason) = protection_reason(&relative) {
             return refused(reason);
         }
         let whole = root.join(&relative);
@@ -200,8 +207,8 @@ fn without_dots(path: &Path) -> PathBuf {
     out
 }
 
-/// The reason for which scenes never write a file of this name; `None` if they may.
-fn protection(relative: &Path) -> Option<&'static str> {
+/// Returns the reason why scenes never write a file of this name; `None` if they may.
+fn protection_reason(relative: &Path) -> Option<&'static str> {
     let names: Vec<String> = relative.iter().map(|name| name.to_string_lossy().to_lowercase()).collect();
     let (file, folders) = names.split_last()?;
     let ends_with = |endings: &[&str]| endings.iter().any(|ending| file.ends_with(ending));

@@ -47,38 +47,29 @@ impl Tracer<'_> {
     ) -> Rgb {
         let [n, m] = area.size;
         let count = n as usize * m as usize;
-        if count > MAX_ARRAY && area.adaptive.is_none() {
-            return self.visibility_of_each(light, area, point, center, state);
-        }
         let known = match count <= MAX_ARRAY {
             true => Known::Array(vec![Rgb::NAN; count]),
             false => Known::Map(FxHashMap::default()),
         };
         let random = self.random.sequence(Purpose::AreaLight);
         let mut grid = GridVisibility { light, area, point, center, state, random, known };
+        if count > MAX_ARRAY && area.adaptive.is_none() {
+            return self.mean_of_all_lights(&grid);
+        }
         self.piece(&mut grid, [0, 0], [n - 1, m - 1], 0)
     }
 
-    /// The mean over a large grid that is not adaptive, without memory of the lights: the weights of
-    /// [`Tracer::area_visibility`] are products of those of columns and rows.
-    fn visibility_of_each(
-        &mut self,
-        light: &LightSource,
-        area: &Area,
-        point: DVec3,
-        center: &LightSample,
-        state: &RayState,
-    ) -> Rgb {
-        let random = self.random.sequence(Purpose::AreaLight);
-        let [columns, rows] = area.size.map(weights);
+    /// Returns the mean visibility of a large grid that is not adaptive, without memory of the single lights: their
+    /// weights in [`Tracer::area_visibility`] are products of those of their column and row.
+    fn mean_of_all_lights(&mut self, grid: &GridVisibility) -> Rgb {
+        let [columns, rows] = grid.area.size.map(weights_of_halving);
         let mut sum = Rgb::ZERO;
         for (row, row_weight) in (0..).zip(&rows) {
             for (column, weight) in (0..).zip(&columns) {
                 if self.is_stopped_at_next_surface() {
                     return sum;
                 }
-                let sample = light.emitter.sample(point, offset(area, [column, row], -center.from, random));
-                sum += self.point_visibility(light, point, &sample, state) * (row_weight * weight);
+                sum += self.light_visibility(grid, [column, row]) * (row_weight * weight);
             }
         }
         sum
@@ -113,9 +104,7 @@ impl Tracer<'_> {
             Known::Map(map) => map.get(&cell).copied(),
         };
         known.unwrap_or_else(|| {
-            let offset = offset(grid.area, cell, -grid.center.from, grid.random);
-            let sample = grid.light.emitter.sample(grid.point, offset);
-            let visibility = self.point_visibility(grid.light, grid.point, &sample, grid.state);
+            let visibility = self.light_visibility(grid, cell);
             match &mut grid.known {
                 Known::Array(row) => row[at] = visibility,
                 Known::Map(map) => drop(map.insert(cell, visibility)),
@@ -123,13 +112,20 @@ impl Tracer<'_> {
             visibility
         })
     }
+
+    /// Returns the visibility of one light of the grid by a shadow ray.
+    fn light_visibility(&mut self, grid: &GridVisibility, cell: [u32; 2]) -> Rgb {
+        let offset = offset(grid.area, cell, -grid.center.from, grid.random);
+        let sample = grid.light.emitter.sample(grid.point, offset);
+        self.point_visibility(grid.light, grid.point, &sample, grid.state)
+    }
 }
 
 /// Returns the weights of the lights of one side of a grid, whose sum is 1: the side is halved down to pairs of lights,
 /// and the lights of a pair count alike.
-fn weights(n: u32) -> Vec<f64> {
-    let mut out = vec![0.0; n as usize];
-    let mut pieces = vec![(0, n - 1, 1.0)];
+fn weights_of_halving(n_lights: u32) -> Vec<f64> {
+    let mut out = vec![0.0; n_lights as usize];
+    let mut pieces = vec![(0, n_lights - 1, 1.0)];
     while let Some((low, high, weight)) = pieces.pop() {
         let half = (high - low) / 2;
         if high - low <= 1 {
@@ -173,7 +169,7 @@ mod tests {
     fn weights_are_those_of_halving() {
         for n in [1, 2, 3, 4, 5, 7, 8, 17, 100] {
             let expected: Vec<f64> = (0..n).map(|at| weight(at, 0, n - 1)).collect();
-            assert_eq!(weights(n), expected, "{n}");
+            assert_eq!(weights_of_halving(n), expected, "{n}");
         }
     }
 }

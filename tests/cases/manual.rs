@@ -345,7 +345,13 @@ fn world_of(source: &Path, text: &str, size: (usize, usize)) -> Result<World, Fa
 
 fn options(folder: &Path) -> Options {
     let search = SearchPath::new(folder, &[]);
-    Options { sandbox: Sandbox::reading(), search, input_name: "example.pov".into(), size: SIZE, ..Options::default() }
+    Options {
+        sandbox: Sandbox::read_only(),
+        search,
+        input_name: "example.pov".into(),
+        size: SIZE,
+        ..Options::default()
+    }
 }
 
 fn drawing(width: usize, height: usize) -> render::Options {

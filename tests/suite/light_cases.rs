@@ -118,7 +118,7 @@ fn draw(path: &Path, quality: u8) -> Result<durer::image_io::Frame, String> {
     let sources = Sources::default();
     let reading = interpreter::Options {
         search: SearchPath::new(path.parent().unwrap(), &[]),
-        sandbox: Sandbox::reading(),
+        sandbox: Sandbox::read_only(),
         size: SIZE,
         ..interpreter::Options::default()
     };

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 fn outcome(text: &str, fonts: Vec<PathBuf>) -> Outcome {
     let options = Options {
-        sandbox: Sandbox::reading(),
+        sandbox: Sandbox::read_only(),
         search: SearchPath { folders: vec![], fonts },
         size: (4, 3),
         ..Options::default()

@@ -3,11 +3,11 @@
 use super::SceneArgs;
 use super::values::{Bytes, Seconds};
 
-/// Time for a scene.
+/// Time limit of an untrusted scene without `--max-time`.
 const MAX_TIME: Seconds = Seconds(60.0);
-/// Memory of the process.
+/// Memory limit for an untrusted scene without `--max-memory`.
 const MAX_MEMORY: Bytes = Bytes(2 << 30);
-/// Number of pixels of a picture.
+/// Maximum number of pixels of the picture of an untrusted scene.
 pub const MAX_PIXELS: u128 = 1 << 24;
 
 impl SceneArgs {

@@ -77,7 +77,7 @@ impl Monitor {
 
     /// Returns the reason why the picture was not finished.
     fn reason(&self) -> Failure {
-        interrupt::notice();
+        interrupt::await_cancelled_work();
         if interrupt::is_requested() {
             print_message("interrupted; no picture was written\n");
             return Failure::Reported(Exit::Interrupted);

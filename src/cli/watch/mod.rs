@@ -12,7 +12,7 @@ use super::{render, session};
 use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::preview::{FileWatcher, Screen, serve};
-use crate::source::Span;
+use crate::source::{ContentHash, Disk, Files, Span};
 use queue::{RenderQueue, Request};
 use render_loop::RenderLoop;
 use std::path::Path;
@@ -51,7 +51,7 @@ fn render_args(args: &WatchArgs) -> RenderArgs {
 /// Writes the picture file after each change.
 fn redraw(console: &Console, args: &WatchArgs) -> Result {
     let queue = Arc::new(RenderQueue::default());
-    let files = file_watcher(&queue);
+    let files = file_watcher(&queue, &args.input);
     loop {
         let cancel = queue.pop().cancel;
         let context = render::Context { cancel: Some(cancel.clone()), ..render::Context::default() };
@@ -71,7 +71,7 @@ fn redraw(console: &Console, args: &WatchArgs) -> Result {
 /// Serves the page until the program is interrupted.
 fn show(console: &Console, args: &WatchArgs) -> Result {
     let (queue, screen) = (Arc::new(RenderQueue::default()), Arc::new(Screen::default()));
-    let files = file_watcher(&queue);
+    let files = file_watcher(&queue, &args.input);
     let render_loop = Arc::new(RenderLoop::new(args.clone(), queue, screen.clone()));
     let address = match serve(args.port, render_loop.clone(), screen) {
         Ok(address) => address,
@@ -91,7 +91,11 @@ fn show(console: &Console, args: &WatchArgs) -> Result {
     render_loop.run(console, &files)
 }
 
-fn file_watcher(queue: &Arc<RenderQueue>) -> FileWatcher {
+/// Starts to watch the scene's own file, so that a save ends even the first run.
+fn file_watcher(queue: &Arc<RenderQueue>, input: &Path) -> FileWatcher {
     let queue = queue.clone();
-    FileWatcher::new(move || queue.push(Request::Scene, |_| {}))
+    let files = FileWatcher::new(move || queue.push(Request::Scene, |_| {}));
+    let content = Disk.read(input).map(|bytes| (input.to_path_buf(), ContentHash::of(&bytes)));
+    files.follow(&content.into_iter().collect(), input, false);
+    files
 }

@@ -2,8 +2,7 @@
 
 use super::Reporter;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::interpreter::Options;
-use crate::math::cancel::CancelReason;
+use crate::math::cancel::{CancelReason, CancelToken};
 use crate::source::{Host, Span};
 use std::time::Duration;
 
@@ -38,19 +37,16 @@ impl Usage {
     }
 }
 
-impl Options {
-    /// Returns the error at `span` of a run that was cancelled; `None` for a run that was not.
-    pub fn cancellation(&self, span: Span) -> Option<Diagnostic> {
-        let (message, help) = match self.cancel.reason()? {
-            CancelReason::Request => ("the run was stopped".into(), "its result is no longer needed"),
-            CancelReason::TimeLimit => {
-                let limit =
-                    self.max_time.map_or_else(|| "its time limit".into(), |seconds| format!("{seconds} seconds"));
-                (format!("the scene took more than {limit}"), "--max-time SECONDS allows more")
-            }
-        };
-        Some(Diagnostic::new(codes::TIME_LIMIT, span, message).help(help))
-    }
+/// Returns the error at `span` of work whose token was cancelled, with the time limit in seconds; `None` if it was not.
+pub fn cancellation_error(cancel: &CancelToken, max_time: Option<f64>, span: Span) -> Option<Diagnostic> {
+    let (message, help) = match cancel.reason()? {
+        CancelReason::Request => ("the run was stopped".into(), "its result is no longer needed"),
+        CancelReason::TimeLimit => {
+            let limit = max_time.map_or_else(|| "its time limit".into(), |seconds| format!("{seconds} seconds"));
+            (format!("the scene took more than {limit}"), "--max-time SECONDS allows more")
+        }
+    };
+    Some(Diagnostic::new(codes::TIME_LIMIT, span, message).help(help))
 }
 
 impl Reporter<'_> {
@@ -87,7 +83,7 @@ impl Reporter<'_> {
         {
             options.cancel.cancel(CancelReason::TimeLimit);
         }
-        if let Some(diagnostic) = options.cancellation(span) {
+        if let Some(diagnostic) = cancellation_error(&options.cancel, options.max_time, span) {
             self.limit_reached = true;
             return diagnostic.into();
         }

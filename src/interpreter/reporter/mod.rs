@@ -9,6 +9,7 @@ use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::source::Span;
 use crate::syntax::ast::Element;
 use limits::Usage;
+pub use limits::cancellation_error;
 pub(super) use limits::{MAX_CALLS, MAX_INCLUDES};
 use mistake::Mistakes;
 use std::collections::BTreeMap;

@@ -1,6 +1,7 @@
 //! Lowering: from what the author wrote to what rays need. Nested blocks become one M and M⁻¹ a shape, properties of a
 //! group are passed to its parts, shared textures are lowered once.
 
+mod inherited;
 mod instances;
 mod lights;
 mod place;
@@ -21,8 +22,9 @@ use crate::medium::Interior;
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, PhotonSettings, Scene};
 use crate::shape::{Bounding, Kernel, Shape, transformed_box};
 use crate::source::{Activity, Span};
-use crate::texture::{Texture, Uncommon};
+use crate::texture::Texture;
 use crate::value::SharedDefault;
+use inherited::{Inherited, hollow_inside, interior_of, joined};
 use instances::Copies;
 use place::{Look, Place, not_finite};
 use shared::{Lowered, Shared};
@@ -124,43 +126,6 @@ pub(super) fn lower_alone(object: &Object) -> Result<Geometry> {
     Ok(builder.into())
 }
 
-/// Properties that blocks around an object pass on.
-#[derive(Clone, Default)]
-struct Inherited {
-    place: Place,
-    texture: Option<Look>,
-    inside: Option<Look>,
-    /// Number of the solids that its shapes cut, if the shapes have no texture.
-    cut: Option<u32>,
-    /// True if inverted an odd number of times.
-    inverted: bool,
-    interior: Option<u32>,
-    /// `hollow` of the object, for blocks without an interior.
-    hollow_air: Option<bool>,
-    /// Number of the group of lights around the object; 0 for none.
-    lights: u32,
-    /// True if the block around is that group itself.
-    lights_here: bool,
-    flags: Flags,
-    /// Index of the photon settings in [`Lowering::photons`].
-    photons: u32,
-}
-
-/// Returns the interior of an object. In old scenes the finish states a part of it; the topmost layer's finish has
-/// priority (quirk: `finish_ior_first`).
-fn interior_of(object: &Object) -> Option<Arc<Interior>> {
-    let said = object.uncommon.interior.clone();
-    let finish = object.texture.as_ref().and_then(|painted| painted.texture.layers.last()).map(|top| &top.finish);
-    match finish.map(|finish| &*finish.uncommon) {
-        Some(&Uncommon { ior, caustics, .. }) if ior.is_some() || caustics.is_some() => {
-            let inside = said.unwrap_or_default();
-            let (ior, caustics) = (ior.unwrap_or(inside.ior), caustics.unwrap_or(inside.caustics));
-            Some(Arc::new(Interior { ior, caustics, ..(*inside).clone() }))
-        }
-        _ => said,
-    }
-}
-
 /// A lowered object.
 struct Solid {
     node: SolidNode,
@@ -191,12 +156,6 @@ struct Lowering {
     groups: Vec<Group>,
     /// Lights of no group.
     global: Vec<u32>,
-}
-
-impl Inherited {
-    fn has_hollow_air(&self) -> bool {
-        self.hollow_air.unwrap_or(self.flags.hollow)
-    }
 }
 
 /// A `light_group`.
@@ -479,35 +438,5 @@ impl Lowering {
             CsgOp::Merge => SolidNode::merge(nodes, number),
         };
         Ok(Some(Solid { node, opaque }))
-    }
-}
-
-/// Returns `hollow` for interiors that the blocks within do not state: that of the last shape (quirk:
-/// `hollow_of_last_part`). `None` without any such shape.
-fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
-    let hollow = object.uncommon.flags.hollow || inherited;
-    match &object.kind {
-        ObjectKind::Shape(_) => Some(hollow),
-        ObjectKind::Light(_) => None,
-        ObjectKind::Csg(_, parts) => {
-            let open = parts.iter().rev().filter(|part| interior_of(part).is_none());
-            open.filter_map(|part| hollow_inside(part, hollow)).next()
-        }
-    }
-}
-
-/// Combines the flags of a part with those of its group; `inverse` is not inherited.
-fn joined(object: &Object, inherited: Flags) -> Flags {
-    let own = object.uncommon.flags;
-    Flags {
-        no_shadow: own.no_shadow || inherited.no_shadow,
-        no_image: own.no_image || inherited.no_image,
-        no_reflection: own.no_reflection || inherited.no_reflection,
-        no_radiosity: own.no_radiosity || inherited.no_radiosity,
-        hollow: own.hollow || inherited.hollow,
-        inverse: own.inverse,
-        double_illuminate: own.double_illuminate || inherited.double_illuminate,
-        cutaway_textures: own.cutaway_textures || inherited.cutaway_textures,
-        uv_mapping: own.uv_mapping || (inherited.uv_mapping && object.inherits_uv_mapping()),
     }
 }

@@ -39,7 +39,7 @@ impl Run<'_> {
     pub fn check(&self, text: String) -> Verdict {
         let folder = self.path.parent().unwrap_or(Path::new("."));
         let options = Options {
-            sandbox: Sandbox::reading(),
+            sandbox: Sandbox::read_only(),
             search: SearchPath::new(folder, &[]),
             size: (8, 6),
             max_steps: self.steps,

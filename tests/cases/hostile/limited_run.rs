@@ -11,7 +11,7 @@ const PATIENCE: Duration = Duration::from_secs(20);
 /// Maximum address space in kilobytes; 512 MB of it are the stack that is reserved for nested text.
 const MEMORY: u32 = 2_000_000;
 /// Contents of the picture's file before the run.
-const OLD: &[u8] = b"\x89PNG of an older picture";
+const OLD: &[u8] = b"\x89PNG\r\n\x1a\n of an older picture";
 
 /// A hostile input, and the expected end of the command.
 pub struct Case {

@@ -4,6 +4,7 @@ use super::limited_run::{Case, ScratchFolder, case, drawn};
 use libtest_mimic::{Failed, Trial};
 use std::process::Stdio;
 
+const BALL: &str = "camera { location <0, 0, -5> look_at 0 }\nsphere { 0, 1 }\n";
 /// Command for a scene that is not trusted.
 const UNTRUSTED: &str = "render a.scene -o out.png --size 8x6 --threads 2 --untrusted";
 /// Command for a scene that may replace all files of its folder.
@@ -34,6 +35,18 @@ pub fn cases() -> Vec<Case> {
             .with("a.pgm", "P5 0 4 255\n"),
         case("picture_without_height", "sphere { z, 1 pigment { image_map { pgm \"a.pgm\" } } }\n", 1, &["E0007"])
             .with("a.pgm", "P5 4 0 255\n"),
+        case("ini_opens_no_folder", "#include \"etc/passwd\"\n", 1, &["E0230"])
+            .with("a.ini", "Input_File_Name=a.scene\nLibrary_Path=/\n")
+            .args("check a.ini --untrusted"),
+        case("ini_hides_no_picture", BALL, 1, &["E0235", "begins with a dot"])
+            .with("a.ini", "Input_File_Name=a.scene\nOutput_File_Name=.profile.png\n")
+            .args("render a.ini"),
+        case("untrusted_picture_is_small", BALL, 4, &["E0006"]).args("render a.scene --size 5000x5000 --untrusted"),
+        case("untrusted_scene_writes_nothing", "#fopen F \"b.inc\" write #write (F, 1) #fclose F\n", 0, &["b.inc"])
+            .args(UNTRUSTED),
+        case("picture_replaces_no_text", BALL, 5, &["E0004", "not a picture"])
+            .with("b.png", "notes")
+            .args("render a.scene -o b.png"),
         case("mesh_folder", "mesh { file \".\" }\n", 1, &["E0230", "a.scene:1:13"]),
         case("mesh_of_nothing", "mesh { file \"a.obj\" }\n", 1, &["E0018", "no triangles"]).with("a.obj", ""),
         case("mesh_that_ends", "mesh { file \"a.stl\" }\n", 1, &["E0018", "byte 84"]).with("a.stl", [255; 84]),

@@ -1,0 +1,80 @@
+//! Properties that the parts of a group take from the blocks around them.
+
+use super::place::{Look, Place};
+use crate::medium::Interior;
+use crate::scene::{Flags, Object, ObjectKind};
+use crate::texture::Uncommon;
+use std::sync::Arc;
+
+/// Properties that blocks around an object pass on.
+#[derive(Clone, Default)]
+pub struct Inherited {
+    pub place: Place,
+    pub texture: Option<Look>,
+    pub inside: Option<Look>,
+    /// Number of the solids that its shapes cut, if the shapes have no texture.
+    pub cut: Option<u32>,
+    /// True if inverted an odd number of times.
+    pub inverted: bool,
+    pub interior: Option<u32>,
+    /// `hollow` of the object, for blocks without an interior.
+    pub hollow_air: Option<bool>,
+    /// Number of the group of lights around the object; 0 for none.
+    pub lights: u32,
+    /// True if the block around is that group itself.
+    pub lights_here: bool,
+    pub flags: Flags,
+    /// Index of the photon settings in [`super::Lowering::photons`].
+    pub photons: u32,
+}
+
+impl Inherited {
+    pub fn has_hollow_air(&self) -> bool {
+        self.hollow_air.unwrap_or(self.flags.hollow)
+    }
+}
+
+/// Returns the interior of an object. In old scenes the finish states a part of it; the topmost layer's finish has
+/// priority (quirk: `finish_ior_first`).
+pub fn interior_of(object: &Object) -> Option<Arc<Interior>> {
+    let said = object.uncommon.interior.clone();
+    let finish = object.texture.as_ref().and_then(|painted| painted.texture.layers.last()).map(|top| &top.finish);
+    match finish.map(|finish| &*finish.uncommon) {
+        Some(&Uncommon { ior, caustics, .. }) if ior.is_some() || caustics.is_some() => {
+            let inside = said.unwrap_or_default();
+            let (ior, caustics) = (ior.unwrap_or(inside.ior), caustics.unwrap_or(inside.caustics));
+            Some(Arc::new(Interior { ior, caustics, ..(*inside).clone() }))
+        }
+        _ => said,
+    }
+}
+
+/// Returns `hollow` for interiors that the blocks within do not state: that of the last shape (quirk:
+/// `hollow_of_last_part`). `None` without any such shape.
+pub fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
+    let hollow = object.uncommon.flags.hollow || inherited;
+    match &object.kind {
+        ObjectKind::Shape(_) => Some(hollow),
+        ObjectKind::Light(_) => None,
+        ObjectKind::Csg(_, parts) => {
+            let open = parts.iter().rev().filter(|part| interior_of(part).is_none());
+            open.filter_map(|part| hollow_inside(part, hollow)).next()
+        }
+    }
+}
+
+/// Combines the flags of a part with those of its group; `inverse` is not inherited.
+pub fn joined(object: &Object, inherited: Flags) -> Flags {
+    let own = object.uncommon.flags;
+    Flags {
+        no_shadow: own.no_shadow || inherited.no_shadow,
+        no_image: own.no_image || inherited.no_image,
+        no_reflection: own.no_reflection || inherited.no_reflection,
+        no_radiosity: own.no_radiosity || inherited.no_radiosity,
+        hollow: own.hollow || inherited.hollow,
+        inverse: own.inverse,
+        double_illuminate: own.double_illuminate || inherited.double_illuminate,
+        cutaway_textures: own.cutaway_textures || inherited.cutaway_textures,
+        uv_mapping: own.uv_mapping || (inherited.uv_mapping && object.inherits_uv_mapping()),
+    }
+}
