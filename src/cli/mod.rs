@@ -5,6 +5,7 @@ mod animation;
 mod args;
 mod check;
 mod completions;
+mod confinement;
 mod console;
 mod created_files;
 mod exit;
@@ -87,6 +88,7 @@ fn parse(words: Vec<OsString>) -> Result<(Console, Command, Context)> {
 }
 
 fn dispatch(console: &Console, command: &Command, context: Context) -> Result {
+    confinement::confine(console, command);
     match command {
         Command::Render(args) => render::run(console, args, context).0,
         Command::Check(args) => check::run(console, args, context.animation),

@@ -9,7 +9,7 @@ use super::povray;
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::source::{Sources, Span};
 use clap::Parser;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 /// Arguments of one scene, and what only an INI file or POV-Ray's options can add to them.
 #[derive(Clone, Debug)]
@@ -33,16 +33,22 @@ pub struct IniFile {
     pub warnings: Vec<Diagnostic>,
 }
 
-/// Reads the INI file `input`; `None` if `input` is not an INI file. With `all`, the warnings include options without
-/// effect.
+/// Reads the INI file `input`; `None` if `input` is not an INI file. `scene` holds the options of the command line. With
+/// `all`, the warnings include options without effect.
 ///
 /// # Errors
 /// The errors and warnings of a broken INI file.
-pub fn read_ini(sources: &Sources, input: &Path, all: bool) -> std::result::Result<Option<IniFile>, Vec<Diagnostic>> {
+pub fn read_ini(
+    sources: &Sources,
+    input: &Path,
+    scene: &SceneArgs,
+    all: bool,
+) -> std::result::Result<Option<IniFile>, Vec<Diagnostic>> {
     if !povray::is_ini(&input.to_string_lossy()) {
         return Ok(None);
     }
-    let povray::Translated { words, animation, mut diagnostics, idle } = povray::translate_ini(sources, input);
+    let povray::Translated { words, animation, mut diagnostics, idle } =
+        povray::translate_ini(sources, input, scene.is_untrusted());
     diagnostics.extend(idle.into_iter().filter(|_| all));
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Err(diagnostics);
@@ -50,12 +56,6 @@ pub fn read_ini(sources: &Sources, input: &Path, all: bool) -> std::result::Resu
     match Cli::try_parse_from(words) {
         Ok(Cli { common, command: Command::Render(args) }) => {
             let input = args.inputs.first().cloned().unwrap_or_default();
-            if let Some(output) = args.output.as_ref().filter(|path| is_hidden(path)) {
-                let text =
-                    format!("the INI file names `{}` for its picture, a file that begins with a dot", output.display());
-                let fault = Diagnostic::new(codes::FORBIDDEN_FILE, Span::NONE, text);
-                return Err(vec![fault.help("`-o` on the command line takes any name")]);
-            }
             let invocation = Invocation { input, args: *args, animation, exact_name: false };
             Ok(Some(IniFile { invocation, quiet: common.quiet, warnings: diagnostics }))
         }
@@ -82,7 +82,7 @@ impl Invocation {
 
     /// Merges with the INI file that `input` is, if it is one; reports its faults.
     pub fn with_ini(self, console: &Console, sources: &Sources) -> Result<(Console, Self)> {
-        let ini = match read_ini(sources, &self.input, !self.args.warn.is_empty()) {
+        let ini = match read_ini(sources, &self.input, &self.args.scene, !self.args.warn.is_empty()) {
             Ok(None) => return Ok((console.clone(), self)),
             Ok(Some(ini)) => ini,
             Err(faults) => return Err(report(console, sources, &faults)),
@@ -113,16 +113,6 @@ pub fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Fa
     Failure::Reported(first.map_or(Exit::Usage, |d| Exit::of(d.code)))
 }
 
-/// True if the name of a file or of one of its folders begins with a dot.
-fn is_hidden(path: &Path) -> bool {
-    path.components().any(|part| matches!(part, Component::Normal(name) if name.to_string_lossy().starts_with('.')))
-}
-
-/// True for the name of a file in the current folder.
-fn is_plain_name(path: &Path) -> bool {
-    matches!(path.components().collect::<Vec<_>>()[..], [Component::Normal(_)])
-}
-
 impl RenderArgs {
     /// Merges these arguments with the INI file's, which apply where these are absent.
     fn over(self, ini: RenderArgs) -> RenderArgs {
@@ -136,7 +126,7 @@ impl RenderArgs {
             file_gamma: self.file_gamma.or(ini.file_gamma),
             dither: self.dither.or(ini.dither),
             exr_packing: self.exr_packing.or(ini.exr_packing),
-            output: self.output.or(ini.output.filter(|path| !self.scene.is_untrusted() || is_plain_name(path))),
+            output: self.output.or(ini.output),
             scene: self.scene.over(ini.scene),
             look: self.look.over(&ini.look),
             region: self.region.or(ini.region),
@@ -170,12 +160,7 @@ impl LookArgs {
 impl SceneArgs {
     fn over(self, ini: SceneArgs) -> SceneArgs {
         SceneArgs {
-            // An untrusted INI file opens no folders.
-            include: if self.is_untrusted() {
-                self.include.clone()
-            } else {
-                [&self.include[..], &ini.include].concat()
-            },
+            include: [&self.include[..], &ini.include].concat(),
             // The last declaration of a name is valid.
             declare: [ini.declare, self.declare].concat(),
             language: self.language.or(ini.language),

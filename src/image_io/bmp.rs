@@ -36,9 +36,13 @@ impl Header {
     }
 }
 
-/// Palette index of each pixel of a BMP file, from the top left; `None` without a palette, or if the file is broken.
-pub(super) fn palette_indices(bytes: &[u8]) -> Option<Vec<u8>> {
+/// Palette index of each pixel of a BMP file of `width` by `height` pixels, from the top left; `None` without a palette,
+/// if the file is broken, or if its header has another size.
+pub(super) fn palette_indices(bytes: &[u8], width: usize, height: usize) -> Option<Vec<u8>> {
     let header = Header::read(bytes)?;
+    if (header.width, header.height) != (width, height) || width == 0 {
+        return None;
+    }
     let data = bytes.get(header.start..)?;
     let rows = match (header.compression, header.bits) {
         (PLAIN, 1 | 4 | 8) => decode_uncompressed(&header, data)?,
@@ -67,11 +71,7 @@ fn decode_uncompressed(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
 /// ends the picture (1), moves the position (2), or precedes literal bytes.
 fn decode_runs(header: &Header, data: &[u8]) -> Option<Vec<u8>> {
     let (width, halves) = (header.width, header.bits == 4);
-    // A run of two bytes has at most 255 pixels, and a move at most 255 rows.
-    if width.checked_mul(header.height)? > data.len().checked_mul(255 * 255)? {
-        return None;
-    }
-    let mut out = vec![0; width * header.height];
+    let mut out = vec![0; width.checked_mul(header.height)?];
     let (mut x, mut y, mut at) = (0, 0, 0);
     let mut put = |x: usize, y: usize, value: u8| {
         if x < width && y < header.height {
@@ -138,26 +138,32 @@ mod tests {
         out
     }
 
+    fn indices(bytes: &[u8]) -> Option<Vec<u8>> {
+        palette_indices(bytes, 3, 2)
+    }
+
     #[test]
     fn the_same_numbers_in_all_ways() {
         let expected = Some(vec![1, 2, 1, 3, 3, 3]);
-        assert_eq!(palette_indices(&file(8, 0, &[3, 3, 3, 0, 1, 2, 1, 0])), expected);
-        assert_eq!(palette_indices(&file(4, 0, &[0x33, 0x30, 0, 0, 0x12, 0x10, 0, 0])), expected);
-        assert_eq!(palette_indices(&file(8, 1, &[3, 3, 0, 0, 0, 3, 1, 2, 1, 0, 0, 1])), expected);
-        assert_eq!(palette_indices(&file(4, 2, &[3, 0x33, 0, 0, 3, 0x12, 0, 1])), expected);
-        assert_eq!(palette_indices(&file(1, 0, &[0b1010_0000, 0, 0, 0, 0, 0, 0, 0])), Some(vec![0, 0, 0, 1, 0, 1]));
-        assert_eq!(palette_indices(&file(24, 0, &[0; 24])), None);
+        assert_eq!(indices(&file(8, 0, &[3, 3, 3, 0, 1, 2, 1, 0])), expected);
+        assert_eq!(indices(&file(4, 0, &[0x33, 0x30, 0, 0, 0x12, 0x10, 0, 0])), expected);
+        assert_eq!(indices(&file(8, 1, &[3, 3, 0, 0, 0, 3, 1, 2, 1, 0, 0, 1])), expected);
+        assert_eq!(indices(&file(4, 2, &[3, 0x33, 0, 0, 3, 0x12, 0, 1])), expected);
+        assert_eq!(indices(&file(1, 0, &[0b1010_0000, 0, 0, 0, 0, 0, 0, 0])), Some(vec![0, 0, 0, 1, 0, 1]));
+        assert_eq!(indices(&file(24, 0, &[0; 24])), None);
     }
 
     #[test]
     fn broken_files_have_none() {
         let whole = file(8, 1, &[3, 3, 0, 2, 1, 1, 0, 3, 1, 2, 1, 0]);
         for end in 0..whole.len() {
-            drop(palette_indices(&whole[..end]));
+            drop(indices(&whole[..end]));
         }
-        assert_eq!(palette_indices(&file(8, 0, &[3])), None);
+        assert_eq!(indices(&file(8, 0, &[3])), None);
+        // The size of another decoder decides how much memory is reserved.
         let mut huge = file(8, 1, &[0, 1]);
         huge[18..26].fill(0x7f);
-        assert_eq!(palette_indices(&huge), None);
+        assert_eq!(indices(&huge), None);
+        assert_eq!(palette_indices(&file(8, 1, &[0, 1]), 0, 2), None);
     }
 }

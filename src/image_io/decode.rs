@@ -124,7 +124,8 @@ fn decode_by_signature(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
         Some(alpha) => pixels.with_alpha(&alpha),
         None => pixels,
     };
-    Ok(Decoded { pixels, indices: bmp::palette_indices(bytes) })
+    let indices = bmp::palette_indices(bytes, pixels.width, pixels.height);
+    Ok(Decoded { pixels, indices })
 }
 
 /// Decodes a picture whose format the crate `image` supports.

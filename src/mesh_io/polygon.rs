@@ -1,6 +1,6 @@
 //! Triangulation of polygons.
 
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, cancel};
 use glam::Vec3;
 
 /// Number of corners from which a polygon is assumed to be convex: clipping ears takes time in proportion to the square
@@ -19,6 +19,10 @@ pub fn triangulate(points: &[Vec3], mut visit: impl FnMut([usize; 3])) {
     }
     let mut rest: Vec<usize> = (0..n).collect();
     while rest.len() > 3 {
+        // The search for an ear takes quadratic time; a cancelled run needs no triangles.
+        if cancel::is_cancelled() {
+            return;
+        }
         let m = rest.len();
         let corner = |i: usize| [rest[(i + m - 1) % m], rest[i], rest[(i + 1) % m]];
         // (A polygon that intersects itself may have no ear: then any corner will do.)

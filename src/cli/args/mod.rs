@@ -3,7 +3,7 @@
 mod choices;
 mod untrusted;
 pub mod values;
-pub use untrusted::MAX_PIXELS as MAX_UNTRUSTED_PIXELS;
+pub use untrusted::{MAX_PIXELS as MAX_UNTRUSTED_PIXELS, environment_is_untrusted};
 
 use crate::image_io::Format;
 pub use choices::{

@@ -10,10 +10,15 @@ const MAX_MEMORY: Bytes = Bytes(2 << 30);
 /// Maximum number of pixels of the picture of an untrusted scene.
 pub const MAX_PIXELS: u128 = 1 << 24;
 
+/// True if the environment variable `DURER_UNTRUSTED` is neither empty nor `0`.
+pub fn environment_is_untrusted() -> bool {
+    std::env::var_os("DURER_UNTRUSTED").is_some_and(|value| !value.is_empty() && value != "0")
+}
+
 impl SceneArgs {
     /// True with `--untrusted`, and if the environment variable `DURER_UNTRUSTED` is neither empty nor `0`.
     pub fn is_untrusted(&self) -> bool {
-        self.untrusted || std::env::var_os("DURER_UNTRUSTED").is_some_and(|value| !value.is_empty() && value != "0")
+        self.untrusted || environment_is_untrusted()
     }
 
     /// Time limit of the scene; `None` for no limit.

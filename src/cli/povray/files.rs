@@ -13,18 +13,40 @@ pub struct Files<'s> {
     sources: &'s Sources,
     /// Files with their sections, innermost last.
     open: Vec<(PathBuf, Option<String>)>,
+    /// True if INI files may name only scenes and INI files below the folder of the outermost INI file.
+    untrusted: bool,
 }
 
 impl<'s> Files<'s> {
     /// Creates an empty stack of INI files.
-    pub fn new(sources: &'s Sources) -> Self {
-        Self { sources, open: Vec::new() }
+    pub fn new(sources: &'s Sources, untrusted: bool) -> Self {
+        Self { sources, open: Vec::new(), untrusted }
+    }
+
+    /// True if INI files are untrusted.
+    pub fn is_untrusted(&self) -> bool {
+        self.untrusted
+    }
+
+    /// Checks that an untrusted INI file may name this scene or INI file.
+    ///
+    /// # Errors
+    /// E0235 if the file is not below the folder of the outermost INI file.
+    pub fn check_named(&self, path: &Path, span: Span) -> Result<()> {
+        let Some((outermost, _)) = self.open.first().filter(|_| self.untrusted) else { return Ok(()) };
+        let folder = outermost.parent().unwrap_or(Path::new("."));
+        if !path.exists() || path.canonicalize().is_ok_and(|path| path.starts_with(folder)) {
+            return Ok(());
+        }
+        let text = format!("`{}` is outside of the folder of the untrusted INI file", path.display());
+        Diagnostic::new(codes::FORBIDDEN_FILE, span, text).help("name the scene on the command line").into()
     }
 
     /// Reads `file.ini` or `file.ini[section]`, named at `span`.
     pub fn open(&mut self, word: &str, span: Span) -> Result<Ini> {
         let (name, section) = ini::split_section(word);
         let path = self.located(&with_ini(name), Path::is_file);
+        self.check_named(&path, span)?;
         let entry = (path.canonicalize().unwrap_or_else(|_| path.clone()), section.map(str::to_lowercase));
         if self.open.contains(&entry) || self.open.len() >= MAX_NESTED {
             let d = Diagnostic::new(codes::INI_LOOP, span, format!("`{word}` is being read already"));

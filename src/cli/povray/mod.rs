@@ -4,6 +4,7 @@
 
 mod files;
 mod ini;
+mod ini_trust;
 mod mixed;
 mod number;
 mod own;
@@ -13,6 +14,7 @@ pub(super) mod table;
 mod tests;
 
 use super::animation::Animation;
+use super::args::environment_is_untrusted;
 use crate::diagnostic::{Diagnostic, codes, nearest};
 use crate::source::{Sources, Span};
 pub use files::is_ini;
@@ -45,11 +47,12 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     {
         return Translated { words: vec![program.clone(), "--help".into()], ..Translated::default() };
     }
+    let untrusted = environment_is_untrusted() || words.iter().any(|word| word == "--untrusted");
     match mixed::form(&words) {
         mixed::Form::Durer => Translated { words, ..Translated::default() },
-        mixed::Form::Mixed(at) => Translation::new(sources).mixed(&words, at),
+        mixed::Form::Mixed(at) => Translation::new(sources, untrusted).mixed(&words, at),
         mixed::Form::Povray => {
-            let mut translation = Translation::new(sources);
+            let mut translation = Translation::new(sources, untrusted);
             let mut rest = words.iter().skip(1).peekable();
             while let Some(word) = rest.next() {
                 translation.word(word, &mut rest);
@@ -59,9 +62,10 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     }
 }
 
-/// Translates an INI file into a command line.
-pub fn translate_ini(sources: &Sources, name: &Path) -> Translated {
-    let mut translation = Translation::new(sources);
+/// Translates an INI file into a command line. An untrusted INI file names scenes and INI files below its folder alone,
+/// and opens no folders.
+pub fn translate_ini(sources: &Sources, name: &Path, untrusted: bool) -> Translated {
+    let mut translation = Translation::new(sources, untrusted);
     translation.ini(&name.to_string_lossy(), Origin::default());
     if translation.settings.input.is_none() && translation.faults.is_empty() {
         let message = format!("`{}` names no scene", name.display());
@@ -95,8 +99,8 @@ struct Origin {
 }
 
 impl<'s> Translation<'s> {
-    fn new(sources: &'s Sources) -> Self {
-        let files = Files::new(sources);
+    fn new(sources: &'s Sources, untrusted: bool) -> Self {
+        let files = Files::new(sources, untrusted);
         Self {
             settings: Settings::new(),
             scenes: Vec::new(),
@@ -147,16 +151,18 @@ impl<'s> Translation<'s> {
             self.scenes.push(with_ending(self.files.scene(text)).into());
             Ok(())
         } else {
-            self.set_input(text);
-            Ok(())
+            self.set_input(text, origin)
         };
         self.faults.extend(done.err());
     }
 
     /// Sets the scene, unless a later word names another one.
-    fn set_input(&mut self, name: &str) {
-        self.settings.input = Some(self.files.scene(name));
+    fn set_input(&mut self, name: &str, origin: Origin) -> Result<(), Diagnostic> {
+        let scene = self.files.scene(name);
+        self.files.check_named(Path::new(&with_ending(scene.clone())), origin.value).map_err(|fault| *fault)?;
+        self.settings.input = Some(scene);
         self.scenes.clear();
+        Ok(())
     }
 
     fn setting(&mut self, row: &'static Row, text: &str, value: &str, origin: Origin) -> Result<(), Diagnostic> {
@@ -183,6 +189,9 @@ impl<'s> Translation<'s> {
         };
         if let Some(needs) = needs {
             return Err(wrong(text, &format!("it needs {needs}"), origin));
+        }
+        if self.is_refused_in_ini(row, text, value, origin)? {
+            return Ok(());
         }
         match if on { row.on } else { row.off } {
             Effect::Same => Ok(()),
@@ -211,10 +220,7 @@ impl<'s> Translation<'s> {
                 self.idle.push(Diagnostic::new(codes::OPTION_IGNORED, origin.word, message));
                 Ok(())
             }
-            Effect::Part(_) if row.ini == "Input_File_Name" => {
-                self.set_input(value);
-                Ok(())
-            }
+            Effect::Part(_) if row.ini == "Input_File_Name" => self.set_input(value, origin),
             Effect::Part(set) => set(&mut self.settings, value).map_err(|reason| wrong(text, &reason, origin)),
             Effect::Lacks(reason) => {
                 let message = format!("`{text}` has no effect: {reason}");

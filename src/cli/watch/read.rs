@@ -92,7 +92,7 @@ fn try_read(
 ) -> Result<Found, Vec<Diagnostic>> {
     let mut messages = vec![];
     let mut invocation = Invocation::new(&args.input, super::render_args(args), None);
-    if let Some(mut ini) = overlay::read_ini(sources, &args.input, false)? {
+    if let Some(mut ini) = overlay::read_ini(sources, &args.input, &args.scene, false)? {
         messages.append(&mut ini.warnings);
         invocation = invocation.over(ini);
     }

@@ -116,7 +116,7 @@ impl ScratchFolder {
     }
 
     /// The command in a shell that limits memory, where there is a shell.
-    fn command(&self, line: &str) -> Command {
+    pub fn command(&self, line: &str) -> Command {
         let exe = env!("CARGO_BIN_EXE_durer");
         let mut command = match cfg!(unix) {
             true => Command::new("sh"),

@@ -38,6 +38,15 @@ pub fn cases() -> Vec<Case> {
         case("ini_opens_no_folder", "#include \"etc/passwd\"\n", 1, &["E0230"])
             .with("a.ini", "Input_File_Name=a.scene\nLibrary_Path=/\n")
             .args("check a.ini --untrusted"),
+        case("ini_names_no_secret", BALL, 1, &["E0235", "a.ini:1:17"])
+            .with("a.ini", "Input_File_Name=/etc/passwd\n")
+            .args("check a.ini --untrusted"),
+        case("ini_reads_no_other_ini", BALL, 1, &["E0235", "a.ini:1:1"])
+            .with("a.ini", "/etc/hosts[x]\nInput_File_Name=a.scene\n")
+            .args("a.ini --untrusted +W8 +H6"),
+        case("untrusted_picture_has_no_folder", BALL, 0, &["W0012", "without a folder"])
+            .with("a.ini", "Input_File_Name=a.scene\nOutput_File_Name=../b.png\n")
+            .args("check a.ini --untrusted"),
         case("ini_hides_no_picture", BALL, 1, &["E0235", "begins with a dot"])
             .with("a.ini", "Input_File_Name=a.scene\nOutput_File_Name=.profile.png\n")
             .args("render a.ini"),
@@ -120,7 +129,27 @@ pub fn trials() -> Vec<Trial> {
     vec![
         #[cfg(unix)]
         Trial::test("hostile::links_lead_nowhere_else", links_lead_nowhere_else),
+        Trial::test("hostile::environment_makes_scenes_untrusted", environment_makes_scenes_untrusted),
     ]
+}
+
+/// `DURER_UNTRUSTED=1` is `--untrusted` for each command, and `0` is not.
+fn environment_makes_scenes_untrusted() -> Result<(), Failed> {
+    let (folder, outside) = (ScratchFolder::new()?, tempfile::tempdir()?);
+    let secret = outside.path().join("secret.inc");
+    std::fs::write(&secret, "#declare A = 1;")?;
+    folder.put("a.scene", format!("#include {secret:?}\n").as_bytes())?;
+    for line in ["check a.scene", "render a.scene --no-output --size 8x6", "query a.scene", "pick a.scene 1,1"] {
+        for (value, is_refused) in [("1", true), ("0", false)] {
+            let mut command = folder.command(line);
+            command.env("DURER_UNTRUSTED", value).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
+            let ended = super::limited_run::finish(command.spawn()?)?;
+            if ended.stderr.contains("E0235") != is_refused {
+                return Err(format!("{line}, {value}: {}", ended.stderr).into());
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A symbolic link out of the scene's folder does not give access.

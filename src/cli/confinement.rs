@@ -1,0 +1,167 @@
+//! Confinement of the process by Landlock, a security module of Linux. With `--untrusted`, the process opens only the
+//! files of its command and no network connection, so a fault in a decoder cannot reach anything else.
+//!
+//! The rules for the scene's language are those of [`Sandbox`](crate::source::Sandbox); Landlock is the second line of
+//! defence.
+
+use super::args::{Command, SceneArgs, environment_is_untrusted, values::Stats};
+use super::console::Console;
+use super::session;
+use std::path::{Path, PathBuf};
+
+/// Files and folders that a command opens.
+#[derive(Debug, Default, PartialEq)]
+struct FileAccess {
+    read: Vec<PathBuf>,
+    /// Folders in which the command creates, replaces and reads files.
+    write: Vec<PathBuf>,
+}
+
+/// Confines this thread, and all threads that it starts, to the files of an untrusted command. `durer watch` is not
+/// confined, since it serves a page and starts an editor.
+pub fn confine(console: &Console, command: &Command) {
+    let Some(access) = file_access(command) else { return };
+    if !restrict(access) && cfg!(target_os = "linux") {
+        console.info("this system has no Landlock: only durer's own rules confine the untrusted scene\n");
+    }
+}
+
+/// Returns the files of an untrusted command; `None` if the command is trusted.
+fn file_access(command: &Command) -> Option<FileAccess> {
+    let of_scene = |scene: &SceneArgs, inputs: &[PathBuf]| {
+        let mut access = FileAccess::default();
+        access.read.extend(inputs.iter().flat_map(|input| readable(input)));
+        access.read.extend(scene.include.iter().chain(&scene.allow_read).cloned());
+        scene.is_untrusted().then_some(access)
+    };
+    match command {
+        Command::Render(args) => {
+            let mut access = of_scene(&args.scene, &args.inputs)?;
+            let stats = match &args.stats {
+                Some(Stats::File(path)) => Some(path),
+                _ => None,
+            };
+            let files = args.output.iter().chain(&args.deps).chain(stats);
+            access.write = files.map(|path| written_folder(path)).collect();
+            if args.output.is_none() {
+                access.write.push(".".into());
+            }
+            Some(access)
+        }
+        Command::Check(args) => of_scene(&args.scene, &args.inputs),
+        Command::Pick(args) => of_scene(&args.scene, std::slice::from_ref(&args.input)),
+        Command::Query(args) => of_scene(&args.scene, std::slice::from_ref(&args.input)),
+        Command::Test(args) => {
+            let here = [PathBuf::from(".")];
+            let paths = if args.paths.is_empty() { &here[..] } else { &args.paths };
+            let read = paths.iter().flat_map(|path| readable(path)).chain(args.include.iter().cloned()).collect();
+            let snapshots = paths.iter().filter(|_| args.accept).map(|path| written_folder(path));
+            let write = snapshots.chain(args.report.iter().map(|folder| parent(folder))).collect();
+            environment_is_untrusted().then_some(FileAccess { read, write })
+        }
+        _ => None,
+    }
+}
+
+/// Returns what an input makes readable: a folder itself, or the folder of a scene. The scene's own path is added for
+/// pipes such as `/dev/fd/63`.
+fn readable(input: &Path) -> Vec<PathBuf> {
+    let input = session::named(input);
+    let folder = if input.is_dir() { input.clone() } else { parent(&input) };
+    vec![folder, input]
+}
+
+/// Returns the folder that a file is written into; the path itself if that is a folder.
+fn written_folder(path: &Path) -> PathBuf {
+    if path.is_dir() { path.into() } else { parent(path) }
+}
+
+fn parent(path: &Path) -> PathBuf {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new(".")).into()
+}
+
+/// Restricts the thread by Landlock; false if the kernel does not enforce the rules.
+#[cfg(target_os = "linux")]
+fn restrict(access: FileAccess) -> bool {
+    try_restrict(access).is_ok_and(|status| status != landlock::RulesetStatus::NotEnforced)
+}
+
+/// Restricts the thread by what the kernel's version of Landlock can restrict: files; since Linux 6.7 connections; since
+/// 6.12 signals and sockets without a file.
+#[cfg(target_os = "linux")]
+fn try_restrict(access: FileAccess) -> Result<landlock::RulesetStatus, landlock::RulesetError> {
+    use landlock::{ABI, Access, AccessFs, AccessNet, Ruleset, RulesetAttr, RulesetCreatedAttr, Scope};
+    let abi = ABI::V6;
+    let read = AccessFs::ReadFile | AccessFs::ReadDir;
+    let write = read
+        | AccessFs::WriteFile
+        | AccessFs::Truncate
+        | AccessFs::MakeReg
+        | AccessFs::MakeDir
+        | AccessFs::RemoveFile
+        | AccessFs::Refer;
+    // What the memory limit and the journal's identity of the program need.
+    let system = ["/proc/self/limits", "/proc/self/status", "/proc/self/cgroup", "/proc/meminfo", "/sys/fs/cgroup"];
+    let of_process = system.into_iter().map(PathBuf::from).chain(std::env::current_exe());
+    let status = Ruleset::default()
+        .handle_access(AccessFs::from_all(abi))?
+        .handle_access(AccessNet::from_all(abi))?
+        .scope(Scope::from_all(abi))?
+        .create()?
+        .add_rules(landlock::path_beneath_rules(access.read.into_iter().chain(of_process), read))?
+        .add_rules(landlock::path_beneath_rules(access.write, write))?
+        .restrict_self()?;
+    Ok(status.ruleset)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn restrict(_: FileAccess) -> bool {
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::Cli;
+    use clap::Parser;
+
+    fn access(line: &str) -> Option<(Vec<String>, Vec<String>)> {
+        let command = Cli::try_parse_from(line.split(' ')).unwrap().command;
+        let texts = |paths: Vec<PathBuf>| paths.iter().map(|path| path.display().to_string()).collect();
+        file_access(&command).map(|access| (texts(access.read), texts(access.write)))
+    }
+
+    #[test]
+    fn commands_open_the_folders_that_they_name() {
+        let (read, write) =
+            access("durer render a/b.pov -o c/d.png -I lib --allow-read e --untrusted --deps f/g --stats h/i").unwrap();
+        assert_eq!(read, ["a", "a/b.pov", "lib", "e"]);
+        assert_eq!(write, ["c", "f", "h"]);
+        assert_eq!(access("durer render b.pov --untrusted").unwrap().1, ["."]);
+        assert_eq!(access("durer check b.pov --untrusted").unwrap(), (vec![".".into(), "b.pov".into()], vec![]));
+        assert_eq!(access("durer check b.pov"), None);
+        assert_eq!(access("durer watch b.pov --untrusted"), None);
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_confined_thread_opens_nothing_else() {
+        let (inner, outer) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+        let (seen, secret) = (inner.path().join("a"), outer.path().join("b"));
+        std::fs::write(&seen, "1").unwrap();
+        std::fs::write(&secret, "2").unwrap();
+        let access = FileAccess { read: vec![inner.path().into()], write: vec![] };
+        let confined = std::thread::spawn(move || {
+            restrict(access).then(|| {
+                let reads = [&seen, &secret].map(|path| std::fs::read(path).is_ok());
+                let connects = std::net::TcpStream::connect("127.0.0.1:9").map_err(|error| error.kind());
+                (reads, std::fs::write(&seen, "3").is_ok(), connects.err())
+            })
+        });
+        // (`None` on a kernel without Landlock; kernels before 6.7 do not restrict connections.)
+        if let Some((reads, writes, connects)) = confined.join().unwrap() {
+            assert_eq!((reads, writes), ([true, false], false));
+            assert!(connects.is_some());
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Rules for the files that an INI file names. The person who starts durer may not have written the INI file.
+
+use super::{Origin, Translation, table::Row};
+use crate::diagnostic::{Diagnostic, codes};
+use std::path::{Component, Path};
+
+impl Translation<'_> {
+    /// Checks a setting of an INI file that names files or folders. Returns true if the setting is ignored, with a
+    /// warning, because the INI file is untrusted.
+    ///
+    /// # Errors
+    /// E0235 if the picture's name, or that of one of its folders, begins with a dot.
+    pub(super) fn is_refused_in_ini(
+        &mut self,
+        row: &Row,
+        text: &str,
+        value: &str,
+        origin: Origin,
+    ) -> Result<bool, Diagnostic> {
+        let path = Path::new(value);
+        if origin.word.is_none() {
+            return Ok(false);
+        }
+        if row.ini == "Output_File_Name" && is_hidden(path) {
+            let text = format!("the INI file names `{value}` for its picture, a file that begins with a dot");
+            let fault = Diagnostic::new(codes::FORBIDDEN_FILE, origin.value, text);
+            return Err(fault.help("`-o` on the command line takes any name"));
+        }
+        let reason = match row.ini {
+            _ if !self.files.is_untrusted() => return Ok(false),
+            "Library_Path" => "an untrusted INI file opens no folders",
+            "Output_File_Name" if !is_plain_name(path) => "an untrusted INI file names its picture without a folder",
+            _ => return Ok(false),
+        };
+        let message = format!("`{text}` has no effect: {reason}");
+        self.faults.push(Diagnostic::new(codes::OPTION_IGNORED, origin.word, message));
+        Ok(true)
+    }
+}
+
+/// True if the name of a file or of one of its folders begins with a dot.
+fn is_hidden(path: &Path) -> bool {
+    path.components().any(|part| matches!(part, Component::Normal(name) if name.to_string_lossy().starts_with('.')))
+}
+
+/// True for the name of a file in the current folder.
+fn is_plain_name(path: &Path) -> bool {
+    matches!(path.components().collect::<Vec<_>>()[..], [Component::Normal(_)])
+}
