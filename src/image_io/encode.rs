@@ -28,28 +28,28 @@ pub struct Encoding {
     pub gamma: Gamma,
     /// Dithering of the picture's codes; formats without integers ignore it.
     pub dither: Option<Dither>,
-    /// Compression of an OpenEXR picture.
+    /// Compression of an OpenEXR or TGA picture; the other formats have no choice.
     pub packing: Packing,
 }
 
-/// Compression methods of an OpenEXR picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Compression methods of OpenEXR and TGA pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packing {
-    /// OpenEXR compression: none.
+    /// No compression.
     None,
-    /// OpenEXR compression: run-length encoding by lines, ten times as fast as the denser methods.
-    #[default]
+    /// Run-length encoding by lines; for OpenEXR ten times as fast as the denser methods.
     Runs,
-    /// OpenEXR compression: Deflate, sixteen lines at once.
+    /// Deflate, sixteen lines at once; for OpenEXR alone.
     Zip,
 }
 
 impl Encoding {
-    /// Default encoding for a format: 8 bits a channel, or 32 for exr; the sRGB curve, no transparency.
+    /// Default encoding for a format: 8 bits a channel, or 32 for exr; the sRGB curve, no transparency; run lengths for
+    /// exr, and tga uncompressed.
     pub fn new(format: Format) -> Self {
         let depth = if format == Format::Exr { 32 } else { 8 };
-        let (gamma, packing) = (Gamma::Srgb, Packing::default());
-        Self { format, depth, alpha: false, gray: false, gamma, dither: None, packing }
+        let packing = if format == Format::Exr { Packing::Runs } else { Packing::None };
+        Self { format, depth, alpha: false, gray: false, gamma: Gamma::Srgb, dither: None, packing }
     }
 
     pub(super) fn keeps_alpha(&self) -> bool {
@@ -210,8 +210,7 @@ impl<W: Write + Seek> Encoder<W> {
         match &mut self.out {
             Out::Png(out) => out.write_rows(&stored(true))?,
             Out::Flat(out) if encoding.format == Format::Hdr => {
-                let rgb: Vec<_> =
-                    rows.iter().map(|&p| Rgb(composite_over_black(p).map(|c| nan_to_zero(c).max(0.0)))).collect();
+                let rgb: Vec<_> = rows.iter().map(|&p| Rgb(composite_over_black(p).map(clamp_to_rgbe))).collect();
                 out.write_all(&encode_hdr_parts(&rgb, width, rows.len() / width)?.1)?;
             }
             Out::Flat(out) => out.write_all(&stored(true))?,
@@ -281,8 +280,35 @@ fn encode_integers<W: Write + Seek>(
     match how.format {
         Format::Jpg => JpegEncoder::new_with_quality(out, JPEG_QUALITY).write_image(data, width, height, color)?,
         Format::Bmp => BmpEncoder::new(out).write_image(data, width, height, color)?,
-        Format::Tga => TgaEncoder::new(out).write_image(data, width, height, color)?,
+        Format::Tga if how.packing == Packing::None => {
+            TgaEncoder::new(out).disable_rle().write_image(data, width, height, color)?;
+        }
+        Format::Tga => encode_tga_runs(out, data, (width, height), color)?,
         _ => TiffEncoder::new(out).write_image(data, width, height, color)?,
+    }
+    Ok(())
+}
+
+/// Writes a TGA picture in run lengths. Each row is encoded by itself, since a packet may not continue in the next row
+/// (Truevision TGA File Format Specification 2.0, 1991, page 24).
+fn encode_tga_runs<W: Write>(
+    out: &mut W,
+    data: &[u8],
+    (width, height): (u32, u32),
+    color: ExtendedColorType,
+) -> Encoded {
+    const HEADER: usize = 18;
+    const HEIGHT_FIELD: std::ops::Range<usize> = 14..16;
+    let row_bytes = width as usize * usize::from(color.channel_count());
+    for (i, row) in data.chunks(row_bytes.max(1)).enumerate() {
+        let mut file = vec![];
+        TgaEncoder::new(&mut file).write_image(row, width, 1, color)?;
+        if i == 0 {
+            file[HEIGHT_FIELD].copy_from_slice(&(height as u16).to_le_bytes());
+        } else {
+            file.drain(..HEADER);
+        }
+        out.write_all(&file)?;
     }
     Ok(())
 }
@@ -315,6 +341,13 @@ fn encode_exr<W: Write + Seek>(out: &mut W, size: (usize, usize), pixels: &[[f32
         (true, true) => write!(SpecificChannels::rgba(|at| <(f16, f16, f16, f16)>::from(rgba(at).map(half)))),
     }
     Ok(())
+}
+
+/// Clamps a channel to what a shared exponent of eight bits can express: 0, or 2⁻¹²⁷ to 2¹²⁶.
+fn clamp_to_rgbe(channel: f32) -> f32 {
+    let (least, largest) = (2f32.powi(-127), 2f32.powi(126));
+    let channel = nan_to_zero(channel);
+    if channel < least { 0.0 } else { channel.min(largest) }
 }
 
 /// Encodes a Radiance HDR picture of these rows; returns the file's bytes before the size and after it.

@@ -100,6 +100,15 @@ fn floating_point_pixels_survive_a_round_trip() {
 }
 
 #[test]
+fn extreme_light_fits_a_shared_exponent() {
+    let frame = Frame { width: 3, height: 1, pixels: vec![[f32::INFINITY, 1.0, f32::NAN, 1.0], [1e-45; 4], [1e38; 4]] };
+    let pixels = round_trip(&frame, Format::Hdr, 8, false).to_linear_image().pixels;
+    assert!(pixels[0][0] > 8e37 && pixels[0][2] < 1e36, "{:?}", pixels[0]);
+    assert_eq!(pixels[1][..3], [0.0; 3]);
+    assert!((8e37..9e37).contains(&pixels[2][1]), "{:?}", pixels[2]);
+}
+
+#[test]
 fn jpg_decodes_near_the_original() {
     let gray = Frame { width: 8, height: 8, pixels: vec![[0.5, 0.5, 0.5, 1.0]; 64] };
     let back = round_trip(&gray, Format::Jpg, 8, false).to_linear_image();

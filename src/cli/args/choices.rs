@@ -41,14 +41,14 @@ pub enum DitherMethod {
     Fs,
 }
 
-/// Compression of exr.
+/// Compression of exr and tga.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ExrPacking {
+pub enum PackingMethod {
     /// Uncompressed
     None,
     /// Run lengths: fast
     Rle,
-    /// Deflate: small
+    /// Deflate: small, for exr alone
     Zip,
 }
 

@@ -7,7 +7,7 @@ pub use untrusted::{MAX_PIXELS as MAX_UNTRUSTED_PIXELS, environment_is_untrusted
 
 use crate::image_io::Format;
 pub use choices::{
-    AaMethod, CheckFormat, Deny, DitherMethod, DrawingWarn, Dump, ExrPacking, Library, MessageFormat, Warn, When,
+    AaMethod, CheckFormat, Deny, DitherMethod, DrawingWarn, Dump, Library, MessageFormat, PackingMethod, Warn, When,
 };
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -194,9 +194,9 @@ pub struct RenderArgs {
     /// Dither, to show more shades than the file can store
     #[arg(help_heading = PICTURE, long, value_name = "METHOD")]
     pub dither: Option<DitherMethod>,
-    /// Compression of exr [default: rle]
+    /// Compression of exr [default: rle] or tga [default: none]
     #[arg(help_heading = PICTURE, long, value_name = "HOW")]
-    pub exr_packing: Option<ExrPacking>,
+    pub packing: Option<PackingMethod>,
     /// Continue an unfinished picture or animation
     #[arg(help_heading = PICTURE, long)]
     pub resume: bool,

@@ -24,7 +24,7 @@ use own::Own;
 use settings::Settings;
 use std::ffi::OsString;
 use std::iter::Peekable;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use table::{Effect, ROWS, Row, Takes};
 
 /// Result of translating POV-Ray's options to durer's.
@@ -57,6 +57,7 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
             while let Some(word) = rest.next() {
                 translation.word(word, &mut rest);
             }
+            translation.settings.names_output_as_povray = translation.any_switch;
             translation.finish(words.first().cloned().unwrap_or_default())
         }
     }
@@ -131,6 +132,7 @@ impl<'s> Translation<'s> {
 
     /// Translates a switch, a setting, an INI file or a scene.
     fn option(&mut self, text: &str, origin: Origin) {
+        let text = without_quotes(text);
         let switch = text.strip_prefix(['+', '-']).filter(|rest| !rest.is_empty());
         let setting =
             text.split_once('=').filter(|(name, _)| name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_'));
@@ -160,14 +162,15 @@ impl<'s> Translation<'s> {
     fn set_input(&mut self, name: &str, origin: Origin) -> Result<(), Diagnostic> {
         let scene = self.files.scene(name);
         self.files.check_named(Path::new(&with_ending(scene.clone())), origin.value).map_err(|fault| *fault)?;
+        let is_as_named = scene == name && !self.files.is_untrusted();
+        self.settings.scene_folder = Path::new(name).parent().filter(|_| is_as_named).unwrap_or(Path::new("")).into();
         self.settings.input = Some(scene);
         self.scenes.clear();
         Ok(())
     }
 
     fn setting(&mut self, row: &'static Row, text: &str, value: &str, origin: Origin) -> Result<(), Diagnostic> {
-        let quoted = value.len() > 1 && value.starts_with('"') && value.ends_with('"');
-        let value = if quoted && row.ini != "Declare" { &value[1..value.len() - 1] } else { value };
+        let value = without_quotes(value);
         match (row.takes, truth(value)) {
             // POV-Ray itself writes `All_File=`.
             (Takes::Text | Takes::MaybeText, _) if value.is_empty() => Ok(()),
@@ -246,6 +249,10 @@ impl<'s> Translation<'s> {
 
     fn finish(mut self, program: OsString) -> Translated {
         let command = self.command.take().unwrap_or("render".into());
+        if let Some(scene) = self.scenes.last().map(PathBuf::from) {
+            self.settings.scene_folder = scene.parent().unwrap_or(Path::new("")).into();
+            self.settings.input = Some(scene.display().to_string());
+        }
         let options = self.option_words(self.any_switch);
         let known = |word: &OsString| mixed::is_taken(&command, &word.to_string_lossy());
         let options: Vec<_> = options.into_iter().filter(|word| command == "render" || known(word)).collect();
@@ -304,7 +311,7 @@ fn switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static
     let fits = |row: &&Row| {
         let head =
             word.get(..row.switch.len()).filter(|head| !head.is_empty() && head.eq_ignore_ascii_case(row.switch));
-        let value = &word[head?.len()..];
+        let value = without_quotes(&word[head?.len()..]);
         let number = || value.is_empty() || is_number(value);
         let fits = match row.takes {
             Takes::Nothing => value.is_empty(),
@@ -315,6 +322,15 @@ fn switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static
     };
     let found = ROWS.iter().filter_map(|row| fits(&row).map(|value| (row, value)));
     found.max_by_key(|(row, _)| row.switch.len())
+}
+
+/// Removes the quotes around a value. As in POV-Ray, the second quote may be missing.
+fn without_quotes(value: &str) -> &str {
+    let mut rest = value.chars();
+    match rest.next() {
+        Some(quote @ ('"' | '\'')) => rest.as_str().strip_suffix(quote).unwrap_or(rest.as_str()),
+        _ => value,
+    }
 }
 
 /// Reads `on`, `true`, `yes` and `1`, or `off`, `false`, `no` and `0`.

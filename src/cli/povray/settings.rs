@@ -4,7 +4,7 @@ use super::number;
 use crate::cli::animation::Animation;
 use crate::cli::args::values::{Clock, FileGamma, Size};
 use crate::image_io::Format;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Settings that were read so far.
 #[derive(Clone, Debug, Default)]
@@ -12,6 +12,12 @@ pub struct Settings {
     pub input: Option<String>,
     pub output: Option<String>,
     pub format: Option<&'static str>,
+    /// True for a compressed TGA file.
+    pub is_compressed_tga: bool,
+    /// Folder of the scene as its name was given; empty for the current folder.
+    pub scene_folder: PathBuf,
+    /// True for POV-Ray's own command line, where the output is named as POV-Ray names it.
+    pub names_output_as_povray: bool,
     pub depth: Option<u8>,
     /// True for grayscale, which always has 16 bits (manual, "HF_Gray_16").
     pub gray: bool,
@@ -110,7 +116,9 @@ impl Settings {
     /// Sets the file type: a letter and optional bits per channel, `N16`.
     pub fn file_type(&mut self, text: &str) -> Checked {
         let mut letters = text.chars();
-        self.format = match letters.next().map(|c| c.to_ascii_uppercase()) {
+        let letter = letters.next().map(|c| c.to_ascii_uppercase());
+        self.is_compressed_tga = letter == Some('C');
+        self.format = match letter {
             None => return Ok(()),
             Some('B' | 'S') => Some("bmp"),
             Some('C' | 'T') => Some("tga"),
@@ -188,7 +196,9 @@ impl Settings {
             let (y, h) = extent(self.start_row, self.end_row, height);
             put("--region", format!("{x},{y},{w},{h}"));
         }
-        for (name, value) in [("--output", self.output_name()), ("--format", self.format.map(Into::into))] {
+        let packing = self.is_compressed_tga.then(|| "rle".to_string());
+        let output = if self.names_output_as_povray { self.povray_output_name() } else { self.output_name() };
+        for (name, value) in [("--output", output), ("--format", self.format.map(Into::into)), ("--packing", packing)] {
             value.into_iter().for_each(|value| put(name, value));
         }
         self.depth.iter().filter(|_| !self.gray).for_each(|depth| put("--bit-depth", depth.to_string()));
@@ -199,6 +209,23 @@ impl Settings {
             out.push("--gray".into());
         }
         out
+    }
+
+    /// The output file on POV-Ray's own command line: beside the scene without `+O`, and always with the ending of the
+    /// format.
+    fn povray_output_name(&self) -> Option<String> {
+        let ending = self.format.unwrap_or("png");
+        let Some(name) = self.output.as_ref().filter(|name| !name.is_empty()) else {
+            let stem = Path::new(self.input.as_ref()?).file_stem()?;
+            let beside = self.scene_folder.join(stem).display().to_string();
+            return (!self.scene_folder.as_os_str().is_empty()).then(|| format!("{beside}.{ending}"));
+        };
+        let path = Path::new(name);
+        let is_whole = name == "-" || name.ends_with(std::path::is_separator) || path.exists() && is_special(path);
+        if is_whole || path.extension().is_some_and(|found| found == ending) {
+            return Some(name.clone());
+        }
+        Some(format!("{}.{ending}", name.trim_end_matches('.')))
     }
 
     /// The output file. An ending that is no picture format belongs to the name, as in POV-Ray.
@@ -241,6 +268,11 @@ impl Settings {
             digits: last.to_string().len(),
         })
     }
+}
+
+/// True for a device or a pipe.
+fn is_special(path: &Path) -> bool {
+    path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
 /// The first pixel and the number of pixels along one side of the region (quirk: `region_bounds`).

@@ -144,8 +144,26 @@ fn output_names_get_the_ending_of_the_format() {
     same("+Ofoo. a.pov", "--aa=off --output=foo.png -- a.pov");
     same("+Ofoo.bar +FT a.pov", "--aa=off --output=foo.bar.tga --format=tga -- a.pov");
     same("+Ofoo.tga +FN a.pov", "--aa=off --output=foo.tga.png --format=png -- a.pov");
-    same("+Ofoo.jpg a.pov", "--aa=off --output=foo.jpg -- a.pov");
+    same("+Ofoo.jpg a.pov", "--aa=off --output=foo.jpg.png -- a.pov");
+    same("+Ofoo.jpeg +FJ a.pov", "--aa=off --output=foo.jpeg.jpg --format=jpg -- a.pov");
+    same("+Ofoo.tga +FC a.pov", "--aa=off --output=foo.tga --format=tga --packing=rle -- a.pov");
+    same("+FC +FT a.pov", "--aa=off --format=tga -- a.pov");
     same("+Ofoo/ a.pov", "--aa=off --output=foo/ -- a.pov");
+    same("+Isub/a.pov", "--aa=off --output=sub/a.png -- sub/a.pov");
+    same("sub/a.pov +FT +W9", "--aa=off --size=9x480 --output=sub/a.tga --format=tga -- sub/a.pov");
+    same("sub/a.pov b.pov +FT", "--aa=off --format=tga -- b.pov");
+    mixes("render sub/a.pov +W9", "render --size=9x480 sub/a.pov");
+    mixes("sub/a.pov --size 9x9", "render --size 9x9 -- sub/a.pov");
+}
+
+#[test]
+fn quotes_around_values_are_removed() {
+    same(
+        "+I\"a.pov\" +W\"8\" Height='7' +O'o.png' Antialias=\"on\"",
+        "--aa=0.3 --aa-method=grid --size=8x7 --output=o.png -- a.pov",
+    );
+    same("'a.pov' Declare=\"A=3\" Library_Path='b", "--aa=off --declare=A=3 --include=b -- a.pov");
+    assert!(translated(words("+W\"x\" a.pov")).is_none());
 }
 
 #[test]

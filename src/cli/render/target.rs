@@ -1,7 +1,7 @@
 //! Destination and format of pictures.
 
 use super::picture_writer::PictureWriter;
-use crate::cli::args::{DitherMethod, ExrPacking, LookArgs, RenderArgs};
+use crate::cli::args::{DitherMethod, LookArgs, PackingMethod, RenderArgs};
 use crate::cli::console::Console;
 use crate::cli::exit::{Result, usage};
 use crate::diagnostic::{Diagnostic, codes, file};
@@ -63,6 +63,12 @@ impl Target {
         {
             let path = path.display();
             return usage(format!("`{path}` is a snapshot: only `durer test --accept` writes it"));
+        }
+        if let Some(packing) = args.packing
+            && !(format == Format::Exr || format == Format::Tga && packing != PackingMethod::Zip)
+        {
+            let choices = if format == Format::Tga { "tga has `none` and `rle`" } else { "exr and tga have a choice" };
+            return usage(format!("{} has no such compression: {choices}", format.name()));
         }
         if args.look.alpha && !format.has_alpha() {
             return usage(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));
@@ -195,10 +201,10 @@ fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {
             DitherMethod::D2 => Dither::Simple,
             DitherMethod::Fs => Dither::FloydSteinberg,
         }),
-        packing: args.exr_packing.map_or(plain.packing, |packing| match packing {
-            ExrPacking::None => Packing::None,
-            ExrPacking::Rle => Packing::Runs,
-            ExrPacking::Zip => Packing::Zip,
+        packing: args.packing.map_or(plain.packing, |packing| match packing {
+            PackingMethod::None => Packing::None,
+            PackingMethod::Rle => Packing::Runs,
+            PackingMethod::Zip => Packing::Zip,
         }),
     }
 }
@@ -283,6 +289,8 @@ mod tests {
             "-o a.jpg --bit-depth 16",
             "-o a.exr --bit-depth 8",
             "-o a.jpg --alpha",
+            "-o a.png --packing rle",
+            "-o a.tga --packing zip",
             "-o a.xyz",
             "-o a",
             "-o a.jpg --size 70000x10",
