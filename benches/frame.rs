@@ -55,6 +55,7 @@ fn frames(c: &mut Criterion) {
         quality: 9,
         threads: 0,
         region: None,
+        outside_alpha: 0.0,
         frame: 0,
         alpha: false,
     };

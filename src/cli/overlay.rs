@@ -131,6 +131,7 @@ impl RenderArgs {
             scene: self.scene.over(ini.scene),
             look: self.look.over(&ini.look),
             region: self.region.or(ini.region),
+            outside: self.outside.or(ini.outside),
             threads: self.threads.or(ini.threads),
             progress: self.progress.or(ini.progress),
             // Options that an INI file does not have:
@@ -164,6 +165,7 @@ impl SceneArgs {
             include: [&self.include[..], &ini.include].concat(),
             // The last declaration of a name is valid.
             declare: [ini.declare, self.declare].concat(),
+            header: self.header.or(ini.header),
             language: self.language.or(ini.language),
             size: self.size.or(ini.size),
             clock: self.clock.or(ini.clock),

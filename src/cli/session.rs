@@ -108,6 +108,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
     interpreter::Options {
         search,
         sandbox,
+        header: args.header.clone(),
         declares: args.declare.iter().map(|d| (d.name.clone(), d.value.clone())).collect(),
         timing,
         version: args.language.map(|v| v.0),
@@ -145,6 +146,7 @@ pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, timin
         quality: look.quality.unwrap_or(DEFAULT_QUALITY),
         threads,
         region: None,
+        outside_alpha: 0.0,
         frame: timing.frame,
         alpha: look.alpha,
     }

@@ -58,6 +58,8 @@ pub struct Options {
     pub version: Option<f64>,
     /// Values of `clock`, `frame_number` and the other constants of an animation.
     pub timing: Timing,
+    /// Name of a file that is included before the scene, as by a first line `#include`.
+    pub header: Option<String>,
     /// Value of `input_file_name`: the name of the scene file without its folder.
     pub input_name: String,
     /// Values of the constants `image_width` and `image_height`, in pixels.
@@ -89,6 +91,7 @@ impl Default for Options {
             declares: vec![],
             version: None,
             timing: Timing::default(),
+            header: None,
             input_name: String::new(),
             size: (1, 1),
             max_steps: 1_000_000,
@@ -189,6 +192,11 @@ impl<'a> Interpreter<'a> {
         // Faults at the end of the text are reported at the file's last offset.
         let end = self.inputs.sources.base(file) + self.inputs.sources.text(file).len();
         self.stream.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
+        if let Some(header) = &self.inputs.options.header
+            && let Err(fault) = self.include(header, Span::NONE, Span::NONE)
+        {
+            return self.report_here(*fault);
+        }
         while self.next_statement() {}
     }
 

@@ -40,8 +40,10 @@ pub struct Options {
     pub quality: u8,
     /// Number of threads; 0 for one a processor.
     pub threads: usize,
-    /// The part of the picture to render; pixels outside stay transparent.
+    /// The part of the picture to render.
     pub region: Option<Region>,
+    /// Alpha of the pixels outside of `region`, which are black.
+    pub outside_alpha: f32,
     /// Number of the frame: a part of each random number's key.
     pub frame: u32,
     /// True to keep alpha (`+UA`): the background is then transparent.
@@ -59,6 +61,7 @@ impl Options {
             quality: 9,
             threads: 1,
             region: None,
+            outside_alpha: 0.0,
             frame: 0,
             alpha: false,
         }
@@ -206,21 +209,21 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     let whole = Region { x: 0, y: 0, width, height };
     let region = options.region.unwrap_or(whole).within(width, height);
     if region.width == 0 || region.height == 0 {
-        transparent_rows(rows, width, height)?;
+        outside_rows(rows, options, height)?;
         return Ok(RayCounts::default());
     }
     let workers = Workers::new(options.threads, watch);
     let camera = FrameCamera::new(&world.eye, width, height);
     let context = prepare::prepare(world, &camera, options, &workers)?;
     let method = antialias::Method::new(world, camera.lens.as_ref(), options);
-    transparent_rows(rows, width, region.y)?;
+    outside_rows(rows, options, region.y)?;
     let mut take = |mut pixels: Vec<pixel_rows::Pixel>| {
         pixels.iter_mut().for_each(|pixel| *pixel = light(world, options, pixel));
         if region.width == width {
             return rows.take_rows(&pixels);
         }
         // One row at a time: rows of the picture can be far longer than those of the region.
-        let mut whole = vec![[0.0; 4]; width];
+        let mut whole = vec![outside_pixel(options); width];
         pixels.chunks(region.width).try_for_each(|row| {
             whole[region.x..region.x + region.width].copy_from_slice(row);
             rows.take_rows(&whole)
@@ -228,12 +231,17 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     };
     let frame = bands::FrameRender { context: &context, camera: &camera, workers: &workers, method, region };
     let counts = frame.run(&mut take)?;
-    transparent_rows(rows, width, height - region.y - region.height)?;
+    outside_rows(rows, options, height - region.y - region.height)?;
     Ok(counts)
 }
 
-fn transparent_rows(to: &mut dyn Rows, width: usize, rows: usize) -> diagnostic::Result<()> {
-    let row = vec![[0.0; 4]; if rows > 0 { width } else { 0 }];
+/// Pixel outside of the region.
+fn outside_pixel(options: &Options) -> [f32; 4] {
+    [0.0, 0.0, 0.0, options.outside_alpha]
+}
+
+fn outside_rows(to: &mut dyn Rows, options: &Options, rows: usize) -> diagnostic::Result<()> {
+    let row = vec![outside_pixel(options); if rows > 0 { options.width } else { 0 }];
     (0..rows).try_for_each(|_| to.take_rows(&row))
 }
 

@@ -364,6 +364,7 @@ fn drawing(width: usize, height: usize) -> render::Options {
         quality: 9,
         threads: 1,
         region: None,
+        outside_alpha: 0.0,
         frame: 0,
         alpha: false,
     }

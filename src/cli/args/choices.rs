@@ -41,6 +41,15 @@ pub enum DitherMethod {
     Fs,
 }
 
+/// Pixels outside of the region that is rendered.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outside {
+    /// Transparent, where the format can hold transparency
+    Transparent,
+    /// Black and opaque
+    Black,
+}
+
 /// Compression of exr and tga.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PackingMethod {

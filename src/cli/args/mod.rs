@@ -7,7 +7,8 @@ pub use untrusted::{MAX_PIXELS as MAX_UNTRUSTED_PIXELS, environment_is_untrusted
 
 use crate::image_io::Format;
 pub use choices::{
-    AaMethod, CheckFormat, Deny, DitherMethod, DrawingWarn, Dump, Library, MessageFormat, PackingMethod, Warn, When,
+    AaMethod, CheckFormat, Deny, DitherMethod, DrawingWarn, Dump, Library, MessageFormat, Outside, PackingMethod, Warn,
+    When,
 };
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -100,6 +101,9 @@ pub struct SceneArgs {
     /// Declare an identifier: 2.5, '"text"', '<1,2,3>' or 'rgb <1,0,0>'
     #[arg(help_heading = SCENE, long, value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub declare: Vec<Declare>,
+    /// Include this file before the scene
+    #[arg(help_heading = SCENE, long, value_name = "FILE")]
+    pub header: Option<String>,
     /// Language version, such as 3.1, until the scene's own `#version`
     #[arg(help_heading = SCENE, long, value_name = "VERSION")]
     pub language: Option<Version>,
@@ -176,6 +180,9 @@ pub struct RenderArgs {
     /// Render only this part of the picture
     #[arg(help_heading = SCENE, long, value_name = "X,Y,W,H")]
     pub region: Option<Part>,
+    /// Pixels outside of the region [default: transparent]
+    #[arg(help_heading = SCENE, long, value_name = "WHAT")]
+    pub outside: Option<Outside>,
     /// Output file, a folder, or - for standard output [default: the input's name with .png, here]
     #[arg(help_heading = PICTURE, short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,

@@ -52,15 +52,31 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
         mixed::Form::Durer => Translated { words, ..Translated::default() },
         mixed::Form::Mixed(at) => Translation::new(sources, untrusted).mixed(&words, at),
         mixed::Form::Povray => {
-            let mut translation = Translation::new(sources, untrusted);
-            let mut rest = words.iter().skip(1).peekable();
-            while let Some(word) = rest.next() {
-                translation.word(word, &mut rest);
+            let reads_no_ini = untrusted || words.iter().any(|word| word == NO_INI);
+            let user_ini = if reads_no_ini { None } else { user_ini() };
+            let mut translation = Translation::of_line(sources, &words, untrusted, None);
+            if translation.any_switch && user_ini.is_some() {
+                translation = Translation::of_line(sources, &words, untrusted, user_ini.as_deref());
             }
-            translation.settings.names_output_as_povray = translation.any_switch;
+            translation.settings.is_povray_line = translation.any_switch;
             translation.finish(words.first().cloned().unwrap_or_default())
         }
     }
+}
+
+/// Option of POV-Ray's command line that keeps durer from reading the user's INI file.
+const NO_INI: &str = "--no-ini";
+
+/// Returns the INI file that POV-Ray reads before its command line: that of the environment variable `POVINI`, else
+/// `povray.ini` in the current folder, else the one in the user's home folder; `None` if there is none.
+fn user_ini() -> Option<PathBuf> {
+    let in_home = |home| Path::new(&home).join(".povray/3.7/povray.ini");
+    let candidates = [
+        std::env::var_os("POVINI").map(PathBuf::from),
+        Some("povray.ini".into()),
+        std::env::var_os("HOME").map(in_home),
+    ];
+    candidates.into_iter().flatten().find(|path| path.is_file())
 }
 
 /// Translates an INI file into a command line. An untrusted INI file names scenes and INI files below its folder alone,
@@ -112,6 +128,17 @@ impl<'s> Translation<'s> {
             idle: Vec::new(),
             files,
         }
+    }
+
+    /// Translates the words of POV-Ray's command line after the first, and before them an INI file.
+    fn of_line(sources: &'s Sources, words: &[OsString], untrusted: bool, ini: Option<&Path>) -> Self {
+        let mut translation = Self::new(sources, untrusted);
+        ini.iter().for_each(|ini| translation.ini(&ini.to_string_lossy(), Origin::default()));
+        let mut rest = words.iter().skip(1).filter(|word| *word != NO_INI).peekable();
+        while let Some(word) = rest.next() {
+            translation.word(word, &mut rest);
+        }
+        translation
     }
 
     /// Translates a word of the command line, which may be an option of durer's whose value is the next word.

@@ -23,7 +23,7 @@ impl Own {
 
 /// Removes earlier occurrences of options that POV-Ray accepts twice, such as `+Q3` in an INI file and `+Q9` after it.
 pub fn last_of_each(options: Vec<Own>) -> Vec<Own> {
-    const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--alpha", "--quiet", "--no-output", "--language"];
+    const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--header", "--quiet", "--no-output", "--language"];
     let names: Vec<_> = options.iter().map(|o| o.name.clone()).collect();
     let again = |i: usize| ONCE.contains(&&*names[i]) && names[i + 1..].contains(&names[i]);
     options.into_iter().enumerate().filter(|(i, _)| !again(*i)).map(|(_, option)| option).collect()

@@ -16,11 +16,13 @@ pub struct Settings {
     pub is_compressed_tga: bool,
     /// Folder of the scene as its name was given; empty for the current folder.
     pub scene_folder: PathBuf,
-    /// True for POV-Ray's own command line, where the output is named as POV-Ray names it.
-    pub names_output_as_povray: bool,
+    /// True for POV-Ray's own command line, where output names, alpha and regions follow POV-Ray's rules.
+    pub is_povray_line: bool,
     pub depth: Option<u8>,
     /// True for grayscale, which always has 16 bits (manual, "HF_Gray_16").
     pub gray: bool,
+    /// True to keep alpha, where the format can.
+    pub alpha: bool,
     pub width: Option<usize>,
     pub height: Option<usize>,
     pub start_column: Option<f64>,
@@ -97,8 +99,8 @@ impl Settings {
     }
 
     pub fn sampling_depth(&mut self, text: &str) -> Checked {
-        let depth = number::whole(text).filter(|n| (1.0..=9.0).contains(n)).ok_or("depths go from 1 to 9")?;
-        self.set(|p| p.sampling_depth = Some(depth as u32))
+        let depth = number::whole(text).ok_or("expected a number")?;
+        self.set(|p| p.sampling_depth = Some(depth.clamp(1.0, 9.0) as u32))
     }
 
     /// Sets the jitter; 0 and negative numbers turn it off (manual).
@@ -195,9 +197,12 @@ impl Settings {
             let (x, w) = extent(self.start_column, self.end_column, width);
             let (y, h) = extent(self.start_row, self.end_row, height);
             put("--region", format!("{x},{y},{w},{h}"));
+            if self.is_povray_line {
+                put("--outside", "black".into());
+            }
         }
         let packing = self.is_compressed_tga.then(|| "rle".to_string());
-        let output = if self.names_output_as_povray { self.povray_output_name() } else { self.output_name() };
+        let output = if self.is_povray_line { self.povray_output_name() } else { self.output_name() };
         for (name, value) in [("--output", output), ("--format", self.format.map(Into::into)), ("--packing", packing)] {
             value.into_iter().for_each(|value| put(name, value));
         }
@@ -207,6 +212,11 @@ impl Settings {
         }
         if self.gray {
             out.push("--gray".into());
+        }
+        // (`+UA` has no effect on formats without alpha.)
+        let format = Format::from_name(self.format.unwrap_or("png")).filter(|_| self.is_povray_line);
+        if self.alpha && format.is_none_or(Format::has_alpha) {
+            out.push("--alpha".into());
         }
         out
     }
@@ -249,7 +259,7 @@ impl Settings {
     pub fn animation(&self) -> Option<Animation> {
         // quirk: animation_of_one_frame
         let (first, last) = match (self.initial_frame, self.final_frame) {
-            (None, None) | (Some(1), Some(1)) => return None,
+            (None | Some(0), None | Some(0)) | (Some(1), Some(1)) => return None,
             (first, last) => (first.unwrap_or(1), last.unwrap_or(0)),
         };
         let end = last.max(first);

@@ -115,7 +115,7 @@ pub const ROWS: &[Row] = &[
     // 3.2.4 File output
     row("F", "Output_to_File", MaybeText, Part(|p, v| p.file_type(v)), Flag("--no-output")),
     both("", "Output_File_Type", Text, Part(|p, v| p.file_type(v))),
-    row("UA", "Output_Alpha", Nothing, Flag("--alpha"), Same),
+    row("UA", "Output_Alpha", Nothing, Part(|p, _| p.set(|p| p.alpha = true)), Part(|p, _| p.set(|p| p.alpha = false))),
     row("", "Grayscale_Output", Nothing, Part(|p, _| p.set(|p| p.gray = true)), Part(|p, _| p.set(|p| p.gray = false))),
     row("", "Create_Histogram", Nothing, Lacks("`durer render --stats` tells times"), Same),
     both("", "Histogram_Type", Text, Same),
@@ -132,7 +132,7 @@ pub const ROWS: &[Row] = &[
     // 3.2.5 Scene parsing
     both("", "Declare", Text, Option("--declare")),
     both("I", "Input_File_Name", Text, Part(|p, v| p.set(|p| p.input = Some(v.into())))),
-    both("HI", "Include_Header", Text, Lacks("write `#include` into the scene")),
+    both("HI", "Include_Header", Text, Option("--header")),
     both("L", "Library_Path", Text, Option("--include")),
     both("MV", "Version", Number, Option("--language")),
     // 3.2.6 Shell commands

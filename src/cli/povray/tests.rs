@@ -30,8 +30,8 @@ fn same(line: &str, expected: &str) {
 fn a_command_line_is_translated() {
     same(
         "+Iscene.pov +W640 +H480 +A0.3 -D -P +Ofoo.png +FN16 +L/path +Q5 +WT2 +UA -GA",
-        "--aa=0.3 --aa-method=grid --size=640x480 --output=foo.png --format=png --bit-depth=16 --include=/path --quality=5 --threads=2 \
-         --alpha --quiet -- scene.pov",
+        "--aa=0.3 --aa-method=grid --size=640x480 --output=foo.png --format=png --bit-depth=16 --alpha --include=/path --quality=5 \
+         --threads=2 --quiet -- scene.pov",
     );
     same("scene.pov", "-- scene.pov");
     same("scene.pov --size 4x3 -o a.png -q -I x", "--size 4x3 -o a.png -q -I x -- scene.pov");
@@ -86,9 +86,9 @@ fn translations_are_understood() {
 fn size_region_and_format() {
     same("+W320 a.pov", "--aa=off --size=320x480 -- a.pov");
     same("Width=320 height=200 a.pov", "--aa=off --size=320x200 -- a.pov");
-    same("+W100 +H50 +SC0.25 +EC0.5 a.pov", "--aa=off --size=100x50 --region=25,0,25,50 -- a.pov");
-    same("+W100 +H50 +SC10 +EC20 +SR5 +ER6 a.pov", "--aa=off --size=100x50 --region=9,4,11,2 -- a.pov");
-    same("+W100 +H50 +SC1 +EC1 a.pov", "--aa=off --size=100x50 --region=0,0,100,50 -- a.pov");
+    same("+W100 +H50 +SC0.25 +EC0.5 a.pov", "--aa=off --size=100x50 --region=25,0,25,50 --outside=black -- a.pov");
+    same("+W100 +H50 +SC10 +EC20 +SR5 +ER6 a.pov", "--aa=off --size=100x50 --region=9,4,11,2 --outside=black -- a.pov");
+    same("+W100 +H50 +SC1 +EC1 a.pov", "--aa=off --size=100x50 --region=0,0,100,50 --outside=black -- a.pov");
     same("+FT24 a.pov", "--aa=off --format=tga -- a.pov");
     same("+FPg a.pov", "--aa=off --format=ppm --gray -- a.pov");
     same("Bits_Per_Color=8 Grayscale_Output=on a.pov", "--aa=off --gray -- a.pov");
@@ -96,6 +96,9 @@ fn size_region_and_format() {
     same("+FP10 a.pov", "--aa=off --format=ppm --bit-depth=16 -- a.pov");
     same("Output_File_Type=j a.pov", "--aa=off --format=jpg -- a.pov");
     same("-F a.pov", "--aa=off --no-output -- a.pov");
+    same("+UA a.pov", "--aa=off --alpha -- a.pov");
+    same("+UA -UA a.pov", "--aa=off -- a.pov");
+    same("+UA +FJ a.pov", "--aa=off --format=jpg -- a.pov");
 }
 
 /// First, last, start, end, step and digits of the animation.
@@ -131,7 +134,7 @@ fn animations() {
     ] {
         assert_eq!(frames(line), Some(expected), "{line}");
     }
-    for line in ["+KFI1 +KFF1", "+KI2 +KF4", "+SF2 +EF3", "+KC"] {
+    for line in ["+KFI1 +KFF1", "+KFI0 +KFF0", "+KFI0", "+KFF0", "+KI2 +KF4", "+SF2 +EF3", "+KC"] {
         assert_eq!(frames(line), None, "{line}");
     }
     let clock = translated(words("+KFF9 +KI0.5 +KF-3 a.pov")).unwrap().animation.map(|a| a.clock);
@@ -178,8 +181,10 @@ fn antialiasing() {
     same("Antialias=on Antialias_Threshold=0.2 a.pov", "--aa=0.2 --aa-method=grid -- a.pov");
     same("+A0.1 +AM2 +R4 -J a.pov", "--aa=0.1 --aa-method=corners --aa-depth=4 --aa-jitter=0 -- a.pov");
     same("+A +J0.5 -J +J +AG1.8 a.pov", "--aa=0.3 --aa-method=grid --aa-jitter=0.5 --aa-gamma=1.8 -- a.pov");
+    same("+R10 +A a.pov", "--aa=0.3 --aa-method=grid --aa-depth=9 -- a.pov");
+    same("Antialias_Depth=0 a.pov", "--aa=off --aa-depth=1 -- a.pov");
     same("Jitter_Amount=2 a.pov", "--aa=off --aa-jitter=1 -- a.pov");
-    for line in ["+AM3", "+R0", "+R10", "+AG0", "+AG-1"] {
+    for line in ["+AM3", "+AG0", "+AG-1"] {
         assert!(translated(words(&format!("{line} a.pov"))).is_none(), "{line}");
     }
 }

@@ -5,7 +5,7 @@ use super::target::Target;
 use crate::advice::Circumstances;
 use crate::cli::animation::Animation;
 use crate::cli::args::values::{Bytes, Seconds, Stats};
-use crate::cli::args::{Dump, MAX_UNTRUSTED_PIXELS, RenderArgs, When};
+use crate::cli::args::{Dump, MAX_UNTRUSTED_PIXELS, Outside, RenderArgs, When};
 use crate::cli::exit::{Result, usage};
 use crate::cli::overlay::Invocation;
 use crate::cli::{memory, session};
@@ -84,7 +84,11 @@ impl Config {
         };
         let threads = args.threads.map_or(0, usize::from);
         let (timing, region) = (Timing::default(), args.region.map(|part| part.0));
-        let drawing = render::Options { region, ..session::drawing_options(&args.scene, &args.look, threads, timing) };
+        let drawing = render::Options {
+            region,
+            outside_alpha: f32::from(u8::from(args.outside == Some(Outside::Black))),
+            ..session::drawing_options(&args.scene, &args.look, threads, timing)
+        };
         let mut reading = session::reading_options(&args.scene, &input, timing);
         if args.dump.is_none() && cancel.is_none() {
             session::allow_writing(&mut reading, &args.scene, &input);

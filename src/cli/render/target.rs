@@ -1,7 +1,7 @@
 //! Destination and format of pictures.
 
 use super::picture_writer::PictureWriter;
-use crate::cli::args::{DitherMethod, LookArgs, PackingMethod, RenderArgs};
+use crate::cli::args::{DitherMethod, LookArgs, Outside, PackingMethod, RenderArgs};
 use crate::cli::console::Console;
 use crate::cli::exit::{Result, usage};
 use crate::diagnostic::{Diagnostic, codes, file};
@@ -209,9 +209,9 @@ fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {
     }
 }
 
-/// True if the picture has transparent pixels; those outside of `--region` are.
+/// True if the picture has transparent pixels; those outside of `--region` are, unless `--outside black` fills them.
 fn keeps_alpha(look: &LookArgs, args: &RenderArgs) -> bool {
-    look.alpha || args.region.is_some()
+    look.alpha || args.region.is_some() && args.outside != Some(Outside::Black)
 }
 
 fn is_same(a: &Path, b: &Path) -> bool {

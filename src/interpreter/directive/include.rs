@@ -13,16 +13,21 @@ use std::path::{Path, PathBuf};
 impl<'a> Interpreter<'a> {
     pub fn run_include(&mut self, span: Span) -> Result<()> {
         let (text, name) = self.read_text_value()?;
-        let span = joined(span, name);
+        self.include(&text, name, joined(span, name))
+    }
+
+    /// Includes the file `text` before the next token. `name` is the span of the file's name, and `span` that of the
+    /// directive.
+    pub fn include(&mut self, text: &str, name: Span, span: Span) -> Result<()> {
         if self.stream.include_paths().len() >= MAX_INCLUDES {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
             return self.reporter.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
-        let (path, ast) = match self.find_read_file(&text, name)? {
-            Some(path) => (path.clone(), self.load(&path, &text, name)?),
-            None => match library::find_builtin(&text) {
-                Some(built_in) => self.load_built_in(&text, built_in, name)?,
-                None => return Err(self.missing_include(&text, name).into()),
+        let (path, ast) = match self.find_read_file(text, name)? {
+            Some(path) => (path.clone(), self.load(&path, text, name)?),
+            None => match library::find_builtin(text) {
+                Some(built_in) => self.load_built_in(text, built_in, name)?,
+                None => return Err(self.missing_include(text, name).into()),
             },
         };
         self.evaluator.scopes_mut().enter();
