@@ -34,7 +34,9 @@ impl<'a> Interpreter<'a> {
             ExprKind::Call(name, arguments) => self.evaluate_call(*name, arguments, e.span),
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
-                if self.is_true(condition)? { self.evaluate(yes) } else { self.evaluate(no) }
+                // quirk: choices_evaluate_all
+                let (is_true, yes, no) = (self.is_true(condition)?, self.evaluate(yes)?, self.evaluate(no)?);
+                Ok(if is_true { yes } else { no })
             }
             ExprKind::Builtin(name, arguments) => self.builtin(name.name, arguments, e.span),
             ExprKind::Dot(..) => self.evaluate_components(e),

@@ -10,6 +10,17 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/lang/tokens.scene"],
     ),
     emulated_quirk(
+        "choices_evaluate_all",
+        "`a ? b : c` and `select` evaluate all of their values, also those that are not chosen: macros run, and random numbers advance.",
+        &["tests/lang/choices.scene"],
+    ),
+    emulated_quirk(
+        "reference_without_comma",
+        "In a macro call, a name of a number, vector or colour that another name follows without a comma refers to that other name: \
+         after `#macro M(A B)`, the call `M(one two)` has two in both parameters.",
+        &["tests/lang/choices.scene"],
+    ),
+    emulated_quirk(
         "comparison_tolerance",
         "Numbers that differ by less than 1e-10 are equal, and a number closer to 0 than that is false.",
         &["tests/lang/operators.scene"],

@@ -102,12 +102,11 @@ impl<'a> Interpreter<'a> {
         match self.function_of(name, span)? {
             Function::Special(row) => {
                 check_count(name, &row.arity, arguments.len(), span)?;
-                let Some(run) = row.run else { return self.select(&arguments[0], &arguments[1..]) };
                 let mut given = SmallVec::<[Argument<'a>; 4]>::new();
                 for argument in arguments {
                     given.push(self.whole_argument(argument)?);
                 }
-                run(self, &given, span)
+                (row.run)(self, &given, span)
             }
             function => {
                 let mut values = Vec::with_capacity(arguments.len());
@@ -127,7 +126,7 @@ impl<'a> Interpreter<'a> {
         span: Span,
     ) -> Result<Value> {
         match self.function_of(name, span)? {
-            Function::Special(Special { run: Some(run), arity, .. }) => {
+            Function::Special(Special { run, arity, .. }) => {
                 check_count(name, arity, arguments.len(), span)?;
                 run(self, &arguments, span)
             }

@@ -1,10 +1,9 @@
-//! Functions whose arguments are names, arrays, objects or files, or are evaluated only in part.
+//! Functions whose arguments are names, arrays, objects or files, or values of any type.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::{Argument, Given};
 use crate::source::Span;
-use crate::syntax::ast::Expr;
 use crate::value::Value;
 use std::ops::RangeInclusive;
 
@@ -18,8 +17,8 @@ pub(super) struct Special {
     pub summary: &'static str,
     /// Numbers of arguments that the built-in function takes.
     pub arity: RangeInclusive<usize>,
-    /// Function that computes the result; `None` for `select`, which evaluates only one of its arguments.
-    pub run: Option<Run>,
+    /// Function that computes the result.
+    pub run: Run,
 }
 
 /// Function that computes the result from the arguments and the span of the call.
@@ -31,77 +30,77 @@ pub(super) const TABLE: &[Special] = &[
         usage: "(Name)",
         summary: "is there something of this name?",
         arity: 1..=1,
-        run: Some(|me, a, span| me.is_defined(&a[0], span)),
+        run: |me, a, span| me.is_defined(&a[0], span),
     },
     Special {
         name: "select",
         usage: "(A, B, C [, D])",
-        summary: "B if A < 0, C if A = 0, D if A > 0; without D, C if A >= 0. Only the one is computed",
+        summary: "B if A < 0, C if A = 0, D if A > 0; without D, C if A >= 0",
         arity: 3..=4,
-        run: None,
+        run: |me, a, _| me.select(&a[0], &a[1..]),
     },
     Special {
         name: "file_exists",
         usage: "(Text)",
         summary: "is there a file of this name that the scene may read?",
         arity: 1..=1,
-        run: Some(|me, a, _| me.file_exists(&a[0])),
+        run: |me, a, _| me.file_exists(&a[0]),
     },
     Special {
         name: "dimensions",
         usage: "(Array)",
         summary: "how many indices it takes",
         arity: 1..=1,
-        run: Some(|me, a, _| me.array_argument(&a[0]).map(|array| Value::Float(array.sizes.len() as f64))),
+        run: |me, a, _| me.array_argument(&a[0]).map(|array| Value::Float(array.sizes.len() as f64)),
     },
     Special {
         name: "dimension_size",
         usage: "(Array, N)",
         summary: "how many elements it has along its N-th index, counted from 1",
         arity: 2..=2,
-        run: Some(|me, a, _| me.dimension_size(&a[0], &a[1])),
+        run: |me, a, _| me.dimension_size(&a[0], &a[1]),
     },
     Special {
         name: "trace",
         usage: "(Object, From, Direction [, Normal])",
         summary: "where a ray meets the object; the name Normal is set to the surface's normal there, or to <0, 0, 0> if it misses",
         arity: 3..=4,
-        run: Some(|me, a, _| me.trace_object(&a[0], &a[1], &a[2], a.get(3))),
+        run: |me, a, _| me.trace_object(&a[0], &a[1], &a[2], a.get(3)),
     },
     Special {
         name: "inside",
         usage: "(Object, Point)",
         summary: "is the point in the object?",
         arity: 2..=2,
-        run: Some(|me, a, _| me.inside_object(&a[0], &a[1])),
+        run: |me, a, _| me.inside_object(&a[0], &a[1]),
     },
     Special {
         name: "min_extent",
         usage: "(Object)",
         summary: "the corner of the box around it with the smallest x, y and z",
         arity: 1..=1,
-        run: Some(|me, a, _| me.pov_bounds(&a[0], false)),
+        run: |me, a, _| me.pov_bounds(&a[0], false),
     },
     Special {
         name: "max_extent",
         usage: "(Object)",
         summary: "the opposite corner",
         arity: 1..=1,
-        run: Some(|me, a, _| me.pov_bounds(&a[0], true)),
+        run: |me, a, _| me.pov_bounds(&a[0], true),
     },
     Special {
         name: "seed",
         usage: "(Number)",
         summary: "a new stream of random numbers, the same for the same number",
         arity: 1..=1,
-        run: Some(|me, a, _| me.seed(&a[0])),
+        run: |me, a, _| me.seed(&a[0]),
     },
     Special {
         name: "rand",
         usage: "(Stream)",
         summary: "the stream's next number, from 0 to 1",
         arity: 1..=1,
-        run: Some(|me, a, _| me.rand(&a[0])),
+        run: |me, a, _| me.rand(&a[0]),
     },
 ];
 
@@ -121,15 +120,14 @@ impl<'a> Interpreter<'a> {
         Ok(Value::Float(f64::from(found.is_some())))
     }
 
-    /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or A ≥ 0 without D), else D. Only the selected argument is
-    /// evaluated.
-    pub(super) fn select(&mut self, condition: &'a Expr, rest: &'a [Expr]) -> Result<Value> {
-        let a = self.evaluate_number(condition)?;
+    /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or A ≥ 0 without D), else D.
+    fn select(&mut self, condition: &Argument<'a>, rest: &[Argument<'a>]) -> Result<Value> {
+        let a = self.argument_number(condition)?;
         match rest {
-            [b, _] | [b, _, _] if a < 0.0 => self.evaluate(b),
-            [_, c] => self.evaluate(c),
-            [_, c, _] if a == 0.0 => self.evaluate(c),
-            [.., d] => self.evaluate(d),
+            [b, _] | [b, _, _] if a < 0.0 => self.argument_value(b),
+            [_, c] => self.argument_value(c),
+            [_, c, _] if a == 0.0 => self.argument_value(c),
+            [.., d] => self.argument_value(d),
             [] => Ok(Value::Float(0.0)),
         }
     }

@@ -3,12 +3,13 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::Given;
-use crate::interpreter::evaluator::Slot;
+use crate::interpreter::evaluator::{LValue, Slot};
 use crate::interpreter::reporter::MAX_CALLS;
 use crate::interpreter::stream::Token;
 use crate::interpreter::token_expr::joined;
 use crate::source::Span;
 use crate::syntax::ast::*;
+use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
     pub fn define_macro(&mut self, definition: &'a Macro) -> Result<()> {
@@ -93,10 +94,14 @@ impl<'a> Interpreter<'a> {
         // The list is reused: calls are many, and evaluation itself does not allocate.
         let mut slots = self.evaluator.argument_list();
         slots.clear();
-        for element in arguments {
+        for (i, element) in arguments.iter().enumerate() {
             let ElementKind::Expr(e) = &element.kind else { return Ok(None) };
+            let next = arguments.get(i + 1).filter(|_| !element.comma).and_then(|next| match &next.kind {
+                ElementKind::Expr(next) => first_name(next),
+                _ => None,
+            });
             slots.push(Some(match e.kind {
-                ExprKind::Name(symbol) => match self.evaluator.scopes().resolve(symbol) {
+                ExprKind::Name(symbol) => match self.referenced_name(symbol, next) {
                     Some(lvalue) => Slot::Alias(lvalue),
                     None => return Ok(None),
                 },
@@ -104,6 +109,17 @@ impl<'a> Interpreter<'a> {
             }));
         }
         Ok(Some(slots))
+    }
+
+    /// Returns the location to which a macro's parameter refers whose argument is the name `symbol`. `next` is the name
+    /// that follows without a comma (quirk: `reference_without_comma`).
+    fn referenced_name(&self, symbol: Symbol, next: Option<Symbol>) -> Option<LValue> {
+        let scopes = self.evaluator.scopes();
+        let is_number = |slot: &Slot| matches!(slot, Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_)));
+        match next.and_then(|next| scopes.resolve(next)) {
+            Some(next) if scopes.get(symbol).is_some_and(is_number) => Some(next),
+            _ => scopes.resolve(symbol),
+        }
     }
 
     fn read_arguments(&mut self, definition: &'a Macro, span: Span) -> Result<Vec<Option<Slot<'a>>>> {
@@ -157,11 +173,29 @@ impl<'a> Interpreter<'a> {
         let lasting = lvalue.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= level);
         let argument = self.in_mode(|mode| mode.defers = true, Self::read_argument)?;
         match argument.given {
-            Given::Name(_) if let Some(lvalue) = lasting => Ok(Slot::Alias(lvalue)),
+            Given::Name(symbol) if let Some(own) = lasting => {
+                let next = match self.peek()? {
+                    Token::Expr(next) if !self.stream.has_comma() => first_name(next),
+                    _ => None,
+                };
+                let referenced = self.referenced_name(symbol, next);
+                let referenced = referenced.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= level);
+                Ok(Slot::Alias(referenced.unwrap_or(own)))
+            }
             Given::LValue(lvalue) => self.evaluator.slot_at(&lvalue, argument.span).map(|_| Slot::Alias(lvalue)),
             Given::Slot(slot) => Ok(slot),
             Given::Name(_) => self.argument_slot(&argument),
         }
+    }
+}
+
+/// Returns the name with which an expression begins.
+fn first_name(e: &Expr) -> Option<Symbol> {
+    match &e.kind {
+        ExprKind::Name(symbol) => Some(*symbol),
+        ExprKind::Dot(base, ..) => first_name(base),
+        ExprKind::Chain(chain) => first_name(&chain.first),
+        _ => None,
     }
 }
 

@@ -113,7 +113,8 @@ impl Evaluator<'_> {
             }
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
-                self.quick(if self.quick_number(condition)?.abs() > SMALL { yes } else { no })
+                let (condition, yes, no) = (self.quick_number(condition)?, self.quick(yes)?, self.quick(no)?);
+                Some(if condition.abs() > SMALL { yes } else { no })
             }
             ExprKind::Builtin(name, arguments) => self.quick_call(name.name, arguments).map(T::float),
             ExprKind::Index(array, indices) => match &**indices {

@@ -13,7 +13,6 @@ impl<'a> Interpreter<'a> {
     pub(super) fn expr_token(&mut self, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
         match &expr.kind {
             ExprKind::Name(symbol) => self.name_token(*symbol, expr, element),
-            _ if self.stream.mode().skips => Ok(Some(Token::Expr(expr))),
             ExprKind::Index(base, indices) => match base.kind {
                 ExprKind::Name(symbol) if !self.evaluator.takes_index(symbol) => {
                     self.stream.split_next();
@@ -44,9 +43,6 @@ impl<'a> Interpreter<'a> {
     fn name_token(&mut self, symbol: Symbol, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
         if let Some(word) = self.stream.own_word(symbol) {
             return self.word_token(word, false, element).map(Some);
-        }
-        if self.stream.mode().skips {
-            return Ok(Some(Token::Expr(expr)));
         }
         let Some(frame) = self.stream.innermost() else { return Ok(None) };
         let next = frame.following().filter(|_| !element.comma);

@@ -126,7 +126,7 @@ impl TokenStream<'_> {
     pub fn forget_look_ahead(&mut self, checkpoint: Checkpoint) {
         self.open_brackets.truncate(checkpoint.bracket_count);
         self.pushed_back.clear();
-        (self.look_ahead, self.comma, self.mode.skips) = (None, false, false);
+        (self.look_ahead, self.comma) = (None, false);
     }
 
     /// Skips the statement that began at the checkpoint, whose frames are restored; `open` is the state before that.

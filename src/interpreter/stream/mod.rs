@@ -55,8 +55,6 @@ pub(super) struct Mode {
     /// True if directives and macro calls after a value wait until the value has been used: in declarations, array
     /// elements, macro arguments and conditions.
     pub(super) defers: bool,
-    /// True while operands are skipped without being looked up.
-    pub(super) skips: bool,
     /// Number of frames where the declaration or directive being read began; deferred reading leaves none of them.
     pub(super) frame_floor: usize,
     /// Number of values that are being read inside each other.

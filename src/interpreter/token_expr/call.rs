@@ -1,10 +1,8 @@
 //! Calls of which the name and the parentheses come as tokens.
 
 use super::joined;
-use super::skipped::Skipped;
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::Result;
 use crate::interpreter::argument::Argument;
-use crate::interpreter::evaluator::as_float;
 use crate::interpreter::stream::Token;
 use crate::interpreter::{Interpreter, builtin};
 use crate::source::Span;
@@ -32,9 +30,6 @@ impl<'a> Interpreter<'a> {
     pub(super) fn read_builtin_call(&mut self, word: &'static str, span: Span) -> Result<(Value, Span)> {
         self.stream.advance();
         self.expect_paren(word)?;
-        if word == "select" {
-            return self.read_select(span);
-        }
         let mut arguments = SmallVec::<[Argument<'a>; 4]>::new();
         while !self.peek()?.closes(Bracket::Paren) {
             // Commas are mandatory only in functions of any number of arguments (quirk: `optional_argument_commas`).
@@ -64,38 +59,6 @@ impl<'a> Interpreter<'a> {
         match self.peek()? {
             Token::Open(Bracket::Paren, _) => self.open().map(drop),
             _ => Err(self.unexpected_token(&format!("`(` after `{word}`")).into()),
-        }
-    }
-
-    /// Reads `A, B, C [, D])` of a `select`, and evaluates only the argument that is selected.
-    fn read_select(&mut self, span: Span) -> Result<(Value, Span)> {
-        let (value, at) = self.read_expression(true)?;
-        let a = as_float(&value, at)?;
-        let below = a < 0.0;
-        let mut found = None;
-        let mut count = 0;
-        while !self.peek()?.closes(Bracket::Paren) {
-            // Without a fourth argument the third is selected for 0, too.
-            let meant = match count {
-                0 => below,
-                1 => !below,
-                _ => !below && a != 0.0,
-            };
-            count += 1;
-            if meant {
-                found = Some(self.read_value()?.0);
-            } else {
-                self.climb(&mut Skipped, false)?;
-            }
-        }
-        let end = self.stream.next_span();
-        self.close("`)`")?;
-        match found.filter(|_| (2..=3).contains(&count)) {
-            Some(value) => Ok((value, joined(span, end))),
-            None => {
-                let message = format!("`select` takes 3 to 4 arguments, found {}", count + 1);
-                Diagnostic::err(codes::WRONG_COUNT, joined(span, end), message)
-            }
         }
     }
 

@@ -2,7 +2,6 @@
 //! parsed expressions.
 
 mod call;
-mod skipped;
 
 use super::Interpreter;
 use super::evaluator::{SMALL, apply_prefix, as_float, component, is_callable, vector_value};
@@ -13,7 +12,6 @@ use crate::syntax::ast::*;
 use crate::syntax::word;
 use crate::syntax::{SignRow, begins_with_sign};
 use crate::value::{Reader, Value, VecN};
-use skipped::Skipped;
 
 /// Action on operands and operators: evaluation, compilation of functions, or skipping.
 pub(super) trait Operands<'a> {
@@ -342,15 +340,12 @@ impl<'a> Operands<'a> for Computed {
     }
 
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Value, Span)) -> Result<(Value, Span)> {
-        if as_float(&condition.0, condition.1)?.abs() > SMALL {
-            let yes = me.climb(self, true)?;
-            expect_colon(me)?;
-            me.climb(&mut Skipped, true)?;
-            return Ok(yes);
-        }
-        me.climb(&mut Skipped, true)?;
+        let is_true = as_float(&condition.0, condition.1)?.abs() > SMALL;
+        // quirk: choices_evaluate_all
+        let yes = me.climb(self, true)?;
         expect_colon(me)?;
-        me.climb(self, true)
+        let no = me.climb(self, true)?;
+        Ok((if is_true { yes.0 } else { no.0 }, no.1))
     }
 }
 
