@@ -1,8 +1,14 @@
 //! No render is lost: after a kill at any moment, `--resume` continues and gives the same bytes. (`DURER_KILLS=20`
 //! tries more moments.)
 
+#[cfg(unix)]
+mod exclusive;
+mod identity;
+#[cfg(unix)]
+mod signals;
+
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 /// A scene that takes half a second for a small picture.
@@ -33,6 +39,23 @@ impl Scratch {
         durer
     }
 
+    /// Starts the command with one thread, and waits until its journal has tiles.
+    fn start(&self, words: &str) -> Child {
+        let mut durer = self.durer(&format!("{words} --threads 1")).spawn().unwrap();
+        while !self.is_unfinished() {
+            assert!(durer.try_wait().unwrap().is_none(), "the render ended without a journal");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        durer
+    }
+
+    /// Starts the command, and kills it as soon as its journal has tiles. Returns its messages.
+    fn kill(&self, words: &str) -> String {
+        let mut durer = self.start(words);
+        durer.kill().unwrap();
+        err(&durer.wait_with_output().unwrap())
+    }
+
     fn run(&self, words: &str) -> Output {
         self.durer(words).output().unwrap()
     }
@@ -46,9 +69,11 @@ impl Scratch {
         all
     }
 
+    /// True if there is a journal with contents.
     fn is_unfinished(&self) -> bool {
-        let mut entries = std::fs::read_dir(&self.0).unwrap();
-        entries.any(|entry| entry.unwrap().path().extension().is_some_and(|ending| ending == "unfinished"))
+        let mut entries = std::fs::read_dir(&self.0).unwrap().map(|entry| entry.unwrap().path());
+        let is_journal = |path: &Path| path.extension().is_some_and(|ending| ending == "unfinished");
+        entries.any(|path| is_journal(&path) && path.metadata().is_ok_and(|metadata| metadata.len() > 0))
     }
 }
 
