@@ -37,6 +37,16 @@ pub fn lock(picture: &Path) -> exit::Result<Journal> {
     }
 }
 
+/// Deletes the journal of a finished frame, which a run that was killed just after the frame has left.
+pub fn remove_of_finished(picture: &Path) {
+    let path = path_beside(&resolve(picture).unwrap_or_else(|_| picture.to_path_buf()));
+    if path.is_file()
+        && let Ok(file) = Exclusive::open(&path)
+    {
+        file.delete();
+    }
+}
+
 /// The failure to open the journal of a picture.
 fn unlockable(picture: &Path, journal: &Path, error: OpenError) -> Failure {
     let (path, reason, help) = match error {

@@ -166,6 +166,7 @@ impl<'a> Job<'a> {
         };
         let options = self.options(timing) + &target.encoding_options();
         if finished.is_current(timing.frame, picture, &options, &self.common_files) {
+            journal::remove_of_finished(picture);
             self.done.pictures.push(picture.to_path_buf());
             self.written.push(picture.to_path_buf());
             return Ok(Exit::Fine);
