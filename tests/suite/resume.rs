@@ -60,10 +60,12 @@ impl Scratch {
         self.durer(words).output().unwrap()
     }
 
-    /// The files in the folder, with contents.
+    /// The files in the folder, with contents. A process that is killed at the very end of a picture leaves a part of the
+    /// picture's file under a name that begins with `.durer-`; this file is not counted.
     fn pictures(&self) -> Vec<(String, Vec<u8>)> {
         let entries = std::fs::read_dir(&self.0).unwrap().map(|entry| entry.unwrap().path());
         let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
+        let entries = entries.filter(|path| !name(path).starts_with(".durer-"));
         let mut all: Vec<_> = entries.map(|path| (name(&path), std::fs::read(&path).unwrap())).collect();
         all.sort();
         all
@@ -106,7 +108,10 @@ fn kill_and_resume(words: &str, short: usize) {
         }
         let out = scratch.run(&format!("{words} --resume"));
         assert!(out.status.success() && err(&out).is_empty(), "{}", err(&out));
-        assert!(scratch.pictures() == expected, "{words}, moment {moment}");
+        let names = |files: &[(String, Vec<u8>)]| files.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+        let pictures = scratch.pictures();
+        assert_eq!(names(&pictures), names(&expected), "{words}, moment {moment}");
+        assert!(pictures == expected, "{words}, moment {moment}");
     }
     assert!(went_on > 0 || moments == 0, "it never got so far");
 }
@@ -205,4 +210,19 @@ fn journals_are_kept_when_the_disk_is_full() {
     assert!(rays > 0 && rays < 140 * 105, "{rays} rays");
     assert!(whole.run(words).status.success());
     assert!(scratch.pictures() == whole.pictures());
+}
+
+/// A process that is killed just after it has listed a finished frame leaves the frame's journal.
+#[test]
+fn journals_of_finished_frames_are_deleted() {
+    let scratch = Scratch::new();
+    std::fs::write(scratch.at("a.scene"), "#if (frame_number = 2) #include \"b.inc\" #end sphere { z * 3, 1 }")
+        .unwrap();
+    let words = "--size 8x6 --frames 1-2 -o a.png --resume";
+    assert_eq!(scratch.run(words).status.code(), Some(1));
+    std::fs::write(scratch.at("b.inc"), "").unwrap();
+    std::fs::write(scratch.at("a1.png.unfinished"), "{}\n").unwrap();
+    let out = scratch.run(words);
+    assert!(out.status.success() && !err(&out).contains("again"), "{}", err(&out));
+    assert!(!scratch.is_unfinished());
 }
