@@ -8,7 +8,7 @@ use super::interrupt;
 use crate::source::{Activity, Host, LocalHost};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::sync::atomic::{AtomicIsize, AtomicUsize, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicIsize, AtomicUsize, Ordering::Relaxed};
 use std::time::Duration;
 
 /// Bytes that a thread allocates or frees before it updates the common count, so that threads rarely touch it.
@@ -93,23 +93,51 @@ unsafe impl GlobalAlloc for Metered {
     }
 }
 
-/// The machine, with the memory count of [`Metered`].
-#[derive(Clone, Copy, Debug, Default)]
-pub struct MeteredHost(LocalHost);
+/// The machine, with the memory count of [`Metered`] and a clock whose `now` stands still, so that a resumed render
+/// can be given the `now` of its first run.
+#[derive(Debug)]
+pub struct MeteredHost {
+    machine: LocalHost,
+    /// Value of `now`, as time since the beginning of 1970.
+    now: Duration,
+    /// True if the scene has used `now`.
+    has_used_now: AtomicBool,
+}
+
+impl Default for MeteredHost {
+    fn default() -> Self {
+        Self::new(None)
+    }
+}
+
+impl MeteredHost {
+    /// Creates a host with this value of `now`; `None` for the present.
+    pub fn new(now: Option<Duration>) -> Self {
+        let machine = LocalHost::default();
+        let now = now.unwrap_or_else(|| machine.since_1970());
+        Self { machine, now, has_used_now: AtomicBool::new(false) }
+    }
+
+    /// Returns the value of `now` if the scene has used it.
+    pub fn used_now(&self) -> Option<Duration> {
+        self.has_used_now.load(Relaxed).then_some(self.now)
+    }
+}
 
 impl Host for MeteredHost {
     fn elapsed(&self) -> Duration {
-        self.0.elapsed()
+        self.machine.elapsed()
     }
 
     fn since_1970(&self) -> Duration {
-        self.0.since_1970()
+        self.has_used_now.store(true, Relaxed);
+        self.now
     }
 
     fn resident_bytes(&self) -> Option<u64> {
         match allocated_bytes() {
             // The program has another allocator.
-            0 => self.0.resident_bytes(),
+            0 => self.machine.resident_bytes(),
             used => Some(used as u64),
         }
     }

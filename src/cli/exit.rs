@@ -17,11 +17,51 @@ pub enum Exit {
     Limit = 4,
     /// Exit code for a file that could not be read or written.
     File = 5,
-    /// Exit code after Ctrl-C.
+    /// Exit code after the signal HUP: the terminal was closed.
+    HungUp = 129,
+    /// Exit code after Ctrl-C, the signal INT.
     Interrupted = 130,
+    /// Exit code after the signal TERM.
+    Terminated = 143,
+    /// Exit code after the signal XFSZ: a file reached the size limit of the process.
+    FileSizeLimit = 153,
 }
 
+/// Signal after which a command stores what is done, reports it and ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Signal {
+    /// Number of the signal on Unix.
+    pub number: i32,
+    /// Exit code of a command that this signal ends.
+    pub exit: Exit,
+    /// Reason of the end, for the message.
+    pub reason: &'static str,
+    /// True if the signal is left alone in a process that was started with the signal ignored, as by `nohup`.
+    pub may_be_ignored: bool,
+}
+
+/// All signals that end a command in good order. The exit codes are those of shells: 128 and the signal's number.
+pub const SIGNALS: &[Signal] = &[
+    Signal { number: 1, exit: Exit::HungUp, reason: "the terminal was closed", may_be_ignored: true },
+    Signal { number: 2, exit: Exit::Interrupted, reason: "interrupted", may_be_ignored: false },
+    Signal { number: 15, exit: Exit::Terminated, reason: "terminated", may_be_ignored: false },
+    Signal {
+        number: FILE_SIZE_LIMIT,
+        exit: Exit::FileSizeLimit,
+        reason: "a file reached the size limit of the process",
+        may_be_ignored: true,
+    },
+];
+
+/// Number of the signal XFSZ.
+pub const FILE_SIZE_LIMIT: i32 = 25;
+
 impl Exit {
+    /// True for the exit code of a command that a signal has ended.
+    pub fn is_signal(self) -> bool {
+        SIGNALS.iter().any(|signal| signal.exit == self)
+    }
+
     /// The exit code of an error outside of the scene's text.
     pub fn of(code: Code) -> Exit {
         match code {

@@ -1,54 +1,116 @@
-//! Ends work early: Ctrl-C, and the time limit of a command.
+//! Ends work early: signals such as Ctrl-C, and the time limit of a command.
 //!
 //! Both cancel the work's [`CancelToken`], which every long loop polls. Work that does not end within [`GRACE`], such
 //! as a decoder of another crate, is ended together with the process.
 
 use super::args::values::Seconds;
 use super::console::print_message;
-use super::exit::Exit;
+use super::exit::{Exit, FILE_SIZE_LIMIT, SIGNALS, Signal};
 use crate::math::cancel::{CancelReason, CancelToken};
-use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
-use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::SeqCst};
+use std::sync::{Arc, Condvar, LazyLock, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// Time that cancelled work has to end by itself.
 const GRACE: Duration = Duration::from_millis(350);
 
-/// Time for the cleanup at the end of the process.
-const CLEANUP_TIME: Duration = Duration::from_secs(2);
+/// Time for the cleanup at the end of the process. With [`GRACE`], less than two seconds.
+const CLEANUP_TIME: Duration = Duration::from_millis(1500);
 
-static REQUESTED: AtomicBool = AtomicBool::new(false);
+/// Time in which a second Ctrl-C counts as the first one. Programs such as `timeout` send a signal twice at once.
+const REPEAT: Duration = Duration::from_millis(200);
+
+/// Number of the signal that Ctrl-C sends.
+#[cfg(not(unix))]
+const INTERRUPT: i32 = 2;
+
+/// Number of the first signal that arrived; 0 before.
+static REQUESTED: AtomicUsize = AtomicUsize::new(0);
+/// Number of the signal XFSZ as soon as it has arrived; 0 before. The signal's handler sets it, so that the write that
+/// failed has not returned yet.
+static FILE_SIZE: LazyLock<Arc<AtomicUsize>> = LazyLock::new(Arc::default);
 static DEFERRED: AtomicBool = AtomicBool::new(false);
 /// True as soon as cancelled work has noticed that it is to end: its last messages and writes then get the time they
 /// need.
 static NOTICED: AtomicBool = AtomicBool::new(false);
-/// Tokens of the work that Ctrl-C cancels.
+/// Tokens of the work that a signal cancels.
 static TOKENS: Mutex<Vec<CancelToken>> = Mutex::new(vec![]);
 /// Task to do before the process ends in the middle of work, such as writing the journal.
 static CLEANUP: Mutex<Option<Box<dyn Fn() + Send>>> = Mutex::new(None);
 
-/// Installs the handler. The second Ctrl-C always ends the program at once.
+/// Installs the handlers. The second Ctrl-C always ends the program at once.
 pub fn listen() {
-    // If the handler cannot be installed, the system's default applies.
-    let _ = ctrlc::set_handler(|| {
-        let again = REQUESTED.swap(true, SeqCst);
-        if again || !DEFERRED.load(SeqCst) {
+    // If a handler cannot be installed, the system's default applies.
+    #[cfg(unix)]
+    let _ = unix::listen();
+    #[cfg(not(unix))]
+    let _ = {
+        let mut first = None;
+        ctrlc::set_handler(move || receive(INTERRUPT, &mut first))
+    };
+}
+
+#[cfg(unix)]
+mod unix {
+    use super::{FILE_SIZE, FILE_SIZE_LIMIT, SIGNALS, receive};
+    use signal_hook::flag::register_usize;
+    use signal_hook::iterator::Signals;
+    use std::io;
+
+    /// Starts the thread that receives the signals.
+    pub fn listen() -> io::Result<()> {
+        let ignored = ignored_signals();
+        let is_wanted = |number: i32| ignored & 1 << (number - 1) == 0;
+        if is_wanted(FILE_SIZE_LIMIT) {
+            register_usize(FILE_SIZE_LIMIT, FILE_SIZE.clone(), FILE_SIZE_LIMIT as usize)?;
+        }
+        let wanted = SIGNALS.iter().filter(|signal| !signal.may_be_ignored || is_wanted(signal.number));
+        let mut signals = Signals::new(wanted.map(|signal| signal.number))?;
+        let mut first = None;
+        let receive_all = move || signals.forever().for_each(|number| receive(number, &mut first));
+        std::thread::Builder::new().name("signals".into()).spawn(receive_all).map(drop)
+    }
+
+    /// Set of the signals that the process ignores, one bit for each. Systems other than Linux do not report the set;
+    /// signals that may be ignored then keep the system's default.
+    fn ignored_signals() -> u64 {
+        let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+        let set = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+        set.and_then(|set| u64::from_str_radix(set.trim(), 16).ok()).unwrap_or(u64::MAX)
+    }
+}
+
+/// Ends the work, or at once a program without work that could be stored. `first` is the time of the first signal.
+fn receive(number: i32, first: &mut Option<Instant>) {
+    let Some(signal) = SIGNALS.iter().find(|signal| signal.number == number) else { return };
+    if let Some(first) = first {
+        if signal.exit == Exit::Interrupted && first.elapsed() > REPEAT {
             std::process::exit(Exit::Interrupted as i32);
         }
-        lock(&TOKENS).iter().for_each(|token| token.cancel(CancelReason::Request));
-        let _ = std::thread::Builder::new().name("interrupt".into()).spawn(|| {
-            std::thread::sleep(GRACE);
-            if DEFERRED.load(SeqCst) && !NOTICED.load(SeqCst) {
-                end_process(Exit::Interrupted, "interrupted; no picture was written\n");
-            }
-        });
+        return;
+    }
+    *first = Some(Instant::now());
+    REQUESTED.store(number as usize, SeqCst);
+    if !DEFERRED.load(SeqCst) {
+        end_process(signal.exit, "");
+    }
+    lock(&TOKENS).iter().for_each(|token| token.cancel(CancelReason::Request));
+    let _ = std::thread::Builder::new().name("interrupt".into()).spawn(|| {
+        std::thread::sleep(GRACE);
+        if DEFERRED.load(SeqCst) && !NOTICED.load(SeqCst) {
+            end_process(signal.exit, &format!("{}; no picture was written\n", signal.reason));
+        }
     });
 }
 
-/// True after the user pressed Ctrl-C.
-pub fn is_requested() -> bool {
-    REQUESTED.load(SeqCst)
+/// Returns the signal that asks the program to end, after it has arrived.
+pub fn requested() -> Option<Signal> {
+    let number = match REQUESTED.load(SeqCst) {
+        0 => FILE_SIZE.load(SeqCst),
+        number => number,
+    };
+    SIGNALS.iter().find(|signal| signal.number as usize == number).copied()
 }
 
 /// Keeps the process alive until cancelled work, which has noticed its cancellation, has finished properly.
@@ -56,9 +118,21 @@ pub fn await_cancelled_work() {
     NOTICED.store(true, SeqCst);
 }
 
-/// Sets what must happen before the process ends in the middle of work; replaces an earlier cleanup.
-pub fn set_cleanup(cleanup: Option<Box<dyn Fn() + Send>>) {
-    *lock(&CLEANUP) = cleanup;
+/// Task that is done if the process ends in the middle of work while this value exists.
+pub struct Cleanup(());
+
+impl Cleanup {
+    /// Sets the task.
+    pub fn begin(task: impl Fn() + Send + 'static) -> Self {
+        *lock(&CLEANUP) = Some(Box::new(task));
+        Self(())
+    }
+}
+
+impl Drop for Cleanup {
+    fn drop(&mut self) {
+        *lock(&CLEANUP) = None;
+    }
 }
 
 /// Ends the process in the middle of work, after the cleanup.
@@ -85,11 +159,11 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// While a value of this type exists, Ctrl-C does not end the program, but is visible in [`is_requested`].
+/// While a value of this type exists, signals do not end the program, but are visible in [`requested`].
 pub struct Deferred(());
 
 impl Deferred {
-    /// Starts to defer the effect of Ctrl-C.
+    /// Starts to defer the effect of signals.
     pub fn begin() -> Self {
         DEFERRED.store(true, SeqCst);
         Self(())
@@ -111,7 +185,7 @@ pub enum Overrun {
     Continues,
 }
 
-/// Work that Ctrl-C and a time limit cancel while this value exists.
+/// Work that signals and a time limit cancel while this value exists.
 pub struct Deadline {
     token: CancelToken,
     /// True after the end of the work.
@@ -124,7 +198,7 @@ impl Deadline {
     pub fn start(limit: Option<Seconds>, token: CancelToken, overrun: Overrun) -> Self {
         NOTICED.store(false, SeqCst);
         lock(&TOKENS).push(token.clone());
-        if is_requested() {
+        if requested().is_some() {
             token.cancel(CancelReason::Request);
         }
         if limit.is_some_and(|Seconds(seconds)| seconds == 0.0) {

@@ -1,7 +1,7 @@
 //! Results of several scenes, in the same form for `render`, `check` and `test`.
 
 use super::console::Console;
-use super::exit::{Exit, Failure, Result};
+use super::exit::{Exit, Failure, Result, SIGNALS};
 use crate::diagnostic::{Diagnostic, Severity};
 use std::fmt::{self, Display};
 use std::path::{Path, PathBuf};
@@ -110,7 +110,7 @@ pub fn each(
         let parts = [text, count.to_string()].into_iter().filter(|part| !part.is_empty());
         exits.push(exit);
         all = all + count;
-        if exit == Exit::Interrupted {
+        if exit.is_signal() {
             return Err(Failure::Reported(exit));
         }
         print(&line(Word::of(exit), input.display(), &parts.collect::<Vec<_>>().join("  ")))?;
@@ -122,8 +122,10 @@ pub fn each(
 
 /// The exit code of all scenes together: an error of a scene has the highest rank, a different picture the lowest.
 pub fn worst(exits: impl IntoIterator<Item = Exit> + Clone) -> Exit {
-    let order = [Exit::Interrupted, Exit::Scene, Exit::File, Exit::Limit, Exit::Usage, Exit::Snapshot];
-    order.into_iter().find(|wanted| exits.clone().into_iter().any(|exit| exit == *wanted)).unwrap_or(Exit::Fine)
+    let signals = SIGNALS.iter().map(|signal| signal.exit);
+    let order = signals.chain([Exit::Scene, Exit::File, Exit::Limit, Exit::Usage, Exit::Snapshot]);
+    let mut order = order.into_iter();
+    order.find(|wanted| exits.clone().into_iter().any(|exit| exit == *wanted)).unwrap_or(Exit::Fine)
 }
 
 #[cfg(test)]

@@ -91,8 +91,8 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
             MessageFormat::Json => console.json(&as_json(&case, &outcome, accept.as_deref()))?,
         }
         outcomes.push((case, outcome));
-        if interrupt::is_requested() {
-            return Err(Failure::Reported(Exit::Interrupted));
+        if let Some(signal) = interrupt::requested() {
+            return Err(Failure::Reported(signal.exit));
         }
     }
     if let Some(folder) = &args.report {

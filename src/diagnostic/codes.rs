@@ -49,7 +49,10 @@ case letters differ on most systems. `-` is standard input."
     FILE_UNWRITABLE "E0004" "the file can't be written"
 "Its folder doesn't exist, or you may not write there, or the disk is full. A picture is written whole or not at all: first
 into a temporary file in the same folder, which then takes the name. So the folder itself has to be writable. Nothing was
-changed."
+changed.
+
+One process at a time renders a picture. Meanwhile, the file with the name of the picture and `.unfinished` is locked; it has to
+be a regular file, and neither a link nor a pipe."
     UNKNOWN_FORMAT "E0005" "the file's ending names no picture format"
 "The ending of the output's name says in which format the picture is written: png, exr, hdr, jpg, ppm, bmp, tga or tiff.
 `--format` says it for names without such an ending, and for standard output:

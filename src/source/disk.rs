@@ -78,7 +78,7 @@ impl Files for Disk {
             return Ok(Draft::in_memory(&path));
         }
         let file = tempfile::tempfile_in(folder(&path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))?;
-        Ok(Draft { path, bytes: Bytes::Disk(io::BufWriter::with_capacity(1 << 16, file)) })
+        Ok(Draft { path, bytes: Bytes::Disk(io::BufWriter::with_capacity(1 << 16, file)), is_durable: false })
     }
 
     fn check_writable(&self, path: &Path) -> io::Result<()> {
@@ -145,6 +145,8 @@ fn refused_link(error: rustix::io::Errno) -> io::Error {
 pub struct Draft {
     path: PathBuf,
     bytes: Bytes,
+    /// True if the committed file must survive a power loss.
+    is_durable: bool,
 }
 
 enum Bytes {
@@ -156,7 +158,12 @@ enum Bytes {
 impl Draft {
     /// A draft whose bytes stay in memory until [`Draft::commit`].
     pub fn in_memory(path: &Path) -> Self {
-        Self { path: path.to_path_buf(), bytes: Bytes::Memory(Cursor::default()) }
+        Self { path: path.to_path_buf(), bytes: Bytes::Memory(Cursor::default()), is_durable: false }
+    }
+
+    /// Lets [`Draft::commit`] wait until the file on the disk, and its name, would survive a power loss.
+    pub fn make_durable(&mut self) {
+        self.is_durable = true;
     }
 
     /// Returns the bytes of a draft in memory; none for a draft on disk.
@@ -179,7 +186,13 @@ impl Draft {
                 bytes.seek(SeekFrom::Start(0))?;
                 let mut file = temporary(&self.path)?;
                 io::copy(&mut bytes, file.as_file_mut())?;
+                if self.is_durable {
+                    file.as_file().sync_all()?;
+                }
                 file.persist(&self.path).map_err(|e| e.error)?;
+                if self.is_durable {
+                    sync_folder_of(&self.path);
+                }
                 Ok(())
             }
         }
@@ -221,7 +234,7 @@ fn kind_of(kind: FileType) -> FileKind {
 }
 
 /// Returns the file behind symbolic links; an error for a folder.
-fn resolve(path: &Path) -> io::Result<PathBuf> {
+pub fn resolve(path: &Path) -> io::Result<PathBuf> {
     if path.is_dir() {
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
     }
@@ -241,6 +254,14 @@ fn temporary(path: &Path) -> io::Result<NamedTempFile> {
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder.tempfile_in(folder(path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))
+}
+
+/// Waits until the names in the folder of `path` would survive a power loss. A system that cannot do this is ignored.
+pub fn sync_folder_of(path: &Path) {
+    #[cfg(unix)]
+    let _ = File::open(folder(path)).and_then(|folder| folder.sync_all());
+    #[cfg(not(unix))]
+    let _ = path;
 }
 
 fn folder(path: &Path) -> &Path {

@@ -4,6 +4,7 @@
 //! [`Overlay`](super::Overlay). No code outside of `source/` and the front ends opens a file in another way.
 
 use super::Draft;
+use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -38,6 +39,12 @@ pub trait Files: Send + Sync {
     /// # Errors
     /// If the folder does not exist or cannot be read.
     fn list(&self, folder: &Path) -> io::Result<Vec<Entry>>;
+
+    /// Returns the first entry of a folder, in alphabetical order, whose name equals `name` except for letter case.
+    fn entry_in_any_case(&self, folder: &Path, name: &str) -> Option<String> {
+        let names = self.list(folder).ok()?.into_iter().filter_map(|entry| entry.name.into_string().ok());
+        names.filter(|entry| entry.to_lowercase() == name.to_lowercase()).min()
+    }
 
     /// Returns the absolute path without symbolic links, `.` and `..`.
     ///
@@ -122,7 +129,7 @@ pub trait Files: Send + Sync {
 }
 
 /// Kind of a file system entry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FileKind {
     /// Kind of path: a regular file.
     File,

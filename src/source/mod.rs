@@ -2,9 +2,11 @@
 
 mod activity;
 mod disk;
+mod exclusive;
 mod files;
 pub mod fonts;
 mod host;
+mod lookup;
 mod memory;
 mod read;
 mod recorder;
@@ -15,9 +17,11 @@ mod sources;
 mod span;
 
 pub use activity::Activity;
-pub use disk::{Disk, Draft};
+pub use disk::{Disk, Draft, resolve, sync_folder_of};
+pub use exclusive::{Exclusive, OpenError};
 pub use files::{Entry, FileKind, Files, Metadata, Stamp, WriteAccess, WriteMode};
 pub use host::{Host, LocalHost};
+pub use lookup::{Lookup, Lookups};
 pub use memory::{Memory, Overlay};
 pub use read::{ReadError, read_text, text_of};
 pub use recorder::{ContentHash, ReadFiles, Recorder};

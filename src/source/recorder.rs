@@ -1,11 +1,12 @@
-//! Records which files were read, with hashes of their contents: the inputs of a picture.
+//! Records which files were read, with hashes of their contents, and which were looked up: the inputs of a picture.
 
+use super::lookup::{Lookup, Lookups};
 use super::{Draft, Entry, Files, Metadata, WriteAccess, WriteMode};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Paths of files that were read, with the hashes of their contents.
 pub type ReadFiles = BTreeMap<PathBuf, ContentHash>;
@@ -18,6 +19,11 @@ impl ContentHash {
     /// Computes the content hash of `bytes`.
     pub fn of(bytes: &[u8]) -> Self {
         Self(blake3::hash(bytes))
+    }
+
+    /// The hash of a file whose contents changed from these to those of `next`.
+    fn followed_by(self, next: Self) -> Self {
+        Self::of(&[*self.0.as_bytes(), *next.0.as_bytes()].concat())
     }
 }
 
@@ -34,27 +40,69 @@ impl<'de> Deserialize<'de> for ContentHash {
     }
 }
 
-/// Storage that records each file it reads.
+/// Storage that records each file it reads, and each look-up of a file.
 pub struct Recorder {
     files: Arc<dyn Files>,
-    read: Mutex<ReadFiles>,
+    record: Mutex<Record>,
+}
+
+#[derive(Default)]
+struct Record {
+    /// All files that were read.
+    read: ReadFiles,
+    /// Files that were read since [`Recorder::begin_run`].
+    run: ReadFiles,
+    /// Look-ups since [`Recorder::begin_run`].
+    lookups: Lookups,
 }
 
 impl Recorder {
     /// Creates a recorder of all files read through `files`.
     pub fn new(files: Arc<dyn Files>) -> Self {
-        Self { files, read: Mutex::default() }
+        Self { files, record: Mutex::default() }
     }
 
-    /// Records contents that came from elsewhere, such as standard input.
+    /// Records contents that came from elsewhere, such as standard input. A file that was read with different contents
+    /// during one run gets a hash of all of them.
     pub fn record(&self, path: &Path, bytes: &[u8]) {
-        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
-        read.insert(path.to_path_buf(), ContentHash::of(bytes));
+        let mut record = self.record_mut();
+        let hash = ContentHash::of(bytes);
+        let known = record.run.entry(path.to_path_buf()).or_insert(hash);
+        if *known != hash {
+            *known = known.followed_by(hash);
+        }
+        let hash = *known;
+        record.read.insert(path.to_path_buf(), hash);
     }
 
     /// Returns all files that were read so far.
     pub fn read_files(&self) -> ReadFiles {
-        self.read.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        self.record_mut().read.clone()
+    }
+
+    /// Forgets the look-ups of earlier runs, such as the frames before.
+    pub fn begin_run(&self) {
+        let mut record = self.record_mut();
+        record.lookups.clear();
+        record.run.clear();
+    }
+
+    /// Returns the look-ups since [`Recorder::begin_run`].
+    pub fn lookups(&self) -> Lookups {
+        self.record_mut().lookups.clone()
+    }
+
+    fn record_mut(&self) -> MutexGuard<'_, Record> {
+        self.record.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn record_lookup(&self, path: &Path, lookup: Lookup) {
+        let mut record = self.record_mut();
+        match record.lookups.get_mut(path) {
+            Some(known) if known.contains(&lookup) => {}
+            Some(known) => known.push(lookup),
+            None => _ = record.lookups.insert(path.to_path_buf(), vec![lookup]),
+        }
     }
 }
 
@@ -66,18 +114,30 @@ impl Files for Recorder {
     }
 
     fn inspect(&self, path: &Path) -> io::Result<Vec<u8>> {
+        self.record_lookup(path, Lookup::version(&*self.files, path));
         self.files.inspect(path)
     }
 
     fn metadata(&self, path: &Path) -> io::Result<Metadata> {
-        self.files.metadata(path)
+        let metadata = self.files.metadata(path);
+        self.record_lookup(path, Lookup::Kind(metadata.as_ref().ok().map(|metadata| metadata.kind)));
+        metadata
     }
 
     fn list(&self, folder: &Path) -> io::Result<Vec<Entry>> {
-        self.files.list(folder)
+        let entries = self.files.list(folder);
+        self.record_lookup(folder, Lookup::names(entries.as_deref().unwrap_or_default()));
+        entries
+    }
+
+    fn entry_in_any_case(&self, folder: &Path, name: &str) -> Option<String> {
+        let found = self.files.entry_in_any_case(folder, name);
+        self.record_lookup(folder, Lookup::Spelling { name: name.to_string(), found: found.clone() });
+        found
     }
 
     fn canonicalize(&self, path: &Path) -> io::Result<PathBuf> {
+        self.record_lookup(path, Lookup::target(&*self.files, path));
         self.files.canonicalize(path)
     }
 
@@ -125,6 +185,42 @@ mod tests {
         recorder.inspect(Path::new("b.ttf")).unwrap();
         assert!(recorder.read(Path::new("c.inc")).is_err());
         assert_eq!(recorder.read_files(), ReadFiles::from([("a.inc".into(), ContentHash::of(b"1"))]));
+    }
+
+    #[test]
+    fn lookups_are_recorded_until_the_next_run() {
+        let memory = Arc::new(Memory::default());
+        memory.insert("a.inc", "1");
+        let recorder = Recorder::new(memory.clone());
+        assert!(recorder.exists(Path::new("a.inc")) && !recorder.exists(Path::new("b.inc")));
+        recorder.entry_in_any_case(Path::new("."), "A.INC").unwrap();
+        let lookups = recorder.lookups();
+        let holds = || lookups.iter().all(|(path, all)| all.iter().all(|lookup| lookup.is_current(&*memory, path)));
+        assert!(lookups.len() == 3 && holds());
+        memory.insert("c.inc", "");
+        assert!(holds());
+        memory.insert("b.inc", "");
+        assert!(!holds());
+        recorder.exists(Path::new("b.inc"));
+        assert_eq!(recorder.lookups()[Path::new("b.inc")].len(), 2);
+        recorder.begin_run();
+        assert!(recorder.lookups().is_empty());
+    }
+
+    #[test]
+    fn contents_that_change_during_a_run_are_recorded_as_changing() {
+        let memory = Arc::new(Memory::default());
+        let recorder = Recorder::new(memory.clone());
+        let read = |text: &str| {
+            memory.insert("a.inc", text);
+            recorder.read(Path::new("a.inc")).unwrap();
+            recorder.read_files()[Path::new("a.inc")]
+        };
+        assert_eq!(read("1"), ContentHash::of(b"1"));
+        assert!(read("2") != ContentHash::of(b"2"));
+        assert!(read("1") != ContentHash::of(b"1"));
+        recorder.begin_run();
+        assert_eq!(read("2"), ContentHash::of(b"2"));
     }
 
     #[test]

@@ -277,6 +277,10 @@ impl Files for Sandboxed<'_> {
         self.files.list(folder)
     }
 
+    fn entry_in_any_case(&self, folder: &Path, name: &str) -> Option<String> {
+        self.files.entry_in_any_case(folder, name)
+    }
+
     fn canonicalize(&self, path: &Path) -> io::Result<PathBuf> {
         self.in_memory(path).map_or_else(|| self.files.canonicalize(path), Ok)
     }

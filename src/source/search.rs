@@ -104,17 +104,11 @@ fn find_in_any_case(files: &dyn Files, folder: &Path, name: &str) -> Option<Foun
             _ => return None,
         };
         let part =
-            if files.exists(&path.join(part)) { part.to_string() } else { entry_in_any_case(files, &path, part)? };
+            if files.exists(&path.join(part)) { part.to_string() } else { files.entry_in_any_case(&path, part)? };
         path.push(&part);
         portable.push(&part);
     }
     files.is_file(&path).then(|| Found { path, portable: Some(portable.to_string_lossy().replace('\\', "/")) })
-}
-
-/// The first entry of a folder in alphabetical order whose name differs in letter case only.
-fn entry_in_any_case(files: &dyn Files, folder: &Path, name: &str) -> Option<String> {
-    let names = files.list(folder).ok()?.into_iter().filter_map(|entry| entry.name.into_string().ok());
-    names.filter(|entry| entry.to_lowercase() == name.to_lowercase()).min()
 }
 
 fn is_installed(folder: &Path) -> bool {

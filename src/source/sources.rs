@@ -1,6 +1,6 @@
 //! All texts of a run, with one numbering of their bytes.
 
-use super::{Disk, Files, ReadFiles, Recorder, Span};
+use super::{Disk, Files, Lookups, ReadFiles, Recorder, Span};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -67,6 +67,16 @@ impl Sources {
     /// Returns the files that were read so far, texts and others, with hashes of their contents.
     pub fn read_files(&self) -> ReadFiles {
         self.files.read_files()
+    }
+
+    /// Forgets the look-ups of earlier runs, such as the frames before.
+    pub fn begin_run(&self) {
+        self.files.begin_run();
+    }
+
+    /// Returns the look-ups of files since [`Sources::begin_run`]: which exist, and where files were found.
+    pub fn lookups(&self) -> Lookups {
+        self.files.lookups()
     }
 
     /// Adds a text; `None` if all texts together would exceed 4 GB.

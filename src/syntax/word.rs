@@ -166,7 +166,10 @@ pub const CONSTANTS: &[(&str, &str)] = &[
     ("initial_frame", "the number of the first frame"),
     ("input_file_name", "of the scene, without its folder"),
     ("no", "0"),
-    ("now", "the time: days since the beginning of 2000, which makes every run another one"),
+    (
+        "now",
+        "the time at which the picture was begun: days since the beginning of 2000, which makes every run another one",
+    ),
     ("off", "0"),
     ("on", "1"),
     ("pi", "3.14159…"),

@@ -1,8 +1,14 @@
 //! No render is lost: after a kill at any moment, `--resume` continues and gives the same bytes. (`DURER_KILLS=20`
 //! tries more moments.)
 
+#[cfg(unix)]
+mod exclusive;
+mod identity;
+#[cfg(unix)]
+mod signals;
+
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 /// A scene that takes half a second for a small picture.
@@ -33,22 +39,43 @@ impl Scratch {
         durer
     }
 
+    /// Starts the command with one thread, and waits until its journal has tiles.
+    fn start(&self, words: &str) -> Child {
+        let mut durer = self.durer(&format!("{words} --threads 1")).spawn().unwrap();
+        while !self.is_unfinished() {
+            assert!(durer.try_wait().unwrap().is_none(), "the render ended without a journal");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        durer
+    }
+
+    /// Starts the command, and kills it as soon as its journal has tiles. Returns its messages.
+    fn kill(&self, words: &str) -> String {
+        let mut durer = self.start(words);
+        durer.kill().unwrap();
+        err(&durer.wait_with_output().unwrap())
+    }
+
     fn run(&self, words: &str) -> Output {
         self.durer(words).output().unwrap()
     }
 
-    /// The files in the folder, with contents.
+    /// The files in the folder, with contents. A process that is killed at the very end of a picture leaves a part of the
+    /// picture's file under a name that begins with `.durer-`; this file is not counted.
     fn pictures(&self) -> Vec<(String, Vec<u8>)> {
         let entries = std::fs::read_dir(&self.0).unwrap().map(|entry| entry.unwrap().path());
         let name = |path: &Path| path.file_name().unwrap().to_string_lossy().into_owned();
+        let entries = entries.filter(|path| !name(path).starts_with(".durer-"));
         let mut all: Vec<_> = entries.map(|path| (name(&path), std::fs::read(&path).unwrap())).collect();
         all.sort();
         all
     }
 
+    /// True if there is a journal with contents.
     fn is_unfinished(&self) -> bool {
-        let mut entries = std::fs::read_dir(&self.0).unwrap();
-        entries.any(|entry| entry.unwrap().path().extension().is_some_and(|ending| ending == "unfinished"))
+        let mut entries = std::fs::read_dir(&self.0).unwrap().map(|entry| entry.unwrap().path());
+        let is_journal = |path: &Path| path.extension().is_some_and(|ending| ending == "unfinished");
+        entries.any(|path| is_journal(&path) && path.metadata().is_ok_and(|metadata| metadata.len() > 0))
     }
 }
 
@@ -81,7 +108,10 @@ fn kill_and_resume(words: &str, short: usize) {
         }
         let out = scratch.run(&format!("{words} --resume"));
         assert!(out.status.success() && err(&out).is_empty(), "{}", err(&out));
-        assert!(scratch.pictures() == expected, "{words}, moment {moment}");
+        let names = |files: &[(String, Vec<u8>)]| files.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+        let pictures = scratch.pictures();
+        assert_eq!(names(&pictures), names(&expected), "{words}, moment {moment}");
+        assert!(pictures == expected, "{words}, moment {moment}");
     }
     assert!(went_on > 0 || moments == 0, "it never got so far");
 }
@@ -180,4 +210,19 @@ fn journals_are_kept_when_the_disk_is_full() {
     assert!(rays > 0 && rays < 140 * 105, "{rays} rays");
     assert!(whole.run(words).status.success());
     assert!(scratch.pictures() == whole.pictures());
+}
+
+/// A process that is killed just after it has listed a finished frame leaves the frame's journal.
+#[test]
+fn journals_of_finished_frames_are_deleted() {
+    let scratch = Scratch::new();
+    std::fs::write(scratch.at("a.scene"), "#if (frame_number = 2) #include \"b.inc\" #end sphere { z * 3, 1 }")
+        .unwrap();
+    let words = "--size 8x6 --frames 1-2 -o a.png --resume";
+    assert_eq!(scratch.run(words).status.code(), Some(1));
+    std::fs::write(scratch.at("b.inc"), "").unwrap();
+    std::fs::write(scratch.at("a1.png.unfinished"), "{}\n").unwrap();
+    let out = scratch.run(words);
+    assert!(out.status.success() && !err(&out).contains("again"), "{}", err(&out));
+    assert!(!scratch.is_unfinished());
 }

@@ -18,7 +18,7 @@ use values::{
 
 const EXIT_CODES: &str = "\
 Exit codes: 0 success, 1 error in the scene, 2 error in the command line, 3 a snapshot differs, 4 a limit was reached, \
-5 a file could not be read or written.
+5 a file could not be read or written, 128 + N ended by signal N (130 after Ctrl-C).
 
 `durer scene.pov` and POV-Ray's own options work too: durer +Iscene.pov +W640 +H480 +A0.3";
 

@@ -1,45 +1,136 @@
 //! Identity of a picture's work: the same work gives the same bytes, so that an unfinished picture can be continued.
 
-use crate::source::ReadFiles;
+use crate::source::{ContentHash, Disk, Files, Lookup, Lookups, ReadFiles};
 use crate::{interpreter, render};
 use serde::{Deserialize, Serialize};
+use std::fs::File;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-/// All inputs that determine the bytes of a picture.
+/// All inputs that determine the bytes of a picture, except for the program.
 #[derive(Serialize, Deserialize, Clone, Debug, PartialEq)]
 pub struct Work {
-    /// Identity of the program that rendered, from [`program`].
-    pub program: String,
     /// Options of the render that affect the picture, from [`options`].
     pub options: String,
     /// Files that were read, with hashes.
     pub files: ReadFiles,
+    /// Look-ups of files: which exist, and where included files were found.
+    pub lookups: Lookups,
+    /// Value of `now`, as time since the beginning of 1970, if the scene used it.
+    pub now: Option<Duration>,
+}
+
+/// Work and the program that began it.
+#[derive(Serialize, Deserialize, Clone, Debug, PartialEq)]
+pub struct Begun {
+    /// Identity of the program, from [`program`].
+    program: String,
+    /// Work of the picture.
+    pub work: Work,
+}
+
+impl Begun {
+    /// Work that this program begins.
+    pub fn new(work: Work) -> Self {
+        Self { program: program().into(), work }
+    }
+
+    /// Parses the JSON of a value of this type.
+    ///
+    /// # Errors
+    /// If another version of the program wrote the text, or it is damaged.
+    pub fn parse(text: &[u8]) -> Result<Self, String> {
+        #[derive(Deserialize)]
+        struct Writer {
+            program: String,
+        }
+        let damaged = |_| "it is damaged".to_string();
+        let Writer { program: writer } = serde_json::from_slice(text).map_err(damaged)?;
+        if writer != program() {
+            return Err("it is from another version of durer".into());
+        }
+        serde_json::from_slice(text).map_err(damaged)
+    }
+
+    /// True if this program would do the same work now: with these options, and from files that did not change. `known`
+    /// has the hashes of files that this process will not read again.
+    pub fn is_current(&self, options: &str, known: &ReadFiles) -> bool {
+        let hash = |path: &Path| {
+            let on_disk = || Disk.read(path).ok().map(|bytes| ContentHash::of(&bytes));
+            known.get(path).copied().or_else(on_disk)
+        };
+        let is_same = |(path, lookups): (_, &Vec<Lookup>)| lookups.iter().all(|lookup| lookup.is_current(&Disk, path));
+        self.program == program()
+            && self.work.options == options
+            && self.work.files.iter().all(|(path, read)| hash(path) == Some(*read))
+            && self.work.lookups.iter().map(|(path, lookups)| (path.as_path(), lookups)).all(is_same)
+    }
 }
 
 impl Work {
     /// Returns the reason why this work cannot continue `other`; `None` if both are the same.
     pub fn differs(&self, other: &Work) -> Option<String> {
-        if self.program != other.program {
-            return Some("it is from another version of durer".into());
-        }
         if self.options != other.options {
             return Some("it was rendered with other options".into());
         }
-        let changed = self.files.iter().find(|(path, hash)| other.files.get(*path) != Some(hash));
-        changed.map(|(path, _)| format!("`{}` has changed", path.display()))
+        let changed = |(path, hash): &(&PathBuf, &ContentHash)| other.files.get(*path).is_some_and(|old| old != *hash);
+        if let Some((path, _)) = self.files.iter().find(changed) {
+            return Some(format!("`{}` has changed", path.display()));
+        }
+        let changed = self.lookups.iter().find(|(path, found)| other.lookups.get(*path) != Some(found));
+        if let Some((path, found)) = changed {
+            let change = match (&found[..], other.lookups.get(path).map(Vec::as_slice)) {
+                ([Lookup::Kind(Some(_)), ..], Some([Lookup::Kind(None)])) => "exists now",
+                ([Lookup::Kind(None)], Some([Lookup::Kind(Some(_)), ..])) => "does not exist any more",
+                _ => "has changed",
+            };
+            return Some(format!("the scene has changed: `{}` {change}", path.display()));
+        }
+        // The scene reads a file that it did not read before, for whatever reason.
+        if let Some((path, _)) = self.files.iter().find(|(path, _)| !other.files.contains_key(*path)) {
+            return Some(format!("`{}` has changed", path.display()));
+        }
+        (self.now != other.now).then(|| "the scene uses `now`, which has changed".into())
     }
 }
 
-/// Identifies this program: its version, and size and time of its file, since development versions share one number.
-pub fn program() -> String {
-    let file = std::env::current_exe().and_then(std::fs::metadata);
-    let modified = |file: &std::fs::Metadata| file.modified().ok()?.duration_since(std::time::UNIX_EPOCH).ok();
-    let file = file.map_or(String::new(), |file| format!("{} {:?}", file.len(), modified(&file).unwrap_or_default()));
-    format!("{} {file}", env!("CARGO_PKG_VERSION"))
+/// Identity of this program: its version and a hash of its executable file.
+///
+/// Development versions share one number, and a commit does not describe a changed work tree; size and time of the file
+/// change when the same program is copied, and may stay when another one replaces it. The hash takes some milliseconds,
+/// and is computed only if a journal is read or written.
+pub fn program() -> &'static str {
+    static PROGRAM: LazyLock<String> = LazyLock::new(|| {
+        let hash = EXECUTABLE.as_ref().and_then(|file| {
+            let mut hasher = blake3::Hasher::new();
+            hasher.update_reader(file).ok()?;
+            Some(hasher.finalize().to_hex().to_string())
+        });
+        // A program that cannot read its own file continues no journal, and no other program continues its journals.
+        let unique = || {
+            let time = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+            format!("process {} at {} ns", std::process::id(), time.as_nanos())
+        };
+        format!("{} {}", env!("CARGO_PKG_VERSION"), hash.unwrap_or_else(unique))
+    });
+    &PROGRAM
 }
+
+/// Opens the program's file, so that a later [`program`] does not read the file of an update.
+pub fn open_program() {
+    LazyLock::force(&EXECUTABLE);
+}
+
+static EXECUTABLE: LazyLock<Option<File>> = LazyLock::new(|| {
+    // Linux: this link leads to the running program even after the file was replaced.
+    let own = File::open("/proc/self/exe");
+    own.or_else(|_| std::env::current_exe().and_then(File::open)).ok()
+});
 
 /// Lists all options that change a pixel, and the moment of the animation.
 pub fn options(reading: &interpreter::Options, drawing: &render::Options) -> String {
     let drawing = render::Options { threads: 0, ..drawing.clone() };
-    let interpreter::Options { timing, declares, version, search, input_name, .. } = reading;
-    format!("{drawing:?} {timing:?} {declares:?} {version:?} {search:?} {input_name:?}")
+    let interpreter::Options { timing, declares, version, search, input_name, sandbox, .. } = reading;
+    format!("{drawing:?} {timing:?} {declares:?} {version:?} {search:?} {input_name:?} {:?}", sandbox.read)
 }

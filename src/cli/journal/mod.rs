@@ -1,32 +1,79 @@
 //! Journal of a picture: the finished tiles, in a file beside the picture. After an interruption, `--resume` continues
 //! with it.
 //!
-//! The file is one line of JSON, the [`Work`] (program, options, hashes of the files that were read), and then a
+//! The file is one line of JSON, the [`Begun`] work (program, options, files that were read and looked up), and then a
 //! sequence of records: pass, tile, pixels and a checksum. A record that is cut off is ignored; a record with a wrong
-//! checksum makes the whole journal invalid.
+//! checksum makes the whole journal invalid. From the beginning of a render to its end the file is locked, so that one
+//! process at a time renders a picture.
 
 pub mod finished_frames;
 pub mod identity;
+mod record;
 
 use super::console::Console;
-use crate::render::{FINAL_PASS, Region, Tile};
-use identity::Work;
+use super::exit::{self, Failure};
+use crate::diagnostic::{Diagnostic, codes, file};
+use crate::render::{Region, Tile};
+use crate::source::{Disk, Exclusive, OpenError, Span, resolve, sync_folder_of};
+use identity::{Begun, Work};
+use record::{HEAD, Key, damaged, unreadable};
 use std::collections::HashMap;
-use std::fs::{File, OpenOptions};
+use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Opens the journal of a picture: continues the one that exists if `resume` is set, and reports why that is
-/// impossible. A new journal is written when rendering has taken longer than `after`.
-pub fn open(console: &Console, picture: &Path, work: &Work, resume: bool, after: Duration) -> Journal {
-    let path = path_beside(picture);
-    let name = path.display();
-    if path.is_file() {
+/// Locks the journal of a picture.
+///
+/// # Errors
+/// If another process renders the picture, or the journal is not a plain file (E0004).
+pub fn lock(picture: &Path) -> exit::Result<Journal> {
+    // A picture and a link to the picture are one output.
+    let path = path_beside(&resolve(picture).unwrap_or_else(|_| picture.to_path_buf()));
+    match Exclusive::open(&path) {
+        Ok(file) => Ok(Journal::new(file)),
+        Err(error) => Err(unlockable(picture, &path, error)),
+    }
+}
+
+/// Deletes the journal of a finished frame, which a run that was killed just after the frame has left.
+pub fn remove_of_finished(picture: &Path) {
+    let path = path_beside(&resolve(picture).unwrap_or_else(|_| picture.to_path_buf()));
+    if path.is_file()
+        && let Ok(file) = Exclusive::open(&path)
+    {
+        file.delete();
+    }
+}
+
+/// The failure to open the journal of a picture.
+fn unlockable(picture: &Path, journal: &Path, error: OpenError) -> Failure {
+    let (path, reason, help) = match error {
+        OpenError::Io(error) => return Failure::Fault(Box::new(file::unwritable(&Disk, journal, &error))),
+        OpenError::InUse => (
+            picture,
+            "another process is rendering it",
+            "wait for the end of that render, or give the picture another name with `-o`",
+        ),
+        OpenError::NotPlain => (
+            journal,
+            "it is not a regular file with one name",
+            "move it away: durer stores unfinished work under this name",
+        ),
+    };
+    let text = format!("`{}` can't be written: {reason}", path.display());
+    Failure::Fault(Box::new(Diagnostic::new(codes::FILE_UNWRITABLE, Span::NONE, text).help(help)))
+}
+
+/// Begins the work of a journal: continues the work that it has if `resume` is set, and reports why that is impossible.
+/// New work is written when rendering has taken longer than `after`.
+pub fn begin(console: &Console, journal: &Journal, work: Work, resume: bool, after: Duration) {
+    let name = journal.path.display();
+    if journal.has_old_work() {
         if resume {
-            match Journal::resume(path.clone(), work) {
-                Ok(journal) => return journal,
+            match journal.resume(&work) {
+                Ok(()) => return,
                 Err(reason) => {
                     console.info(&format!("cannot continue `{name}`: {reason}; the picture is rendered anew\n"))
                 }
@@ -35,25 +82,23 @@ pub fn open(console: &Console, picture: &Path, work: &Work, resume: bool, after:
             console.info(&format!("an unfinished render exists in `{name}`; continue it with `--resume`\n"));
         }
     }
-    Journal::new(path, work, after)
+    journal.begin(work, after);
 }
 
-/// Reports where the tiles of an unfinished picture are.
-pub fn report_unfinished(console: &Console, journal: &Journal) {
-    let Some(path) = journal.close() else { return report_failure(console, journal) };
+/// Returns a line that says where the tiles of an unfinished picture are; `None` if there are none and nothing failed.
+pub fn unfinished_note(journal: &Journal) -> Option<String> {
+    let Some(path) = journal.close() else { return failure_note(journal) };
     let path = path.display();
     let stored = match journal.failure() {
         None => format!("the unfinished picture is stored in `{path}`"),
         Some(reason) => format!("a part of the unfinished picture is stored in `{path}` (writing stopped: {reason})"),
     };
-    console.info(&format!("{stored}; `--resume` continues it\n"));
+    Some(format!("{stored}; `--resume` continues it\n"))
 }
 
-/// Reports a journal that could not be written.
-pub fn report_failure(console: &Console, journal: &Journal) {
-    if let Some(reason) = journal.failure() {
-        console.info(&format!("cannot write the resume journal: {reason}\n"));
-    }
+/// Returns a line about a journal that could not be written.
+pub fn failure_note(journal: &Journal) -> Option<String> {
+    journal.failure().map(|reason| format!("cannot write the resume journal: {reason}\n"))
 }
 
 /// The path of a picture's journal: the picture's path and `.unfinished`.
@@ -63,81 +108,110 @@ pub fn path_beside(picture: &Path) -> PathBuf {
     name.into()
 }
 
-/// Bytes of a record before its pixels: pass, x, y, width and height.
-const HEAD: usize = 33;
-/// Bytes of the checksum after the pixels.
-const SUM: usize = 4;
-/// Largest number of pixels of a tile.
-const MAX_PIXELS: usize = 1 << 16;
 /// Bytes that are written together, approximately.
 const CHUNK: usize = 1 << 16;
+/// Bytes of the longest header.
+const MAX_HEADER: u64 = 1 << 26;
+/// Time between two waits for the disk. A power loss costs at most the tiles that were finished within this time.
+const SYNC_INTERVAL: Duration = Duration::from_secs(5);
 
 /// The tiles of a picture that is being rendered.
 pub struct Journal {
     path: PathBuf,
-    /// Offsets in `old_file` of the pixels of finished tiles, by pass and corner.
-    known: HashMap<(u8, usize, usize), (Region, u64)>,
-    /// File of the earlier journal that a resumed render continues.
-    old_file: Option<Mutex<File>>,
-    /// Moment from which tiles are written.
-    begins: Instant,
     state: Mutex<State>,
 }
 
 struct State {
-    header: Vec<u8>,
-    file: Option<File>,
+    file: Exclusive,
+    /// Moment from which tiles are written; `None` before the work is known.
+    begins: Option<Instant>,
+    /// Work whose header is not written yet.
+    new_work: Option<Work>,
+    /// Key of the records; `None` before the header is written.
+    key: Option<Key>,
+    /// Offsets in the file of the pixels of finished tiles, by pass and corner.
+    known: HashMap<(u8, usize, usize), (Region, u64)>,
+    /// Length of the header and all records in the file.
+    end: u64,
     /// Records that are not written yet.
     pending: Vec<u8>,
     error: Option<io::Error>,
+    /// Time of the last wait for the disk.
+    synced: Option<Instant>,
 }
 
 impl Journal {
-    /// A new journal, whose file appears when rendering has taken longer than `after`.
-    pub fn new(path: PathBuf, work: &Work, after: Duration) -> Self {
-        let mut header = serde_json::to_vec(work).unwrap_or_default();
-        header.push(b'\n');
-        let state = State { header, file: None, pending: vec![], error: None };
-        Self { path, known: HashMap::new(), old_file: None, begins: Instant::now() + after, state: Mutex::new(state) }
+    /// The journal in a file whose old contents are kept until the work begins.
+    pub fn new(file: Exclusive) -> Self {
+        let path = file.path().to_path_buf();
+        let state = State {
+            file,
+            begins: None,
+            new_work: None,
+            key: None,
+            known: HashMap::new(),
+            end: 0,
+            pending: vec![],
+            error: None,
+            synced: None,
+        };
+        Self { path, state: Mutex::new(state) }
     }
 
-    /// Continues a journal of the same work.
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// True if the file has contents from an earlier run.
+    fn has_old_work(&self) -> bool {
+        self.state().file.file().metadata().is_ok_and(|metadata| metadata.len() > 0)
+    }
+
+    /// Returns the work in the file that an earlier run of this program began.
+    pub fn begun(&self) -> Option<Begun> {
+        let state = self.state();
+        read_header(&mut reader(state.file.file()).ok()?).and_then(|header| Begun::parse(&header)).ok()
+    }
+
+    /// Begins new work. The old contents remain until rendering has taken longer than `after`.
+    pub fn begin(&self, work: Work, after: Duration) {
+        let mut state = self.state();
+        state.begins = Instant::now().checked_add(after);
+        state.new_work = Some(work);
+    }
+
+    /// Continues the work in the file.
     ///
     /// # Errors
     /// The reason, if the journal belongs to other work or is damaged.
-    pub fn resume(path: PathBuf, work: &Work) -> Result<Self, String> {
-        let broken = |e: io::Error| format!("it can't be read: {e}");
-        let file = OpenOptions::new().read(true).write(true).open(&path).map_err(broken)?;
-        let mut reader = BufReader::with_capacity(1 << 20, &file);
-        let mut header = vec![];
-        reader.read_until(b'\n', &mut header).map_err(broken)?;
-        let begun: Work = serde_json::from_slice(&header).map_err(|_| "it is damaged".to_string())?;
-        if let Some(reason) = work.differs(&begun) {
+    pub fn resume(&self, work: &Work) -> Result<(), String> {
+        let mut guard = self.state();
+        let state = &mut *guard;
+        let mut reader = reader(state.file.file()).map_err(|e| unreadable(&e))?;
+        let header = read_header(&mut reader)?;
+        if let Some(reason) = work.differs(&Begun::parse(&header)?.work) {
             return Err(reason);
         }
-        let (mut known, mut end) = (HashMap::new(), header.len() as u64);
-        while let Some((pass, tile, length)) = record(&mut reader)? {
-            known.insert((pass, tile.x, tile.y), (tile, end + HEAD as u64));
-            end += length as u64;
+        let (key, mut known, mut end) = (Key::of(&header), HashMap::new(), header.len() as u64);
+        while let Some(record) = key.read(&mut reader, end)? {
+            let Tile { pass, area } = record.tile;
+            known.insert((pass, area.x, area.y), (area, end + HEAD as u64));
+            end += record.length as u64;
         }
-        drop(reader);
-        file.set_len(end).map_err(broken)?;
-        let mut more = file.try_clone().map_err(broken)?;
-        more.seek(SeekFrom::Start(end)).map_err(broken)?;
-        let old_file = File::open(&path).map_err(broken)?;
-        let state = State { header: vec![], file: Some(more), pending: vec![], error: None };
-        let begins = Instant::now();
-        Ok(Self { path, known, old_file: Some(Mutex::new(old_file)), begins, state: Mutex::new(state) })
+        state.file.file().set_len(end).map_err(|e| unreadable(&e))?;
+        (state.key, state.known, state.end, state.begins) = (Some(key), known, end, Some(Instant::now()));
+        Ok(())
     }
 
     /// Returns the pixels of a tile that was finished by an earlier run.
     pub fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
-        let (area, at) = self.known.get(&(tile.pass, tile.area.x, tile.area.y))?;
+        let state = self.state();
+        let (area, at) = state.known.get(&(tile.pass, tile.area.x, tile.area.y))?;
         if *area != tile.area {
             return None;
         }
         let mut bytes = vec![0; area.width * area.height * 16];
-        let mut file = self.old_file.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut file = state.file.file();
         file.seek(SeekFrom::Start(*at)).ok()?;
         file.read_exact(&mut bytes).ok()?;
         let (numbers, _) = bytes.as_chunks::<4>();
@@ -147,159 +221,132 @@ impl Journal {
 
     /// Adds a finished tile. A write error ends the journal, but not the rendering.
     pub fn store_tile(&self, tile: Tile, pixels: &[[f32; 4]]) {
-        if Instant::now() < self.begins {
+        let mut state = self.state();
+        if state.error.is_some() || state.begins.is_none_or(|begins| Instant::now() < begins) {
             return;
         }
-        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        if state.error.is_some() {
-            return;
+        if let Err(error) = state.store(tile, pixels) {
+            state.error = Some(error);
         }
-        append(&mut state.pending, tile, pixels);
-        if state.file.is_none() || state.pending.len() >= CHUNK {
-            state.error = state.write(&self.path).err();
-        }
+        let unsynced = state.take_unsynced(SYNC_INTERVAL);
+        // Other threads store their tiles meanwhile.
+        drop(state);
+        self.sync(unsynced);
     }
 
-    /// Writes all pending records. Returns the path of the journal if its file exists.
+    /// Writes all pending records, and waits for the disk. Returns the path of the journal if it has records.
     pub fn close(&self) -> Option<&Path> {
-        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        if state.file.is_some() && state.error.is_none() {
-            state.error = state.write(&self.path).err();
+        let mut state = self.state();
+        state.key.as_ref()?;
+        if state.error.is_none() {
+            state.error = state.write().err();
         }
-        state.file.is_some().then_some(self.path.as_path())
+        let unsynced = state.take_unsynced(Duration::ZERO);
+        drop(state);
+        self.sync(unsynced);
+        Some(&self.path)
+    }
+
+    /// True if the file has the header of this work: rendering has taken some time.
+    pub fn is_written(&self) -> bool {
+        self.state().key.is_some()
     }
 
     /// Returns the error that ended the journal.
     pub fn failure(&self) -> Option<String> {
-        let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
-        state.error.as_ref().map(ToString::to_string)
+        self.state().error.as_ref().map(ToString::to_string)
     }
 
-    /// Deletes the file after the picture has been written.
+    /// Deletes the file after the picture has been written. A file of other work that nothing was written to remains.
     pub fn remove(&self) {
-        let written = self.state.lock().unwrap_or_else(PoisonError::into_inner).file.take().is_some();
-        if written {
-            // A later run reports and ignores a file that remains.
-            let _ = std::fs::remove_file(&self.path);
+        let state = self.state();
+        if state.key.is_some() {
+            state.file.delete();
+        }
+    }
+
+    /// Deletes a file without contents before the process ends.
+    pub fn remove_empty(&self) {
+        let state = self.state();
+        if state.file.file().metadata().is_ok_and(|metadata| metadata.len() == 0) {
+            state.file.delete();
+        }
+    }
+
+    /// Waits until the file is on the disk; its name, too, the first time.
+    fn sync(&self, unsynced: Option<(File, bool)>) {
+        let Some((file, is_first)) = unsynced else { return };
+        if let Err(error) = file.sync_data() {
+            self.state().error.get_or_insert(error);
+        }
+        if is_first {
+            sync_folder_of(&self.path);
         }
     }
 }
 
 impl State {
-    fn write(&mut self, path: &Path) -> io::Result<()> {
-        let file = match &mut self.file {
-            Some(file) => file,
-            None => {
-                let mut file = File::create(path)?;
-                file.write_all(&self.header)?;
-                self.file.insert(file)
-            }
-        };
+    fn store(&mut self, tile: Tile, pixels: &[[f32; 4]]) -> io::Result<()> {
+        let new_work = self.new_work.take();
+        let is_first = new_work.is_some();
+        if let Some(work) = new_work {
+            // An empty file vanishes at the end.
+            self.write_header(work).inspect_err(|_| _ = self.file.file().set_len(0))?;
+        }
+        let Some(key) = &self.key else { return Ok(()) };
+        let offset = self.end + self.pending.len() as u64;
+        key.append(&mut self.pending, offset, tile, pixels);
+        if is_first || self.pending.len() >= CHUNK || self.is_sync_due(SYNC_INTERVAL) { self.write() } else { Ok(()) }
+    }
+
+    /// Replaces the old contents by a header.
+    fn write_header(&mut self, work: Work) -> io::Result<()> {
+        let mut header = serde_json::to_vec(&Begun::new(work))?;
+        header.push(b'\n');
+        let mut file = self.file.file();
+        file.set_len(0)?;
+        file.seek(SeekFrom::Start(0))?;
+        file.write_all(&header)?;
+        (self.key, self.end) = (Some(Key::of(&header)), header.len() as u64);
+        Ok(())
+    }
+
+    fn write(&mut self) -> io::Result<()> {
+        let mut file = self.file.file();
+        file.seek(SeekFrom::Start(self.end))?;
         file.write_all(&self.pending)?;
+        self.end += self.pending.len() as u64;
         self.pending.clear();
         Ok(())
     }
+
+    /// True if the last wait for the disk was longer ago than `interval`.
+    fn is_sync_due(&self, interval: Duration) -> bool {
+        self.synced.is_none_or(|synced| synced.elapsed() >= interval)
+    }
+
+    /// The file if the last wait for the disk was longer ago than `interval`; true for the first wait.
+    fn take_unsynced(&mut self, interval: Duration) -> Option<(File, bool)> {
+        let is_first = self.synced.is_none();
+        if self.key.is_none() || !self.is_sync_due(interval) {
+            return None;
+        }
+        self.synced = Some(Instant::now());
+        Some((self.file.file().try_clone().ok()?, is_first))
+    }
 }
 
-fn append(out: &mut Vec<u8>, tile: Tile, pixels: &[[f32; 4]]) {
-    let start = out.len();
-    out.push(tile.pass);
-    let Region { x, y, width, height } = tile.area;
-    [x, y, width, height].iter().for_each(|&n| out.extend((n as u64).to_le_bytes()));
-    pixels.as_flattened().iter().for_each(|x| out.extend(x.to_le_bytes()));
-    let sum = crc32fast::hash(&out[start..]);
-    out.extend(sum.to_le_bytes());
+fn reader(mut file: &File) -> io::Result<BufReader<&File>> {
+    file.seek(SeekFrom::Start(0))?;
+    Ok(BufReader::with_capacity(1 << 20, file))
 }
 
-/// Reads pass, tile and length in bytes of the next record; `None` at the end, and if the record is cut off.
-fn record(from: &mut impl Read) -> Result<Option<(u8, Region, usize)>, String> {
-    let mut bytes = vec![0; HEAD];
-    if from.read_exact(&mut bytes).is_err() {
-        return Ok(None);
-    }
-    let mut numbers = bytes[1..].as_chunks::<8>().0.iter().map(|&number| u64::from_le_bytes(number) as usize);
-    let [x, y, width, height] = [(); 4].map(|()| numbers.next().unwrap_or(0));
-    let damaged = || Err("it is damaged".to_string());
-    if width.saturating_mul(height) > MAX_PIXELS || bytes[0] > FINAL_PASS {
-        return damaged();
-    }
-    bytes.resize(HEAD + width * height * 16 + SUM, 0);
-    if from.read_exact(&mut bytes[HEAD..]).is_err() {
-        return Ok(None);
-    }
-    let (content, sum) = bytes.split_at(bytes.len() - SUM);
-    if crc32fast::hash(content).to_le_bytes() != sum {
-        return damaged();
-    }
-    Ok(Some((bytes[0], Region { x, y, width, height }, bytes.len())))
+/// Reads the first line, with its end.
+fn read_header(reader: &mut impl BufRead) -> Result<Vec<u8>, String> {
+    let mut header = vec![];
+    reader.by_ref().take(MAX_HEADER).read_until(b'\n', &mut header).map_err(|e| unreadable(&e))?;
+    if header.ends_with(b"\n") { Ok(header) } else { Err(damaged()) }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::source::ContentHash;
-    use crate::source::ReadFiles;
-
-    fn work(options: &str) -> Work {
-        Work {
-            program: "1".into(),
-            options: options.into(),
-            files: ReadFiles::from([("a.pov".into(), ContentHash::of(b"7"))]),
-        }
-    }
-
-    fn tile(x: usize) -> Tile {
-        Tile { pass: (x % 2) as u8, area: Region { x, y: 3, width: 2, height: 1 } }
-    }
-
-    fn pixels(x: usize) -> Vec<[f32; 4]> {
-        vec![[x as f32, f32::NAN, -0.0, 1.5], [f32::INFINITY; 4]]
-    }
-
-    fn written(path: &Path) -> Vec<u8> {
-        let journal = Journal::new(path.into(), &work("a"), Duration::ZERO);
-        (0..9).for_each(|x| journal.store_tile(tile(x), &pixels(x)));
-        assert_eq!(journal.close(), Some(path));
-        std::fs::read(path).unwrap()
-    }
-
-    #[test]
-    fn records_before_a_cut_are_known() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = path_beside(&folder.path().join("a.png"));
-        let whole = written(&path);
-        let header = whole.iter().position(|&b| b == b'\n').unwrap() + 1;
-        let size = (whole.len() - header) / 9;
-        for end in header..=whole.len() {
-            std::fs::write(&path, &whole[..end]).unwrap();
-            let journal = Journal::resume(path.clone(), &work("a")).unwrap();
-            for x in 0..9 {
-                let known = journal.load_tile(tile(x)).map(|p| format!("{p:?}"));
-                assert_eq!(known, (x < (end - header) / size).then(|| format!("{:?}", pixels(x))));
-            }
-            let missing = (0..9).filter(|x| journal.load_tile(tile(*x)).is_none());
-            missing.for_each(|x| journal.store_tile(tile(x), &pixels(x)));
-            journal.close();
-            assert!(std::fs::read(&path).unwrap() == whole);
-        }
-    }
-
-    #[test]
-    fn damage_and_other_work_are_reported() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a");
-        let whole = written(&path);
-        let reason = |work: &Work| Journal::resume(path.clone(), work).err().unwrap_or_default();
-        assert_eq!(reason(&work("b")), "it was rendered with other options");
-        let changed = Work { files: ReadFiles::from([("a.pov".into(), ContentHash::of(b"8"))]), ..work("a") };
-        assert_eq!(reason(&changed), "`a.pov` has changed");
-        for at in (whole.len() - 36..whole.len()).step_by(5) {
-            let mut bytes = whole.clone();
-            bytes[at] ^= 4;
-            std::fs::write(&path, bytes).unwrap();
-            assert_eq!(reason(&work("a")), "it is damaged", "{at}");
-        }
-        std::fs::write(&path, "").unwrap();
-        assert_eq!(reason(&work("a")), "it is damaged");
-    }
-}
+mod tests;

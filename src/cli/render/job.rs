@@ -7,12 +7,13 @@ use super::picture_writer::Written;
 use super::progress::Progress;
 use super::stats::{self, Report};
 use super::target::Target;
+use crate::cli::allocator::MeteredHost;
 use crate::cli::args::Dump;
-use crate::cli::console::Console;
+use crate::cli::console::{Console, print_message};
 use crate::cli::exit::{Exit, Failure, Result};
-use crate::cli::interrupt::{self, Deadline, Deferred, Overrun};
+use crate::cli::interrupt::{self, Cleanup, Deadline, Deferred, Overrun};
 use crate::cli::journal::finished_frames::FinishedFrames;
-use crate::cli::journal::identity::{self, Work};
+use crate::cli::journal::identity::{self, Begun, Work};
 use crate::cli::journal::{self, Journal};
 use crate::cli::session;
 use crate::diagnostic::{Diagnostic, Severity};
@@ -31,8 +32,10 @@ pub struct Job<'a> {
     console: &'a Console,
     sources: &'a Sources,
     config: &'a Config,
-    /// INI files that the command line was read from.
-    ini_files: &'a ReadFiles,
+    /// Files that are read once for all pictures: the scene, and INI files that the command line was read from.
+    common_files: ReadFiles,
+    /// Host of the current picture, with its value of `now`.
+    host: Arc<MeteredHost>,
     parsed: ParsedFiles,
     file: FileId,
     /// Results of all scenes of the command.
@@ -42,8 +45,6 @@ pub struct Job<'a> {
     start: Instant,
     /// Warnings of earlier frames, which are not repeated.
     reported: Vec<Diagnostic>,
-    /// Identity of the running program, for the resume journal.
-    program: String,
 }
 
 /// A picture that was written to its file.
@@ -65,19 +66,21 @@ impl<'a> Job<'a> {
     ) -> Result<Self> {
         let start = Instant::now();
         let file = session::open_or_report(console, sources, &config.input)?;
-        let (parsed, program) = (ParsedFiles::default(), identity::program());
-        let (written, reported) = (vec![], vec![]);
-        Ok(Self { console, sources, config, ini_files, parsed, file, done, written, start, reported, program })
+        identity::open_program();
+        let mut common_files = ini_files.clone();
+        common_files.extend(sources.read_files());
+        let (parsed, host, written, reported) = Default::default();
+        Ok(Self { console, sources, config, common_files, host, parsed, file, done, written, start, reported })
     }
 
     /// Renders all pictures of the scene.
     pub fn run(&mut self) -> Result {
         let config = self.config;
         match &config.pictures {
-            Pictures::One(timing) => self.render(&config.target, *timing),
+            Pictures::One(timing) => self.render(&config.target, *timing, None),
             Pictures::Animation(animation) => {
                 let picture = config.target.file().filter(|_| config.dump.is_none());
-                let finished = picture.map(|path| FinishedFrames::new(path, config.resume));
+                let finished = picture.map(|path| FinishedFrames::new(path, config.resume)).transpose()?;
                 for frame in animation.frames() {
                     let target = config.target.numbered(frame, animation.digits);
                     self.render_frame(finished.as_ref(), &target, animation.timing(frame))?;
@@ -98,9 +101,13 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Text → Scene → World. Warnings that an earlier frame has reported are removed.
-    fn build(&mut self, timing: Timing, cancel: &CancelToken) -> Built {
-        let options = interpreter::Options { cancel: cancel.clone(), ..self.config.reading(timing) };
+    /// Text → Scene → World, with this value of `now`, or the present. Warnings that an earlier frame has reported are
+    /// removed.
+    fn build(&mut self, timing: Timing, cancel: &CancelToken, now: Option<Duration>) -> Built {
+        self.sources.begin_run();
+        self.host = Arc::new(MeteredHost::new(now));
+        let (cancel, host) = (cancel.clone(), self.host.clone());
+        let options = interpreter::Options { cancel, host, ..self.config.reading(timing) };
         let keep = if self.config.dump == Some(Dump::Scene) { Keep::Both } else { Keep::World };
         let mut built = session::build(self.console, &self.parsed, self.sources, self.file, &options, keep);
         built.diagnostics.retain(|d| d.severity == Severity::Error || !self.reported.contains(d));
@@ -120,26 +127,46 @@ impl<'a> Job<'a> {
         self.reported.extend(advice);
     }
 
-    /// The journal of a picture; none unless the picture goes to a regular file.
-    fn journal(&self, target: &Target, timing: Timing) -> Option<Journal> {
-        let picture = target.file().filter(|path| path.is_file() || !path.exists())?;
-        let (work, config) = (self.work(timing), self.config);
-        Some(journal::open(self.console, picture, &work, config.resume, config.keep_after))
+    /// Text → Scene → World. A scene that continues the work of a journal gets the value of `now` with which the work
+    /// began.
+    fn build_as_begun(&mut self, timing: Timing, cancel: &CancelToken, journal: Option<&Journal>) -> Built {
+        let begun = journal.filter(|_| self.config.resume).and_then(Journal::begun);
+        let options = self.options(timing);
+        let now = begun.as_ref().filter(|begun| begun.is_current(&options, &self.common_files));
+        let now = now.and_then(|begun| begun.work.now);
+        let built = self.build(timing, cancel, now);
+        let is_other = begun.is_some_and(|begun| self.work(timing).differs(&begun.work).is_some());
+        // A picture that is rendered anew belongs to the present.
+        if now.is_some() && is_other { self.build(timing, cancel, None) } else { built }
     }
 
-    /// Identity of the work for a picture, as far as its files have been read.
+    /// Locks the journal of a picture; none unless the picture goes to a regular file.
+    fn lock(&self, target: &Target) -> Result<Option<Arc<Journal>>> {
+        let file = target.file().filter(|_| self.config.dump.is_none());
+        let picture = file.filter(|path| path.is_file() || !path.exists());
+        Ok(picture.map(journal::lock).transpose()?.map(Arc::new))
+    }
+
+    /// Options that affect the picture at a moment, before its encoding.
+    fn options(&self, timing: Timing) -> String {
+        identity::options(&self.config.reading(timing), &self.config.drawing(timing))
+    }
+
+    /// Identity of the work for a picture, after its scene has been built.
     fn work(&self, timing: Timing) -> Work {
-        let mut files = self.ini_files.clone();
+        let mut files = self.common_files.clone();
         files.extend(self.sources.read_files());
-        let options = identity::options(&self.config.reading(timing), &self.config.drawing(timing));
-        Work { program: self.program.clone(), options, files }
+        Work { options: self.options(timing), files, lookups: self.sources.lookups(), now: self.host.used_now() }
     }
 
     /// Renders a frame of an animation, unless it is finished.
     fn render_frame(&mut self, finished: Option<&FinishedFrames>, target: &Target, timing: Timing) -> Result {
-        let (Some(finished), Some(picture)) = (finished, target.file()) else { return self.render(target, timing) };
-        let Work { program, options, .. } = self.work(timing);
-        if finished.is_current(timing.frame, picture, &program, &options) {
+        let (Some(finished), Some(picture)) = (finished, target.file()) else {
+            return self.render(target, timing, None);
+        };
+        let options = self.options(timing) + &target.encoding_options();
+        if finished.is_current(timing.frame, picture, &options, &self.common_files) {
+            journal::remove_of_finished(picture);
             self.done.pictures.push(picture.to_path_buf());
             self.written.push(picture.to_path_buf());
             return Ok(Exit::Fine);
@@ -151,9 +178,7 @@ impl<'a> Job<'a> {
             );
             self.console.info(&text);
         }
-        let exit = self.render(target, timing)?;
-        finished.add(timing.frame, picture, self.work(timing));
-        Ok(exit)
+        self.render(target, timing, Some(finished))
     }
 
     /// Renders a world and writes the picture to its file.
@@ -164,18 +189,68 @@ impl<'a> Job<'a> {
         let rays = monitor.render_rows(world, &self.config.drawing(timing), &mut writer)?;
         let (time, encode) = (start.elapsed(), Instant::now());
         let Written { is_black, time: rows_time } = writer.finish()?;
+        // The journal is deleted afterwards.
+        if let (Some(draft), true) = (&mut draft, monitor.journal.as_ref().is_some_and(|journal| journal.is_written()))
+        {
+            draft.make_durable();
+        }
         target.commit(self.console, draft)?;
         let (trace_time, encode_time) = (time.saturating_sub(rows_time), rows_time + encode.elapsed());
         Ok(Rendered { rays, is_black, trace_time, encode_time })
     }
 
+    /// Renders a world into the picture's file, and reports an unfinished picture.
+    fn trace(
+        &self,
+        target: &Target,
+        world: &World,
+        timing: Timing,
+        journal: Option<&Arc<Journal>>,
+        token: &CancelToken,
+    ) -> Result<Rendered> {
+        let (console, config) = (self.console, self.config);
+        let progress = Progress::new(config.progress, console, self.sources.name(self.file));
+        let mut monitor = Monitor::new(progress, token.clone());
+        monitor.is_silent = config.cancel.is_some();
+        monitor.journal = journal.cloned();
+        if let Some(journal) = journal {
+            journal::begin(console, journal, self.work(timing), config.resume, config.keep_after);
+        }
+        self.write(target, world, timing, &monitor).map_err(|failure| {
+            journal.and_then(|journal| journal::unfinished_note(journal)).iter().for_each(|note| console.info(note));
+            match (interrupt::requested(), failure) {
+                // The signal that a file has reached its size limit is also an error of writing.
+                (Some(signal), fault @ Failure::Fault(_)) => {
+                    console.print_failure(fault);
+                    Failure::Reported(signal.exit)
+                }
+                (_, failure) => failure,
+            }
+        })
+    }
+
+    /// Removes the journal of a picture that was written, and lists the picture among the finished frames.
+    fn finish(&self, target: &Target, timing: Timing, journal: Option<&Journal>, finished: Option<&FinishedFrames>) {
+        if let (Some(finished), Some(picture)) = (finished, target.file()) {
+            let mut work = self.work(timing);
+            work.options += &target.encoding_options();
+            finished.add(timing.frame, picture, Begun::new(work), journal.is_some_and(Journal::is_written));
+        }
+        if let Some(journal) = journal {
+            journal::failure_note(journal).iter().for_each(|note| self.console.info(note));
+            journal.remove();
+        }
+    }
+
     /// Renders one picture, from text to file.
-    fn render(&mut self, target: &Target, timing: Timing) -> Result {
+    fn render(&mut self, target: &Target, timing: Timing, finished: Option<&FinishedFrames>) -> Result {
         let (console, config, start) = (self.console, self.config, Instant::now());
         if config.dump.is_none() {
             target.check()?;
             self.done.pictures.extend(target.file().map(Path::to_path_buf));
         }
+        let journal = self.lock(target)?;
+        let _cleanup = journal.clone().map(|journal| Cleanup::begin(end_journal(journal, console.quiet)));
         let (token, overrun) = match &config.cancel {
             Some(token) => (token.clone(), Overrun::Continues),
             None => {
@@ -185,7 +260,7 @@ impl<'a> Job<'a> {
         };
         let deadline = Deadline::start(config.max_time, token, overrun);
         let token = deadline.token();
-        let mut built = self.build(timing, token);
+        let mut built = self.build_as_begun(timing, token, journal.as_deref());
         if config.cancel.is_some() && token.reason() == Some(CancelReason::Request) {
             // The caller has no use for the messages of a run that it stopped.
             return Ok(Exit::Fine);
@@ -197,27 +272,10 @@ impl<'a> Job<'a> {
             Some(Dump::World) => return self.dump(&world),
             None => {}
         }
-
         let deferred = Deferred::begin();
-        let progress = Progress::new(config.progress, console, self.sources.name(self.file));
-        let mut monitor = Monitor::new(progress, token.clone());
-        monitor.is_silent = config.cancel.is_some();
-        monitor.journal = self.journal(target, timing).map(Arc::new);
-        if let Some(journal) = monitor.journal.clone() {
-            interrupt::set_cleanup(Some(Box::new(move || _ = journal.close())));
-        }
-        let rendered = self.write(target, &world, timing, &monitor);
-        interrupt::set_cleanup(None);
-        match (monitor.journal, &rendered) {
-            (Some(journal), Ok(_)) => {
-                journal::report_failure(console, &journal);
-                journal.remove();
-            }
-            (Some(journal), Err(_)) => journal::report_unfinished(console, &journal),
-            (None, _) => {}
-        }
-        let Rendered { rays, is_black, trace_time, encode_time } = rendered?;
-        let written = target.file();
+        let Rendered { rays, is_black, trace_time, encode_time } =
+            self.trace(target, &world, timing, journal.as_ref(), token)?;
+        self.finish(target, timing, journal.as_deref(), finished);
         drop(deferred);
 
         self.advise(&world, timing, config.circumstances(is_incomplete, is_black));
@@ -226,14 +284,25 @@ impl<'a> Job<'a> {
             self.done.reports.push(Report::new(times, rays, &config.drawing(timing)));
             stats::write(&self.done.reports, console, stats)?;
         }
+        let written = target.file();
         if let (Some(path), true) = (written, console.terminal && !console.is_among_several()) {
             console.info(&format!("{} ({:.1} s)\n", path.display(), start.elapsed().as_secs_f64()));
         }
         self.written.extend(written.map(Path::to_path_buf));
-        if interrupt::is_requested() { Err(Failure::Reported(Exit::Interrupted)) } else { Ok(Exit::Fine) }
+        interrupt::requested().map_or(Ok(Exit::Fine), |signal| Err(Failure::Reported(signal.exit)))
     }
 
     fn dump(&self, stage: &impl serde::Serialize) -> Result {
         self.console.data(super::dump::text(self.sources, stage)).map(|()| Exit::Fine)
+    }
+}
+
+/// Returns what happens to a journal when the process ends in the middle of work.
+fn end_journal(journal: Arc<Journal>, quiet: bool) -> impl Fn() + Send {
+    move || {
+        if let Some(note) = journal::unfinished_note(&journal).filter(|_| !quiet) {
+            print_message(&note);
+        }
+        journal.remove_empty();
     }
 }

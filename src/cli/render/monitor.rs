@@ -78,9 +78,9 @@ impl Monitor {
     /// Returns the reason why the picture was not finished.
     fn reason(&self) -> Failure {
         interrupt::await_cancelled_work();
-        if interrupt::is_requested() {
-            print_message("interrupted; no picture was written\n");
-            return Failure::Reported(Exit::Interrupted);
+        if let Some(signal) = interrupt::requested() {
+            print_message(&format!("{}; no picture was written\n", signal.reason));
+            return Failure::Reported(signal.exit);
         }
         if self.is_silent && self.cancel.reason() == Some(CancelReason::Request) {
             return Failure::Reported(Exit::Fine);

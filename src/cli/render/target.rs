@@ -165,6 +165,11 @@ impl Target {
         }
     }
 
+    /// Text that names all options of the encoding, which change the file but not the pixels.
+    pub fn encoding_options(&self) -> String {
+        format!(" {:?}", self.encoding)
+    }
+
     /// Bytes of memory that each pixel occupies until the file is finished.
     pub fn kept_bytes(&self) -> usize {
         if self.location == Location::Nowhere { 0 } else { self.encoding.buffered_bytes_per_pixel() }

@@ -57,7 +57,7 @@ fn redraw(console: &Console, args: &WatchArgs) -> Result {
         let context = render::Context { cancel: Some(cancel.clone()), ..render::Context::default() };
         let (rendered, read) = render::run(console, &render_args(args), context);
         let failed = match rendered {
-            Err(Failure::Reported(Exit::Interrupted)) => return Ok(Exit::Interrupted),
+            Err(Failure::Reported(exit)) if exit.is_signal() => return Ok(exit),
             Ok(exit) => exit != Exit::Fine,
             Err(failure) => console.print_failure(failure) != Exit::Fine,
         };

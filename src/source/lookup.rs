@@ -1,0 +1,69 @@
+//! Look-ups of files: questions about a path other than the contents of its file, with their answers.
+
+use super::{ContentHash, Entry, FileKind, Files};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::time::UNIX_EPOCH;
+
+/// Look-ups by path, each in the order of its first occurrence. A path with different answers changed during the run.
+pub type Lookups = BTreeMap<PathBuf, Vec<Lookup>>;
+
+/// Answer of the storage to a question about a path.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Lookup {
+    /// Kind of the entry at the path; `None` for a missing entry.
+    Kind(Option<FileKind>),
+    /// Hash of the names in the folder.
+    Names(ContentHash),
+    /// Spelling in the folder of a name in any letter case.
+    Spelling {
+        /// Name that was searched for.
+        name: String,
+        /// Name in the folder; `None` for a missing entry.
+        found: Option<String>,
+    },
+    /// Path without links, relative if it is below the current folder; `None` for a missing entry.
+    Target(Option<PathBuf>),
+    /// Length and time of modification, in nanoseconds since 1970, of a file that is one of several candidates.
+    Version(Option<(u64, u128)>),
+}
+
+impl Lookup {
+    /// Returns the answer about the names in a folder.
+    pub fn names(entries: &[Entry]) -> Self {
+        let mut names: Vec<_> = entries.iter().map(|entry| entry.name.as_encoded_bytes()).collect();
+        names.sort_unstable();
+        Self::Names(ContentHash::of(&names.join(&0)))
+    }
+
+    /// Asks for the path without links.
+    pub fn target(files: &dyn Files, path: &Path) -> Self {
+        let current = files.canonicalize(Path::new(".")).unwrap_or_default();
+        let target = files.canonicalize(path).ok();
+        Self::Target(target.map(|target| target.strip_prefix(current).map(Path::to_path_buf).unwrap_or(target)))
+    }
+
+    /// Asks for length and time of modification.
+    pub fn version(files: &dyn Files, path: &Path) -> Self {
+        let metadata = files.metadata(path).ok();
+        Self::Version(metadata.map(|metadata| {
+            let modified = metadata.modified.and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+            (metadata.length, modified.unwrap_or_default().as_nanos())
+        }))
+    }
+
+    /// True if the same question has the same answer now.
+    pub fn is_current(&self, files: &dyn Files, path: &Path) -> bool {
+        let now = match self {
+            Self::Kind(_) => Self::Kind(files.metadata(path).ok().map(|metadata| metadata.kind)),
+            Self::Names(_) => Self::names(files.list(path).as_deref().unwrap_or_default()),
+            Self::Spelling { name, .. } => {
+                Self::Spelling { name: name.clone(), found: files.entry_in_any_case(path, name) }
+            }
+            Self::Target(_) => Self::target(files, path),
+            Self::Version(_) => Self::version(files, path),
+        };
+        now == *self
+    }
+}
