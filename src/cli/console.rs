@@ -2,6 +2,7 @@
 
 use super::args::{Common, When};
 use super::exit::{Exit, Failure, Result};
+use super::povray::client_lines;
 use super::summary::Count;
 use crate::diagnostic::{Diagnostic, Severity, draw, file};
 use crate::source::{Disk, Sources};
@@ -14,6 +15,16 @@ use std::rc::Rc;
 /// Width of messages without a terminal, in columns.
 const WIDTH: usize = 100;
 
+/// Program whose conventions the output follows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Dialect {
+    /// Output of durer's own commands.
+    #[default]
+    Durer,
+    /// Output of POV-Ray's command line, with the lines that programs expect from POV-Ray.
+    Povray,
+}
+
 /// Output of a command to stdout and stderr.
 #[derive(Clone, Debug)]
 pub struct Console {
@@ -22,6 +33,8 @@ pub struct Console {
     printed: Rc<Cell<Count>>,
     /// True while one of several scenes is processed, whose line gives the number of messages.
     among_several: bool,
+    /// Program whose conventions the output follows.
+    dialect: Dialect,
     /// True if the command prints errors only.
     pub quiet: bool,
     /// True if the command's stderr is a terminal.
@@ -41,12 +54,18 @@ impl Console {
         };
         let columns = terminal_size::terminal_size_of(io::stderr()).map(|(width, _)| usize::from(width.0));
         let style = draw::Style { fancy, width: columns.unwrap_or(WIDTH).max(40) };
-        Self { style, printed: Rc::default(), among_several: false, quiet: common.quiet, terminal }
+        let dialect = Dialect::default();
+        Self { style, printed: Rc::default(), among_several: false, dialect, quiet: common.quiet, terminal }
     }
 
     /// Creates the output that is used before the command line is parsed.
     pub fn plain() -> Self {
         Self::new(&Common { quiet: false, color: When::Auto })
+    }
+
+    /// The same output in the conventions of another program.
+    pub fn with_dialect(self, dialect: Dialect) -> Self {
+        Self { dialect, ..self }
     }
 
     /// The output for one of several scenes, each of which has its own line with the number of messages.
@@ -84,13 +103,27 @@ impl Console {
         }
     }
 
+    /// True if the output has the lines that programs expect from POV-Ray.
+    pub fn has_povray_lines(&self) -> bool {
+        self.dialect == Dialect::Povray && !self.terminal && !self.quiet
+    }
+
+    /// Writes a line that programs expect from POV-Ray to stderr, on POV-Ray's command line.
+    pub fn povray_line(&self, line: &str) {
+        if self.has_povray_lines() {
+            print_message(line);
+        }
+    }
+
     /// Formats diagnostics for a person, errors first, and their number.
     pub fn text(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> String {
         let of = |severity| move |d: &&Diagnostic| d.severity == severity;
         let errors = diagnostics.iter().filter(of(Severity::Error));
         let warnings = diagnostics.iter().filter(of(Severity::Warning)).filter(|_| !self.quiet);
         let wanted: Vec<_> = errors.chain(warnings).collect();
-        let mut text: String = wanted.iter().map(|d| draw::render(d, sources, self.style) + "\n").collect();
+        let povray_line = |d| if self.has_povray_lines() { client_lines::fault(sources, d) } else { String::new() };
+        let mut text: String =
+            wanted.iter().map(|d| povray_line(d) + &draw::render(d, sources, self.style) + "\n").collect();
         let count = Count::of(wanted.iter().copied());
         self.printed.set(self.printed.get() + count);
         if wanted.len() > 1 && !self.among_several {

@@ -1,6 +1,7 @@
 //! Exit codes, and the reasons for which a command ends early.
 
 use crate::diagnostic::{Code, Fault, codes};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Exit codes of the program (`durer help` lists them).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -56,7 +57,25 @@ pub const SIGNALS: &[Signal] = &[
 /// Number of the signal XFSZ.
 pub const FILE_SIZE_LIMIT: i32 = 25;
 
+/// True if the process ends with POV-Ray's exit codes.
+static ENDS_LIKE_POVRAY: AtomicBool = AtomicBool::new(false);
+
+/// Lets the process end with POV-Ray's exit codes, for programs that drive POV-Ray.
+pub fn use_povray_codes() {
+    ENDS_LIKE_POVRAY.store(true, Relaxed);
+}
+
 impl Exit {
+    /// Returns the number with which the process ends. POV-Ray has 0 for success, 1 for errors, and 2 for an interruption.
+    pub fn number(self) -> u8 {
+        match self {
+            _ if !ENDS_LIKE_POVRAY.load(Relaxed) => self as u8,
+            Self::Fine => 0,
+            _ if self.is_signal() => 2,
+            _ => 1,
+        }
+    }
+
     /// True for the exit code of a command that a signal has ended.
     pub fn is_signal(self) -> bool {
         SIGNALS.iter().any(|signal| signal.exit == self)

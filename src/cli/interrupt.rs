@@ -86,7 +86,7 @@ fn receive(number: i32, first: &mut Option<Instant>) {
     let Some(signal) = SIGNALS.iter().find(|signal| signal.number == number) else { return };
     if let Some(first) = first {
         if signal.exit == Exit::Interrupted && first.elapsed() > REPEAT {
-            std::process::exit(Exit::Interrupted as i32);
+            std::process::exit(Exit::Interrupted.number().into());
         }
         return;
     }
@@ -152,7 +152,7 @@ pub fn end_process(exit: Exit, message: &str) -> ! {
     if std::thread::Builder::new().name("end".into()).spawn(work).is_ok() {
         let _ = end.recv_timeout(CLEANUP_TIME);
     }
-    std::process::exit(exit as i32);
+    std::process::exit(exit.number().into());
 }
 
 fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {

@@ -37,8 +37,9 @@ pub use allocator::Metered;
 use args::Command;
 pub use args::{Cli, Common};
 use clap::{CommandFactory, Parser};
-use console::Console;
+use console::{Console, Dialect, print_message};
 pub use exit::{Exit, Failure, Result};
+use povray::client_lines;
 pub use povray::ini_names;
 use render::Context;
 use std::ffi::OsString;
@@ -55,26 +56,38 @@ fn commands() -> &'static clap::Command {
 pub fn main(words: Vec<OsString>) -> ExitCode {
     interrupt::listen();
     let exit = crate::on_big_stack(|| {
-        let (console, command, context) = match parse(words) {
-            Ok(parsed) => parsed,
-            Err(failure) => return Console::plain().print_failure(failure),
+        let mut console = Console::plain();
+        let exit = match parse(words, &mut console) {
+            Ok((command, context)) => dispatch(&console, &command, context),
+            Err(failure) => Err(failure),
         };
-        dispatch(&console, &command, context).unwrap_or_else(|failure| console.print_failure(failure))
+        let exit = exit.unwrap_or_else(|failure| console.print_failure(failure));
+        console.povray_line(client_lines::ending(exit));
+        exit
     });
-    ExitCode::from(exit as u8)
+    ExitCode::from(exit.number())
 }
 
-/// Parses the command line, after a translation of POV-Ray's options into durer's own. The context holds what durer's
-/// options cannot express.
-fn parse(words: Vec<OsString>) -> Result<(Console, Command, Context)> {
+/// Parses the command line, after a translation of POV-Ray's options into durer's own, and sets up the console. The
+/// context holds what durer's options cannot express.
+fn parse(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Context)> {
     unknown::check(&words)?;
+    if povray::asks_version(&words) {
+        print_message(client_lines::BANNER);
+    }
     let sources = Sources::default();
-    let povray::Translated { words, animation, mut diagnostics, idle } = povray::translate(&sources, words);
+    let povray::Translated { words, animation, mut diagnostics, idle, is_povray_line } =
+        povray::translate(&sources, words);
+    if is_povray_line {
+        exit::use_povray_codes();
+        *console = Console::plain().with_dialect(Dialect::Povray);
+    }
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
-        return Err(overlay::report(&Console::plain(), &sources, &diagnostics));
+        return Err(overlay::report(console, &sources, &diagnostics));
     }
     let Cli { common, command } = Cli::try_parse_from(words).map_err(|e| Failure::Usage(Box::new(e)))?;
-    let console = Console::new(&common);
+    *console = Console::new(&common).with_dialect(if is_povray_line { Dialect::Povray } else { Dialect::Durer });
+    console.povray_line(client_lines::BANNER);
     let warns_of_idle = match &command {
         Command::Render(args) => !args.warn.is_empty(),
         Command::Check(args) => args.warn.contains(&args::Warn::Options),
@@ -84,7 +97,7 @@ fn parse(words: Vec<OsString>) -> Result<(Console, Command, Context)> {
         diagnostics.extend(idle);
     }
     console.report(&sources, &diagnostics);
-    Ok((console, command, Context { animation, ini_files: sources.read_files(), cancel: None }))
+    Ok((command, Context { animation, ini_files: sources.read_files(), cancel: None }))
 }
 
 fn dispatch(console: &Console, command: &Command, context: Context) -> Result {

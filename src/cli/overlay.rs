@@ -47,7 +47,7 @@ pub fn read_ini(
     if !povray::is_ini(&input.to_string_lossy()) {
         return Ok(None);
     }
-    let povray::Translated { words, animation, mut diagnostics, idle } =
+    let povray::Translated { words, animation, mut diagnostics, idle, .. } =
         povray::translate_ini(sources, input, scene.is_untrusted());
     diagnostics.extend(idle.into_iter().filter(|_| all));
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {

@@ -131,6 +131,7 @@ static EXECUTABLE: LazyLock<Option<File>> = LazyLock::new(|| {
 /// Lists all options that change a pixel, and the moment of the animation.
 pub fn options(reading: &interpreter::Options, drawing: &render::Options) -> String {
     let drawing = render::Options { threads: 0, ..drawing.clone() };
-    let interpreter::Options { timing, declares, version, search, input_name, sandbox, .. } = reading;
-    format!("{drawing:?} {timing:?} {declares:?} {version:?} {search:?} {input_name:?} {:?}", sandbox.read)
+    let interpreter::Options { timing, header, declares, version, search, input_name, sandbox, .. } = reading;
+    let read = &sandbox.read;
+    format!("{drawing:?} {timing:?} {header:?} {declares:?} {version:?} {search:?} {input_name:?} {read:?}")
 }

@@ -135,6 +135,7 @@ impl Translation<'_> {
             .flat_map(|own| own.words);
         let named = self.settings.input.take().map(OsString::from);
         let words = words[..=at].iter().cloned().chain(options).chain(named).chain(own.iter().cloned()).collect();
-        Translated { words, animation: self.settings.animation(), diagnostics: self.faults, idle: self.idle }
+        let animation = self.settings.animation();
+        Translated { words, animation, diagnostics: self.faults, idle: self.idle, is_povray_line: false }
     }
 }

@@ -2,6 +2,7 @@
 //! --aa=0.3 --size=640x480 -- scene.pov`. As in POV-Ray, anti-aliasing is off without `+A`, INI files may appear
 //! between other words, and the later of two contradicting words is valid.
 
+pub mod client_lines;
 mod files;
 mod ini;
 mod ini_trust;
@@ -38,14 +39,19 @@ pub struct Translated {
     pub diagnostics: Vec<Diagnostic>,
     /// Warnings about options without effect in durer, for `--warn options`.
     pub idle: Vec<Diagnostic>,
+    /// True for a command line of POV-Ray, without a command of durer.
+    pub is_povray_line: bool,
 }
 
 /// Translates a command line. A command line of durer's own is returned unchanged.
 pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     if let [program, word] = &words[..]
-        && ["-?", "+?", "-H", "+H"].iter().any(|help| word.eq_ignore_ascii_case(help))
+        && ["-?", "+?", "-H", "+H", "-HELP"].iter().any(|help| word.eq_ignore_ascii_case(help))
     {
         return Translated { words: vec![program.clone(), "--help".into()], ..Translated::default() };
+    }
+    if asks_version(&words) {
+        return Translated { words: vec!["durer".into(), "--version".into()], ..Translated::default() };
     }
     let untrusted = environment_is_untrusted() || words.iter().any(|word| word == "--untrusted");
     match mixed::form(&words) {
@@ -58,10 +64,18 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
             if translation.any_switch && user_ini.is_some() {
                 translation = Translation::of_line(sources, &words, untrusted, user_ini.as_deref());
             }
-            translation.settings.is_povray_line = translation.any_switch;
+            translation.settings.is_povray_line = translation.any_switch && translation.command.is_none();
             translation.finish(words.first().cloned().unwrap_or_default())
         }
     }
+}
+
+/// True for a command line that asks for the version as one asks POV-Ray. Programs that call durer by the name `povray`
+/// ask by `--version`, too.
+pub fn asks_version(words: &[OsString]) -> bool {
+    let [program, word] = words else { return false };
+    let is_named_povray = || Path::new(program).file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case("povray"));
+    ["-version", "--V"].iter().any(|version| word == version) || word == "--version" && is_named_povray()
 }
 
 /// Option of POV-Ray's command line that keeps durer from reading the user's INI file.
@@ -296,7 +310,8 @@ impl<'s> Translation<'s> {
             words.push("--".into());
             words.extend(scenes);
         }
-        Translated { words, animation, diagnostics: self.faults, idle: self.idle }
+        let is_povray_line = self.settings.is_povray_line;
+        Translated { words, animation, diagnostics: self.faults, idle: self.idle, is_povray_line }
     }
 
     /// All options in durer's form; with `plain`, anti-aliasing is off unless `+A` turns it on.

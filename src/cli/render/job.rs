@@ -15,6 +15,7 @@ use crate::cli::interrupt::{self, Cleanup, Deadline, Deferred, Overrun};
 use crate::cli::journal::finished_frames::FinishedFrames;
 use crate::cli::journal::identity::{self, Begun, Work};
 use crate::cli::journal::{self, Journal};
+use crate::cli::povray::client_lines;
 use crate::cli::session;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
@@ -104,6 +105,7 @@ impl<'a> Job<'a> {
     /// Text → Scene → World, with this value of `now`, or the present. Warnings that an earlier frame has reported are
     /// removed.
     fn build(&mut self, timing: Timing, cancel: &CancelToken, now: Option<Duration>) -> Built {
+        self.console.povray_line(client_lines::PARSING);
         self.sources.begin_run();
         self.host = Arc::new(MeteredHost::new(now));
         let (cancel, host) = (cancel.clone(), self.host.clone());
@@ -209,6 +211,7 @@ impl<'a> Job<'a> {
         token: &CancelToken,
     ) -> Result<Rendered> {
         let (console, config) = (self.console, self.config);
+        console.povray_line(client_lines::RENDERING);
         let progress = Progress::new(config.progress, console, self.sources.name(self.file));
         let mut monitor = Monitor::new(progress, token.clone());
         monitor.is_silent = config.cancel.is_some();

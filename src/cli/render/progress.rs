@@ -2,6 +2,7 @@
 
 use crate::cli::args::When;
 use crate::cli::console::{Console, print_message};
+use crate::cli::povray::client_lines;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::time::Instant;
@@ -19,12 +20,15 @@ pub enum Progress {
         /// Tenths of the progress that are printed so far.
         printed: AtomicUsize,
     },
+    /// Progress display for programs that drive POV-Ray: a line at each percent, with the percents printed so far.
+    PovrayLines(AtomicUsize),
 }
 
 impl Progress {
     /// The display that `--progress` asks for; the bar is labelled with the scene's `name`.
     pub fn new(when: When, console: &Console, name: &str) -> Self {
         match when {
+            When::Always if console.has_povray_lines() => Self::PovrayLines(AtomicUsize::new(0)),
             When::Always if !console.terminal => Self::Lines { start: Instant::now(), printed: AtomicUsize::new(0) },
             When::Always => Self::bar(name),
             When::Auto if console.terminal && !console.quiet => Self::bar(name),
@@ -49,6 +53,12 @@ impl Progress {
                 bar.set_length(total as u64);
                 bar.set_position(done as u64);
             }
+            Self::PovrayLines(printed) => {
+                let percent = done * 100 / total.max(1);
+                if percent > printed.fetch_max(percent, Relaxed) {
+                    print_message(&client_lines::progress(done, total));
+                }
+            }
             Self::Lines { start, printed } => {
                 let tenth = done * 10 / total.max(1);
                 if tenth > printed.fetch_max(tenth, Relaxed) {
@@ -61,8 +71,10 @@ impl Progress {
 
     /// Removes the progress bar from the terminal.
     pub fn finish(&self) {
-        if let Self::Bar(bar) = self {
-            bar.finish_and_clear();
+        match self {
+            Self::Bar(bar) => bar.finish_and_clear(),
+            Self::PovrayLines(_) => print_message("\n"),
+            _ => {}
         }
     }
 }

@@ -1,0 +1,49 @@
+//! Lines that programs look for in the standard error of POV-Ray: on POV-Ray's command line, durer prints them between
+//! its own messages. They are printed only if standard error is not a terminal, since people do not need them.
+
+use crate::cli::exit::Exit;
+use crate::diagnostic::{Diagnostic, Severity, codes};
+use crate::source::Sources;
+
+/// First line of the output. Programs read the version from the digits after `POV-Ray `.
+pub const BANNER: &str = concat!("POV-Ray 3.7 compatible (durer ", env!("CARGO_PKG_VERSION"), ")\n");
+
+/// Line before a scene is read.
+pub const PARSING: &str = "==== [Parsing...] ==========================================================\n";
+
+/// Line before a picture is rendered.
+pub const RENDERING: &str = "==== [Rendering...] ========================================================\n";
+
+/// Returns the progress of a rendering. As in POV-Ray, the next progress overwrites the line.
+pub fn progress(done: usize, total: usize) -> String {
+    format!("Rendered {done} of {total} pixels ({}%)\r", done * 100 / total.max(1))
+}
+
+/// Returns the line that POV-Ray prints for a diagnostic, with its file and line number; nothing for advice about a
+/// picture, which POV-Ray does not give.
+pub fn fault(sources: &Sources, diagnostic: &Diagnostic) -> String {
+    if diagnostic.code == codes::UNKNOWN_OPTION {
+        return "Problem with option setting\nFailed to parse command-line option\n".into();
+    }
+    if diagnostic.code.0.starts_with("W04") {
+        return String::new();
+    }
+    let kind = match diagnostic.severity {
+        Severity::Error => "Error",
+        Severity::Warning => "Warning",
+    };
+    let message = diagnostic.message.lines().next().unwrap_or_default();
+    match sources.place(diagnostic.span()) {
+        Some(place) => format!("File '{}' line {}: Parse {kind}: {message}\n", place.file, place.line),
+        None => format!("Parse {kind}: {message}\n"),
+    }
+}
+
+/// Last line of the output.
+pub fn ending(exit: Exit) -> &'static str {
+    match exit {
+        Exit::Fine => "POV-Ray finished\n",
+        exit if exit.is_signal() => "Render cancelled by user\n",
+        _ => "Render failed\n",
+    }
+}
