@@ -63,7 +63,7 @@ impl Console {
         Self::new(&Common { quiet: false, color: When::Auto })
     }
 
-    /// The same output in the conventions of another program.
+    /// Returns this output in the conventions of a program.
     pub fn with_dialect(self, dialect: Dialect) -> Self {
         Self { dialect, ..self }
     }

@@ -8,7 +8,7 @@ use super::stream::{BlockName, Token};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::diagnostic::Result;
 use crate::medium::Interior;
-use crate::scene::{Object, is_object, read_camera, read_layers, read_material};
+use crate::scene::{Object, ObjectRadiosity, is_object, read_camera, read_layers, read_material};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Sign};
 use crate::texture::{ColorMap, Finish, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap};
@@ -146,11 +146,15 @@ impl<'a> Interpreter<'a> {
                     self.builder.set_default_camera(camera);
                     self.leave_block()?;
                 }
+                Next::Block("radiosity") => {
+                    let radiosity = ObjectRadiosity::read(self)?;
+                    self.builder.set_default_radiosity(radiosity);
+                }
                 _ => {
                     let base = self.builder.defaults().texture.clone();
                     let mut texture = (*base).clone();
                     if !texture.read_part(self, next, &base)? {
-                        let words = ["texture", "pigment", "normal", "finish", "camera"];
+                        let words = ["texture", "pigment", "normal", "finish", "camera", "radiosity"];
                         return Err(self.unknown_word("default", &words).into());
                     }
                     self.builder.set_default_texture(Arc::new(texture));

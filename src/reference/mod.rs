@@ -47,6 +47,7 @@ impl Entry {
 pub const BLOCKS: &[Entry] = &[
     Entry::block(&interpreter::STATEMENTS, "the scene", "scene.md"),
     Entry::block(&scene::words::MODIFIERS, "objects", "objects.md"),
+    Entry::block(&scene::OBJECT_RADIOSITY, "`radiosity` of objects", "objects.md#radiosity"),
     Entry::block(&scene::PHOTONS, "`photons` of objects", "objects.md#photons"),
     Entry::block(&camera::words::POVRAY, "`camera`", "cameras.md"),
     Entry::block(&camera::words::LECTURE, "durer's own `camera`", "cameras.md"),

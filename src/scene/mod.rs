@@ -9,8 +9,8 @@ mod weight;
 pub mod words;
 
 pub use object::{
-    Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, Object, ObjectBody, ObjectKind, PHOTONS, PhotonSettings, Uncommon,
-    is_object, read_camera,
+    Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, OBJECT_RADIOSITY, Object, ObjectBody, ObjectKind, ObjectRadiosity,
+    PHOTONS, PhotonSettings, Uncommon, is_object, read_camera,
 };
 pub use recent_parts::RecentParts;
 pub use settings::Settings;
@@ -61,6 +61,8 @@ pub struct Scene {
 pub struct Defaults {
     /// Texture of objects without their own.
     pub texture: Arc<Texture>,
+    /// `radiosity` of objects without their own; `None` without the block.
+    pub radiosity: Option<ObjectRadiosity>,
     /// Recently read parts, for deduplication.
     pub recent: Rc<RecentParts>,
 }

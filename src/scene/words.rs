@@ -17,6 +17,7 @@ const PARTS: &[WordSpec] = &[
     word("material", Block, "", "texture, interior texture and interior in one"),
     word("interior_texture", Block, "", "what it looks like from inside"),
     word("photons", Block, "", "which photons the object receives; photons are not drawn yet"),
+    word("radiosity", Block, "", "how exactly radiosity gathers light at the object; radiosity is not drawn yet"),
     word("clipped_by", Block, "", "only what lies in these objects is left; what is cut stays open"),
     word("bounded_by", Block, "", "rays that miss one of these objects see nothing of it; durer needs no such hint"),
 ];

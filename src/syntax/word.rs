@@ -68,6 +68,24 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     Table { words, numbers }
 });
 
+/// Returns the word of the language that a name is, so that no scene can declare it; `None` for a name that is free, or
+/// that of a constant which scenes may declare anew.
+pub fn reserved(name: &str) -> Option<&'static str> {
+    const DECLARABLE: &[&str] = &[
+        "clock_delta",
+        "final_clock",
+        "final_frame",
+        "frame_number",
+        "image_height",
+        "image_width",
+        "initial_clock",
+        "initial_frame",
+        "input_file_name",
+    ];
+    let (word, category) = lookup(name)?;
+    (category != Category::Contextual && !DECLARABLE.contains(&word)).then_some(word)
+}
+
 /// Returns the words that only durer has inside the block of this name.
 pub fn contextual(block: &str) -> &'static [&'static str] {
     CONTEXTUAL.iter().find(|(name, _)| *name == block).map_or(&[], |(_, words)| words)

@@ -154,8 +154,9 @@ pub trait Reader {
     fn files(&self) -> &dyn Files;
     /// Finds a font, or with a warning one with a similar design. `at` is the span of the name.
     fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>>;
-    /// Reads the name of a picture file, and decodes the file.
-    fn read_picture(&mut self) -> Result<Arc<Picture>>;
+    /// Finds and decodes a picture file. `format` is the word before the name, such as `jpeg`, whose endings complete a
+    /// name without one. `at` is the span of the name.
+    fn open_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Arc<Picture>>;
     /// Reads the name of a mesh file, and builds its shape with `build`. Each file is read once per run.
     fn read_mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>>;
     /// Reads `function W, H { … }`, announced by [`Next::Function`]; `None` if it has no size.

@@ -41,6 +41,7 @@ pub(super) fn objects() -> String {
         + &section(&scene::words::MODIFIERS, "Any object", &[])
         + &transforms
         + &section(&scene::PHOTONS, "photons", &[])
+        + &section(&scene::OBJECT_RADIOSITY, "radiosity", &[])
 }
 
 pub(super) fn cameras() -> String {

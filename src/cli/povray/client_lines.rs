@@ -19,13 +19,13 @@ pub fn progress(done: usize, total: usize) -> String {
     format!("Rendered {done} of {total} pixels ({}%)\r", done * 100 / total.max(1))
 }
 
-/// Returns the line that POV-Ray prints for a diagnostic, with its file and line number; nothing for advice about a
-/// picture, which POV-Ray does not give.
+/// Returns the line that POV-Ray prints for a diagnostic, with its file and line number; an empty text for warnings that
+/// POV-Ray does not have: advice about a picture, and about options without effect.
 pub fn fault(sources: &Sources, diagnostic: &Diagnostic) -> String {
     if diagnostic.code == codes::UNKNOWN_OPTION {
         return "Problem with option setting\nFailed to parse command-line option\n".into();
     }
-    if diagnostic.code.0.starts_with("W04") {
+    if ["W04", "W001"].iter().any(|group| diagnostic.code.0.starts_with(group)) {
         return String::new();
     }
     let kind = match diagnostic.severity {

@@ -82,7 +82,7 @@ pub fn asks_version(words: &[OsString]) -> bool {
 const NO_INI: &str = "--no-ini";
 
 /// Returns the INI file that POV-Ray reads before its command line: that of the environment variable `POVINI`, else
-/// `povray.ini` in the current folder, else the one in the user's home folder; `None` if there is none.
+/// `povray.ini` in the current folder, else the one in the user's home folder, or `None`.
 fn user_ini() -> Option<PathBuf> {
     let in_home = |home| Path::new(&home).join(".povray/3.7/povray.ini");
     let candidates = [

@@ -146,12 +146,14 @@ const EPOCH_2000: i64 = 946_684_800;
 
 /// Evaluates `substr(S, P, L)`: L characters from character P on, counted from 1.
 fn substr(a: &Arguments) -> Result<Value> {
-    let (s, from, len) = (a.text(0)?, a.float(1)?, a.float(2)?);
+    let (s, from, len) = (a.text(0)?, a.float(1)?.trunc(), a.float(2)?);
     let count = s.chars().count() as f64;
-    if from < 1.0 || len < 0.0 || from - 1.0 + len > count {
+    if from < 0.0 || len < 0.0 || from - 1.0 + len > count {
         return a.bad(1, format!("a string of {count} characters has none at {from} to {}", from + len - 1.0));
     }
-    text(s.chars().skip(from as usize - 1).take(len as usize).collect())
+    // In POV-Ray, it is what precedes the string in memory, which mostly is a 0.
+    let len = if from == 0.0 { 0.0 } else { len };
+    text(s.chars().skip((from as usize).saturating_sub(1)).take(len as usize).collect())
 }
 
 /// Evaluates `vstr(N, V, Separator, Width, Precision)`: formats a vector as a string.

@@ -7,7 +7,7 @@ use crate::interpreter::evaluator::{LValue, Slot};
 use crate::interpreter::stream::{StackFrame, Token};
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::syntax::word::{self, Category};
+use crate::syntax::word;
 use crate::value::Value;
 use std::rc::Rc;
 
@@ -154,7 +154,7 @@ impl<'a> Interpreter<'a> {
         }
         let Some((symbol, span)) = self.stream.take_name() else { return Err(self.missing_name(directive)) };
         let text = self.inputs.names.text(symbol);
-        if let Some((word, _)) = word::lookup(text).filter(|(_, category)| *category != Category::Contextual) {
+        if let Some(word) = word::reserved(text) {
             self.expect_equal()?;
             self.refuse_reserved_name(word, span)?;
         }

@@ -285,11 +285,8 @@ impl Reader for Interpreter<'_> {
         self.find_read_file(name, at)
     }
 
-    fn read_picture(&mut self) -> Result<Arc<Picture>> {
-        let (at, name) = (self.span(), self.text()?);
-        // A name without extension is a PNG file, as POV-Ray's own output is.
-        let full = if name.contains('.') { name.clone() } else { format!("{name}.png") };
-        let Some(path) = self.find_read_file(&full, at)? else {
+    fn open_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Arc<Picture>> {
+        let Some(path) = self.find_picture(name, at, format)? else {
             let d = Diagnostic::new(codes::MISSING_INCLUDE, at, format!("the picture `{name}` was not found"));
             return d.help("pictures are searched in the same folders as included files; -I DIR adds a folder").into();
         };
@@ -334,6 +331,24 @@ impl Reader for Interpreter<'_> {
 }
 
 impl Interpreter<'_> {
+    /// Finds a picture file; `None` if it does not exist. A name without an ending gets one of its format, in small or
+    /// capital letters; without a format, that of png.
+    fn find_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Option<PathBuf>> {
+        if name.contains('.') {
+            return self.find_read_file(name, at);
+        }
+        let endings: &[&str] = match format {
+            Some("jpeg") => &["jpg", "JPG", "jpeg", "JPEG"],
+            Some("tiff") => &["tiff", "TIFF", "tif", "TIF"],
+            Some(format) => &[format, &format.to_uppercase()],
+            None => &["png", "PNG"],
+        };
+        let names: Vec<String> = endings.iter().map(|ending| format!("{name}.{ending}")).collect();
+        let search = &self.inputs.options.search;
+        let found = names.iter().find(|name| search.find(self.inputs.files, name).is_some());
+        self.find_read_file(found.unwrap_or(&names[0]), at)
+    }
+
     /// A picture file, decoded once per run.
     fn picture_at(&mut self, path: PathBuf, at: Span) -> Result<Arc<Picture>> {
         if let Some(picture) = self.evaluator.assets().pictures.get(&path) {

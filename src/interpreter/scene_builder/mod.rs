@@ -7,7 +7,7 @@ use crate::camera::Camera;
 use crate::color::Color;
 use crate::diagnostic::Label;
 use crate::math::noise::NoiseGenerator;
-use crate::scene::{Defaults, Object, Scene, Settings};
+use crate::scene::{Defaults, Object, ObjectRadiosity, Scene, Settings};
 use crate::source::Span;
 use crate::texture::Texture;
 use crate::value::{Language, Unsupported};
@@ -79,6 +79,10 @@ impl SceneBuilder {
 
     pub(super) fn set_default_texture(&mut self, texture: Arc<Texture>) {
         self.defaults.texture = texture;
+    }
+
+    pub(super) fn set_default_radiosity(&mut self, radiosity: ObjectRadiosity) {
+        self.defaults.radiosity = Some(radiosity);
     }
 
     pub(super) fn settings(&self) -> &Settings {

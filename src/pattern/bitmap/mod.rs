@@ -17,7 +17,7 @@ use crate::function::{Function, ResultType};
 use crate::image_io::{Picture, Pixels, Samples, Stored, wrap_to_u16};
 use crate::math::DVec3;
 use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Next, Reader, ReaderExt, ValueKind, WordSpec, downcast};
+use crate::value::{Next, Reader, ReaderExt, Value, ValueKind, WordSpec, downcast};
 use std::sync::Arc;
 
 const ROWS: &[Row<Bitmap>] = &[
@@ -76,6 +76,20 @@ impl Bitmap {
     /// # Errors
     /// A diagnostic at the item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
+        let (mut format, mut named) = (None, None);
+        // quirk: old_picture_orientation
+        if r.next()? == Next::Value {
+            match r.value()? {
+                (Value::Text(name), at) => named = Some((name.to_string(), at)),
+                (_, at) => {
+                    let message = "an orientation or map type before the picture has no effect";
+                    r.report(
+                        Diagnostic::new(codes::MISPLACED, at, message)
+                            .help("`map_type` after the picture's name has one"),
+                    );
+                }
+            }
+        }
         while let Next::Word(word) = r.next()?
             && FORMATS.contains(&word)
         {
@@ -85,10 +99,15 @@ impl Bitmap {
                     .into();
             }
             r.take_token()?;
+            format = Some(word);
         }
-        let picture = match r.next()? {
-            Next::Function => read_function_picture(r)?,
-            _ => r.read_picture()?,
+        let picture = match (named, r.next()?) {
+            (Some((name, at)), _) => r.open_picture(&name, at, format)?,
+            (None, Next::Function) => read_function_picture(r)?,
+            (None, _) => {
+                let (at, name) = (r.span(), r.text()?);
+                r.open_picture(&name, at, format)?
+            }
         };
         Ok(Self { picture, gamma: None, premultiplied: false, mapping: Mapping::default() })
     }

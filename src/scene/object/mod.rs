@@ -4,6 +4,7 @@ mod camera;
 mod embedded;
 mod light;
 mod photons;
+mod radiosity;
 mod read;
 
 use super::{Defaults, Painted, Weight};
@@ -20,6 +21,7 @@ use std::sync::Arc;
 pub use camera::read_camera;
 pub use light::{LIGHT_GROUP, LightSource};
 pub use photons::{PHOTONS, PhotonSettings};
+pub use radiosity::{OBJECT_RADIOSITY, ObjectRadiosity};
 pub use read::is_object;
 
 /// Geometry of an object.
@@ -141,6 +143,9 @@ pub struct Uncommon {
     /// `photons` of the object; `None` without the block.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub photons: Option<PhotonSettings>,
+    /// `radiosity` of the object; `None` without the block.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radiosity: Option<ObjectRadiosity>,
 }
 
 impl StaticDefault for Uncommon {
@@ -154,6 +159,7 @@ impl StaticDefault for Uncommon {
             light_group: None,
             flags: Flags::NONE,
             photons: None,
+            radiosity: None,
         };
         &NOTHING
     }

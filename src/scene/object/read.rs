@@ -1,7 +1,7 @@
 //! Reading of objects and their modifiers (manual, "Object Modifiers").
 
 use super::embedded::EmbeddedTextures;
-use super::{CsgOp, Object, ObjectBody, ObjectKind};
+use super::{CsgOp, Object, ObjectBody, ObjectKind, ObjectRadiosity};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::Transform;
 use crate::medium::Interior;
@@ -155,6 +155,9 @@ impl Object {
                 if let Some(painted) = embedded.painted() {
                     self.uncommon.embedded = Some(painted);
                 }
+                if let (None, Some(radiosity)) = (self.uncommon.radiosity, defaults.radiosity) {
+                    self.uncommon.radiosity = Some(radiosity);
+                }
                 // A copy without modifiers shares everything.
                 if let Some(ObjectBody { texture: Some(painted), .. }) = Arc::get_mut(&mut self.body) {
                     defaults.recent.deduplicate(&mut painted.texture);
@@ -225,6 +228,7 @@ impl Object {
                     self.set_material(&material);
                 }
             }
+            Next::Block("radiosity") => self.uncommon.radiosity = Some(ObjectRadiosity::read(r)?),
             Next::Block("photons") => self.uncommon.photons.get_or_insert_default().read(r)?,
             _ => return self.read_surface(next, r, defaults),
         }

@@ -1,6 +1,6 @@
 //! Components of a blob: spheres and cylinders whose fields end at their radius.
 
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::Result;
 use crate::math::{Aabb, DQuat, DVec3, Ray, Transform, solve_quadratic};
 use crate::shape::{Kernel, Paints, Sphere, check_finite};
 use crate::source::Span;
@@ -163,9 +163,8 @@ impl Component {
 impl Component {
     pub(super) fn new(span: Span, base: DVec3, axis: DVec3, radius: f64, strength: f64) -> Result<Self> {
         check_finite(span, &[base, axis], &[radius, strength])?;
-        if radius <= 0.0 {
-            return Diagnostic::err(codes::BAD_ARGUMENT, span, "the radius of a component must be more than 0");
-        }
+        // A component of radius 0 adds nothing.
+        let (radius, strength) = if radius == 0.0 { (1.0, 0.0) } else { (radius.abs(), strength) };
         Ok(Self { base, axis, radius, strength, place: None, slot: 0, widening: 1.0 })
     }
 

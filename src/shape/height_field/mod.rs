@@ -159,18 +159,19 @@ impl Readable for HeightField {
     ];
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
-        let mut is_pot = false;
+        let mut format = None;
         while let Next::Word(word) = r.next()?
             && FORMATS.contains(&word)
         {
             r.take_token()?;
-            is_pot = word == "pot";
+            format = Some(word);
         }
         match r.next()? {
             Next::Function => read_function(r),
             _ => {
-                let picture = r.read_picture()?;
-                let is_pot = is_pot && picture.indices.is_some();
+                let (at, name) = (r.span(), r.text()?);
+                let picture = r.open_picture(&name, at, format)?;
+                let is_pot = format == Some("pot") && picture.indices.is_some();
                 let width = picture.pixels.width / if is_pot { 2 } else { 1 };
                 let size = [width, picture.pixels.height];
                 Ok(Self { size, is_pot, picture: Some(picture), ..Self::new(0, vec![], false, 0.0) })

@@ -196,7 +196,7 @@ impl Reader for Words {
         Err(self.unexpected("no file").into())
     }
 
-    fn read_picture(&mut self) -> Result<Arc<crate::image_io::Picture>> {
+    fn open_picture(&mut self, _: &str, _: Span, _: Option<&str>) -> Result<Arc<crate::image_io::Picture>> {
         Err(self.unexpected("no picture").into())
     }
 

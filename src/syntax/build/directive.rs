@@ -6,7 +6,7 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::class;
 use crate::syntax::parse::Rule;
-use crate::syntax::word::{self, Category};
+use crate::syntax::word;
 use pest::iterators::Pair;
 
 impl Builder<'_> {
@@ -96,8 +96,7 @@ impl Builder<'_> {
 
     fn target(&self, pair: Pair<Rule>) -> Option<Target> {
         let name = self.name(&pair);
-        let category = word::lookup(self.text_of(&pair)).filter(|(_, category)| *category != Category::Contextual);
-        let keyword = category.map(|(word, _)| word);
+        let keyword = word::reserved(self.text_of(&pair));
         let symbol = self.symbol(&pair);
         let index = |part: Pair<Rule>| match part.as_rule() {
             // (A call there may be a macro's.)

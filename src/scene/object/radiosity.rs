@@ -1,0 +1,54 @@
+//! `radiosity { … }` of an object (manual, "Radiosity Importance").
+
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::value::ValueKind::Float;
+use crate::value::words::{Row, read_row, set, specs, word};
+use crate::value::{Next, Reader, ReaderExt, Spec};
+use serde::Serialize;
+
+/// Share of an object in the radiosity of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ObjectRadiosity {
+    /// Factor of the number of rays by which radiosity gathers light at the object: more than 0, and 1 at most.
+    pub importance: f64,
+}
+
+/// Words of the block, and how each is read.
+const RADIOSITY_ROWS: &[Row<ObjectRadiosity>] =
+    &[word("importance", Float, "1", "factor of the number of rays that gather light at the object, 1 at most")
+        .sets(|s, r| set(&mut s.importance, read_importance(r)))];
+
+/// `radiosity { … }` of an object.
+pub const OBJECT_RADIOSITY: Spec = Spec {
+    name: "radiosity",
+    summary: "share of an object in the scene's radiosity, which durer does not render yet",
+    words: specs!(RADIOSITY_ROWS),
+    ..Spec::EMPTY
+};
+
+impl ObjectRadiosity {
+    /// Reads the block from its opening to its end.
+    ///
+    /// # Errors
+    /// A diagnostic at the first item that is not understood.
+    pub fn read(r: &mut dyn Reader) -> Result<Self> {
+        let mut out = Self { importance: 1.0 };
+        r.take_token()?;
+        loop {
+            match r.next()? {
+                Next::End => return r.leave_block().map(|_| out),
+                next if read_row(RADIOSITY_ROWS, &mut out, next, r)? => {}
+                _ => return Err(r.unknown_word_in(&OBJECT_RADIOSITY)),
+            }
+        }
+    }
+}
+
+fn read_importance(r: &mut dyn Reader) -> Result<f64> {
+    let (span, importance) = (r.span(), r.float()?);
+    if importance > 0.0 && importance <= 1.0 {
+        return Ok(importance);
+    }
+    let message = format!("`importance` is more than 0 and at most 1, found {importance}");
+    Diagnostic::err(codes::BAD_ARGUMENT, span, message)
+}
