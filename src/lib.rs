@@ -180,9 +180,9 @@ pub use math::cancel::{CancelReason, CancelToken};
 pub use render::{Cancelled, Options as RenderOptions, RayCounts, Region, Unwatched, Watch, render};
 #[doc(inline)]
 pub use source::{
-    ContentHash, CreatedFiles, CreatedInSession, Disk, Draft, Entry, FileId, FileKind, Files, Host, LocalHost, Lookup,
-    Lookups, Memory, Metadata, Overlay, Place, ReadFiles, ReadPolicy, Sandbox, SearchPath, Sources, Span, Stamp,
-    WriteAccess, WriteFolder, WriteMode, WritePolicy,
+    ContentHash, CreatedFiles, CreatedInSession, Disk, Draft, Entry, FileId, FileKind, Files, Host, LocalHost,
+    LookedUpFiles, Lookup, Lookups, Memory, Metadata, Overlay, Place, ReadFiles, ReadPolicy, Sandbox, SearchPath,
+    Sources, Span, Stamp, WriteAccess, WriteFolder, WriteMode, WritePolicy,
 };
 #[doc(inline)]
 pub use world::World;

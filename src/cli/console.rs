@@ -7,10 +7,9 @@ use super::summary::Count;
 use crate::diagnostic::{Diagnostic, Severity, draw, file};
 use crate::source::{Disk, Sources};
 use serde_json::json;
-use std::cell::Cell;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Width of messages without a terminal, in columns.
 const WIDTH: usize = 100;
@@ -30,7 +29,7 @@ pub enum Dialect {
 pub struct Console {
     style: draw::Style,
     /// Number of messages that the console has printed; its clones share the number.
-    printed: Rc<Cell<Count>>,
+    printed: Arc<Mutex<Count>>,
     /// True while one of several scenes is processed, whose line gives the number of messages.
     among_several: bool,
     /// Program whose conventions the output follows.
@@ -55,7 +54,7 @@ impl Console {
         let columns = terminal_size::terminal_size_of(io::stderr()).map(|(width, _)| usize::from(width.0));
         let style = draw::Style { fancy, width: columns.unwrap_or(WIDTH).max(40) };
         let dialect = Dialect::default();
-        Self { style, printed: Rc::default(), among_several: false, dialect, quiet: common.quiet, terminal }
+        Self { style, printed: Arc::default(), among_several: false, dialect, quiet: common.quiet, terminal }
     }
 
     /// Creates the output that is used before the command line is parsed.
@@ -80,7 +79,12 @@ impl Console {
 
     /// Returns the number of messages since the last call.
     pub fn take_count(&self) -> Count {
-        self.printed.take()
+        std::mem::take(&mut self.printed.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    fn add_to_count(&self, count: Count) {
+        let mut printed = self.printed.lock().unwrap_or_else(PoisonError::into_inner);
+        *printed = *printed + count;
     }
 
     /// Writes a command's data to stdout.
@@ -125,7 +129,7 @@ impl Console {
         let mut text: String =
             wanted.iter().map(|d| povray_line(d) + &draw::render(d, sources, self.style) + "\n").collect();
         let count = Count::of(wanted.iter().copied());
-        self.printed.set(self.printed.get() + count);
+        self.add_to_count(count);
         if wanted.len() > 1 && !self.among_several {
             text += &format!("{count}\n");
         }

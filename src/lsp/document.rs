@@ -1,11 +1,11 @@
 //! An open document.
 
+use super::diagnostics::EditorDiagnostic;
 use super::text::Text;
 use crate::diagnostic::Diagnostic;
 use crate::math::cancel::CancelToken;
 use crate::syntax::{Outline, tokens_of};
-use lsp_types::{TextDocumentContentChangeEvent, Uri};
-use std::ops::Range;
+use lsp_types::{DiagnosticSeverity, Uri};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
@@ -13,6 +13,8 @@ use std::time::Instant;
 
 /// Global offset of a text's first byte; 0 would mean no position.
 pub const BASE: usize = 1;
+/// Largest length of a text that the language server checks, in bytes.
+pub const MAX_TEXT: usize = 2 << 20;
 
 /// A scene document that is open in the editor.
 pub struct Document {
@@ -52,24 +54,54 @@ impl Document {
         new
     }
 
-    /// Applies changes; returns for each the removed byte range and the number of new bytes.
-    pub fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>) -> Vec<(Range<usize>, usize)> {
-        let made = changes.into_iter().map(|change| self.text.change(change)).collect();
+    /// Updates the document after a change of its text.
+    pub fn changed(&mut self, version: i32) {
         self.version = version;
         self.read();
-        made
     }
 
     /// Builds the outline of the text. Faults that only the syntax tree shows are found by a run.
     fn read(&mut self) {
+        if self.is_too_large() {
+            (self.outline, self.faults) = (Arc::default(), vec![]);
+            return;
+        }
         let text = self.text.as_str();
         let (tokens, faults) = tokens_of(text, BASE);
         self.outline = Arc::new(Outline::new(text, &tokens));
         self.faults = faults;
     }
 
-    /// True if the document is a scene, and no include file.
+    /// True if the text is longer than [`MAX_TEXT`], and so has no service.
+    pub fn is_too_large(&self) -> bool {
+        self.text.as_str().len() > MAX_TEXT
+    }
+
+    /// Returns the notice that the document has no service.
+    pub fn size_notice(&self) -> Option<EditorDiagnostic> {
+        self.is_too_large().then(|| EditorDiagnostic {
+            severity: Some(DiagnosticSeverity::INFORMATION),
+            source: Some("durer".into()),
+            message: self.size_message(),
+            ..EditorDiagnostic::default()
+        })
+    }
+
+    /// Returns the text of the notice that the document has no service.
+    pub fn size_message(&self) -> String {
+        let megabytes = self.text.as_str().len() as f64 / f64::from(1 << 20);
+        let limit = MAX_TEXT >> 20;
+        format!(
+            "this text has {megabytes:.1} MB: the language server checks only texts of up to {limit} MB\n\
+             help: `durer check` and `durer render` take longer texts"
+        )
+    }
+
+    /// True if the document is a scene that can be run, and no include file.
     pub fn is_scene(&self) -> bool {
+        if self.is_too_large() {
+            return false;
+        }
         let ending = self.path.as_deref().and_then(Path::extension).and_then(|ending| ending.to_str());
         !matches!(ending, Some("inc" | "INC" | "ini" | "mcr"))
     }

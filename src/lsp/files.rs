@@ -1,7 +1,7 @@
 //! Cache of the files that open texts include: read once, and again after a change. An open text replaces the file of
 //! the same path.
 
-use super::document::{BASE, Document};
+use super::document::{BASE, Document, MAX_TEXT};
 use super::text::Text;
 use crate::library;
 use crate::source::{Disk, Files as _, SearchPath, Stamp, read_text};
@@ -36,6 +36,7 @@ impl Files {
                 path.strip_prefix(library::FOLDER).ok().and_then(Path::to_str).and_then(library::find_builtin);
             let text = match built_in {
                 Some(text) => text.to_string(),
+                None if Disk.metadata(path).is_ok_and(|file| file.length > MAX_TEXT as u64) => return None,
                 None => read_text(&Disk, path).ok()?,
             };
             let outline = Arc::new(Outline::new(&text, &tokens_of(&text, BASE).0));

@@ -5,25 +5,26 @@ use super::files::same;
 use crate::Keep;
 use crate::diagnostic::Severity;
 use crate::interpreter::{Options, ParsedFiles};
-use crate::math::cancel::{CancelReason, CancelToken};
+use crate::math::cancel::CancelToken;
 use crate::source::{Disk, Overlay, Sandbox, SearchPath, Sources};
 use crate::syntax::lint::{self, Lints};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::mpsc::RecvTimeoutError;
 use std::time::Duration;
 
 /// Limit of a run: number of elements and loop passes.
 const MAX_STEPS: u64 = 50_000_000;
-/// Time limit of a background run of a scene, in seconds.
-const MAX_TIME: f64 = 20.0;
+/// Time limit of a background run of a scene.
+pub const MAX_TIME: Duration = Duration::from_secs(20);
 /// Memory limit of a background run of a scene, in bytes.
 const MAX_MEMORY: u64 = 4 << 30;
 
 /// A scene that the language server is to run in the background.
 pub struct Job {
+    /// Number of the run since the server began.
+    pub number: u64,
     /// Address of the scene to run.
     pub uri: String,
     /// Document version of the text to run.
@@ -41,7 +42,10 @@ pub struct Job {
 }
 
 /// Result of running a scene in the background of the language server.
+#[derive(Debug)]
 pub struct RunResult {
+    /// Number of the run that has ended.
+    pub number: u64,
     /// Address of the scene that ran.
     pub uri: String,
     /// Version of the document's text that was run.
@@ -50,24 +54,13 @@ pub struct RunResult {
     pub diagnostics: BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>>,
 }
 
-/// Runs a scene on a thread of its own; calls `done` at the end.
-pub fn start(job: Job, done: impl FnOnce(RunResult) + Send + 'static) {
-    // The channel closes at the end of the run.
-    let (ended, end) = std::sync::mpsc::channel::<()>();
-    let cancel = job.cancel.clone();
-    let timer = move || {
-        if end.recv_timeout(Duration::from_secs_f64(MAX_TIME)) == Err(RecvTimeoutError::Timeout) {
-            cancel.cancel(CancelReason::TimeLimit);
-        }
-    };
-    let _ = std::thread::Builder::new().name("run timer".into()).spawn(timer);
+/// Runs a scene on a thread of its own; calls `done` at the end. False if the system has no further thread.
+pub fn start(job: Job, done: impl FnOnce(RunResult) + Send + 'static) -> bool {
     let work = move || {
-        let _ended = ended;
         let diagnostics = catch_unwind(AssertUnwindSafe(|| crate::on_big_stack(|| run(&job)))).unwrap_or_default();
-        done(RunResult { uri: job.uri, version: job.version, diagnostics });
+        done(RunResult { number: job.number, uri: job.uri, version: job.version, diagnostics });
     };
-    // Without a thread there is no result.
-    let _ = std::thread::Builder::new().name("run".into()).spawn(work);
+    std::thread::Builder::new().name("run".into()).spawn(work).is_ok()
 }
 
 fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
@@ -86,7 +79,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
         input_name: input,
         size: (640, 480),
         max_steps: MAX_STEPS,
-        max_time: Some(MAX_TIME),
+        max_time: Some(MAX_TIME.as_secs_f64()),
         max_memory: Some(MAX_MEMORY),
         cancel: job.cancel.clone(),
         record_branches: true,

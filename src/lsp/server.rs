@@ -3,32 +3,36 @@
 use super::diagnostics::{EditorDiagnostic, moved, of_syntax};
 use super::document::{Document, uri_of};
 use super::files::{self, Files, ReachableText};
-use super::requests;
 use super::requests::commands::Watches;
-use super::run::{self, Job, RunResult};
-use super::text::Text;
-use crate::math::cancel::{CancelReason, CancelToken};
+use super::requests::{self, capabilities};
+use super::run::RunResult;
+use super::scheduler::ActiveRuns;
+use super::wire::Refusal;
+use super::{End, Outgoing};
+use crate::math::cancel::CancelReason;
 use lsp_server::{ErrorCode, Message, Notification, Request, Response};
 use lsp_types::{
-    DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, PublishDiagnosticsParams, Uri,
+    DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, LogMessageParams, MessageType,
+    PublishDiagnosticsParams, Uri,
 };
 use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::str::FromStr;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
-use std::time::{Duration, Instant};
-
-/// Time after the last change before a scene is run.
-const PAUSE: Duration = Duration::from_millis(250);
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender};
+use std::time::Instant;
 
 /// An event that the language server handles.
+#[derive(Debug)]
 pub enum Event {
     /// Event: a message from the editor.
     Message(Message),
-    /// Event: the editor has disconnected.
-    Disconnected,
+    /// Event: invalid input from the editor.
+    Refused(Refusal),
+    /// Event: the connection to the editor has ended.
+    Disconnected(End),
     /// Event: a background run of a scene has ended.
     RunEnded(RunResult),
     /// Event: another thread has a message for the editor.
@@ -38,7 +42,7 @@ pub enum Event {
 /// State of the language server.
 pub struct Server<S> {
     pub(in crate::lsp) client: S,
-    pub(in crate::lsp) events: Sender<Event>,
+    pub(in crate::lsp) events: SyncSender<Event>,
     /// Pages of `durer watch` that are open.
     pub(in crate::lsp) watches: Watches,
     /// Open documents of the language server by address.
@@ -47,27 +51,45 @@ pub struct Server<S> {
     pub files: Files,
     /// Folders of the language server's include path.
     pub include: Vec<PathBuf>,
+    /// Background runs that have not ended yet.
+    pub(in crate::lsp) runs: ActiveRuns,
     /// Diagnostics of the last run of each scene, for each address.
-    results: BTreeMap<String, BTreeMap<String, Vec<EditorDiagnostic>>>,
-    /// True after the editor's shutdown request.
-    pub is_shut_down: bool,
+    pub(in crate::lsp) results: BTreeMap<String, BTreeMap<String, Vec<EditorDiagnostic>>>,
+    state: State,
+}
+
+/// Progress of the connection to the editor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum State {
+    /// State before the editor's request `initialize`.
+    Created,
+    /// State in which requests are answered.
+    Running,
+    /// State after the editor's request `shutdown`.
+    ShutDown,
 }
 
 /// Receiver of messages to the editor.
 pub trait Client {
     /// Sends a message; ignores a closed connection.
     fn send(&self, message: Message);
+    /// Sends an error response to invalid input; ignores a closed connection.
+    fn refuse(&self, refusal: Refusal);
 }
 
-impl<F: Fn(Message)> Client for F {
+impl Client for SyncSender<Outgoing> {
     fn send(&self, message: Message) {
-        self(message);
+        let _ = SyncSender::send(self, Outgoing::Message(message));
+    }
+
+    fn refuse(&self, refusal: Refusal) {
+        let _ = SyncSender::send(self, Outgoing::Refusal(refusal));
     }
 }
 
 impl<S: Client> Server<S> {
     /// Creates a language server without open documents.
-    pub fn new(client: S, events: Sender<Event>, include: Vec<PathBuf>) -> Self {
+    pub fn new(client: S, events: SyncSender<Event>, include: Vec<PathBuf>) -> Self {
         let (open, results) = (BTreeMap::new(), BTreeMap::new());
         Self {
             client,
@@ -76,100 +98,127 @@ impl<S: Client> Server<S> {
             open,
             files: Files::default(),
             include,
+            runs: ActiveRuns::default(),
             results,
-            is_shut_down: false,
+            state: State::Created,
         }
     }
 
     /// Handles events until the editor disconnects.
-    pub fn run(&mut self, events: &Receiver<Event>) {
-        loop {
-            let event = match self.open.values().filter_map(|document| document.due).min() {
-                Some(due) => events.recv_timeout(due.saturating_duration_since(Instant::now())),
+    pub fn run(&mut self, events: &Receiver<Event>) -> End {
+        let end = loop {
+            let event = match self.next_action() {
+                Some(time) => events.recv_timeout(time.saturating_duration_since(Instant::now())),
                 None => events.recv().map_err(|_| RecvTimeoutError::Disconnected),
             };
             match event {
+                Ok(Event::Message(Message::Notification(note))) if note.method == "exit" => break End::Disconnected,
+                Ok(Event::Disconnected(end)) => break end,
+                Err(RecvTimeoutError::Disconnected) => break End::Disconnected,
                 Ok(Event::Message(Message::Request(request))) => self.request(request),
-                Ok(Event::Message(Message::Notification(note))) if note.method == "exit" => break,
-                Ok(Event::Message(Message::Notification(note))) => self.notification(note),
-                Ok(Event::Message(Message::Response(_))) => {}
-                Ok(Event::RunEnded(ran)) => self.publish_run(ran),
-                Ok(Event::Send(message)) => self.client.send(message),
-                Ok(Event::Disconnected) | Err(RecvTimeoutError::Disconnected) => break,
-                Err(RecvTimeoutError::Timeout) => self.start_runs(),
+                Ok(event) => self.guarded(|server| server.handle(event)),
+                Err(RecvTimeoutError::Timeout) => {}
             }
+            self.guarded(Self::update_runs);
+        };
+        self.runs.cancel_all();
+        if self.state == State::ShutDown && matches!(end, End::Disconnected) { End::ShutDown } else { end }
+    }
+
+    /// Reacts to an event that needs no response.
+    fn handle(&mut self, event: Event) {
+        match event {
+            Event::Message(Message::Notification(note)) if self.state == State::Running => self.notification(note),
+            Event::Refused(refusal) => self.client.refuse(refusal),
+            Event::RunEnded(ran) => self.end_run(ran),
+            Event::Send(message) => self.client.send(message),
+            Event::Message(_) | Event::Disconnected(_) => {}
         }
-        self.open
-            .values()
-            .filter_map(|document| document.cancel.as_ref())
-            .for_each(|cancel| cancel.cancel(CancelReason::Request));
+    }
+
+    /// Does a part of the work. A panic does not harm the texts: the server continues.
+    fn guarded(&mut self, work: impl FnOnce(&mut Self)) {
+        if catch_unwind(AssertUnwindSafe(|| work(self))).is_err() {
+            self.log(BUG.into());
+        }
     }
 
     fn request(&mut self, request: Request) {
         let id = request.id.clone();
-        let response = match request.method.as_str() {
-            "shutdown" => {
-                self.is_shut_down = true;
+        let refuse = |code: ErrorCode, text: &str| Response::new_err(id.clone(), code as i32, text.into());
+        let response = match (self.state, request.method.as_str()) {
+            (State::Created, "initialize") => {
+                self.state = State::Running;
+                Response::new_ok(id, initialize_result(&request.params))
+            }
+            (State::Created, _) => refuse(ErrorCode::ServerNotInitialized, "the first request must be `initialize`"),
+            (State::Running, "initialize") => refuse(ErrorCode::InvalidRequest, "the server is initialized already"),
+            (State::Running, "shutdown") => {
+                self.state = State::ShutDown;
                 Response::new_ok(id, ())
             }
-            _ if self.is_shut_down => {
-                Response::new_err(id, ErrorCode::InvalidRequest as i32, "the server is shut down".into())
-            }
-            _ => catch_unwind(AssertUnwindSafe(|| requests::answer(self, request))).unwrap_or_else(|_| {
-                // A panic does not harm the texts: the server continues after a failed request.
-                Response::new_err(
-                    id,
-                    ErrorCode::InternalError as i32,
-                    "durer has failed, which is a bug; please report it".into(),
-                )
-            }),
+            (State::ShutDown, _) => refuse(ErrorCode::InvalidRequest, "the server is shut down"),
+            (State::Running, _) => catch_unwind(AssertUnwindSafe(|| requests::answer(self, request)))
+                .unwrap_or_else(|_| refuse(ErrorCode::InternalError, BUG)),
         };
         self.client.send(Message::Response(response));
     }
 
     fn notification(&mut self, note: Notification) {
-        fn read<P: DeserializeOwned>(note: Notification) -> Option<P> {
-            serde_json::from_value(note.params).ok()
-        }
-        match note.method.as_str() {
-            "textDocument/didOpen" => {
-                let Some(DidOpenTextDocumentParams { text_document: new }) = read(note) else { return };
-                let key = new.uri.as_str().to_string();
-                self.open.insert(key.clone(), Document::new(new.uri, new.version, new.text));
-                self.changed(&key);
-            }
-            "textDocument/didChange" => {
-                if let Some(params) = read(note) {
-                    self.change(params);
-                }
-            }
+        let result = match note.method.as_str() {
+            "textDocument/didOpen" => read(note).map(|params| self.opened(params)),
+            "textDocument/didChange" => read(note).and_then(|params| self.change(params)),
             "textDocument/didSave" | "workspace/didChangeWatchedFiles" => {
                 // Included files may have changed on the disk.
                 let all: Vec<_> = self.open.keys().cloned().collect();
                 all.iter().for_each(|key| self.schedule(key));
+                Ok(())
             }
             "textDocument/didClose" => {
-                let Some(DidCloseTextDocumentParams { text_document: old }) = read(note) else { return };
-                self.close(old.uri.as_str());
+                read(note).and_then(|DidCloseTextDocumentParams { text_document: old }| self.close(old.uri.as_str()))
             }
-            _ => {}
+            _ => Ok(()),
+        };
+        if let Err(text) = result {
+            self.log(text);
         }
     }
 
-    fn change(&mut self, params: DidChangeTextDocumentParams) {
+    /// Reports a failure for which no request waits: a notification has no response.
+    fn log(&self, message: String) {
+        let params = LogMessageParams { typ: MessageType::ERROR, message };
+        self.client.send(Message::Notification(Notification::new("window/logMessage".into(), params)));
+    }
+
+    fn opened(&mut self, DidOpenTextDocumentParams { text_document: new }: DidOpenTextDocumentParams) {
+        let key = new.uri.as_str().to_string();
+        self.open.insert(key.clone(), Document::new(new.uri, new.version, new.text));
+        self.changed(&key);
+    }
+
+    fn change(&mut self, params: DidChangeTextDocumentParams) -> Result<(), String> {
         let key = params.text_document.uri.as_str().to_string();
-        let Some(document) = self.open.get_mut(&key) else { return };
-        let mut before: Text = document.text.clone();
+        let document = self.open.get_mut(&key).ok_or_else(|| not_open(&key))?;
         for change in params.content_changes {
-            let made = document.change(params.text_document.version, vec![change]);
-            for found in self.results.values_mut().filter_map(|found| found.get_mut(&key)) {
-                for (bytes, new) in &made {
-                    *found = moved(std::mem::take(found), &before, &document.text, bytes, *new);
-                }
+            let mut results: Vec<_> = self.results.values_mut().filter_map(|found| found.get_mut(&key)).collect();
+            let before = (!results.is_empty()).then(|| document.text.clone());
+            let (bytes, new) = document.text.change(change);
+            for (found, before) in results.iter_mut().flat_map(|found| before.as_ref().map(|before| (found, before))) {
+                **found = moved(std::mem::take(*found), before, &document.text, &bytes, new);
             }
-            before = document.text.clone();
+        }
+        document.changed(params.text_document.version);
+        if document.is_too_large() {
+            // What the last run has found no longer belongs to the text.
+            document.due = None;
+            if let Some(cancel) = document.cancel.take() {
+                cancel.cancel(CancelReason::Request);
+            }
+            let gone = self.results.remove(&key).unwrap_or_default();
+            gone.keys().filter(|address| **address != key).for_each(|address| self.publish(address));
         }
         self.changed(&key);
+        Ok(())
     }
 
     fn changed(&mut self, key: &str) {
@@ -177,21 +226,8 @@ impl<S: Client> Server<S> {
         self.schedule(key);
     }
 
-    /// Schedules a run of the scenes that read this text.
-    fn schedule(&mut self, key: &str) {
-        let due = Some(Instant::now() + PAUSE);
-        for scene in self.scenes_of(key) {
-            if let Some(document) = self.open.get_mut(&scene) {
-                document.due = due;
-                if let Some(cancel) = document.cancel.take() {
-                    cancel.cancel(CancelReason::Request);
-                }
-            }
-        }
-    }
-
     /// The open scenes that read a text, including the text itself if it is a scene.
-    fn scenes_of(&mut self, key: &str) -> Vec<String> {
+    pub(in crate::lsp) fn scenes_of(&mut self, key: &str) -> Vec<String> {
         let Some(document) = self.open.get(key) else { return vec![] };
         let (path, is_scene) = (document.path.clone(), document.is_scene());
         let mut out = vec![];
@@ -209,71 +245,22 @@ impl<S: Client> Server<S> {
         out
     }
 
-    fn start_runs(&mut self) {
-        let now = Instant::now();
-        let due: Vec<_> =
-            self.open.iter().filter(|(_, d)| d.due.is_some_and(|due| due <= now)).map(|(k, _)| k.clone()).collect();
-        for key in due {
-            let others = self.open.iter().filter(|(other, _)| **other != key);
-            let open =
-                others.filter_map(|(_, other)| Some((other.path.clone()?, other.text.as_str().to_string()))).collect();
-            let Some(document) = self.open.get_mut(&key) else { continue };
-            let cancel = CancelToken::default();
-            (document.due, document.cancel) = (None, Some(cancel.clone()));
-            let job = Job {
-                uri: key,
-                version: document.version,
-                path: document.path.clone(),
-                text: document.text.as_str().to_string(),
-                open,
-                include: self.include.clone(),
-                cancel,
-            };
-            let events = self.events.clone();
-            run::start(job, move |ran| {
-                events.send(Event::RunEnded(ran)).ok();
-            });
-        }
-    }
-
-    /// Publishes the result of a run, unless the text has changed since.
-    fn publish_run(&mut self, ran: RunResult) {
-        let Some(document) = self.open.get_mut(&ran.uri) else { return };
-        if document.version != ran.version || document.due.is_some() {
-            return;
-        }
-        document.cancel = None;
-        let mut found = BTreeMap::new();
-        for (path, diagnostics) in ran.diagnostics {
-            let address = match path {
-                None => Some(ran.uri.clone()),
-                Some(path) => self.address(&path),
-            };
-            found.extend(address.map(|address| (address, diagnostics)));
-        }
-        let old = self.results.insert(ran.uri.clone(), found).unwrap_or_default();
-        let new = self.results.get(&ran.uri).into_iter().flat_map(BTreeMap::keys);
-        let mut all: Vec<String> = old.into_keys().chain(new.cloned()).chain([ran.uri]).collect();
-        all.sort();
-        all.dedup();
-        all.iter().for_each(|address| self.publish(address));
-    }
-
     /// The editor's address of an open file, or the address of its path.
-    fn address(&self, path: &std::path::Path) -> Option<String> {
+    pub(in crate::lsp) fn address(&self, path: &std::path::Path) -> Option<String> {
         let is_it = |document: &&Document| document.path.as_deref().is_some_and(|open| files::same(open, path));
         let open = self.open.values().find(is_it).map(|document| document.uri.clone());
         open.or_else(|| uri_of(path)).map(|uri| uri.as_str().to_string())
     }
 
     /// Publishes all diagnostics of a text: faults of its syntax, and results of runs.
-    fn publish(&self, address: &str) {
+    pub(in crate::lsp) fn publish(&self, address: &str) {
         let Ok(uri) = Uri::from_str(address) else { return };
         let document = self.open.get(address);
         let faults = document
             .iter()
             .flat_map(|document| document.faults.iter().map(|fault| of_syntax(fault, &document.text, &document.uri)));
         let mut all: Vec<EditorDiagnostic> = faults.collect();
+        all.extend(document.and_then(Document::size_notice));
         for new in self.results.values().filter_map(|found| found.get(address)).flatten() {
             // A run finds the faults of the syntax, too, and two scenes may find the same fault in a shared file.
             if !all.iter().any(|other| other.range == new.range && other.code == new.code) {
@@ -290,14 +277,18 @@ impl<S: Client> Server<S> {
         self.results.values().filter_map(|found| found.get(address)).flatten().cloned().collect()
     }
 
-    fn close(&mut self, key: &str) {
+    fn close(&mut self, key: &str) -> Result<(), String> {
         let scenes = self.scenes_of(key);
-        if let Some(cancel) = self.open.remove(key).and_then(|document| document.cancel) {
+        let closed = self.open.remove(key).ok_or_else(|| not_open(key))?;
+        if let Some(cancel) = closed.cancel {
             cancel.cancel(CancelReason::Request);
         }
+        // Files that only the closed text includes are no longer needed; the others are read again.
+        self.files = Files::default();
         let gone = self.results.remove(key).unwrap_or_default();
         gone.keys().map(String::as_str).chain([key]).for_each(|address| self.publish(address));
         scenes.iter().filter(|scene| *scene != key).for_each(|scene| self.schedule(scene));
+        Ok(())
     }
 
     /// Returns the open document with an address.
@@ -335,4 +326,24 @@ impl<S: Client> Server<S> {
             Some(path) => self.address(path).and_then(|address| Uri::from_str(&address).ok()),
         }
     }
+}
+
+/// Text of an internal error.
+const BUG: &str = "durer has failed, which is a bug; please report it";
+
+/// Returns the result of the request `initialize`.
+fn initialize_result(params: &Value) -> Value {
+    let version = env!("CARGO_PKG_VERSION");
+    json!({"capabilities": capabilities(params), "serverInfo": {"name": "durer", "version": version}})
+}
+
+/// Reads the parameters of a notification.
+fn read<P: DeserializeOwned>(note: Notification) -> Result<P, String> {
+    let Notification { method, params } = note;
+    serde_json::from_value(params).map_err(|error| format!("`{method}` has invalid parameters: {error}"))
+}
+
+/// Returns the message about an address that is not open.
+pub fn not_open(address: &str) -> String {
+    format!("the document `{address}` is not open")
 }

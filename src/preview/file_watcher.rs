@@ -1,12 +1,12 @@
-//! Detects changes of the files that a scene has read.
+//! Detects changes of the files that a scene has looked up.
 
-use crate::source::{ContentHash, ReadFiles};
+use crate::source::{ContentHash, Disk, FileKind, Files, LookedUpFiles, Lookup, Lookups, Stamp};
 use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 /// Interval of polling, for file systems that report no changes.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
@@ -14,6 +14,8 @@ const POLL_INTERVAL: Duration = Duration::from_secs(1);
 const QUIET: Duration = Duration::from_millis(25);
 /// Largest number of quiet times that are waited for.
 const MAX_WAITS: usize = 12;
+/// Largest number of look-ups that are checked again.
+const MAX_ANSWERS: usize = 4096;
 
 /// Watcher that reports changes of a scene's files.
 pub struct FileWatcher {
@@ -26,28 +28,47 @@ struct Shared {
     watcher: Option<RecommendedWatcher>,
     folders: BTreeSet<PathBuf>,
     files: BTreeMap<PathBuf, File>,
-    /// True if a file may have been missing: any change in the folders then counts.
-    missing: bool,
+    /// Answers to the questions that the scene asked about paths.
+    answers: Vec<Answer>,
 }
 
 /// State of a watched file at the last check.
 #[derive(Clone, Copy, PartialEq)]
 struct File {
-    stamp: Stamp,
-    /// Hash of the contents that the scene read.
+    stamp: Option<Stamp>,
+    /// Hash of the contents that the scene read; `None` if it could not be read.
     content: Option<ContentHash>,
 }
 
-/// Length of a watched file and time of its last modification; `None` without a file.
-type Stamp = Option<(u64, Option<SystemTime>)>;
+/// Answer that the storage gave to a question about a path.
+struct Answer {
+    path: PathBuf,
+    lookup: Lookup,
+    /// True if the storage gave the same answer at the last check.
+    was_current: bool,
+}
 
-fn stamp(path: &Path) -> Stamp {
-    let meta = std::fs::metadata(path).ok()?;
-    Some((meta.len(), meta.modified().ok()))
+impl Answer {
+    /// Returns the folder in which a change may change the answer.
+    fn folder(&self) -> PathBuf {
+        if matches!(self.lookup, Lookup::Spelling { .. }) { self.path.clone() } else { folder(&self.path) }
+    }
+
+    /// True if the answer was current at the last check and is no longer, or the other way round.
+    fn has_changed(&mut self) -> bool {
+        let is_current = self.lookup.is_current(&Disk, &self.path);
+        std::mem::replace(&mut self.was_current, is_current) != is_current
+    }
+}
+
+/// Returns the stamp of a regular file. A folder, device or pipe counts as no file, as for a scene that reads it.
+fn stamp(path: &Path) -> Option<Stamp> {
+    Disk.metadata(path).ok().filter(|metadata| metadata.kind == FileKind::File)?;
+    Disk.stamp(path)
 }
 
 fn content(path: &Path) -> Option<ContentHash> {
-    std::fs::read(path).ok().map(|bytes| ContentHash::of(&bytes))
+    Disk.read(path).ok().map(|bytes| ContentHash::of(&bytes))
 }
 
 impl FileWatcher {
@@ -68,21 +89,22 @@ impl FileWatcher {
         Self { shared }
     }
 
-    /// Watches the files `read`, with the contents that were read: a file that has changed since then is reported at
-    /// once. `scene` is watched, too, even if it could not be read. `missing` is true if the scene may have searched
-    /// for files that do not exist.
-    pub fn follow(&self, read: &ReadFiles, scene: &Path, missing: bool) {
+    /// Watches the files that a scene has looked up, with the contents that were read: a file that has changed since
+    /// then is reported at once. `scene` is watched, too, even if it could not be read.
+    pub fn follow(&self, files: &LookedUpFiles, scene: &Path) {
         let mut shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
+        let LookedUpFiles { read, lookups } = files;
         let file = |path: &Path, read: Option<ContentHash>| {
             let old = shared.files.get(path).copied();
             // The file may have changed after it was read: check it again.
             let known = old.filter(|old| old.content == read);
             (path.to_path_buf(), known.unwrap_or(File { stamp: None, content: read }))
         };
-        let gone = (!read.contains_key(scene)).then(|| file(scene, None));
-        let files = read.iter().map(|(path, hash)| file(path, Some(*hash))).chain(gone).collect();
-        (shared.files, shared.missing) = (files, missing);
-        let folders: BTreeSet<PathBuf> = shared.files.keys().map(|path| folder(path)).collect();
+        let unread = (!read.contains_key(scene)).then(|| file(scene, None));
+        shared.files = read.iter().map(|(path, hash)| file(path, Some(*hash))).chain(unread).collect();
+        shared.answers = answers_of(lookups);
+        let folders: BTreeSet<PathBuf> =
+            shared.files.keys().map(|path| folder(path)).chain(shared.answers.iter().map(Answer::folder)).collect();
         let (old, new) = (shared.folders.clone(), folders.clone());
         shared.folders = folders;
         if let Some(watcher) = &mut shared.watcher {
@@ -93,32 +115,48 @@ impl FileWatcher {
     }
 }
 
+/// Returns the answers on which the scene depends. Names in a folder are left out: they serve messages and the search for
+/// fonts, and any new file would change them.
+fn answers_of(lookups: &Lookups) -> Vec<Answer> {
+    let answer =
+        |path: &PathBuf, lookup: &Lookup| Answer { path: path.clone(), lookup: lookup.clone(), was_current: true };
+    let all = lookups.iter().flat_map(|(path, lookups)| lookups.iter().map(move |lookup| answer(path, lookup)));
+    all.filter(|answer| !matches!(answer.lookup, Lookup::Names(_))).take(MAX_ANSWERS).collect()
+}
+
 fn folder(path: &Path) -> PathBuf {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_path_buf()
 }
 
 fn run(shared: &Mutex<Shared>, events: &Receiver<()>, changed: &dyn Fn()) {
     loop {
-        let notified = match events.recv_timeout(POLL_INTERVAL) {
-            Ok(()) => {
-                (0..MAX_WAITS)
-                    .take_while(|_| events.recv_timeout(QUIET).is_ok())
-                    .for_each(|_| while events.try_recv().is_ok() {});
-                true
-            }
-            Err(RecvTimeoutError::Timeout) => false,
-            Err(RecvTimeoutError::Disconnected) => {
-                std::thread::sleep(POLL_INTERVAL);
-                false
-            }
-        };
+        match events.recv_timeout(POLL_INTERVAL) {
+            Ok(()) => (0..MAX_WAITS)
+                .take_while(|_| events.recv_timeout(QUIET).is_ok())
+                .for_each(|_| while events.try_recv().is_ok() {}),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => std::thread::sleep(POLL_INTERVAL),
+        }
         let mut shared = shared.lock().unwrap_or_else(PoisonError::into_inner);
-        let changes = shared.files.iter_mut().filter_map(|(path, file)| file.has_changed(path).then_some(())).count();
-        let appeared = notified && shared.missing;
+        let has_changed = shared.check();
         drop(shared);
-        if changes > 0 || appeared {
+        if has_changed {
             changed();
         }
+    }
+}
+
+impl Shared {
+    /// Checks all files; true if one has changed or appeared since the last check.
+    fn check(&mut self) -> bool {
+        let mut has_changed = false;
+        for (path, file) in &mut self.files {
+            has_changed |= file.has_changed(path);
+        }
+        for answer in &mut self.answers {
+            has_changed |= answer.has_changed();
+        }
+        has_changed
     }
 }
 

@@ -6,6 +6,9 @@
 
 use std::io;
 
+/// Status and reason of a refused request.
+pub type Refusal = (&'static str, &'static str);
+
 /// Address and secret token of the preview page.
 #[derive(Clone, Debug)]
 pub struct Guard {
@@ -32,22 +35,25 @@ impl Guard {
     /// Returns the rest of a path after the token.
     ///
     /// # Errors
-    /// The reason of a refusal.
-    pub fn admit<'p>(&self, path: &'p str, header: impl Fn(&str) -> Vec<String>) -> Result<&'p str, &'static str> {
+    /// The status and the reason of a refusal.
+    pub fn admit<'p>(&self, path: &'p str, header: impl Fn(&str) -> Vec<String>) -> Result<&'p str, Refusal> {
+        const FORBIDDEN: &str = "403 Forbidden";
         let hosts = [format!("127.0.0.1:{}", self.port), format!("localhost:{}", self.port)];
         match &header("host")[..] {
             [host] if hosts.contains(host) => {}
-            _ => return Err("this server answers only to its own address"),
+            [_] => return Err((FORBIDDEN, "this server answers only to its own address")),
+            // RFC 9112, section 3.2.
+            _ => return Err(("400 Bad Request", "a request needs exactly one header `Host`")),
         }
         let own = |origin: &String| origin.strip_prefix("http://").is_some_and(|host| hosts.iter().any(|h| h == host));
         let near = |site: &String| site == "same-origin" || site == "none";
         if !header("origin").iter().all(own) || !header("sec-fetch-site").iter().all(near) {
-            return Err("other pages get no answer here");
+            return Err((FORBIDDEN, "other pages get no answer here"));
         }
         let rest = path.strip_prefix('/').and_then(|path| path.split_once('/'));
         match rest {
             Some((token, rest)) if self.is_token(token) => Ok(rest),
-            _ => Err("the address has a token; `durer watch` prints it"),
+            _ => Err((FORBIDDEN, "the address has a token; `durer watch` prints it")),
         }
     }
 

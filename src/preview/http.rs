@@ -1,15 +1,19 @@
 //! A subset of HTTP/1.1 (RFC 9112): one request for each connection.
 
 use std::io::{self, Read, Write};
-use std::net::TcpStream;
-use std::time::Duration;
+use std::net::{Shutdown, TcpStream};
+use std::time::{Duration, Instant};
 
 /// Largest head of a request, in bytes.
 const MAX_HEAD: usize = 16 << 10;
 /// Largest body of a request, in bytes.
 const MAX_BODY: usize = 64 << 10;
-/// Timeout of reading from and writing to an HTTP client.
-const TIMEOUT: Duration = Duration::from_secs(10);
+/// Time in which a client must send its whole request.
+const REQUEST_TIME: Duration = Duration::from_secs(2);
+/// Timeout of writing to an HTTP client.
+const WRITE_TIME: Duration = Duration::from_secs(10);
+/// Time in which input is discarded after the refusal of a request.
+const DISCARD_TIME: Duration = Duration::from_millis(500);
 
 /// An HTTP request of a client.
 #[derive(Debug)]
@@ -29,44 +33,55 @@ impl Request {
     /// Reads a request.
     ///
     /// # Errors
-    /// After the timeout, and for an invalid or too long request.
+    /// Of the kind [`io::ErrorKind::InvalidData`] with the reason, for a request that is invalid, too long or too slow;
+    /// otherwise if the connection fails.
     pub fn read(stream: &mut TcpStream) -> io::Result<Self> {
-        stream.set_read_timeout(Some(TIMEOUT))?;
-        stream.set_write_timeout(Some(TIMEOUT))?;
+        stream.set_write_timeout(Some(WRITE_TIME))?;
         stream.set_nodelay(true)?;
-        let invalid = |text: &str| io::Error::new(io::ErrorKind::InvalidData, text);
-        let (mut bytes, mut chunk) = (vec![], [0; 4096]);
-        loop {
-            let mut headers = [httparse::EMPTY_HEADER; 64];
-            let mut request = httparse::Request::new(&mut headers);
-            let status = request.parse(&bytes).map_err(io::Error::other)?;
-            if let httparse::Status::Complete(head) = status {
-                let mut read = Self::of(&request);
-                read.body = bytes.split_off(head);
-                let length = match &read.header("content-length")[..] {
-                    [] => 0,
-                    [length] => length.parse().map_err(io::Error::other)?,
-                    _ => return Err(invalid("two lengths")),
-                };
-                if length > MAX_BODY {
-                    return Err(invalid("too long"));
-                }
-                while read.body.len() < length {
-                    let count = stream.read(&mut chunk)?;
-                    if count == 0 {
-                        return Err(io::ErrorKind::UnexpectedEof.into());
-                    }
-                    read.body.extend_from_slice(&chunk[..count]);
-                }
-                read.body.truncate(length);
-                return Ok(read);
+        let mut input = Input { stream, bytes: vec![], deadline: Instant::now() + REQUEST_TIME };
+        let (mut request, head) = loop {
+            if let Some(complete) = Self::parse(&input.bytes)? {
+                break complete;
             }
-            let count = stream.read(&mut chunk)?;
-            if count == 0 || bytes.len() > MAX_HEAD {
-                return Err(io::ErrorKind::UnexpectedEof.into());
+            if input.bytes.len() > MAX_HEAD {
+                return Err(invalid(format!("the head of the request is longer than {} KB", MAX_HEAD >> 10)));
             }
-            bytes.extend_from_slice(&chunk[..count]);
+            input.receive()?;
+        };
+        let length = request.body_length()?;
+        while input.bytes.len() < head + length {
+            input.receive()?;
         }
+        request.body = input.bytes[head..head + length].to_vec();
+        Ok(request)
+    }
+
+    /// Parses the head of a request, and returns the request with the length of its head; `None` if the head is
+    /// incomplete.
+    fn parse(bytes: &[u8]) -> io::Result<Option<(Self, usize)>> {
+        let mut headers = [httparse::EMPTY_HEADER; 64];
+        let mut request = httparse::Request::new(&mut headers);
+        match request.parse(bytes) {
+            Ok(httparse::Status::Complete(head)) => Ok(Some((Self::of(&request), head))),
+            Ok(httparse::Status::Partial) => Ok(None),
+            Err(error) => Err(invalid(format!("the request is not HTTP/1.1: {error}"))),
+        }
+    }
+
+    /// Returns the length of the body in bytes.
+    fn body_length(&self) -> io::Result<usize> {
+        if !self.header("transfer-encoding").is_empty() {
+            return Err(invalid("the request has a body of unknown length"));
+        }
+        let length = match &self.header("content-length")[..] {
+            [] => 0,
+            [length] if length.bytes().all(|byte| byte.is_ascii_digit()) => length.parse().unwrap_or(usize::MAX),
+            _ => return Err(invalid("the request has no valid `Content-Length`")),
+        };
+        if length > MAX_BODY {
+            return Err(invalid(format!("the body of the request is longer than {} KB", MAX_BODY >> 10)));
+        }
+        Ok(length)
     }
 
     fn of(request: &httparse::Request) -> Self {
@@ -95,6 +110,43 @@ impl Request {
     }
 }
 
+/// Error of a request that is answered with status 400.
+fn invalid(text: impl Into<String>) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, text.into())
+}
+
+/// Input of a connection, as far as it has arrived.
+struct Input<'a> {
+    stream: &'a mut TcpStream,
+    bytes: Vec<u8>,
+    /// Time at which the whole request must have arrived.
+    deadline: Instant,
+}
+
+impl Input<'_> {
+    /// Waits for more input.
+    fn receive(&mut self) -> io::Result<()> {
+        let slow = || invalid(format!("the request did not arrive within {} seconds", REQUEST_TIME.as_secs()));
+        let left = self.deadline.saturating_duration_since(Instant::now());
+        if left.is_zero() {
+            return Err(slow());
+        }
+        self.stream.set_read_timeout(Some(left))?;
+        let mut chunk = [0; 4096];
+        match self.stream.read(&mut chunk) {
+            Ok(0) if self.bytes.is_empty() => Err(io::ErrorKind::UnexpectedEof.into()),
+            Ok(0) => Err(invalid("the request ended too early")),
+            Ok(count) => {
+                self.bytes.extend_from_slice(&chunk[..count]);
+                Ok(())
+            }
+            Err(error) if matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut) => Err(slow()),
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => Ok(()),
+            Err(error) => Err(error),
+        }
+    }
+}
+
 /// Headers of every response: no caching, no frames, no guessing of the content type, no referrer; and the page
 /// loads nothing from other hosts.
 const HEADERS: &str = "Cache-Control: no-store\r\n\
@@ -114,6 +166,29 @@ pub fn answer(stream: &mut TcpStream, status: &str, kind: &str, body: &[u8]) -> 
     let length = body.len();
     let head = format!("HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {length}\r\n{HEADERS}\r\n");
     stream.write_all(&[head.as_bytes(), body].concat())
+}
+
+/// Sends a response that refuses a request, and discards the rest of the input for a short time: the system would
+/// otherwise reset the connection, and the client might lose the response.
+///
+/// # Errors
+/// If the client is gone.
+pub fn refuse(stream: &mut TcpStream, status: &str, reason: &str) -> io::Result<()> {
+    stream.set_write_timeout(Some(WRITE_TIME))?;
+    answer(stream, status, "text/plain; charset=utf-8", format!("{reason}\n").as_bytes())?;
+    stream.shutdown(Shutdown::Write)?;
+    let deadline = Instant::now() + DISCARD_TIME;
+    let mut chunk = [0; 4096];
+    loop {
+        let left = deadline.saturating_duration_since(Instant::now());
+        if left.is_zero() {
+            return Ok(());
+        }
+        stream.set_read_timeout(Some(left))?;
+        if stream.read(&mut chunk)? == 0 {
+            return Ok(());
+        }
+    }
 }
 
 /// Starts a response that is an endless sequence of events.

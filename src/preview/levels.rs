@@ -29,6 +29,9 @@ pub fn render_progressively(
     let (begin, mut first) = (Instant::now(), None);
     let whole = Region { x: 0, y: 0, width: options.width, height: options.height };
     let area = options.region.unwrap_or(whole);
+    // Cancelled work may go on for a while beside the next one, which then owns the screen.
+    let check = || if cancel.is_cancelled() { Err(Stopped::Cancelled) } else { Ok(()) };
+    check()?;
     screen.begin(View { area });
     let pixels = area.width * area.height;
     let mut count = FIRST_PIXELS;
@@ -36,6 +39,7 @@ pub fn render_progressively(
         let start = Instant::now();
         let image = coarse(world, options, area, (count as f64 / pixels as f64).sqrt(), cancel)?;
         let rate = start.elapsed().as_secs_f64() / (image.width * image.height).max(1) as f64;
+        check()?;
         screen.put_coarse(image);
         first.get_or_insert_with(|| begin.elapsed());
         count *= LEVEL_FACTOR;
@@ -45,6 +49,7 @@ pub fn render_progressively(
     }
     let watch = TileDisplay { world, options, screen, cancel };
     let rays = render::draw(world, options, &watch, &mut Discard)?;
+    check()?;
     screen.finish();
     Ok((rays, first.unwrap_or_default()))
 }
@@ -91,7 +96,9 @@ struct TileDisplay<'a> {
 
 impl Watch for TileDisplay<'_> {
     fn progress(&self, done: usize, total: usize) {
-        self.screen.progress(done as f32 / total.max(1) as f32);
+        if !self.cancelled() {
+            self.screen.progress(done as f32 / total.max(1) as f32);
+        }
     }
 
     fn cancelled(&self) -> bool {
@@ -103,6 +110,9 @@ impl Watch for TileDisplay<'_> {
     }
 
     fn store_tile(&self, tile: Tile, pixels: &[[f32; 4]]) {
+        if self.cancelled() {
+            return;
+        }
         let lit: Vec<_> = pixels.iter().map(|pixel| render::light(self.world, self.options, pixel)).collect();
         self.screen.put(tile.area, &lit);
     }

@@ -8,11 +8,15 @@ use crate::image_io::{Encoding, Format, encode};
 use serde_json::json;
 use std::io;
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::SeqCst};
+use std::time::Duration;
 
 /// Largest number of simultaneous connections to the preview server.
 const MAX_CONNECTIONS: usize = 64;
+/// Time without new connections after the system has refused one.
+const ACCEPT_PAUSE: Duration = Duration::from_millis(50);
 
 const PAGE: &[u8] = include_bytes!("page/index.html");
 const STYLE: &[u8] = include_bytes!("page/page.css");
@@ -29,15 +33,23 @@ pub fn serve(port: u16, backend: Arc<dyn Backend>, screen: Arc<Screen>) -> io::R
     let address = guard.address();
     let (server, count) = (Arc::new(Server { guard, backend, screen }), Arc::new(AtomicUsize::new(0)));
     let accept = move || {
-        for stream in listener.incoming().flatten() {
+        for stream in listener.incoming() {
+            let Ok(mut stream) = stream else {
+                // The process has too many open files: wait until some are closed.
+                std::thread::sleep(ACCEPT_PAUSE);
+                continue;
+            };
             let (server, connection) = (server.clone(), Connection(count.clone()));
-            if connection.0.fetch_add(1, SeqCst) < MAX_CONNECTIONS {
-                let _ = std::thread::Builder::new().name("page".into()).spawn(move || {
-                    let _connection = connection;
-                    // A failed response means that the client is gone.
-                    let _ = server.answer(stream);
-                });
+            if connection.0.fetch_add(1, SeqCst) >= MAX_CONNECTIONS {
+                // The short response fits into the socket's buffer: the write does not block.
+                let _ = http::answer(&mut stream, "503 Service Unavailable", TEXT, b"too many connections\n");
+                continue;
             }
+            let _ = std::thread::Builder::new().name("page".into()).spawn(move || {
+                let _connection = connection;
+                // A failed response means that the client is gone.
+                let _ = server.answer(&mut stream);
+            });
         }
     };
     std::thread::Builder::new().name("pages".into()).spawn(accept)?;
@@ -59,47 +71,77 @@ struct Server {
     screen: Arc<Screen>,
 }
 
+/// Paths of the server after the token, and the method of each.
+const METHODS: [(&str, &str); 10] = [
+    ("", "GET"),
+    ("page.css", "GET"),
+    ("page.js", "GET"),
+    ("icon.svg", "GET"),
+    ("events", "GET"),
+    ("before.png", "GET"),
+    ("pick", "GET"),
+    ("change", "POST"),
+    ("open", "POST"),
+    ("save", "POST"),
+];
+
 const TEXT: &str = "text/plain; charset=utf-8";
 const JSON: &str = "application/json";
 
 impl Server {
-    fn answer(&self, mut stream: TcpStream) -> io::Result<()> {
-        let to = &mut stream;
+    /// Reads a request and responds to it.
+    fn answer(&self, to: &mut TcpStream) -> io::Result<()> {
         let request = match Request::read(to) {
             Ok(request) => request,
-            Err(e) if e.kind() == io::ErrorKind::InvalidData => {
-                return http::answer(to, "400 Bad Request", TEXT, b"invalid request\n");
+            Err(error) if error.kind() == io::ErrorKind::InvalidData => {
+                return http::refuse(to, "400 Bad Request", &error.to_string());
             }
-            Err(e) => return Err(e),
+            Err(error) => return Err(error),
         };
         let rest = match self.guard.admit(&request.path, |name| request.header(name)) {
             Ok(rest) => rest,
-            Err(why) => return http::answer(to, "403 Forbidden", TEXT, format!("{why}\n").as_bytes()),
+            Err((status, reason)) => return http::refuse(to, status, reason),
         };
-        match (&request.method[..], rest) {
-            ("GET", "") => http::answer(to, "200 OK", "text/html; charset=utf-8", PAGE),
-            ("GET", "page.css") => http::answer(to, "200 OK", "text/css; charset=utf-8", STYLE),
-            ("GET", "page.js") => http::answer(to, "200 OK", "text/javascript; charset=utf-8", SCRIPT),
-            ("GET", "icon.svg") => http::answer(to, "200 OK", "image/svg+xml", ICON),
-            ("GET", "events") => stream::send(to, &self.screen),
-            ("GET", "before.png") => self.previous(to),
-            ("GET", "pick") => {
+        let Some((_, method)) = METHODS.iter().find(|(name, _)| *name == rest) else {
+            return http::refuse(to, "404 Not Found", "not found");
+        };
+        if request.method != *method {
+            return http::refuse(to, "405 Method Not Allowed", &format!("this address takes `{method}` only"));
+        }
+        match catch_unwind(AssertUnwindSafe(|| self.respond_to(to, rest, &request))) {
+            Ok(sent) => sent,
+            Err(_) => {
+                http::refuse(to, "500 Internal Server Error", "durer has failed, which is a bug; please report it")
+            }
+        }
+    }
+
+    /// Responds to a request for one of the addresses in [`METHODS`].
+    fn respond_to(&self, to: &mut TcpStream, address: &str, request: &Request) -> io::Result<()> {
+        match address {
+            "" => http::answer(to, "200 OK", "text/html; charset=utf-8", PAGE),
+            "page.css" => http::answer(to, "200 OK", "text/css; charset=utf-8", STYLE),
+            "page.js" => http::answer(to, "200 OK", "text/javascript; charset=utf-8", SCRIPT),
+            "icon.svg" => http::answer(to, "200 OK", "image/svg+xml", ICON),
+            "events" => stream::send(to, &self.screen),
+            "before.png" => self.previous(to),
+            "pick" => {
                 let (x, y) = (request.number("x").unwrap_or(0), request.number("y").unwrap_or(0));
                 http::answer(to, "200 OK", JSON, self.backend.pick(x, y).to_string().as_bytes())
             }
-            ("POST", "change") => match serde_json::from_slice(&request.body) {
+            "change" => match serde_json::from_slice(&request.body) {
                 Ok(change) => {
                     self.backend.change(change);
                     http::answer(to, "200 OK", JSON, b"{}")
                 }
                 Err(_) => refuse(to, "this is not a change of the settings"),
             },
-            ("POST", "open") => match serde_json::from_slice(&request.body) {
+            "open" => match serde_json::from_slice(&request.body) {
                 Ok(position) => respond(to, self.backend.open(&position).map(|()| String::new())),
                 Err(_) => refuse(to, "this is not a position"),
             },
-            ("POST", "save") => respond(to, self.backend.save()),
-            _ => http::answer(to, "404 Not Found", TEXT, b"not found\n"),
+            "save" => respond(to, self.backend.save()),
+            _ => http::refuse(to, "404 Not Found", "not found"),
         }
     }
 

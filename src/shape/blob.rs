@@ -16,7 +16,8 @@ use super::pov_bounds::NOTHING;
 use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, TextureWeights, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
-use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, cancel, solve_polynomial_between, tolerance};
+use crate::math::cancel::{self, Poll};
+use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, solve_polynomial_between, tolerance};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Next, Readable, Reader, ReaderExt, Spec, ValueKind};
@@ -76,8 +77,12 @@ impl Blob {
         let start = if enter.is_finite() { enter } else { -ray.origin.dot(ray.dir) / ray.dir.length_squared() };
         let near = Ray::new(ray.at(start), ray.dir);
         let mut stretches = Stretches::new();
+        let mut poll = Poll::default();
         self.bvh.traverse(&near, Range::ALL, |i, max| {
             self.components[i].add_stretches(&near, &mut stretches);
+            if stretches.len() > FEW_STRETCHES && poll.is_cancelled() {
+                return ControlFlow::Break(());
+            }
             ControlFlow::Continue(max)
         });
         stretches.sort_unstable_by(|a, b| a.from.total_cmp(&b.from));

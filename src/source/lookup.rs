@@ -1,6 +1,6 @@
 //! Look-ups of files: questions about a path other than the contents of its file, with their answers.
 
-use super::{ContentHash, Entry, FileKind, Files};
+use super::{ContentHash, Entry, FileKind, Files, ReadFiles};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,6 +8,23 @@ use std::time::UNIX_EPOCH;
 
 /// Look-ups by path, each in the order of its first occurrence. A path with different answers changed during the run.
 pub type Lookups = BTreeMap<PathBuf, Vec<Lookup>>;
+
+/// Files that a run read, and those that it looked up.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct LookedUpFiles {
+    /// Files that were read.
+    pub read: ReadFiles,
+    /// Look-ups of files that were read, and of others.
+    pub lookups: Lookups,
+}
+
+impl LookedUpFiles {
+    /// Adds the files of another run.
+    pub fn extend(&mut self, other: Self) {
+        self.read.extend(other.read);
+        self.lookups.extend(other.lookups);
+    }
+}
 
 /// Answer of the storage to a question about a path.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

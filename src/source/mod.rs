@@ -21,7 +21,7 @@ pub use disk::{Disk, Draft, resolve, sync_folder_of};
 pub use exclusive::{Exclusive, OpenError};
 pub use files::{Entry, FileKind, Files, Metadata, Stamp, WriteAccess, WriteMode};
 pub use host::{Host, LocalHost};
-pub use lookup::{Lookup, Lookups};
+pub use lookup::{LookedUpFiles, Lookup, Lookups};
 pub use memory::{Memory, Overlay};
 pub use read::{ReadError, read_text, text_of};
 pub use recorder::{ContentHash, ReadFiles, Recorder};

@@ -1,6 +1,6 @@
 //! All texts of a run, with one numbering of their bytes.
 
-use super::{Disk, Files, Lookups, ReadFiles, Recorder, Span};
+use super::{Disk, Files, LookedUpFiles, Lookups, ReadFiles, Recorder, Span};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -77,6 +77,11 @@ impl Sources {
     /// Returns the look-ups of files since [`Sources::begin_run`]: which exist, and where files were found.
     pub fn lookups(&self) -> Lookups {
         self.files.lookups()
+    }
+
+    /// Returns the files that were read so far, and the look-ups since [`Sources::begin_run`].
+    pub fn looked_up_files(&self) -> LookedUpFiles {
+        LookedUpFiles { read: self.read_files(), lookups: self.lookups() }
     }
 
     /// Adds a text; `None` if all texts together would exceed 4 GB.

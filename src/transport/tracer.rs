@@ -83,8 +83,10 @@ impl<'w> Tracer<'w> {
         self.stopped
     }
 
-    /// Starts a sample of a pixel: all random numbers from here on are keyed by both.
+    /// Starts a sample of a pixel: all random numbers from here on are keyed by both. Polls the cancel flag, since a
+    /// sample of few surfaces may take long.
     pub fn begin(&mut self, pixel: u64, sample: u64) {
+        self.stopped |= (self.is_cancelled)();
         self.random.begin(pixel, sample);
     }
 }

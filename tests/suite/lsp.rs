@@ -2,6 +2,7 @@
 
 mod editor;
 mod help;
+mod robust;
 mod typing;
 
 use editor::{Editor, at, codes};
@@ -321,7 +322,7 @@ fn unsupported_requests() {
     let nowhere = editor.uri("nowhere.pov");
     assert!(editor.answer("textDocument/hover", json!({"wrong": 1}))["error"]["code"].is_i64());
     assert!(editor.answer("textDocument/unheardOf", json!({}))["error"]["code"].is_i64());
-    assert!(editor.ask("textDocument/hover", at(&nowhere, 3, 4)).is_null());
+    assert_eq!(editor.answer("textDocument/hover", at(&nowhere, 3, 4))["error"]["code"], -32602);
     editor.change(&nowhere, 3, [0, 0, 0, 0], "text");
     editor.say("textDocument/didChange", json!({"nonsense": true}));
     let deep = "union{".repeat(20_000);

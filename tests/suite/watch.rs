@@ -6,6 +6,7 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::path::PathBuf;
 use std::process::{Child, ChildStderr, Command, Stdio};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 const SCENE: &str = "#version 3.7;
@@ -21,7 +22,8 @@ plane { y, -1 pigment { checker rgb 0.8 rgb 0.6 } }
 struct Watch {
     folder: tempfile::TempDir,
     durer: Child,
-    stderr: BufReader<ChildStderr>,
+    /// `None` after [`Watch::collect`].
+    stderr: Option<BufReader<ChildStderr>>,
 }
 
 impl Watch {
@@ -32,7 +34,7 @@ impl Watch {
         let mut durer = Command::new(env!("CARGO_BIN_EXE_durer"));
         durer.args(["watch", "ball.scene", "--size", "72x54"]).args(words.split_whitespace());
         let mut durer = durer.current_dir(&folder).stderr(Stdio::piped()).spawn().unwrap();
-        let stderr = BufReader::new(durer.stderr.take().unwrap());
+        let stderr = Some(BufReader::new(durer.stderr.take().unwrap()));
         Self { folder, durer, stderr }
     }
 
@@ -49,9 +51,23 @@ impl Watch {
         let mut line = String::new();
         while !line.contains(word) {
             line.clear();
-            assert!(self.stderr.read_line(&mut line).unwrap() > 0, "no line with `{word}`");
+            assert!(self.stderr.as_mut().unwrap().read_line(&mut line).unwrap() > 0, "no line with `{word}`");
         }
         line
+    }
+
+    /// Collects the lines on stderr from now on.
+    fn collect(&mut self) -> Arc<Mutex<String>> {
+        let text = Arc::new(Mutex::new(String::new()));
+        let mut stderr = self.stderr.take().unwrap();
+        let to = text.clone();
+        std::thread::spawn(move || {
+            let mut line = String::new();
+            while stderr.read_line(&mut line).is_ok_and(|length| length > 0) {
+                to.lock().unwrap().push_str(&std::mem::take(&mut line));
+            }
+        });
+        text
     }
 
     /// The picture of `durer render` for the current scene.
@@ -278,10 +294,148 @@ fn foreign_requests_are_rejected() {
     assert_eq!(page.post("change", "[").0, 400);
     assert_eq!(page.post("change", r#"{"output": "/etc/passwd"}"#).0, 400);
     assert_eq!(page.post("open", r#"{"file": "/etc/passwd", "line": 1, "column": 1}"#).0, 400);
-    // A request that is not HTTP does no harm.
-    let mut stream = page.send("\0\u{1}\u{2} nonsense\r\n\r\n");
-    let _ = stream.read_to_end(&mut vec![]);
     assert_eq!(page.get("page.js").0, 200);
+}
+
+#[test]
+fn bad_requests_get_an_answer() {
+    let mut watch = Watch::start("");
+    let page = Page::of(&watch.line("http://"));
+    let (host, path) = (&page.host, &page.path);
+    let long = "x".repeat(40_000);
+    for (request, status, reason) in [
+        ("\0\u{1}\u{2} nonsense\r\n\r\n".to_string(), 400, "not HTTP/1.1"),
+        ("GET\r\n\r\n".to_string(), 400, "not HTTP/1.1"),
+        (format!("GET {path} HTTP/3.0\r\n\r\n"), 400, "not HTTP/1.1"),
+        (format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nLong: {long}\r\n\r\n"), 400, "longer than 16 KB"),
+        (format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n{}\r\n", "A: b\r\n".repeat(100)), 400, "not HTTP/1.1"),
+        (format!("GET {path} HTTP/1.1\r\n\r\n"), 400, "one header `Host`"),
+        (format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nHost: {host}\r\n\r\n"), 400, "one header `Host`"),
+        (format!("BREW {path} HTTP/1.1\r\nHost: {host}\r\n\r\n"), 405, "`GET` only"),
+        (format!("GET {path}save HTTP/1.1\r\nHost: {host}\r\n\r\n"), 405, "`POST` only"),
+        (format!("POST {path}save HTTP/1.1\r\nHost: {host}\r\nContent-Length: -1\r\n\r\n"), 400, "Content-Length"),
+        (
+            format!("POST {path}save HTTP/1.1\r\nHost: {host}\r\nContent-Length: 99999999999\r\n\r\n"),
+            400,
+            "longer than 64 KB",
+        ),
+    ] {
+        let (got, body) = page.ask(&request);
+        assert_eq!(got, status, "{request:.80}: {body}");
+        assert!(body.contains(reason), "{request:.80}: {body}");
+    }
+    // Slow requests do not hold up others, and end.
+    let slow: Vec<_> = (0..5).map(|_| page.send("GET / HT")).collect();
+    assert_eq!(page.get("page.js").0, 200);
+    let start = Instant::now();
+    for mut stream in slow {
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        assert!(answer.starts_with("HTTP/1.1 400") && answer.contains("within 2 seconds"), "{answer}");
+    }
+    assert!(start.elapsed() < Duration::from_secs(8));
+}
+
+#[test]
+fn connections_are_bounded() {
+    let mut watch = Watch::start("");
+    let page = Page::of(&watch.line("http://"));
+    let open: Vec<_> = (0..64).map(|_| page.send("GET")).collect();
+    // The server accepts connections in order.
+    let (status, body) = page.ask("");
+    assert_eq!(status, 503, "{body}");
+    drop(open);
+    let start = Instant::now();
+    while page.ask(&format!("GET {}page.js HTTP/1.1\r\nHost: {}\r\n\r\n", page.path, page.host)).0 == 503 {
+        assert!(start.elapsed() < Duration::from_secs(10));
+    }
+}
+
+#[test]
+fn a_broken_scene_is_not_run_again_for_other_files() {
+    let mut watch = Watch::start("--no-page");
+    watch.line("waiting for the next change");
+    watch.write("ball.scene", "#include \"Later.inc\"\n");
+    watch.line("help: looked in");
+    let stderr = watch.collect();
+    for i in 0..6 {
+        watch.write("log.txt", &"x".repeat(i));
+        std::thread::sleep(Duration::from_millis(60));
+    }
+    // A changed file is reported when the folder has been quiet for 25 ms.
+    std::thread::sleep(Duration::from_millis(600));
+    let n_runs = |text: &str| text.matches("Later.inc").count() + text.matches("waiting").count();
+    let text = stderr.lock().unwrap().clone();
+    assert_eq!(n_runs(&text), 0, "{text}");
+    // A lookup would find this name, too.
+    watch.write("later.inc", SCENE);
+    let start = Instant::now();
+    while !stderr.lock().unwrap().contains("waiting") {
+        assert!(start.elapsed() < Duration::from_secs(20), "the new file has no effect");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_scene_that_was_no_file_for_a_moment_is_rendered_again() {
+    for words in ["--no-page -o out.png", ""] {
+        let mut watch = Watch::start(words);
+        watch.line("rendered");
+        let scene = watch.at("ball.scene");
+        std::fs::remove_file(&scene).unwrap();
+        assert!(Command::new("mkfifo").arg(&scene).status().unwrap().success());
+        watch.line("it is a device or a pipe");
+        std::fs::remove_file(&scene).unwrap();
+        std::fs::create_dir(&scene).unwrap();
+        std::thread::sleep(Duration::from_millis(100));
+        std::fs::remove_dir(&scene).unwrap();
+        watch.write("ball.scene", SCENE);
+        watch.line("rendered");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn opened_editors_leave_no_process() {
+    let mut watch = Watch::start("--editor true");
+    let page = Page::of(&watch.line("http://"));
+    for _ in 0..5 {
+        assert_eq!(page.post("open", r#"{"file": "ball.scene", "line": 1, "column": 1}"#).0, 200);
+    }
+    let id = watch.durer.id();
+    let n_children = || {
+        let tasks = std::fs::read_dir(format!("/proc/{id}/task")).unwrap();
+        let children = tasks.filter_map(|task| std::fs::read_to_string(task.ok()?.path().join("children")).ok());
+        children.map(|text| text.split_whitespace().count()).sum::<usize>()
+    };
+    let start = Instant::now();
+    while n_children() > 0 {
+        assert!(start.elapsed() < Duration::from_secs(10), "{} children", n_children());
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
+#[test]
+fn a_save_takes_effect_during_long_work() {
+    let blob = "#declare R = seed(1);\nblob { threshold 0.6\n#for (I, 1, 20000) sphere { <rand(R), rand(R), rand(R)>, 1, 1 } #end }\n";
+    let mut averages = String::from("#declare P0 = pigment { granite }\n");
+    for i in 1..=28 {
+        let before = i - 1;
+        averages +=
+            &format!("#declare P{i} = pigment {{ average pigment_map {{ [1 P{before}] [1 P{before} rotate y] }} }}\n");
+    }
+    averages += "sphere { 0, 3 pigment { P28 } }\n";
+    let mut watch = Watch::start("--no-page -o out.png");
+    watch.line("waiting for the next change");
+    for (number, slow) in [blob, &averages].into_iter().enumerate() {
+        watch.write("ball.scene", &format!("{SCENE}{slow}"));
+        std::thread::sleep(Duration::from_millis(1200));
+        let start = Instant::now();
+        watch.write("ball.scene", &format!("sphre_{number}\n"));
+        watch.line(&format!("sphre_{number}"));
+        assert!(start.elapsed() < Duration::from_millis(1500), "{:?}", start.elapsed());
+    }
 }
 
 #[test]

@@ -142,9 +142,10 @@ impl<'a> Job<'a> {
         if now.is_some() && is_other { self.build(timing, cancel, None) } else { built }
     }
 
-    /// Locks the journal of a picture; none unless the picture goes to a regular file.
+    /// Locks the journal of a picture; none unless the picture goes to a regular file. A run that its caller stops has no
+    /// journal: the caller starts the next run of the picture while a stopped one still ends.
     fn lock(&self, target: &Target) -> Result<Option<Arc<Journal>>> {
-        let file = target.file().filter(|_| self.config.dump.is_none());
+        let file = target.file().filter(|_| self.config.dump.is_none() && self.config.cancel.is_none());
         let picture = file.filter(|path| path.is_file() || !path.exists());
         Ok(picture.map(journal::lock).transpose()?.map(Arc::new))
     }

@@ -19,7 +19,7 @@ use super::overlay::Invocation;
 use super::{povray, summary};
 use crate::image_io::Format;
 use crate::math::cancel::CancelToken;
-use crate::source::{ReadFiles, Sources};
+use crate::source::{LookedUpFiles, ReadFiles, Sources};
 use config::Config;
 use job::Job;
 use stats::Report;
@@ -45,23 +45,24 @@ struct Done {
     reports: Vec<Report>,
     /// Paths of the pictures whose rendering has begun.
     pictures: Vec<PathBuf>,
-    /// All files that the render has read.
-    read: ReadFiles,
+    /// All files that the render has looked up.
+    files: LookedUpFiles,
 }
 
-/// Renders each scene: one picture, or one for each frame. Returns also the files that were read for them, even after a
-/// failure.
-pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, ReadFiles) {
-    let mut done = Done { read: context.ini_files.clone(), ..Done::default() };
+/// Renders each scene: one picture, or one for each frame. Returns also the files that were looked up for them, even
+/// after a failure.
+pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, LookedUpFiles) {
+    let files = LookedUpFiles { read: context.ini_files.clone(), ..LookedUpFiles::default() };
+    let mut done = Done { files, ..Done::default() };
     let exit = render_all(console, args, &context, &mut done);
     // A tool that waits for a broken file to be mended needs the list, too.
     let written = match (&args.deps, &exit) {
         (Some(file), Ok(_) | Err(Failure::Reported(_) | Failure::Fault(_))) => {
-            deps::write(console, file, &done.pictures, &done.read)
+            deps::write(console, file, &done.pictures, &done.files.read)
         }
         _ => Ok(()),
     };
-    (written.and(exit), done.read)
+    (written.and(exit), done.files)
 }
 
 fn render_all(console: &Console, args: &RenderArgs, context: &Context, done: &mut Done) -> Result {
@@ -126,7 +127,7 @@ fn render_scene(
 ) -> Result<(Exit, String)> {
     let sources = Sources::default();
     let result = render_with(console, &sources, args, context, input, done);
-    done.read.extend(sources.read_files());
+    done.files.extend(sources.looked_up_files());
     result
 }
 

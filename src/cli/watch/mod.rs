@@ -3,20 +3,23 @@
 mod queue;
 mod read;
 mod render_loop;
+mod worker;
 
 use super::args::values::Seconds;
 use super::args::{RenderArgs, WatchArgs};
 use super::console::{Console, print_message};
 use super::exit::{Exit, Failure, Result, usage};
-use super::{render, session};
+use super::{interrupt, render, session};
 use crate::cli::render::target::Target;
-use crate::diagnostic::{Diagnostic, codes};
+use crate::diagnostic::{Diagnostic, codes, file};
 use crate::preview::{FileWatcher, Screen, serve};
-use crate::source::{ContentHash, Disk, Files, Span};
+use crate::source::{ContentHash, Disk, FileKind, Files, LookedUpFiles, ReadError, Span};
 use queue::{RenderQueue, Request};
 use render_loop::RenderLoop;
+use std::io;
 use std::path::Path;
 use std::sync::Arc;
+use worker::Worker;
 
 /// Renders until the program is interrupted.
 pub fn run(console: &Console, args: &WatchArgs) -> Result {
@@ -52,19 +55,45 @@ fn render_args(args: &WatchArgs) -> RenderArgs {
 fn redraw(console: &Console, args: &WatchArgs) -> Result {
     let queue = Arc::new(RenderQueue::default());
     let files = file_watcher(&queue, &args.input);
+    let mut worker = Worker::default();
     loop {
         let cancel = queue.pop().cancel;
-        let context = render::Context { cancel: Some(cancel.clone()), ..render::Context::default() };
-        let (rendered, read) = render::run(console, &render_args(args), context);
-        let failed = match rendered {
+        let (console_of_work, render_args, token) = (console.clone(), render_args(args), cancel.clone());
+        let input = args.input.clone();
+        let work = move || {
+            if let Err(fault) = check_regular(&input) {
+                return (Err(fault.into()), LookedUpFiles::default());
+            }
+            render::run(&console_of_work, &render_args, render::Context { cancel: Some(token), ..Default::default() })
+        };
+        let Some((rendered, looked_up)) = worker.run(&cancel, work) else {
+            if let Some(signal) = interrupt::requested() {
+                return Ok(signal.exit);
+            }
+            // The list of files stays: a cancelled run has not looked up all of them.
+            continue;
+        };
+        let has_failed = match rendered {
             Err(Failure::Reported(exit)) if exit.is_signal() => return Ok(exit),
             Ok(exit) => exit != Exit::Fine,
             Err(failure) => console.print_failure(failure) != Exit::Fine,
         };
-        if !failed && !cancel.is_cancelled() {
+        if !has_failed && !cancel.is_cancelled() {
             console.info(&format!("{}: rendered; waiting for the next change\n", args.input.display()));
         }
-        files.follow(&read, &args.input, failed);
+        files.follow(&looked_up, &args.input);
+    }
+}
+
+/// Checks that the scene is no device or pipe now, which `durer render` would read to its end.
+fn check_regular(input: &Path) -> std::result::Result<(), Box<Diagnostic>> {
+    match Disk.metadata(input) {
+        Ok(metadata) if metadata.kind == FileKind::Special => {
+            let error = io::Error::new(io::ErrorKind::InvalidInput, "it is a device or a pipe");
+            Err(Box::new(file::unreadable(&Disk, input, &ReadError::Io(error))))
+        }
+        // `durer render` reports a missing file and a folder.
+        _ => Ok(()),
     }
 }
 
@@ -88,7 +117,7 @@ fn show(console: &Console, args: &WatchArgs) -> Result {
     {
         console.info(&format!("cannot open a browser: {error}\n"));
     }
-    render_loop.run(console, &files)
+    render_loop.run(console, &Arc::new(files))
 }
 
 /// Starts to watch the scene's own file, so that a save ends even the first run.
@@ -96,6 +125,7 @@ fn file_watcher(queue: &Arc<RenderQueue>, input: &Path) -> FileWatcher {
     let queue = queue.clone();
     let files = FileWatcher::new(move || queue.push(Request::Scene, |_| {}));
     let content = Disk.read(input).map(|bytes| (input.to_path_buf(), ContentHash::of(&bytes)));
-    files.follow(&content.into_iter().collect(), input, false);
+    let looked_up = LookedUpFiles { read: content.into_iter().collect(), ..LookedUpFiles::default() };
+    files.follow(&looked_up, input);
     files
 }

@@ -12,7 +12,7 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::math::cancel::{CancelReason, CancelToken};
 use crate::preview::{Link, Message, Settings};
-use crate::source::{ReadFiles, Sources, Span};
+use crate::source::{LookedUpFiles, Sources, Span};
 use crate::world::World;
 use crate::{Keep, render};
 use std::path::{Path, PathBuf};
@@ -41,8 +41,8 @@ pub struct Read {
     pub failed: bool,
     pub size: Option<Size>,
     pub clock: [f64; 3],
-    /// Files that were read for the watched scene.
-    pub files: ReadFiles,
+    /// Files that were looked up for the watched scene.
+    pub files: LookedUpFiles,
     /// Durations of text → Scene and of Scene → World.
     pub times: [Duration; 2],
 }
@@ -64,7 +64,7 @@ pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, cancel: &C
         }
         Err(messages) => messages,
     };
-    out.files = sources.read_files();
+    out.files = sources.looked_up_files();
     if cancel.reason() == Some(CancelReason::Request) {
         return out;
     }

@@ -2,6 +2,7 @@
 
 use super::queue::{RenderQueue, Request, Work};
 use super::read::{self, Read, Scene};
+use super::worker::{Worker, discard};
 use crate::cli::args::WatchArgs;
 use crate::cli::args::values::Size;
 use crate::cli::console::Console;
@@ -15,11 +16,11 @@ use crate::image_io::Rows;
 use crate::math::cancel::{CancelReason, CancelToken};
 use crate::preview::{self, Change, FileWatcher, Message, PageState, Screen, Settings, TextPosition};
 use crate::render::{self, RayCounts, Region, Stopped};
-use crate::source::{Sources, Span};
+use crate::source::{LookedUpFiles, Sources, Span};
 use serde_json::{Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use std::process::Command;
+use std::process::{Child, Command};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -51,8 +52,9 @@ impl RenderLoop {
     }
 
     /// Renders requested pictures until the program ends.
-    pub fn run(&self, console: &Console, files: &FileWatcher) -> Result {
+    pub fn run(self: &Arc<Self>, console: &Console, files: &Arc<FileWatcher>) -> Result {
         let mut scene: Option<Arc<Scene>> = None;
+        let mut worker = Worker::default();
         let mut state = PageState {
             name: self.args.input.display().to_string(),
             status: "reading",
@@ -69,23 +71,51 @@ impl RenderLoop {
             let Work { request, settings, cancel } = self.queue.pop();
             state.settings = settings;
             if request == Request::Scene || scene.is_none() {
+                discard(scene.take());
                 state.status = "reading";
                 self.screen.set_state(state.clone());
-                let read = self.read(console, &state.settings, &cancel);
-                let (failed, files_read) = (read.failed, read.files.clone());
-                if !cancel.is_cancelled() {
-                    scene = take(&mut state, read);
-                }
-                files.follow(&files_read, &self.args.input, failed);
             }
-            if cancel.is_cancelled() {
-                continue;
+            let (this, console, files) = (self.clone(), console.clone(), files.clone());
+            let (mut new_scene, mut new_state, token) = (scene.clone(), state.clone(), cancel.clone());
+            let work = move || {
+                this.work(&console, &files, &mut new_scene, &mut new_state, &token);
+                (new_scene, new_state)
+            };
+            if let Some(done) = worker.run(&cancel, work) {
+                (scene, state) = done;
+                self.screen.set_state(state.clone());
             }
-            match &scene {
-                Some(scene) => self.render(console, scene, &mut state, &cancel),
-                None => state.status = "broken",
+        }
+    }
+
+    /// Reads the scene unless there is one, and renders it.
+    fn work(
+        &self,
+        console: &Console,
+        files: &FileWatcher,
+        scene: &mut Option<Arc<Scene>>,
+        state: &mut PageState,
+        cancel: &CancelToken,
+    ) {
+        let is_obsolete = || cancel.reason() == Some(CancelReason::Request);
+        if scene.is_none() {
+            let read = self.read(console, &state.settings, cancel);
+            // A cancelled run has not looked up all files: the list of the run before stays.
+            if is_obsolete() {
+                return;
             }
-            self.screen.set_state(state.clone());
+            // After a panic nothing is known.
+            if read.files != LookedUpFiles::default() {
+                files.follow(&read.files, &self.args.input);
+            }
+            *scene = take(state, read);
+        }
+        if is_obsolete() {
+            return;
+        }
+        match scene {
+            Some(scene) => self.render(console, scene, state, cancel),
+            None => state.status = "broken",
         }
     }
 
@@ -103,7 +133,9 @@ impl RenderLoop {
         state.status = "drawing";
         state.messages.retain(|message| message.place.is_some() || message.severity == "warning");
         self.screen.set_state(state.clone());
-        *self.displayed.lock().unwrap_or_else(PoisonError::into_inner) = Some((scene.clone(), options.clone()));
+        let before =
+            self.displayed.lock().unwrap_or_else(PoisonError::into_inner).replace((scene.clone(), options.clone()));
+        discard(before);
         let work = || self.render_now(scene, &options, cancel);
         match catch_unwind(AssertUnwindSafe(work)) {
             Ok(Ok(rendered)) => {
@@ -230,7 +262,13 @@ impl preview::Backend for RenderLoop {
         let path = displayed.as_ref().and_then(|(scene, _)| path_in(scene)).or_else(own);
         let path = path.ok_or_else(|| format!("`{file}` is not a file of this scene"))?;
         let words = editor.at(&path.to_string_lossy(), *line, *column);
-        let started = Command::new(&words[0]).args(&words[1..]).spawn();
-        started.map(|_| ()).map_err(|error| format!("cannot start `{}`: {error}", words[0]))
+        let failure = |error| format!("cannot start `{}`: {error}", words[0]);
+        let child = Command::new(&words[0]).args(&words[1..]).spawn().map_err(failure)?;
+        reap(child).map_err(failure)
     }
+}
+
+/// Waits on a thread for the end of a process, so that the process leaves the system's table when it ends.
+fn reap(mut child: Child) -> std::io::Result<()> {
+    std::thread::Builder::new().name("editor".into()).spawn(move || child.wait()).map(|_| ())
 }

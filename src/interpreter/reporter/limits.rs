@@ -57,7 +57,8 @@ impl Reporter<'_> {
             let message = format!("the scene took more than {} steps", self.inputs.options.max_steps);
             return self.limit(codes::STEP_LIMIT, span, message, "is this loop endless? --max-steps N allows more");
         }
-        if self.usage.steps.is_multiple_of(CLOCK_EVERY) {
+        // A few steps may take long, such as calls of `trace()`: the token is polled at each.
+        if self.usage.steps.is_multiple_of(CLOCK_EVERY) || self.inputs.options.cancel.is_cancelled() {
             return self.check_limits(span);
         }
         if self.usage.steps.is_multiple_of(MEMORY_EVERY) && self.inputs.options.host.counts_memory() {

@@ -12,7 +12,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::str::FromStr;
-use std::sync::mpsc::Sender;
+use std::sync::mpsc::SyncSender;
 
 /// Renders a scene into a picture beside it; the argument is the scene's path.
 pub const RENDER: &str = "durer.render";
@@ -74,7 +74,7 @@ fn durer(words: &[&str], scene: &Path) -> std::io::Result<Command> {
     Ok(command)
 }
 
-fn render(scene: &Path, events: Sender<Event>) {
+fn render(scene: &Path, events: SyncSender<Event>) {
     let (scene, picture) = (scene.to_path_buf(), scene.with_extension("png"));
     let work = move || {
         let name = picture.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -99,9 +99,8 @@ fn render(scene: &Path, events: Sender<Event>) {
 /// Opens the page of a scene, one for each scene.
 fn watch<S: Client>(server: &mut Server<S>, scene: &Path) {
     let watches = &mut server.watches.0;
-    if watches.get_mut(scene).is_some_and(|(child, _)| !matches!(child.try_wait(), Ok(None))) {
-        watches.remove(scene);
-    }
+    // `try_wait` also removes an ended process from the system's table.
+    watches.retain(|_, (child, _)| matches!(child.try_wait(), Ok(None)));
     let begun = match watches.get(scene) {
         Some((_, address)) => Ok(address.clone()),
         None => begin(scene).map(|(child, address)| {

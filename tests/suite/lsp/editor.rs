@@ -47,7 +47,17 @@ fn read_all(stdout: impl Read, mut take: impl FnMut(Value) -> bool) {
 }
 
 impl Editor {
+    /// Starts a server and initializes it.
     pub fn new() -> Self {
+        let mut editor = Self::connect();
+        let told = editor.ask("initialize", json!({"capabilities": {}, "processId": null, "rootUri": null}));
+        assert_eq!(told["capabilities"]["positionEncoding"], "utf-16");
+        editor.say("initialized", json!({}));
+        editor
+    }
+
+    /// Starts a server.
+    pub fn connect() -> Self {
         let place = tempfile::tempdir().unwrap();
         let mut child = Command::new(env!("CARGO_BIN_EXE_durer"))
             .arg("lsp")
@@ -61,17 +71,43 @@ impl Editor {
         let stdout = child.stdout.take().unwrap();
         std::thread::spawn(move || read_all(stdout, |message| sender.send(message).is_ok()));
         let stdin = child.stdin.take().unwrap();
-        let mut editor = Self { child, stdin, messages, next: 0, told: HashMap::new(), shown: vec![], place };
-        let told = editor.ask("initialize", json!({"capabilities": {}, "processId": null, "rootUri": null}));
-        assert_eq!(told["capabilities"]["positionEncoding"], "utf-16");
-        editor.say("initialized", json!({}));
-        editor
+        Self { child, stdin, messages, next: 0, told: HashMap::new(), shown: vec![], place }
+    }
+
+    /// Runs a server on the whole of its input; returns its exit code and its messages.
+    pub fn run_with(input: &str) -> (Option<i32>, String) {
+        let mut durer = Command::new(env!("CARGO_BIN_EXE_durer"));
+        durer.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
+        let mut child = durer.spawn().unwrap();
+        child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+        let output = child.wait_with_output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
     }
 
     pub fn send(&mut self, message: &Value) {
         let body = message.to_string();
-        write!(self.stdin, "Content-Length: {}\r\n\r\n{body}", body.len()).unwrap();
+        self.raw(format!("Content-Length: {}\r\n\r\n{body}", body.len()).as_bytes());
+    }
+
+    /// Sends bytes as they are.
+    pub fn raw(&mut self, bytes: &[u8]) {
+        self.stdin.write_all(bytes).unwrap();
         self.stdin.flush().unwrap();
+    }
+
+    /// Returns a number of the server's `/proc/PID/status`; 0 on systems without that file.
+    fn status(&self, name: &str) -> usize {
+        let text = std::fs::read_to_string(format!("/proc/{}/status", self.child.id())).unwrap_or_default();
+        let value = text.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(':'));
+        value.map_or(0, |value| value.split_whitespace().next().unwrap().parse().unwrap())
+    }
+
+    pub fn resident_kb(&self) -> usize {
+        self.status("VmRSS")
+    }
+
+    pub fn n_threads(&self) -> usize {
+        self.status("Threads")
     }
 
     pub fn say(&mut self, method: &str, params: Value) {
@@ -156,6 +192,19 @@ impl Editor {
         }
     }
 
+    /// Waits until the diagnostics of a version of a text satisfy `holds`.
+    #[track_caller]
+    pub fn until_version(&mut self, uri: &str, version: i64, holds: impl Fn(&[Value]) -> bool) {
+        let start = Instant::now();
+        loop {
+            let told = self.told.get(uri).filter(|told| told["version"] == version);
+            if told.is_some_and(|told| holds(told["diagnostics"].as_array().unwrap())) {
+                return;
+            }
+            assert!(self.take(PATIENCE).is_some() && start.elapsed() < PATIENCE, "{:?}", self.told.get(uri));
+        }
+    }
+
     pub fn bye(mut self) {
         self.ask("shutdown", Value::Null);
         self.say("exit", Value::Null);
@@ -168,5 +217,5 @@ pub fn at(uri: &str, line: u64, character: u64) -> Value {
 }
 
 pub fn codes(told: &[Value]) -> Vec<&str> {
-    told.iter().map(|one| one["code"].as_str().unwrap()).collect()
+    told.iter().map(|one| one["code"].as_str().unwrap_or_default()).collect()
 }
