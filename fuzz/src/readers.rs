@@ -1,10 +1,10 @@
 //! Properties of the readers of pictures, meshes, fonts, density files, INI files and resume journals.
 
 use crate::Corpus;
+use durer::Memory;
 use durer::cli::fuzzing;
 use durer::image_io::{Picture, Pixels, Samples, Voxels, decode_pixels};
 use durer::mesh_io::{NONE, Triangles, read_mesh_file};
-use durer::Memory;
 use std::path::Path;
 
 /// Largest decoded picture that is converted to linear light, in samples.
@@ -142,11 +142,25 @@ pub fn options(bytes: &[u8]) -> Corpus {
     Corpus::Keep
 }
 
+/// Folder of a journal, which is deleted at the end, and the journal.
+struct JournalFolder {
+    _folder: tempfile::TempDir,
+    journal: fuzzing::ValidJournal,
+}
+
+impl JournalFolder {
+    fn create() -> Self {
+        let folder = tempfile::tempdir().expect("a temporary folder can be created");
+        let journal = fuzzing::ValidJournal::write(folder.path()).expect("a journal can be written");
+        Self { _folder: folder, journal }
+    }
+}
+
 /// Checks the reader of resume journals.
 pub fn journal(bytes: &[u8]) -> Corpus {
     thread_local! {
-        static FOLDER: tempfile::TempDir = tempfile::tempdir().expect("a temporary folder can be created");
+        static FOLDER: JournalFolder = JournalFolder::create();
     }
-    FOLDER.with(|folder| fuzzing::resume_journal(bytes, folder.path()));
+    FOLDER.with(|folder| folder.journal.resume_with(bytes));
     Corpus::Keep
 }

@@ -6,11 +6,12 @@ use super::povray::{self, Translated};
 use super::{Cli, unknown};
 use crate::font::{Font, FontLocation, find_family};
 use crate::render::{FINAL_PASS, FIRST_PASS, Region, Tile};
-use crate::source::{Memory, ReadFiles, Sources};
+use crate::source::{Exclusive, Lookups, Memory, ReadFiles, Sources};
 use clap::Parser;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Reads a font file, sets a line of text, takes the outlines of its glyphs, and searches the font by a family's name.
 pub fn read_font(bytes: &[u8]) {
@@ -55,24 +56,53 @@ fn parse_translated(translated: Translated, sources: &Sources) {
     drop(Cli::try_parse_from(translated.words));
 }
 
-/// Resumes from a journal with the content `bytes`: once as it is, once with a valid header before `bytes`, and once
-/// with a valid checksum after them, too. `folder` holds the journal's file.
-pub fn resume_journal(bytes: &[u8], folder: &Path) {
-    let work = Work { program: String::new(), options: String::new(), files: ReadFiles::default() };
-    let header = [serde_json::to_vec(&work).unwrap_or_default(), vec![b'\n']].concat();
-    let checksum = crc32fast::hash(bytes).to_le_bytes();
-    for journal in [bytes.to_vec(), [&header, bytes].concat(), [&header, bytes, &checksum].concat()] {
+/// A valid resume journal, from which damaged ones are made.
+pub struct ValidJournal {
+    path: PathBuf,
+    /// Content of the journal: a header and the record of one tile.
+    content: Vec<u8>,
+    /// Length of the header in bytes.
+    header: usize,
+    work: Work,
+}
+
+impl ValidJournal {
+    /// The only tile of the journal, and its pixels.
+    const TILE: Tile = Tile { pass: FINAL_PASS, area: Region { x: 0, y: 0, width: 2, height: 1 } };
+    const PIXELS: [[f32; 4]; 2] = [[0.0, 0.25, 0.5, 1.0], [1.0; 4]];
+
+    /// Writes a journal to a folder. `None` if the folder cannot be written to.
+    pub fn write(folder: &Path) -> Option<Self> {
         let path = folder.join("fuzzed.unfinished");
-        if std::fs::write(&path, journal).is_err() {
-            continue;
-        }
-        let Ok(journal) = Journal::resume(path, &work) else { continue };
-        for pass in [FIRST_PASS, FINAL_PASS] {
-            let tile = Tile { pass, area: Region { x: 0, y: 0, width: 2, height: 1 } };
-            if journal.load_tile(tile).is_none() {
-                journal.store_tile(tile, &[[0.0; 4]; 2]);
+        let work = Work { options: String::new(), files: ReadFiles::default(), lookups: Lookups::default(), now: None };
+        let journal = Journal::new(Exclusive::open(&path).ok()?);
+        journal.begin(work.clone(), Duration::ZERO);
+        journal.store_tile(Self::TILE, &Self::PIXELS);
+        journal.close()?;
+        drop(journal);
+        let content = std::fs::read(&path).ok()?;
+        let header = content.iter().position(|byte| *byte == b'\n')? + 1;
+        Some(Self { path, content, header, work })
+    }
+
+    /// Resumes from journals with arbitrary bytes: instead of the whole content, after the header, and after the record.
+    ///
+    /// # Panics
+    /// If the pixels of the record before the bytes are not those that were written.
+    pub fn resume_with(&self, bytes: &[u8]) {
+        for valid in [0, self.header, self.content.len()] {
+            let Ok(()) = std::fs::write(&self.path, [&self.content[..valid], bytes].concat()) else { continue };
+            let Ok(file) = Exclusive::open(&self.path) else { continue };
+            let journal = Journal::new(file);
+            journal.begun();
+            if journal.resume(&self.work).is_err() {
+                continue;
             }
+            if valid == self.content.len() {
+                assert_eq!(journal.load_tile(Self::TILE).as_deref(), Some(&Self::PIXELS[..]), "pixels of the record");
+            }
+            journal.store_tile(Tile { pass: FIRST_PASS, ..Self::TILE }, &Self::PIXELS);
+            journal.close();
         }
-        journal.close();
     }
 }
