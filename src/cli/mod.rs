@@ -11,6 +11,8 @@ mod created_files;
 mod exit;
 mod explain;
 mod fmt;
+#[cfg(feature = "fuzzing")]
+pub mod fuzzing;
 mod inputs;
 mod interrupt;
 mod journal;

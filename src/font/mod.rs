@@ -11,9 +11,14 @@ pub use installed::{FontLocation, find_family};
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::math::DVec2;
 use crate::source::{Files, ReadError, Span};
+use skrifa::instance::{LocationRef, Size};
+use skrifa::outline::DrawSettings;
+use skrifa::outline::pen::{PathElement, PathStyle};
+use skrifa::raw::tables::{cmap, glyf, hmtx, kern};
+use skrifa::raw::{FontRef, ReadError as FontError, TableProvider};
+use skrifa::{GlyphId, MetadataProvider};
 use std::borrow::Cow;
 use std::path::Path;
-use ttf_parser::{Face, GlyphId, OutlineBuilder, kern};
 
 /// A font file.
 pub struct Font {
@@ -80,16 +85,14 @@ impl Font {
     /// glyph show glyph 0.
     pub fn set(&self, text: &str) -> Vec<PlacedGlyph> {
         let Some(face) = self.face() else { return vec![] };
-        let em = f64::from(face.units_per_em());
-        let glyphs: Vec<GlyphId> = text.chars().map(|c| glyph_of(&face, c)).collect();
-        let bearing = |glyph: &GlyphId| face.glyph_hor_side_bearing(*glyph).map_or(0.0, f64::from);
-        let mut x = -glyphs.first().map_or(0.0, bearing);
+        let glyphs: Vec<GlyphId> = text.chars().map(|c| face.glyph_of(c)).collect();
+        let mut x = -glyphs.first().map_or(0.0, |glyph| face.bearing(*glyph));
         let mut line = Vec::with_capacity(glyphs.len());
         for (i, &glyph) in glyphs.iter().enumerate() {
-            let right = if is_composite(&face, glyph) { bearing(&glyph) } else { 0.0 };
-            line.push(PlacedGlyph { glyph: glyph.0, x: (x + right) / em });
-            x += face.glyph_hor_advance(glyph).map_or(0.0, f64::from);
-            x += glyphs.get(i + 1).map_or(0.0, |next| kerning(face.tables().kern, glyph, *next));
+            let right = if face.is_composite(glyph) { face.bearing(glyph) } else { 0.0 };
+            line.push(PlacedGlyph { glyph: glyph.to_u32() as u16, x: (x + right) / face.units_per_em });
+            x += face.advance(glyph);
+            x += glyphs.get(i + 1).map_or(0.0, |next| kerning(face.kern.as_ref(), glyph, *next));
         }
         line
     }
@@ -97,43 +100,102 @@ impl Font {
     /// The outline of a glyph; empty if it has none.
     pub fn outline(&self, glyph: u16) -> Outline {
         let Some(face) = self.face() else { return vec![] };
-        let mut pen = Pen { scale: 1.0 / f64::from(face.units_per_em()), ..Pen::default() };
-        face.outline_glyph(GlyphId(glyph), &mut pen);
+        let Some(outline) = face.font.outline_glyphs().get(GlyphId::from(glyph)) else { return vec![] };
+        let mut path: Vec<PathElement> = vec![];
+        let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
+        let Ok(metrics) = outline.draw(settings.with_path_style(PathStyle::HarfBuzz), &mut path) else { return vec![] };
+        // `draw` moves the left edge of a glyph's box to its left bearing; the outline stays where the file has it.
+        let shift = f64::from(metrics.lsb.unwrap_or(0.0));
+        let mut pen = Pen { scale: 1.0 / face.units_per_em, shift, ..Pen::default() };
+        path.into_iter().for_each(|element| pen.draw(element));
         pen.close();
         pen.curves
     }
 }
 
-/// The glyph of a character. Symbol fonts, which do not use Unicode, have their glyphs at 0xF000 and above.
-fn glyph_of(face: &Face, c: char) -> GlyphId {
-    let others = || face.tables().cmap.into_iter().flat_map(|cmap| cmap.subtables).filter(|table| !table.is_unicode());
-    let code = u32::from(c);
-    let symbol = || others().find_map(|table| table.glyph_index(0xF000 + code).or_else(|| table.glyph_index(code)));
-    face.glyph_index(c).or_else(symbol).unwrap_or_default()
+/// Tables of a font.
+struct Face<'a> {
+    font: FontRef<'a>,
+    /// Size of an em in font units.
+    units_per_em: f64,
+    cmap: Option<cmap::Cmap<'a>>,
+    hmtx: Option<hmtx::Hmtx<'a>>,
+    kern: Option<kern::Kern<'a>>,
 }
 
-/// True if the glyph is composed of others (OpenType, "glyf": a negative number of contours).
-fn is_composite(face: &Face, glyph: GlyphId) -> bool {
-    let tables = face.raw_face();
-    let [glyf, loca] = [b"glyf", b"loca"].map(|tag| tables.table(ttf_parser::Tag::from_bytes(tag)).unwrap_or_default());
-    let number = |bytes: Option<&[u8]>| bytes.map(|bytes| bytes.iter().fold(0, |n, &b| n << 8 | usize::from(b)));
-    let i = usize::from(glyph.0);
-    let start = match face.tables().head.index_to_location_format {
-        ttf_parser::head::IndexToLocationFormat::Short => number(loca.get(2 * i..2 * i + 2)).map(|n| 2 * n),
-        ttf_parser::head::IndexToLocationFormat::Long => number(loca.get(4 * i..4 * i + 4)),
-    };
-    start.and_then(|start| glyf.get(start)).is_some_and(|first| first & 0x80 != 0)
+impl<'a> Face<'a> {
+    /// Finds the tables of a font by the font's number in the file.
+    fn parse(data: &'a [u8], number: u32) -> Result<Self, FontError> {
+        let font = FontRef::from_index(data, number)?;
+        font.maxp()?;
+        let units_per_em = font.head()?.units_per_em();
+        if !(16..=16_384).contains(&units_per_em) {
+            return Err(FontError::MalformedData("units per em not from 16 to 16384"));
+        }
+        let (cmap, hmtx, kern) = (font.cmap().ok(), font.hmtx().ok(), font.kern().ok());
+        Ok(Self { units_per_em: f64::from(units_per_em), cmap, hmtx, kern, font })
+    }
+
+    /// Returns the left bearing of a glyph, in font units.
+    fn bearing(&self, glyph: GlyphId) -> f64 {
+        self.hmtx.as_ref().and_then(|hmtx| hmtx.side_bearing(glyph)).map_or(0.0, f64::from)
+    }
+
+    /// Returns the width of a glyph, in font units.
+    fn advance(&self, glyph: GlyphId) -> f64 {
+        self.hmtx.as_ref().and_then(|hmtx| hmtx.advance(glyph)).map_or(0.0, f64::from)
+    }
+
+    /// Returns the glyph of a character. Symbol fonts, which do not use Unicode, have their glyphs at 0xF000 and above.
+    fn glyph_of(&self, c: char) -> GlyphId {
+        let code = u32::from(c);
+        let mapped =
+            |table: &cmap::CmapSubtable, code: u32| table.map_codepoint(code).filter(|glyph| *glyph != GlyphId::NOTDEF);
+        let unicode = || self.cmaps(true).find_map(|table| mapped(&table, code));
+        let symbol = || self.cmaps(false).find_map(|table| mapped(&table, 0xF000 + code).or(mapped(&table, code)));
+        unicode().or_else(symbol).unwrap_or_default()
+    }
+
+    /// Returns the tables that map characters to glyphs, in the order of the file: those of Unicode or all others.
+    fn cmaps(&self, of_unicode: bool) -> impl Iterator<Item = cmap::CmapSubtable<'a>> {
+        let records =
+            self.cmap.iter().flat_map(|cmap| cmap.encoding_records().iter().map(move |record| (cmap, record)));
+        records.filter_map(move |(cmap, record)| {
+            let table = record.subtable(cmap.offset_data()).ok()?;
+            (is_unicode(record, &table) == of_unicode).then_some(table)
+        })
+    }
+
+    /// True if the glyph is composed of others.
+    fn is_composite(&self, glyph: GlyphId) -> bool {
+        let (Ok(loca), Ok(glyf)) = (self.font.loca(None), self.font.glyf()) else { return false };
+        loca.get(glyph, &glyf).is_some_and(|found| matches!(found.glyph(), Some(glyf::Glyph::Composite(_))))
+    }
+}
+
+/// True if the codes of a table of characters are those of Unicode.
+fn is_unicode(record: &cmap::EncodingRecord, table: &cmap::CmapSubtable) -> bool {
+    let is_long = matches!(table, cmap::CmapSubtable::Format12(_) | cmap::CmapSubtable::Format13(_));
+    match (record.platform_id(), record.encoding_id()) {
+        (cmap::PlatformId::Unicode, _) | (cmap::PlatformId::Windows, 1) => true,
+        (cmap::PlatformId::Windows, 10) => is_long,
+        _ => false,
+    }
 }
 
 /// Kerning of a pair (`kern` table), in font units. Pairs should be sorted; as in POV-Ray 3.7, unsorted ones are found
 /// too (quirk: `text_layout`).
-fn kerning(kern: Option<kern::Table>, left: GlyphId, right: GlyphId) -> f64 {
-    let tables = kern.into_iter().flat_map(|kern| kern.subtables);
-    let mut tables = tables.filter(|table| table.horizontal && !table.variable && !table.has_state_machine);
-    let both = u32::from(left.0) << 16 | u32::from(right.0);
-    let value = |table: kern::Subtable| match table.format {
-        kern::Format::Format0(list) => list.pairs.into_iter().find(|pair| pair.pair == both).map(|pair| pair.value),
-        _ => table.glyphs_kerning(left, right),
+fn kerning(kern: Option<&kern::Kern>, left: GlyphId, right: GlyphId) -> f64 {
+    let tables = kern.into_iter().flat_map(|kern| kern.subtables()).flatten();
+    let mut tables = tables.filter(|table| table.is_horizontal() && !table.is_variable() && !table.is_state_machine());
+    let value = |table: kern::Subtable| match table.kind().ok()? {
+        kern::SubtableKind::Format0(list) => {
+            let is_pair = |pair: &&kern::Subtable0Pair| (left, right) == (pair.left().into(), pair.right().into());
+            list.pairs().iter().find(is_pair).map(|pair| i32::from(pair.value()))
+        }
+        kern::SubtableKind::Format1(_) => None,
+        kern::SubtableKind::Format2(classes) => classes.kerning(left, right),
+        kern::SubtableKind::Format3(classes) => classes.kerning(left, right),
     };
     tables.find_map(value).map_or(0.0, f64::from)
 }
@@ -141,15 +203,31 @@ fn kerning(kern: Option<kern::Table>, left: GlyphId, right: GlyphId) -> f64 {
 /// Collects outlines.
 #[derive(Default)]
 struct Pen {
+    /// Size of a font unit.
     scale: f64,
+    /// Distance by which outlines are moved to the right, in font units.
+    shift: f64,
     curves: Outline,
     start: DVec2,
     at: DVec2,
 }
 
 impl Pen {
-    fn point(&self, x: f32, y: f32) -> DVec2 {
-        DVec2::new(f64::from(x), f64::from(y)) * self.scale
+    fn draw(&mut self, element: PathElement) {
+        let point = |x: f32, y: f32| DVec2::new(f64::from(x) + self.shift, f64::from(y)) * self.scale;
+        match element {
+            PathElement::MoveTo { x, y } => {
+                let start = point(x, y);
+                self.close();
+                (self.start, self.at) = (start, start);
+            }
+            PathElement::LineTo { x, y } => self.line_to(point(x, y)),
+            PathElement::QuadTo { cx0, cy0, x, y } => self.to(point(cx0, cy0), point(x, y)),
+            PathElement::CurveTo { cx0, cy0, cx1, cy1, x, y } => {
+                self.cubic_to(point(cx0, cy0), point(cx1, cy1), point(x, y));
+            }
+            PathElement::Close => self.close(),
+        }
     }
 
     fn to(&mut self, b: DVec2, c: DVec2) {
@@ -158,26 +236,13 @@ impl Pen {
         }
         self.at = c;
     }
-}
 
-impl OutlineBuilder for Pen {
-    fn move_to(&mut self, x: f32, y: f32) {
-        self.close();
-        self.start = self.point(x, y);
-        self.at = self.start;
-    }
-
-    fn line_to(&mut self, x: f32, y: f32) {
-        let end = self.point(x, y);
+    fn line_to(&mut self, end: DVec2) {
         self.to((self.at + end) / 2.0, end);
     }
 
-    fn quad_to(&mut self, bx: f32, by: f32, x: f32, y: f32) {
-        self.to(self.point(bx, by), self.point(x, y));
-    }
-
-    fn curve_to(&mut self, bx: f32, by: f32, cx: f32, cy: f32, x: f32, y: f32) {
-        let p = [self.at, self.point(bx, by), self.point(cx, cy), self.point(x, y)];
+    fn cubic_to(&mut self, b: DVec2, c: DVec2, end: DVec2) {
+        let p = [self.at, b, c, end];
         let at = |s: f64| {
             let r = 1.0 - s;
             p[0] * (r * r * r) + p[1] * (3.0 * r * r * s) + p[2] * (3.0 * r * s * s) + p[3] * (s * s * s)
@@ -191,9 +256,8 @@ impl OutlineBuilder for Pen {
     }
 
     fn close(&mut self) {
-        let (start, at) = (self.start, self.at);
-        if start != at {
-            self.to((at + start) / 2.0, start);
+        if self.start != self.at {
+            self.line_to(self.start);
         }
     }
 }

@@ -1,5 +1,5 @@
 use super::{Font, kerning};
-use ttf_parser::{GlyphId, kern};
+use skrifa::raw::{FontData, FontRead, tables::kern::Kern};
 
 #[test]
 fn glyphs_are_placed_by_their_widths() {
@@ -37,6 +37,7 @@ fn kerning_pairs_need_not_be_sorted() {
     let pairs: [[i16; 3]; 3] = [[55, 72, -42], [34, 57, -97], [14, 34, -56]];
     let head = [0, 1, 0, 14 + 6 * 3, 1, 3, 0, 0, 0];
     let bytes: Vec<u8> = head.iter().chain(pairs.iter().flatten()).flat_map(|n: &i16| n.to_be_bytes()).collect();
-    let found = |left: u16, right: u16| kerning(kern::Table::parse(&bytes), GlyphId(left), GlyphId(right));
+    let kern = Kern::read(FontData::new(&bytes)).unwrap();
+    let found = |left: u16, right: u16| kerning(Some(&kern), left.into(), right.into());
     assert_eq!([found(55, 72), found(34, 57), found(14, 34), found(14, 57)], [-42.0, -97.0, -56.0, 0.0]);
 }

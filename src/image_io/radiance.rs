@@ -15,6 +15,9 @@ pub(super) fn decode_radiance(bytes: &[u8]) -> Result<Pixels, String> {
     let (Ok(width), Ok(height)) = (width.parse::<usize>(), height.parse::<usize>()) else {
         return Err(format!("its size is `{size}`"));
     };
+    if width == 0 || height == 0 {
+        return Err(format!("its size is `{size}`"));
+    }
     if width.checked_mul(height).is_none_or(|count| count > MOST) {
         return Err(format!("its size is `{size}`, which is too large"));
     }
@@ -25,9 +28,6 @@ pub(super) fn decode_radiance(bytes: &[u8]) -> Result<Pixels, String> {
             let step = 2f64.powi(i32::from(e) - 136);
             samples.extend([r, g, b].map(|m| if e == 0 { 0.0 } else { ((f64::from(m) + 0.5) * step) as f32 }));
         }
-    }
-    if samples.is_empty() {
-        return Err(format!("its size is `{size}`"));
     }
     Ok(Pixels { width, height, channels: 3, samples: Samples::F32(samples) })
 }
@@ -108,5 +108,13 @@ mod tests {
             assert_eq!(decode_radiance(&file).unwrap().samples, Samples::F32(expected.clone()));
             assert!(decode_radiance(&file[..file.len() - 1]).is_err());
         }
+    }
+
+    #[test]
+    fn rows_without_pixels_are_refused() {
+        // As many empty rows as the header names would take years.
+        let file = b"#?RADIANCE\n\n-Y 18446744073709551615 +X 0\n";
+        assert_eq!(decode_radiance(file), Err("its size is `-Y 18446744073709551615 +X 0`".into()));
+        assert!(decode_radiance(b"#?RADIANCE\n\n-Y 0 +X 5\n").is_err());
     }
 }

@@ -57,7 +57,7 @@ const RESERVED: &[(&str, &[&str])] = &[
     ("getrandom", &["preview/guard.rs"]),
     ("image::", &["image_io/", "quirks/"]),
     ("exr::", &["image_io/"]),
-    ("ttf_parser", &["font/"]),
+    ("skrifa", &["font/"]),
     // The caller provides input, output and time: see DESIGN, law 5.
     ("std::fs", OUTSIDE_WORLD),
     ("std::env", &["source/", "cli/", "lsp/", "preview/", "main.rs"]),
