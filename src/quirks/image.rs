@@ -39,15 +39,15 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/patterns/image_pattern.txt"],
     ),
     emulated_quirk(
-        "palette_index_truncated",
-        "Interpolation between the indices of a palette gives a whole number.",
-        &["tests/patterns/image_pattern.txt"],
-    ),
-    emulated_quirk(
         "old_picture_orientation",
         "In `image_map`, `bump_map`, `material_map` and `image_pattern`, a vector or number before the picture is ignored, with a warning: before \
          version 2 of POV-Ray it was an orientation or a map type.",
         &["tests/ui/old_picture_orientation.scene"],
+    ),
+    emulated_quirk(
+        "palette_index_truncated",
+        "Interpolation between the indices of a palette gives a whole number.",
+        &["tests/patterns/image_pattern.txt"],
     ),
     emulated_quirk(
         "png_transparent_color",

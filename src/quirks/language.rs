@@ -15,12 +15,6 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/lang/choices.scene"],
     ),
     emulated_quirk(
-        "reference_without_comma",
-        "In a macro call, a name of a number, vector or colour that another name follows without a comma refers to that other name: \
-         after `#macro M(A B)`, the call `M(one two)` has two in both parameters.",
-        &["tests/lang/choices.scene"],
-    ),
-    emulated_quirk(
         "comparison_tolerance",
         "Numbers that differ by less than 1e-10 are equal, and a number closer to 0 than that is false.",
         &["tests/lang/operators.scene"],
@@ -95,6 +89,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "random_generator",
         "`rand` is a linear congruential generator of 32 bits: each state is 1812433253 times the one before, plus 12345.",
         &["tests/lang/numeric_functions.scene"],
+    ),
+    emulated_quirk(
+        "reference_without_comma",
+        "In a macro call, a name of a number, vector or colour that another name follows without a comma refers to that other name: \
+         after `#macro M(A B)`, the call `M(one two)` has two in both parameters.",
+        &["tests/lang/choices.scene"],
     ),
     emulated_quirk(
         "seed_overflow",

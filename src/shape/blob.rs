@@ -433,6 +433,10 @@ mod tests {
         let shape = shape.unwrap();
         assert_eq!((shape.threshold, shape.components.len(), reports.len()), (0.6, 1, 0));
         assert_eq!(crate::shape::testing::read_shape::<Blob>("threshold 0.6").1[0].code, codes::NO_SURFACE);
-        assert!(crate::shape::testing::read_shape::<Blob>("component 1 0 <1,0,0>").0.is_err());
+        // A component of radius 0 adds nothing, and a negative radius counts by its size.
+        let (shape, _) = crate::shape::testing::read_shape::<Blob>("component 1 0 <1,0,0> component 1 -2 <1,0,0>");
+        let components = shape.unwrap().components;
+        assert_eq!(components.iter().map(|c| c.strength).collect::<Vec<_>>(), [1.0]);
+        assert_eq!(components[0].radius, 2.0);
     }
 }

@@ -183,8 +183,18 @@ fn pov_rays_command_line() {
     assert!(scratch.read("foo.ppm").starts_with(b"P6\n8 6\n"));
     let (_, err) = scratch.exits(0, "ball.scene +W8 +H6 +UF");
     assert!(err.contains("W0012"), "{err}");
-    let (_, err) = scratch.exits(2, "ball.scene Widht=8");
+    let (_, err) = scratch.exits(1, "ball.scene Widht=8");
+    assert!(err.starts_with("Problem with option setting\n") && err.ends_with("Render failed\n"), "{err}");
     assert!(err.contains("did you mean `Width=8`?"), "{err}");
+    let (_, err) = scratch.exits(0, "ball.scene +W8 +H6 +V");
+    assert!(err.starts_with("POV-Ray 3.7 compatible (durer "), "{err}");
+    for line in ["= [Parsing...] =", "= [Rendering...] =", "Rendered 48 of 48 pixels (100%)", "POV-Ray finished\n"] {
+        assert!(err.contains(line), "{line}: {err}");
+    }
+    scratch.put("wrong.pov", "\nsphere { 0, Radius }\n");
+    let (_, err) = scratch.exits(1, "+Iwrong.pov +W8 +H6");
+    assert!(err.contains("File 'wrong.pov' line 2: Parse Error: `Radius` is not declared\n"), "{err}");
+    std::fs::remove_file(scratch.path().join("wrong.pov")).unwrap();
     assert_eq!(scratch.names(), ["ball.png", "ball.scene", "foo.ppm"]);
 }
 
@@ -251,7 +261,7 @@ fn snapshots_are_accepted_and_compared() {
     // Rendering the scene does not change the snapshot.
     scratch.exits(0, "render ball.scene --size 8x6 --aa off --declare Size=2");
     scratch.exits(2, "render ball.scene --size 8x6 -o ball.snapshot.png");
-    scratch.exits(2, "+Iball.scene +W8 +H6 +Oball.snapshot.png");
+    scratch.exits(1, "+Iball.scene +W8 +H6 +Oball.snapshot.png");
     assert_eq!(scratch.read("ball.snapshot.png"), accepted);
     std::fs::remove_file(scratch.path().join("ball.png")).unwrap();
     assert_eq!(scratch.exits(0, "test").0, "ok    ball.scene\n1 ok\n");
