@@ -42,7 +42,7 @@ impl Scratch {
 
     /// The lines that the scene prints.
     #[track_caller]
-    /// What the scene prints, without the lines that programs expect of POV-Ray.
+    /// Returns the lines that the scene prints, without the lines that programs expect of POV-Ray.
     fn prints(&self, line: &str) -> Vec<String> {
         let is_povrays = |line: &&str| line.starts_with("POV-Ray ") || line.starts_with("====");
         self.exits(0, line).lines().filter(|line| !is_povrays(line)).map(String::from).collect()
