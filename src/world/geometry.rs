@@ -50,6 +50,11 @@ pub(super) struct GeometryBuilder {
 }
 
 impl GeometryBuilder {
+    /// Creates an empty builder with room for `count` objects.
+    pub fn with_capacity(count: usize) -> Self {
+        Self { finite: Vec::with_capacity(count), infinite: vec![] }
+    }
+
     /// Adds an object. A union without clipping is split, so that each child has its own place in the hierarchy: what
     /// applies to the union must be stated for each child.
     pub fn add(&mut self, object: SolidNode) {

@@ -47,10 +47,13 @@ pub fn lower_away(mut scene: Scene) -> Result<World> {
     lower_objects(std::mem::take(&mut scene.objects).into_iter(), &scene)
 }
 
-fn lower_objects(objects: impl Iterator<Item = Object>, scene: &Scene) -> Result<World> {
+fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) -> Result<World> {
     let _activity = Activity::begin("while its objects were prepared for rendering");
     let mut lowering = Lowering::under(scene.settings.ambient_light);
-    let mut builder = GeometryBuilder::default();
+    // Most objects have one part or more. Lists that grow from nothing leave gaps in the memory.
+    lowering.parts.reserve(objects.len());
+    lowering.objects.reserve(objects.len());
+    let mut builder = GeometryBuilder::with_capacity(objects.len());
     for object in objects {
         // (Whoever cancelled the lowering discards its result.)
         if cancel::is_cancelled() {
