@@ -63,8 +63,8 @@ fn file_access(command: &Command) -> Option<FileAccess> {
     }
 }
 
-/// Returns what an input makes readable: a folder itself, or the folder of a scene. The scene's own path is added for
-/// pipes such as `/dev/fd/63`.
+/// Returns the paths that an input makes readable: a folder itself, or the folder of a scene and the scene, which may be
+/// a pipe such as `/dev/fd/63`.
 fn readable(input: &Path) -> Vec<PathBuf> {
     let input = session::named(input);
     let folder = if input.is_dir() { input.clone() } else { parent(&input) };

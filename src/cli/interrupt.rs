@@ -72,7 +72,7 @@ mod unix {
         std::thread::Builder::new().name("signals".into()).spawn(receive_all).map(drop)
     }
 
-    /// Set of the signals that the process ignores, one bit for each. Systems other than Linux do not report the set;
+    /// Returns the set of the signals that the process ignores, one bit for each. Systems other than Linux do not report the set;
     /// signals that may be ignored then keep the system's default.
     fn ignored_signals() -> u64 {
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();

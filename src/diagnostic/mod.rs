@@ -13,6 +13,9 @@ pub use suggest::{did_you_mean, nearest};
 
 use crate::source::{Sources, Span};
 
+/// Text for an editor or a browser after a panic; the terminal shows details.
+pub const INTERNAL_FAILURE: &str = "durer has failed, which is a bug; please report it";
+
 /// Severity of a diagnostic: error or warning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {

@@ -9,6 +9,7 @@ use super::run::RunResult;
 use super::scheduler::ActiveRuns;
 use super::wire::Refusal;
 use super::{End, Outgoing};
+use crate::diagnostic::INTERNAL_FAILURE;
 use crate::math::cancel::CancelReason;
 use lsp_server::{ErrorCode, Message, Notification, Request, Response};
 use lsp_types::{
@@ -139,7 +140,7 @@ impl<S: Client> Server<S> {
     /// Does a part of the work. A panic does not harm the texts: the server continues.
     fn guarded(&mut self, work: impl FnOnce(&mut Self)) {
         if catch_unwind(AssertUnwindSafe(|| work(self))).is_err() {
-            self.log(BUG.into());
+            self.log(INTERNAL_FAILURE.into());
         }
     }
 
@@ -159,7 +160,7 @@ impl<S: Client> Server<S> {
             }
             (State::ShutDown, _) => refuse(ErrorCode::InvalidRequest, "the server is shut down"),
             (State::Running, _) => catch_unwind(AssertUnwindSafe(|| requests::answer(self, request)))
-                .unwrap_or_else(|_| refuse(ErrorCode::InternalError, BUG)),
+                .unwrap_or_else(|_| refuse(ErrorCode::InternalError, INTERNAL_FAILURE)),
         };
         self.client.send(Message::Response(response));
     }
@@ -327,9 +328,6 @@ impl<S: Client> Server<S> {
         }
     }
 }
-
-/// Text of an internal error.
-const BUG: &str = "durer has failed, which is a bug; please report it";
 
 /// Returns the result of the request `initialize`.
 fn initialize_result(params: &Value) -> Value {

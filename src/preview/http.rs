@@ -110,7 +110,7 @@ impl Request {
     }
 }
 
-/// Error of a request that is answered with status 400.
+/// Returns the error of a request that is answered with status 400.
 fn invalid(text: impl Into<String>) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, text.into())
 }

@@ -4,6 +4,7 @@ use super::guard::Guard;
 use super::http::{self, Request};
 use super::screen::Screen;
 use super::{Backend, stream};
+use crate::diagnostic::INTERNAL_FAILURE;
 use crate::image_io::{Encoding, Format, encode};
 use serde_json::json;
 use std::io;
@@ -110,9 +111,7 @@ impl Server {
         }
         match catch_unwind(AssertUnwindSafe(|| self.respond_to(to, rest, &request))) {
             Ok(sent) => sent,
-            Err(_) => {
-                http::refuse(to, "500 Internal Server Error", "durer has failed, which is a bug; please report it")
-            }
+            Err(_) => http::refuse(to, "500 Internal Server Error", INTERNAL_FAILURE),
         }
     }
 

@@ -235,7 +235,7 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     Ok(counts)
 }
 
-/// Pixel outside of the region.
+/// Returns the pixel outside of the region.
 fn outside_pixel(options: &Options) -> [f32; 4] {
     [0.0, 0.0, 0.0, options.outside_alpha]
 }

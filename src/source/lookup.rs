@@ -54,14 +54,13 @@ impl Lookup {
         Self::Names(ContentHash::of(&names.join(&0)))
     }
 
-    /// Asks for the path without links.
-    pub fn target(files: &dyn Files, path: &Path) -> Self {
+    /// Returns the answer about the path without links; `target` is that path, and `None` for a missing entry.
+    pub fn target(files: &dyn Files, target: Option<&Path>) -> Self {
         let current = files.canonicalize(Path::new(".")).unwrap_or_default();
-        let target = files.canonicalize(path).ok();
-        Self::Target(target.map(|target| target.strip_prefix(current).map(Path::to_path_buf).unwrap_or(target)))
+        Self::Target(target.map(|target| target.strip_prefix(current).unwrap_or(target).to_path_buf()))
     }
 
-    /// Asks for length and time of modification.
+    /// Looks up length and time of modification.
     pub fn version(files: &dyn Files, path: &Path) -> Self {
         let metadata = files.metadata(path).ok();
         Self::Version(metadata.map(|metadata| {
@@ -78,7 +77,7 @@ impl Lookup {
             Self::Spelling { name, .. } => {
                 Self::Spelling { name: name.clone(), found: files.entry_in_any_case(path, name) }
             }
-            Self::Target(_) => Self::target(files, path),
+            Self::Target(_) => Self::target(files, files.canonicalize(path).ok().as_deref()),
             Self::Version(_) => Self::version(files, path),
         };
         now == *self

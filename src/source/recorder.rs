@@ -137,8 +137,9 @@ impl Files for Recorder {
     }
 
     fn canonicalize(&self, path: &Path) -> io::Result<PathBuf> {
-        self.record_lookup(path, Lookup::target(&*self.files, path));
-        self.files.canonicalize(path)
+        let target = self.files.canonicalize(path);
+        self.record_lookup(path, Lookup::target(&*self.files, target.as_deref().ok()));
+        target
     }
 
     fn is_link(&self, path: &Path) -> bool {

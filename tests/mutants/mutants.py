@@ -91,8 +91,8 @@ class Mutator:
             tokens.insert(rng.choice(places), rng.choice(["\0", "\xff", "{" * 300, "(" * 300, "}", "#end ", "#if(1) ", '"', "/*"]))
 
 
-def command(rng, durer):
-    """A random command for `m.pov`, its arguments without limits, and whether it takes limits."""
+def command(rng):
+    """Returns the words of a random command for `m.pov`."""
     size = rng.choice(["12x9", "12x9", "1x1", "7x16", "40x2"])
     look = rng.choice([[], ["--aa", "off"], ["--aa", "0", "--aa-depth", "2"], ["--alpha"], ["--quality", "11"], ["--aa-method", "corners"]])
     limited = ["--max-time", str(MAX_TIME), "--max-memory", str(MAX_MEMORY), "-I", "."]
@@ -109,14 +109,14 @@ def command(rng, durer):
     if kind < 0.79:
         return ["query", "m.pov", *rng.choice([[], ["--json"]]), *limited]
     if kind < 0.86:
-        return ["render", "m.pov", "--dump", rng.choice(["tokens", "ast", "scene", "world"]), "--size", size, *limited]
+        return ["render", "m.pov", "--dump", rng.choice(["scene", "world"]), "--size", size, *limited]
     if kind < 0.94:
         return ["fmt", *rng.choice([["--diff"], ["--check"], []]), "--width", rng.choice(["40", "100", "10000"]), "m.pov"]
-    return [f"+I{'m.pov'}", "+W12", "+H9", *rng.choices(OPTIONS, k=rng.randrange(5)), *limited[:4]]
+    return ["+Im.pov", "+W12", "+H9", *rng.choices(OPTIONS, k=rng.randrange(5)), *limited[:4]]
 
 
 def run(arguments):
-    """Runs one mutant; returns the kind of its failure, or None, its seed and a text."""
+    """Runs one mutant; returns the kind of its failure or None, a text about it, its command and its exit code."""
     durer, seed, paths, words, keep = arguments
     rng = random.Random(seed)
     source = rng.choice(paths)
@@ -124,7 +124,7 @@ def run(arguments):
     folder = pathlib.Path(tempfile.mkdtemp(prefix=f"mutant-{seed}-"))
     try:
         (folder / "m.pov").write_text(text, encoding="latin-1")
-        line = command(rng, durer)
+        line = command(rng)
         if "+Im.pov" not in line and "fmt" not in line:
             line += ["-I", str(source.parent)]
         started = time.monotonic()
@@ -140,7 +140,7 @@ def run(arguments):
             shutil.copytree(folder, kept)
             (kept / "command").write_text(" ".join(line) + f"\n# from {source}\n")
         note = next((l for l in errors.splitlines() if "panicked" in l), errors.splitlines()[-1] if errors else "")
-        return failure, seed, f"{failure} seed {seed} ({source.name}): {' '.join(line[:6])}: {note[:200]}", line[0]
+        return failure, f"{failure} seed {seed} ({source.name}): {' '.join(line[:6])}: {note[:200]}", line[0], status
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 
@@ -189,14 +189,16 @@ def main():
     paths = corpus()
     words = sorted({w for p in paths[::3] for w in re.findall(r"[A-Za-z_]{2,}", read(p))})
     jobs = [(options.durer, seed, paths, words, options.keep) for seed in range(options.seed, options.seed + options.count)]
-    failures, commands = [], collections.Counter()
+    failures, commands, exits = [], collections.Counter(), collections.Counter()
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for failure, _, text, name in pool.map(run, jobs):
+        for failure, text, name, status in pool.map(run, jobs):
             commands[name] += 1
+            exits[status] += 1
             if failure:
                 failures.append(text)
                 print(text, flush=True)
-    print(f"{options.count} mutants, {len(failures)} failures; " + ", ".join(f"{n} {c}" for c, n in commands.most_common()))
+    counts = lambda counter: ", ".join(f"{name} {n}" for name, n in counter.most_common())
+    print(f"{options.count} mutants, {len(failures)} failures; commands: {counts(commands)}; exit codes: {counts(exits)}")
     raise SystemExit(bool(failures))
 
 

@@ -31,7 +31,7 @@ pub struct Begun {
 }
 
 impl Begun {
-    /// Work that this program begins.
+    /// Creates work that this program begins.
     pub fn new(work: Work) -> Self {
         Self { program: program().into(), work }
     }
@@ -95,7 +95,7 @@ impl Work {
     }
 }
 
-/// Identity of this program: its version and a hash of its executable file.
+/// Returns the identity of this program: its version and a hash of its executable file.
 ///
 /// Development versions share one number, and a commit does not describe a changed work tree; size and time of the file
 /// change when the same program is copied, and may stay when another one replaces it. The hash takes some milliseconds,

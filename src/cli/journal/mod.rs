@@ -47,7 +47,7 @@ pub fn remove_of_finished(picture: &Path) {
     }
 }
 
-/// The failure to open the journal of a picture.
+/// Returns the failure to open the journal of a picture.
 fn unlockable(picture: &Path, journal: &Path, error: OpenError) -> Failure {
     let (path, reason, help) = match error {
         OpenError::Io(error) => return Failure::Fault(Box::new(file::unwritable(&Disk, journal, &error))),
@@ -66,7 +66,7 @@ fn unlockable(picture: &Path, journal: &Path, error: OpenError) -> Failure {
     Failure::Fault(Box::new(Diagnostic::new(codes::FILE_UNWRITABLE, Span::NONE, text).help(help)))
 }
 
-/// Begins the work of a journal: continues the work that it has if `resume` is set, and reports why that is impossible.
+/// Begins the work of a journal: continues the work in the journal if `resume` is set, or reports why that is impossible.
 /// New work is written when rendering has taken longer than `after`.
 pub fn begin(console: &Console, journal: &Journal, work: Work, resume: bool, after: Duration) {
     let name = journal.path.display();
@@ -141,7 +141,7 @@ struct State {
 }
 
 impl Journal {
-    /// The journal in a file whose old contents are kept until the work begins.
+    /// Creates the journal in a file whose old contents are kept until the work begins.
     pub fn new(file: Exclusive) -> Self {
         let path = file.path().to_path_buf();
         let state = State {
@@ -325,7 +325,7 @@ impl State {
         self.synced.is_none_or(|synced| synced.elapsed() >= interval)
     }
 
-    /// The file if the last wait for the disk was longer ago than `interval`; true for the first wait.
+    /// Returns the file, and true for the first wait for the disk; `None` if the last wait was not longer ago than `interval`.
     fn take_unsynced(&mut self, interval: Duration) -> Option<(File, bool)> {
         let is_first = self.synced.is_none();
         if self.key.is_none() || !self.is_sync_due(interval) {

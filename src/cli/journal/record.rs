@@ -24,7 +24,7 @@ pub struct Record {
 }
 
 impl Key {
-    /// The key of the journal with this header.
+    /// Derives the key of the journal with this header.
     pub fn of(header: &[u8]) -> Self {
         Self(blake3::derive_key("durer 2025-11-25 records of a resume journal", header))
     }
@@ -75,12 +75,12 @@ impl Key {
     }
 }
 
-/// Text about a journal that cannot be continued.
+/// Returns the reason for a journal that is damaged.
 pub fn damaged() -> String {
     "it is damaged".into()
 }
 
-/// Text about a journal that the system does not read or write.
+/// Returns the reason for a journal that the system does not read or write.
 pub fn unreadable(error: &io::Error) -> String {
     format!("it can't be read: {error}")
 }

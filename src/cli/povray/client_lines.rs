@@ -19,13 +19,16 @@ pub fn progress(done: usize, total: usize) -> String {
     format!("Rendered {done} of {total} pixels ({}%)\r", done * 100 / total.max(1))
 }
 
-/// Returns the line that POV-Ray prints for a diagnostic, with its file and line number; an empty text for warnings that
-/// POV-Ray does not have: advice about a picture, and about options without effect.
+/// Prefixes of the codes of warnings that POV-Ray does not have: about options without effect, and advice about pictures.
+const NOT_OF_POVRAY: &[&str] = &["W001", "W04"];
+
+/// Returns the line that POV-Ray prints for a diagnostic, with its file and line number; an empty text for the warnings
+/// in [`NOT_OF_POVRAY`].
 pub fn fault(sources: &Sources, diagnostic: &Diagnostic) -> String {
     if diagnostic.code == codes::UNKNOWN_OPTION {
         return "Problem with option setting\nFailed to parse command-line option\n".into();
     }
-    if ["W04", "W001"].iter().any(|group| diagnostic.code.0.starts_with(group)) {
+    if NOT_OF_POVRAY.iter().any(|prefix| diagnostic.code.0.starts_with(prefix)) {
         return String::new();
     }
     let kind = match diagnostic.severity {

@@ -12,16 +12,16 @@ pub struct Settings {
     pub input: Option<String>,
     pub output: Option<String>,
     pub format: Option<&'static str>,
-    /// True for a compressed TGA file.
+    /// True if the output is a compressed TGA file.
     pub is_compressed_tga: bool,
-    /// Folder of the scene as its name was given; empty for the current folder.
+    /// Folder in the scene's name on the command line or in the INI file; empty for the current folder.
     pub scene_folder: PathBuf,
     /// True for POV-Ray's own command line, where output names, alpha and regions follow POV-Ray's rules.
     pub is_povray_line: bool,
     pub depth: Option<u8>,
     /// True for grayscale, which always has 16 bits (manual, "HF_Gray_16").
     pub gray: bool,
-    /// True to keep alpha, where the format can.
+    /// True to store transparency (`+UA`), if the format has it.
     pub alpha: bool,
     pub width: Option<usize>,
     pub height: Option<usize>,

@@ -165,7 +165,7 @@ impl Target {
         }
     }
 
-    /// Text that names all options of the encoding, which change the file but not the pixels.
+    /// Returns a text that names all options of the encoding, which change the file but not the pixels.
     pub fn encoding_options(&self) -> String {
         format!(" {:?}", self.encoding)
     }

@@ -2,7 +2,7 @@
 
 use super::queue::{RenderQueue, Request, Work};
 use super::read::{self, Read, Scene};
-use super::worker::{Worker, discard};
+use super::worker::{Worker, discard, is_obsolete};
 use crate::cli::args::WatchArgs;
 use crate::cli::args::values::Size;
 use crate::cli::console::Console;
@@ -13,7 +13,7 @@ use crate::cli::pick;
 use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::Rows;
-use crate::math::cancel::{CancelReason, CancelToken};
+use crate::math::cancel::CancelToken;
 use crate::preview::{self, Change, FileWatcher, Message, PageState, Screen, Settings, TextPosition};
 use crate::render::{self, RayCounts, Region, Stopped};
 use crate::source::{LookedUpFiles, Sources, Span};
@@ -97,11 +97,10 @@ impl RenderLoop {
         state: &mut PageState,
         cancel: &CancelToken,
     ) {
-        let is_obsolete = || cancel.reason() == Some(CancelReason::Request);
         if scene.is_none() {
             let read = self.read(console, &state.settings, cancel);
             // A cancelled run has not looked up all files: the list of the run before stays.
-            if is_obsolete() {
+            if is_obsolete(cancel) {
                 return;
             }
             // After a panic nothing is known.
@@ -110,7 +109,7 @@ impl RenderLoop {
             }
             *scene = take(state, read);
         }
-        if is_obsolete() {
+        if is_obsolete(cancel) {
             return;
         }
         match scene {
@@ -150,7 +149,7 @@ impl RenderLoop {
                     state.times.iter().map(|t| t.1).sum::<f64>()
                 ));
             }
-            Ok(Err(Stopped::Cancelled)) if cancel.reason() == Some(CancelReason::Request) => {}
+            Ok(Err(Stopped::Cancelled)) if is_obsolete(cancel) => {}
             Ok(Err(stopped)) => {
                 let fault = match stopped {
                     Stopped::Fault(fault) => *fault,

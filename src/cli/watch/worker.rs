@@ -76,7 +76,7 @@ pub fn discard(value: impl Send + 'static) {
 }
 
 /// True if a newer request has cancelled the work.
-fn is_obsolete(cancel: &CancelToken) -> bool {
+pub fn is_obsolete(cancel: &CancelToken) -> bool {
     cancel.reason() == Some(CancelReason::Request)
 }
 

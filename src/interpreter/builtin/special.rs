@@ -120,7 +120,7 @@ impl<'a> Interpreter<'a> {
         Ok(Value::Float(f64::from(found.is_some())))
     }
 
-    /// `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or A ≥ 0 without D), else D.
+    /// Evaluates `select(A, B, C [, D])`: B if A < 0, C if A = 0 (or A ≥ 0 without D), else D.
     fn select(&mut self, condition: &Argument<'a>, rest: &[Argument<'a>]) -> Result<Value> {
         let a = self.argument_number(condition)?;
         match rest {

@@ -6,7 +6,7 @@ use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
 
-/// Share of an object in the radiosity of the scene.
+/// Radiosity settings of one object.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ObjectRadiosity {
     /// Factor of the number of rays by which radiosity gathers light at the object: more than 0, and 1 at most.
@@ -21,7 +21,7 @@ const RADIOSITY_ROWS: &[Row<ObjectRadiosity>] =
 /// `radiosity { … }` of an object.
 pub const OBJECT_RADIOSITY: Spec = Spec {
     name: "radiosity",
-    summary: "share of an object in the scene's radiosity, which durer does not render yet",
+    summary: "radiosity settings of one object; durer does not render radiosity yet",
     words: specs!(RADIOSITY_ROWS),
     ..Spec::EMPTY
 };
