@@ -12,7 +12,7 @@ use crate::world::World;
 /// picture of 4 by 3.
 const UNEVEN: f64 = 0.02;
 
-/// Warns about a scene with several cameras, before a picture is rendered.
+/// Returns the warning about a scene with several cameras.
 pub(super) fn of_scene(scene: &Scene) -> Option<Diagnostic> {
     several(&scene.cameras)
 }
@@ -26,7 +26,8 @@ fn several(cameras: &[Span]) -> Option<Diagnostic> {
     Some(d.also(*last, "this one is used").help("put the others into comments, or choose one with `#if`"))
 }
 
-/// A camera that looks along `sky`, such as a view from above, which is mostly intended.
+/// Returns the warning about a camera that looks along `sky`, which is mostly intended, for example in a view from
+/// above.
 pub(super) fn along_sky(scene: &Scene) -> Option<Diagnostic> {
     let Camera::Povray(camera) = &scene.camera else { return None };
     let ahead = (camera.look_at? - camera.location).try_normalize()?;
@@ -42,7 +43,7 @@ pub(super) fn along_sky(scene: &Scene) -> Option<Diagnostic> {
     Some(Diagnostic::new(codes::ALONG_SKY, at, message).help(help))
 }
 
-/// Warns about a picture whose pixels are not square.
+/// Returns the warning about a picture whose pixels are not square.
 pub(super) fn stretched(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let view = world.eye.view(options.width, options.height);
     // Projections without a window are distorted by their nature.

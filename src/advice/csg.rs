@@ -8,17 +8,18 @@ use crate::world::Probe;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::sync::Arc;
 
-/// Largest number of shapes in an object that is examined.
+/// Maximum number of shapes in an object that is examined.
 const MAX_SHAPES: u32 = 300;
-/// Number of objects from one position of the text that are examined: if one of them is not empty, the text is right.
+/// Maximum number of objects from one position of the text that are examined. If one of them is not empty, the text is
+/// right.
 const MAX_COPIES: usize = 8;
 /// Largest number of positions of the text that are examined.
 const MAX_POSITIONS: usize = 400;
 /// Largest number of warnings about CSG objects.
 const MAX_WARNINGS: usize = 5;
-/// Rays across a side of an object's box in the first test.
+/// Number of test rays along each side of an object's box in the first test.
 const FEW: usize = 6;
-/// Rays across a side of an object's box in the second test, if all rays of the first one miss.
+/// Number of test rays along each side of an object's box in the second test, if all rays of the first test miss.
 const MANY: usize = 90;
 
 pub(super) fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
@@ -43,7 +44,7 @@ pub(super) fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     out
 }
 
-/// Unions of one object, which are harmless.
+/// Returns warnings about unions of one object, which are harmless.
 pub(super) fn doubtful(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     let mut groups = Groups::default();
     scene.objects.iter().for_each(|object| groups.gather(object));
@@ -61,7 +62,7 @@ fn op(object: &Object) -> Option<CsgOp> {
     }
 }
 
-/// True if the author wrote a CSG object: a shape with a number that is not finite also becomes an empty union.
+/// True if the author wrote a CSG object. (A shape with a number that is not finite also becomes an empty union.)
 fn is_written(object: &Object) -> bool {
     matches!(object.word, "union" | "composite" | "merge" | "intersection" | "difference")
 }
@@ -106,7 +107,8 @@ impl<'s> Groups<'s> {
     }
 }
 
-/// Warns of a block with fewer than two parts. A block with directives may have a single part now and then.
+/// Returns the warning about a CSG block with fewer than two parts. Blocks with directives are excepted, since a loop
+/// may produce a single part.
 fn few_parts(object: &Object, parts: &[Object], sources: &Sources) -> Option<Diagnostic> {
     if !is_plain_block(object.source, sources) {
         return None;
@@ -146,7 +148,7 @@ fn is_plain_block(source: Span, sources: &Sources) -> bool {
     false
 }
 
-/// True if test rays hit no surface of the object.
+/// True if test rays hit no surface of the object, so that it is probably empty.
 fn is_nothing(object: &Object) -> bool {
     if object.weight().shapes() > MAX_SHAPES {
         return false;
@@ -211,7 +213,7 @@ fn nothing_left(object: &Object, op: CsgOp, parts: &[Object]) -> Diagnostic {
     }
 }
 
-/// Adds labels for the first three parts.
+/// Adds labels for the first three parts to a warning.
 fn blamed<'a>(d: Diagnostic, parts: impl IntoIterator<Item = &'a Object>, label: &str) -> Diagnostic {
     parts.into_iter().take(3).fold(d, |d, part| d.also(part.source, label))
 }

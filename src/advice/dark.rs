@@ -7,7 +7,7 @@ use crate::render;
 use crate::source::Span;
 use crate::world::{LayerColor, World};
 
-/// Explains a rendered picture that is black.
+/// Returns the warning that explains a black picture.
 pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
     if world.geometry.is_empty() {
         return None;
@@ -17,7 +17,7 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Dia
     Some(d.help(help))
 }
 
-/// The reason why the visible objects are dark, its position, and the remedy.
+/// Returns the reason why the visible objects are dark, the span of the cause, and the remedy.
 fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
     let emitter = || "`light_source { <10, 20, -10>, rgb 1 }`".to_string();
     if world.lights.is_empty() {
@@ -36,7 +36,7 @@ fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
     (Span::NONE, "no light reaches the visible objects".into(), help)
 }
 
-/// Reports lights that are all inside of opaque objects.
+/// Returns the reason, span and remedy if all lights are inside of opaque objects.
 fn in_the_dark(world: &World) -> Option<(Span, String, String)> {
     let mut first = None;
     for light in &world.lights {
@@ -59,7 +59,7 @@ fn holder(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
     found
 }
 
-/// Reports visible objects that are all black.
+/// Returns the reason, span and remedy if all visible objects are black.
 fn all_black(world: &World, options: &render::Options) -> Option<(Span, String, String)> {
     let mut first = None;
     for found in unseen::sample(world, options) {

@@ -1,8 +1,8 @@
 //! Warnings about scenes that are valid but probably not intended: "the picture is black: …".
 //!
-//! Advice never changes a picture. [`of_scene`] examines the Scene before the World is built. [`of_picture`] examines a
-//! rendered picture with as few rays as possible. Warnings that concern a single word come from the reader of that
-//! word. Each family of warnings has a file.
+//! Advice never changes a picture. [`scene_warnings`] examines the Scene before the World is built.
+//! [`picture_warnings`] examines a rendered picture with as few rays as possible. Warnings that concern a single word
+//! come from the reader of that word. Each family of warnings has a file.
 
 mod camera;
 mod csg;
@@ -23,31 +23,31 @@ pub fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     camera::of_scene(scene).into_iter().chain(csg::of_scene(scene, sources)).collect()
 }
 
-/// Warnings about text that is mostly intended, for `--warn doubtful`.
+/// Returns warnings about text that is unusual but mostly intended, for `--warn doubtful`.
 pub fn doubtful(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     camera::along_sky(scene).into_iter().chain(csg::doubtful(scene, sources)).collect()
 }
 
-/// Removes warnings about slips in files of others, such as the standard includes, from the diagnostics of a run.
+/// Removes warnings about other authors' files, such as the standard includes, from the diagnostics of a run.
 pub fn keep_own(diagnostics: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
     let doubts = [codes::COLOR_OF_BYTES, codes::ALL_AXES, codes::FALLING_MAP];
     diagnostics.retain(|d| !doubts.contains(&d.code) || is_own(sources, scene, d.span()));
 }
 
-/// True if the span is in the scene's own file, or in a file beside it or below its folder.
+/// True if the span is in the scene's own file, or in a file that is beside the scene or below its folder.
 fn is_own(sources: &Sources, scene: FileId, at: Span) -> bool {
     let Some((file, _)) = sources.locate(at) else { return true };
     let folder = |file: FileId| sources.files().canonicalize(sources.path(file)?).ok()?.parent().map(Path::to_path_buf);
     file == scene || folder(file).zip(folder(scene)).is_some_and(|(of_file, of_scene)| of_file.starts_with(of_scene))
 }
 
-/// Width or height in pixels below which a picture gets no advice: its few rays miss most objects.
+/// Width or height in pixels below which a picture is not examined, since its few rays miss most objects.
 const TINY: usize = 10;
 
-/// Facts about a picture beside its World.
+/// Properties of a rendered picture that its World does not contain.
 #[derive(Clone, Copy, Debug)]
 pub struct Circumstances {
-    /// True for a picture of an animation, which may be empty or black.
+    /// True for a picture of an animation, where an empty or black picture is normal.
     pub one_of_many: bool,
     /// True if unsupported parts of the scene were omitted, so that the intended picture is not known.
     pub incomplete: bool,
@@ -78,7 +78,7 @@ pub fn of_picture(world: &World, options: &render::Options, circumstances: Circu
     out
 }
 
-/// True if the diagnostics report an unsupported part of the scene.
+/// True if a diagnostic reports a part of the scene that durer does not support.
 pub fn is_incomplete(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(|d| d.code == codes::UNSUPPORTED)
 }
@@ -88,12 +88,12 @@ fn shows(world: &World, object: u32) -> bool {
     world.objects.get(object as usize).is_some_and(|o| o.image)
 }
 
-/// The word and the source of an object's first shape.
+/// Returns the word and the span of an object's first shape.
 fn first_named(world: &World, item: PlacedSolid) -> Option<(&'static str, Span)> {
     item.first_shape().map(|(word, part)| (word, source_of(world, part)))
 }
 
-/// The word and the source of a hit shape.
+/// Returns the word and the span of a hit shape.
 fn named(world: &World, found: &Intersection) -> (&'static str, Span) {
     (found.leaf.shape.spec().name, source_of(world, found.part()))
 }

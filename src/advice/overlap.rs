@@ -10,13 +10,13 @@ use crate::render;
 use crate::world::{Intersection, PlacedSolid, SolidKind, World};
 use rustc_hash::FxHashMap;
 
-/// Largest number of test rays; the test must not take noticeable time.
+/// Maximum number of test rays, so that the test takes no noticeable time.
 const MAX_RAYS: usize = 1500;
-/// Number of pixels for each test ray.
+/// Number of pixels per test ray.
 const PIXELS_PER_RAY: usize = 30;
-/// Number of points at which two surfaces must coincide: at common edges they always do.
+/// Minimum number of points at which two surfaces must coincide. (At common edges, surfaces always coincide.)
 const MIN_POINTS: u32 = 3;
-/// Largest number of warnings about overlapping surfaces.
+/// Maximum number of warnings about coincident surfaces.
 const MAX_WARNINGS: usize = 3;
 /// Distance along a ray below which surfaces coincide, relative to the length of the ray.
 const TOLERANCE: f64 = 1e-9;
@@ -26,7 +26,7 @@ const TOLERANCE: f64 = 1e-9;
 enum Coincidence {
     /// Coincident surfaces with different materials.
     Materials,
-    /// A subtracted object ends in the surface: a skin without thickness remains.
+    /// Coincidence of a surface with the end of a subtracted object: a skin without thickness remains.
     Skin,
 }
 
@@ -51,7 +51,8 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Vec<Diagno
     out
 }
 
-/// Rays all over the picture, but not through the centres of pixels, where objects with round numbers have their edges.
+/// Returns test rays all over the picture. They avoid the centres of pixels, where objects with round numbers have
+/// their edges.
 fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> + use<> {
     let (width, height) = (options.width as f64, options.height as f64);
     let view = world.eye.view(options.width, options.height);
@@ -63,7 +64,7 @@ fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> +
     })
 }
 
-/// The pairs of surfaces that coincide at the first hit of a ray, the smaller index first.
+/// Returns the pairs of surfaces that coincide at the first hit of a ray, the smaller index first.
 fn coincidences(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
     let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
     let Some(seen) = world.geometry.closest(ray, range, |id| shows(world, id)) else { return vec![] };

@@ -11,7 +11,7 @@ use rustc_hash::FxHashSet;
 
 /// Number of rays that sample the visible objects.
 const SAMPLES: usize = 200;
-/// Offset of a pixel's centre from its corner.
+/// Offset of a pixel's centre from the pixel's top left corner.
 const CENTRE: f64 = 0.5;
 
 pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
@@ -40,13 +40,13 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Dia
     }
 }
 
-/// The first hits of a sample of rays all over the picture.
+/// Returns the first hits of sample rays all over the picture.
 pub(super) fn sample<'a>(world: &'a World, options: &render::Options) -> impl Iterator<Item = Intersection<'a>> {
     rays(world, options, CENTRE).take(SAMPLES).filter_map(|ray| closest(world, &ray))
 }
 
-/// The rays through all pixels, at `offset` from their top left corners, in an order in which consecutive rays are far
-/// from each other.
+/// Returns rays through all pixels, at `offset` from the pixels' top left corners, in an order in which consecutive
+/// rays are far from each other.
 fn rays(world: &World, options: &render::Options, offset: f64) -> impl Iterator<Item = Ray> + use<> {
     let (width, total) = (options.width.max(1), options.width * options.height);
     let view = world.eye.view(options.width, options.height);
@@ -69,7 +69,7 @@ fn closest<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
     world.geometry.closest(ray, range, |id| shows(world, id))
 }
 
-/// Indices of the opaque objects that contain the eye.
+/// Returns the indices of the opaque objects that contain the camera.
 fn around(world: &World, eye: DVec3) -> FxHashSet<u32> {
     let mut out = FxHashSet::default();
     world.geometry.containing(eye, &mut |item| {
@@ -119,13 +119,13 @@ fn nothing_seen(world: &World, options: &render::Options) -> Diagnostic {
     }
 }
 
-/// Position of an invisible object relative to the picture.
+/// Reason for which an object is not visible in the picture.
 enum Visibility {
     Behind,
     Beside(&'static str),
-    /// Position inside of the picture, with this size of the object in pixels.
+    /// The object is inside the picture, but small: its size in pixels.
     Small(f64),
-    /// Position inside of the picture, but missed by all rays.
+    /// The object is inside the picture, but all rays miss it.
     Missed,
 }
 

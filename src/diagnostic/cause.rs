@@ -1,11 +1,11 @@
-//! The common cause of several messages: an undeclared name, or an include file that declares several names.
+//! The common cause of several messages: an undeclared name, or a missing include file that declares several names.
 
 use crate::source::Span;
 
 /// Action that would resolve all messages with one cause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remedy {
-    /// Remedy: include this file, which declares the names.
+    /// Remedy: include the file of this name, which declares the missing names.
     Include(&'static str),
     /// Remedy: declare the name, or correct its spelling.
     Declare,
@@ -16,7 +16,7 @@ pub enum Remedy {
 pub struct Cause {
     /// Action of the user that would resolve the messages with this cause.
     pub remedy: Remedy,
-    /// The missing names, and the places where they are used.
+    /// Missing names, and the places where the scene uses them.
     pub uses: Vec<(String, Span)>,
 }
 
@@ -26,13 +26,13 @@ impl Cause {
         Self { remedy, uses: vec![(name.into(), span)] }
     }
 
-    /// True if both causes are the same.
+    /// True if both causes have the same remedy and names, so that their messages can be merged.
     pub fn is(&self, other: &Cause) -> bool {
         let first = |cause: &Cause| cause.uses.first().map(|(name, _)| name.clone());
         self.remedy == other.remedy && (self.remedy != Remedy::Declare || first(self) == first(other))
     }
 
-    /// Adds the uses of another cause, without duplicates.
+    /// Adds the uses of names in another cause, without duplicates.
     pub fn join(&mut self, other: &Cause) {
         for part in &other.uses {
             if !self.uses.contains(part) {

@@ -1,4 +1,4 @@
-//! All codes. A code is never reused or renumbered; each has a case in `tests/ui`.
+//! All diagnostic codes. A code is never reused or renumbered, and has a test case in `tests/ui`.
 
 use super::Severity;
 
@@ -302,12 +302,12 @@ thousandth; let the objects that a `difference` subtracts stick out a little. Re
 its `texture { }`, a missing `;`, or a word of durer's own."
 }
 
-/// Marks an error that follows from a reported one; never shown.
+/// Code of an error that follows from a reported one; never shown.
 pub const FOLLOWS: Code = Code("E0998");
 /// Internal code that ends the run after a reported error; never shown.
 pub const ENDS_RUN: Code = Code("E0999");
 
-/// The explanation of a code as the user typed it, in any letter case.
+/// Returns the explanation of a code that the user typed, in any letter case.
 pub fn find(code: &str) -> Option<&'static Explanation> {
     ALL.iter().find(|e| e.code.0.eq_ignore_ascii_case(code.trim()))
 }

@@ -1,4 +1,4 @@
-//! Renders messages for a terminal; the only file that uses miette.
+//! Renders diagnostics for a terminal. Only this file uses miette.
 
 use super::{Diagnostic, Label, Severity};
 use crate::source::{FileId, Sources, Span};
@@ -47,8 +47,9 @@ pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> Strin
 /// Beginning of the frame around quoted source lines.
 const FRAME: &str = "╭─";
 
-/// miette shows places in the order of the text. If others precede the fault's own place and are not next to it, splits
-/// the message in two: one with the fault's own place, and one with the others and the help.
+/// Splits a diagnostic in two: one with the fault's own label, and one with the other labels and the help. `None` if
+/// all can be shown together. The reason is that miette shows labels in the order of the text, so that others could
+/// precede the fault.
 fn primary_apart(d: &Diagnostic, sources: &Sources) -> Option<[Diagnostic; 2]> {
     let line = |label: &Label| sources.place(label.span).map_or(0, |place| place.line);
     let primary = d.labels.first()?;
@@ -134,6 +135,7 @@ impl miette::Diagnostic for Report {
 /// Maximum length of a message; longer ones, which quote a name or string of the scene, are cut in their middle.
 const MAX_MESSAGE: usize = 2000;
 
+/// Returns the text of a message, with its middle cut out if it is too long.
 fn abridged(text: &str) -> String {
     if text.len() <= MAX_MESSAGE {
         return text.into();
@@ -142,7 +144,7 @@ fn abridged(text: &str) -> String {
     format!("{} … {}", &text[..head], &text[tail..])
 }
 
-/// The lines that a message shows, and their position in the file.
+/// The source lines that a message shows, and their position in the file.
 #[derive(Debug)]
 struct Lines {
     name: String,
@@ -156,11 +158,11 @@ struct Lines {
     column: usize,
 }
 
-/// Maximum length of a line; longer ones are cut around the label.
+/// Maximum length of a source line; a longer line is cut around the label.
 const MAX_LINE: usize = 300;
-/// Number of characters of a cut line before the label.
+/// Number of characters of a cut line that are shown before the label.
 const BEFORE: usize = 60;
-/// Maximum number of lines of a label; a longer one is shown on its first line alone.
+/// Maximum number of source lines of a label; a longer label marks its first line alone.
 const MAX_LINES: usize = 8;
 
 impl Lines {
@@ -190,7 +192,7 @@ impl Lines {
         Self { name: sources.name(file).into(), text: text[start..end].into(), start, line, column }
     }
 
-    /// The part of a range that is shown.
+    /// Returns the part of a byte range that the shown lines contain.
     fn shown(&self, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
         let (low, high) = (self.start, self.start + self.text.len());
         range.start.clamp(low, high)..range.end.clamp(low, high)
@@ -199,7 +201,7 @@ impl Lines {
 
 const LINE_ENDS: [char; 2] = ['\n', '\r'];
 
-/// The range, or its first line if it has too many.
+/// Returns the byte range of a label, or that of its first line if the label has too many lines.
 fn shortened(text: &str, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
     let covered = &text[range.clone()];
     match covered.match_indices(LINE_ENDS).nth(MAX_LINES) {
@@ -208,7 +210,7 @@ fn shortened(text: &str, range: std::ops::Range<usize>) -> std::ops::Range<usize
     }
 }
 
-/// The nearest start of a character at or before an offset.
+/// Returns the nearest start of a character at or before a byte offset.
 fn boundary(text: &str, mut at: usize) -> usize {
     while !text.is_char_boundary(at) {
         at -= 1;
@@ -217,7 +219,7 @@ fn boundary(text: &str, mut at: usize) -> usize {
 }
 
 impl SourceCode for Lines {
-    /// Returns whole lines: miette would cut them to the span where it asks for no context.
+    /// Returns whole lines. (If no context is wanted, miette would cut the lines to the span.)
     fn read_span<'a>(
         &'a self,
         span: &SourceSpan,

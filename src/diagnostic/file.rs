@@ -1,11 +1,11 @@
-//! Messages about files that can't be read or written.
+//! Diagnostics about files that can't be read or written.
 
 use super::{Diagnostic, codes, nearest};
 use crate::source::{Files, ReadError, Span};
 use std::io;
 use std::path::Path;
 
-/// The reason why a scene or an include was not read; the caller adds the place.
+/// Creates the error for a scene or an include file that was not read. The caller adds the place.
 pub fn unreadable(files: &dyn Files, path: &Path, error: &ReadError) -> Diagnostic {
     let name = path.display();
     let say = |code, text: String| Diagnostic::new(code, Span::NONE, text);
@@ -24,7 +24,7 @@ pub fn unreadable(files: &dyn Files, path: &Path, error: &ReadError) -> Diagnost
     }
 }
 
-/// The reason why a file was not written.
+/// Creates the error for a file that was not written.
 pub fn unwritable(files: &dyn Files, path: &Path, error: &io::Error) -> Diagnostic {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty() && !files.exists(p));
     let help = folder.map(|f| format!("there is no folder `{}`; make it first", f.display()));
@@ -40,7 +40,7 @@ fn reason(error: &io::Error) -> String {
     letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
 }
 
-/// "Did you mean" among the files of the folder: a typo, or a missing ending.
+/// Returns a "did you mean" with a file of the folder, for a typo or a missing extension.
 fn similar_file(files: &dyn Files, path: &Path) -> Option<String> {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
     let names = file_names(files, folder.unwrap_or(Path::new(".")))?;
@@ -51,7 +51,7 @@ fn similar_file(files: &dyn Files, path: &Path) -> Option<String> {
     Some(format!("did you mean `{found}`?"))
 }
 
-/// Lists the scenes of a folder that was named instead of a scene.
+/// Returns a help line that lists the scenes of a folder, if the folder was given in place of a scene.
 fn scenes_inside(files: &dyn Files, folder: &Path) -> Option<String> {
     let names = file_names(files, folder)?;
     let scenes = names.iter().filter(|n| is_scene(n)).take(3);

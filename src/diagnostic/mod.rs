@@ -19,9 +19,9 @@ pub const INTERNAL_FAILURE: &str = "durer has failed, which is a bug; please rep
 /// Severity of a diagnostic: error or warning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Severity of a doubt: the picture may not be the intended one.
+    /// Severity of a warning: the picture may not be the intended one.
     Warning,
-    /// Severity of a fault due to which the scene can't be rendered.
+    /// Severity of an error: the scene can't be rendered.
     Error,
 }
 
@@ -41,40 +41,40 @@ pub struct Label {
     pub text: String,
 }
 
-/// One message. It is created where the fault is found, and rendered in [`draw`] alone.
+/// One message to the user. Only [`draw`] renders it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnostic {
     /// Stable code of the diagnostic; `durer explain CODE` explains it.
     pub code: Code,
     /// Severity of the code, unless an unused declaration lowers it to a warning.
     pub severity: Severity,
-    /// Text of the message, in lower case, with found and expected, names in backticks.
+    /// Text of the message, in lower case, which says what was found and what was expected, with names in backticks.
     pub message: String,
     /// Places of the diagnostic; the first label is the place of the fault.
     pub labels: Vec<Label>,
     /// Replacement text or advice that the diagnostic gives as help.
     pub help: Option<String>,
-    /// The chain of "in macro `M`, called here", "included from here", innermost first.
+    /// Call frames of the fault, innermost first: "in macro `M`, called here", "included from here".
     pub trace: Box<[Label]>,
-    /// The cause, if other messages may share it: messages of one cause are merged.
+    /// Cause of the message, if other messages may have the same. Messages of one cause are merged.
     pub cause: Option<Box<Cause>>,
 }
 
-/// A propagated error; boxed so that the success path is fast.
+/// An error that functions return; boxed so that the success path is fast.
 pub type Fault = Box<Diagnostic>;
 
-/// The result of every fallible function.
+/// The result of every function that can fail with a diagnostic.
 pub type Result<T, E = Fault> = std::result::Result<T, E>;
 
 impl Diagnostic {
-    /// Creates a diagnostic with this code at this place.
+    /// Creates a diagnostic with a code and the span of the fault.
     pub fn new(code: Code, span: Span, message: impl Into<String>) -> Self {
         let labels = if span.is_none() { vec![] } else { vec![Label { span, text: String::new() }] };
         let (message, help, trace) = (message.into(), None, Box::default());
         Self { code, severity: code.severity(), message, labels, help, trace, cause: None }
     }
 
-    /// A message as an `Err`.
+    /// Creates a diagnostic and returns it as an `Err`.
     ///
     /// # Errors
     /// Always.
@@ -110,13 +110,13 @@ impl Diagnostic {
         self
     }
 
-    /// Sets the help, if there is one.
+    /// Sets the help of the diagnostic, if `text` is some.
     pub fn maybe_help(mut self, text: Option<String>) -> Self {
         self.help = text.or(self.help);
         self
     }
 
-    /// Sets the place, for faults from layers without a text.
+    /// Sets the place of the diagnostic, for faults from functions that don't know the scene's text.
     pub fn at(mut self, span: Span) -> Box<Self> {
         self.labels = vec![Label { span, text: String::new() }];
         Box::new(self)
@@ -128,7 +128,7 @@ impl Diagnostic {
         format!("{place}{}[{}]: {}", self.severity.name(), self.code, self.message.replace('\n', " "))
     }
 
-    /// Returns the span of the diagnostic's fault.
+    /// Returns the span of the fault, which is that of the first label.
     pub fn span(&self) -> Span {
         self.labels.first().map_or(Span::NONE, |l| l.span)
     }

@@ -1,12 +1,13 @@
-//! "Did you mean …?"
+//! Suggestions of the form "did you mean …?" for misspelt words.
 
 use strsim::osa_distance;
 
-/// Length of the longest word that is compared, in bytes. A comparison takes time in proportion to the product of both lengths.
+/// Length of the longest word that is compared, in bytes. The time of a comparison is proportional to the product of
+/// both lengths.
 const LONGEST: usize = 200;
 
-/// Returns the word of `known` with the least edit distance to `word`, if at most a third of the letters (and at most three) differ.
-/// Letter case is ignored; a candidate with another first letter counts as half an edit more.
+/// Returns the word of `known` with the least edit distance to `word`, if at most a third of the letters (and at most
+/// three) differ. Letter case is ignored; a candidate with another first letter counts as half an edit more.
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     if word.len() > LONGEST {
         return None;
@@ -28,7 +29,7 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         .map(|(_, candidate)| candidate)
 }
 
-/// The sentence for the help line.
+/// Returns the sentence "did you mean …?" for a help line; `None` if no known word is similar.
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
     nearest(word, known).map(|found| format!("did you mean `{found}`?"))
 }

@@ -1,16 +1,17 @@
-//! Tokens and comments as a list, with their role in the tree.
+//! Units of text that the formatter places: tokens and comments as a list, with their role in the syntax tree.
 
-/// A token, or a comment. Each number, comma and bracket of a list of numbers is an atom.
+/// Unit of text that the formatter places: a token or a comment. Each number, comma and bracket in a list of numbers is
+/// an atom by itself.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Atom {
     /// Offset of the atom's first byte in the text.
     pub lo: u32,
     /// Offset after the atom's last byte in the text.
     pub hi: u32,
-    /// Index of the atom after the item, for an item of a body.
+    /// Index of the atom after the item that begins at this atom, in a body.
     pub next: u32,
-    /// For a bracket around a body: the other bracket; for a directive with bodies: its index in [`Atoms::arms`]; for
-    /// another item with a body: the opening bracket.
+    /// For a bracket around a body, index of the other bracket; for a directive with bodies, index in [`Atoms::arms`];
+    /// for another item with a body, index of the opening bracket.
     pub link: u32,
     /// Properties of the atom as a set of bits; see [`flag`].
     pub flags: u16,
@@ -38,9 +39,9 @@ pub mod flag {
     pub const LINE_COMMENT: u16 = 1 << 6;
     /// Flag: the atom is a block comment, `/* … */`.
     pub const BLOCK_COMMENT: u16 = 1 << 7;
-    /// One vector of a very long list, as one atom.
+    /// Flag: the atom is a whole vector of a very long list.
     pub const PACKED: u16 = 1 << 8;
-    /// A bracket without its other half, or around contents that the tree has no node for.
+    /// Flag: the atom is a bracket without its partner, or around contents that have no node in the tree.
     pub const LOOSE: u16 = 1 << 9;
     /// Flag: the atom is one of several layered textures of a declaration.
     pub const LAYER: u16 = 1 << 10;
@@ -50,7 +51,7 @@ pub mod flag {
 /// Kinds of items that the formatter lays out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Item {
-    /// Item of the formatter: none, the atom begins no direct item of a body.
+    /// Item of the formatter: none, since no item of a body begins at the atom.
     #[default]
     None,
     /// Item of the formatter: a value, such as a number, a vector or a call.

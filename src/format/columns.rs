@@ -1,6 +1,6 @@
 //! Alignment of comments at the ends of lines: comments that the author aligned stay aligned.
 
-/// A comment after other text on its line.
+/// A comment at the end of a line, after other text.
 pub struct Trailing {
     /// Offset of the comment's first byte in the new text.
     pub at: usize,
@@ -8,17 +8,17 @@ pub struct Trailing {
     pub line: u32,
     /// Width of the line before the comment in the new text.
     pub end: usize,
-    /// Width of the line before the comment in the author's text, including blanks.
+    /// Width of the line before the comment in the author's text, including the blanks before the comment.
     pub written: usize,
 }
 
-/// Minimum number of blanks before a comment.
+/// Minimum number of blanks between a line's text and its comment.
 const APART: usize = 2;
 
-/// Comments at most this many lines apart share a column if the author aligned them.
+/// Maximum distance, in lines, of two aligned comments that stay in one column.
 const NEAR: u32 = 6;
 
-/// Inserts blanks before comments: those that were in one column are in one column again.
+/// Inserts blanks before comments at the ends of lines, so that comments that the author aligned are aligned again.
 pub fn align(text: &str, comments: &[Trailing]) -> String {
     let columns = columns(comments);
     let mut out = String::with_capacity(text.len() + comments.len() * 8);

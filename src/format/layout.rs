@@ -1,11 +1,12 @@
-//! Distributes atoms over lines: which items of a body share a line, and which blocks and directives are broken.
+//! Layout of the formatter: decides which items of a body share a line, and which blocks and directives are spread over
+//! lines.
 
 use super::STEP;
 use super::atoms::{Arm, Atoms, Item, flag};
 use super::columns::{self, Trailing};
 use super::table;
 
-/// Returns the text with the formatter's new line breaks.
+/// Returns the formatted text, with lines of at most `width` columns where possible.
 pub fn set(text: &str, atoms: &Atoms, width: usize) -> String {
     let mut setter = Setter::new(text, atoms, width);
     setter.body(0, atoms.row.len(), 0, false);
@@ -18,13 +19,13 @@ pub(super) struct Setter<'a> {
     pub(super) atoms: &'a Atoms,
     /// Maximum width of an output line, in columns.
     pub(super) width: usize,
-    /// Total width of all atoms before each atom, with blanks, on one line.
+    /// Total width of all atoms before each atom, as if all were on one line with blanks.
     sums: Vec<u32>,
-    /// Number of atoms, up to and including each, that must begin a line.
+    /// Number of forced line starts among the atoms up to and including each.
     breaks: Vec<u32>,
-    /// Unmatched braces before each atom: opening minus closing.
+    /// Number of unmatched opening braces minus closing ones, before each atom.
     loose: Vec<i32>,
-    /// Blanks before atoms that keep a column aligned; see [`super::table`].
+    /// Number of blanks before each atom that keep a column aligned; see [`super::table`].
     pub(super) pads: Vec<u8>,
     /// Number of unmatched brackets that are open before the current position.
     pub(super) open: i32,
@@ -34,7 +35,7 @@ pub(super) struct Setter<'a> {
     line: u32,
     /// Indentation of the current output line.
     indent: usize,
-    /// True if the current line ends in a comment.
+    /// True if the current output line ends in a comment, so that the line must end.
     commented: bool,
     trailing: Vec<Trailing>,
 }
@@ -46,7 +47,7 @@ struct Range {
     to: usize,
 }
 
-/// Items that share a line unless it is too long.
+/// Items of a body that share a line unless the line gets too long.
 pub(super) struct Row {
     pub(super) from: usize,
     pub(super) to: usize,
@@ -102,7 +103,7 @@ impl<'a> Setter<'a> {
         self.atoms.row[i].flags & flag != 0
     }
 
-    /// True if a line must begin here.
+    /// True if the atom must begin a line.
     fn begins_line(&self, i: usize) -> bool {
         let Some(previous) = i.checked_sub(1) else { return false };
         let after_comment = self.has(previous, flag::LINE_COMMENT) || self.is_tall(previous);
@@ -110,7 +111,7 @@ impl<'a> Setter<'a> {
         after_comment || self.atoms.row[i].lines > 0 && !joined
     }
 
-    /// True for a brace that ends a body, which needs no line of its own.
+    /// True for a brace that ends a body and can stay at the end of a line.
     fn closes_block(&self, i: usize) -> bool {
         matches!(self.read(i), "}" | "]") && !self.has(i, flag::LOOSE)
     }
@@ -138,7 +139,7 @@ impl<'a> Setter<'a> {
         if self.has(i, flag::LINE_COMMENT) { 0 } else { usize::from(!self.has(i, flag::GLUE)) }
     }
 
-    /// True if a range can be on one line.
+    /// True if the atoms of a range contain no forced line break.
     pub(super) fn is_flat(&self, from: usize, to: usize) -> bool {
         from >= to || self.breaks[to - 1] == self.breaks[from] && !(from + 1 < to && self.is_tall(from))
     }
@@ -222,7 +223,7 @@ impl<'a> Setter<'a> {
         Range { from, to: to.max(from + 1) }
     }
 
-    /// The items up to the next one that begins a line, and its position.
+    /// Returns the items up to the next one that begins a line, and the index of that one.
     fn row_at(&self, from: usize, to: usize) -> (Vec<Range>, usize) {
         let (mut items, mut at) = (vec![], from);
         while at < to && (at == from || !self.begins_line(at)) {
@@ -233,7 +234,8 @@ impl<'a> Setter<'a> {
         (items, at.min(to))
     }
 
-    /// Rows of items, each on a line of its own. A comment on the line that `opened` the body stays there.
+    /// Writes the items of a body as rows, each on its own line. A comment on the line that `opened` the body stays on
+    /// it.
     fn body(&mut self, from: usize, to: usize, indent: usize, opened: bool) {
         let mut at = from;
         if opened && at < to && self.has(at, flag::LINE_COMMENT) && self.atoms.row[at].lines == 0 {
@@ -258,8 +260,8 @@ impl<'a> Setter<'a> {
         }
     }
 
-    /// Unmatched braces in an item: opening minus closing. For a directive, those of its first arm count: one of the
-    /// arms runs.
+    /// Returns the number of unmatched opening braces minus closing ones in an item. In a directive only the first arm
+    /// counts, since one arm runs.
     fn open_braces(&self, item: Range) -> i32 {
         let (from, to) = match self.arms(item.from) {
             // A macro runs elsewhere.
@@ -288,7 +290,7 @@ impl<'a> Setter<'a> {
             && !self.has(item.from, flag::GLUE)
     }
 
-    /// Items that the author wrote on one line, with this number of unmatched brackets `open`.
+    /// Writes items that the author wrote on one line. `open` is the number of unmatched brackets and is updated.
     fn row(&mut self, items: &[Range], indent: usize, open: &mut i32) {
         let flat = match items {
             [first, .., last] => self.fits(first.from, last.to),
@@ -315,7 +317,7 @@ impl<'a> Setter<'a> {
         }
     }
 
-    /// Additional indentation of a line that continues a declaration.
+    /// Returns the additional indentation of a line that continues a declaration.
     fn layer(&self, i: usize) -> usize {
         if self.has(i, flag::LAYER) { STEP } else { 0 }
     }
@@ -344,7 +346,7 @@ impl<'a> Setter<'a> {
         }
     }
 
-    /// Items that belong together: on the current line if they fit.
+    /// Writes items that belong together: on the current line if they fit.
     fn piece(&mut self, items: &[Range], indent: usize) {
         let (from, to) = (items[0].from, items[items.len() - 1].to);
         if self.fits(from, to) {
@@ -365,7 +367,7 @@ impl<'a> Setter<'a> {
         self.run(at, to, indent);
     }
 
-    /// A body in brackets on several lines, and the atoms before it from `at` on.
+    /// Writes the atoms from `at` on and the body in brackets that follows them, on several lines.
     fn block(&mut self, at: usize, item: Range, indent: usize) {
         let open = match self.kind(item) {
             Item::Block => self.atoms.row[item.from].link as usize,
@@ -381,7 +383,8 @@ impl<'a> Setter<'a> {
         self.flat(close, item.to);
     }
 
-    /// Values that stay on the line of the bracket, as in `sphere { 0, 1`. Returns the start of the rest.
+    /// Writes the values that stay on the line of the opening bracket, as in `sphere { 0, 1`. Returns the index of the
+    /// rest.
     fn header(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
         let (items, next) = self.row_at(from, to);
         // A comma never begins a line, unless it is the first item.
@@ -408,7 +411,7 @@ impl<'a> Setter<'a> {
         end
     }
 
-    /// A directive with bodies, on several lines.
+    /// Writes a directive with bodies on several lines.
     fn directive(&mut self, item: Range, indent: usize) {
         let Some(arms) = self.arms(item.from) else { return };
         for (i, arm) in arms.iter().enumerate() {
@@ -431,7 +434,7 @@ impl<'a> Setter<'a> {
     }
 }
 
-/// Indentation inside of `open` unmatched brackets.
+/// Returns the indentation inside of `open` unmatched brackets.
 pub(super) fn indent_by(indent: usize, open: i32) -> usize {
     indent + STEP * open.clamp(0, 20).unsigned_abs() as usize
 }
@@ -441,7 +444,7 @@ pub(super) fn columns_of(text: &str) -> usize {
     if text.is_ascii() { text.len() } else { text.chars().count() }
 }
 
-/// Passes the parts of a vector of numbers, normalised, to `part`; returns their total width.
+/// Passes the normalised parts of a vector of numbers to `part`, and returns their total width.
 fn unpack(text: &str, mut part: impl FnMut(&str)) -> usize {
     let (mut columns, mut first) = (2, true);
     part("<");

@@ -1,4 +1,4 @@
-//! `durer fmt`: one style for scenes.
+//! The formatter `durer fmt`: one style for scenes.
 //!
 //! The author's decisions stay: tokens, comments, blank lines (one at a time), which items share a line, and whether a
 //! block is on one line or on several. All else follows from the tree: indentation, blanks, the position of braces, the
@@ -8,13 +8,13 @@
 //! sphere { 0, 1 pigment { Oak } }
 //!
 //! sphere { 0, 1
-//!   pigment { Oak }
+//! pigment { Oak }
 //! }
 //! ```
 //!
 //! `gather` makes a list of `atoms` from tokens, comments and tree; `layout` distributes them over lines, `run` breaks
-//! lines of one long expression, `columns` and `table` keep columns aligned. A line that was broken is never joined
-//! again, so that formatting is idempotent.
+//! lines of one long expression, `columns` and `table` keep columns aligned. A broken line is never joined again, so
+//! that formatting is idempotent.
 
 mod atoms;
 mod columns;
@@ -35,8 +35,9 @@ pub const WIDTH: usize = 120;
 /// Indentation of each level, in columns.
 const STEP: usize = 2;
 
-/// The formatted text, with `\n` at the ends of new lines. Lines have at most `width` characters where they can be
-/// broken. `base` is the global offset of the text's first byte, for messages.
+/// Formats a text. Lines end with `
+/// ` and have at most `width` characters where they can be broken. `base` is the global offset of the text's first
+/// byte, for messages.
 ///
 /// # Errors
 /// The faults of a text that can't be formatted: strings, comments and directives without an end, brackets that nest

@@ -1,10 +1,10 @@
-//! Breaks lines outside of bodies: expressions, heads, arguments.
+//! Breaks lines outside of bodies: in expressions, parentheses and arguments.
 
 use super::STEP;
 use super::atoms::{Item, flag};
 use super::layout::{Setter, indent_by};
 
-/// Open brackets, by the line of each.
+/// Open brackets, counted by the line that opens them.
 #[derive(Default)]
 struct Nesting {
     open: Vec<u32>,
@@ -23,7 +23,7 @@ impl Nesting {
         }
     }
 
-    /// Number of lines with open brackets: each indents by one step, and a continued line is indented at least once.
+    /// Returns the number of lines with open brackets, each of which indents by one step; at least 1.
     fn levels(&self) -> usize {
         let others = self.open.windows(2).filter(|pair| pair[0] != pair[1]).count();
         (others + usize::from(!self.open.is_empty())).clamp(1, 20)
@@ -31,7 +31,7 @@ impl Nesting {
 }
 
 impl Setter<'_> {
-    /// Writes atoms with this indentation: keeps the author's line breaks, and adds more where a line is too long.
+    /// Writes atoms with an indentation; keeps the author's line breaks, and adds more where a line is too long.
     pub(super) fn run(&mut self, from: usize, to: usize, indent: usize) {
         let (mut nesting, mut at) = (Nesting::default(), from);
         let (body, mut open, mut indent) = (indent.saturating_sub(indent_by(0, self.open)), self.open, indent);
@@ -63,8 +63,8 @@ impl Setter<'_> {
         }
     }
 
-    /// Number of atoms that go on the line: all, or up to the best position for a break, which is outside of as many
-    /// brackets as possible.
+    /// Returns the number of atoms that go on the line: all, or up to the best position for a break, which is outside
+    /// of as many brackets as possible.
     fn break_in(&self, from: usize, to: usize, depth: usize) -> usize {
         let gap = if self.at_start() { 0 } else { self.gap(from) };
         let room = self.width.saturating_sub(self.column + gap);
@@ -96,14 +96,14 @@ impl Setter<'_> {
         self.atoms.row[i].item != Item::None
     }
 
-    /// False before operators, and between a word and its value.
+    /// True if a line may be broken before the atom: not before operators, and not between a word and its value.
     fn may_break(&self, i: usize) -> bool {
         let word = matches!(self.atoms.row[i - 1].item, Item::Word | Item::Plain);
         let held = self.has(i, flag::GLUE | flag::JOIN | flag::OPERATOR | flag::COMMENT);
         !(held || word && self.is_item(i))
     }
 
-    /// Strength with which an atom binds the following one.
+    /// Returns the strength with which an atom binds the following one: a line is broken after weak atoms first.
     fn tie(&self, i: usize) -> usize {
         match self.read(i) {
             "," => 1,

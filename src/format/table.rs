@@ -1,4 +1,4 @@
-//! Alignment of tables: rows of one shape that the author aligned in columns stay aligned.
+//! Alignment of tables: columns in rows of equal structure that the author aligned stay aligned.
 
 use super::atoms::{Item, flag};
 use super::layout::{Row, Setter, columns_of};
@@ -27,13 +27,13 @@ pub fn pad(setter: &mut Setter, rows: &[Row], indent: usize) {
     }
 }
 
-/// True if a row needs more lines than the author gave it.
+/// True if a row needs more lines than in the author's text.
 fn splits(setter: &Setter, row: &Row, indent: usize) -> bool {
     let single = setter.atoms.row[row.from].next as usize == row.to;
     !single && (!row.flat || indent + setter.flat_width(row.from, row.to) > setter.width)
 }
 
-/// The atoms of a row, without a comment or comma at its end: the last row has no comma.
+/// Returns the atoms of a row, without a comma or comment at its end, since the last row has no comma.
 fn cells(setter: &Setter, row: &Row) -> std::ops::Range<usize> {
     let to = row.to - usize::from(setter.has(row.to - 1, flag::LINE_COMMENT));
     row.from..to - usize::from(to > row.from + 1 && setter.read(to - 1) == ",")
@@ -57,14 +57,14 @@ fn class<'a>(setter: &Setter<'a>, i: usize) -> &'a str {
     }
 }
 
-/// An atom in the author's text: its column and its width.
+/// Position of an atom in the author's text: its column and width.
 #[derive(Clone, Copy)]
 struct Cell {
     start: usize,
     columns: usize,
 }
 
-/// The blanks before all atoms of all rows, if the rows are a table that is not aligned without them.
+/// Returns the blanks before all atoms of all rows; `None` if the rows are no table or are aligned without blanks.
 fn table(setter: &Setter, rows: &[Row], indent: usize) -> Option<Vec<Vec<u8>>> {
     let text = setter.text;
     let begins = |lo: usize| text[..lo].rfind(['\n', '\r']).map_or(0, |end| end + 1);

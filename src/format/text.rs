@@ -1,4 +1,4 @@
-//! Decoding and encoding of files: the encoding and the ends of lines are kept.
+//! Decodes and encodes files of the formatter, which keep their encoding and line ends.
 
 use super::format;
 use crate::diagnostic::Diagnostic;
@@ -18,14 +18,14 @@ const MARK: &[u8] = b"\xef\xbb\xbf";
 /// Decodes the bytes of a file.
 ///
 /// # Errors
-/// If they are not text.
+/// If the bytes are no text.
 pub fn decode(bytes: Vec<u8>) -> Result<Encoded, ReadError> {
     let (marked, latin_1) = (bytes.starts_with(MARK), std::str::from_utf8(&bytes).is_err());
     Ok(Encoded { text: text_of(bytes)?, marked, latin_1 })
 }
 
 impl Encoded {
-    /// The formatted text; see [`format()`].
+    /// Returns the formatted text; see [`format()`].
     ///
     /// # Errors
     /// Those of [`format()`].
@@ -33,7 +33,7 @@ impl Encoded {
         Ok(with_ends(&format(&self.text, base, width)?, line_end(&self.text)))
     }
 
-    /// Encodes another text as this one was encoded.
+    /// Encodes `text` as the original file was encoded.
     pub fn encode(&self, text: &str) -> Vec<u8> {
         let mark = if self.marked { MARK } else { b"" };
         let narrow = || text.chars().map(|c| u8::try_from(u32::from(c)).unwrap_or(b'?')).collect();
@@ -51,7 +51,8 @@ fn line_end(text: &str) -> &'static str {
     }
 }
 
-/// Replaces `\n` at the ends of lines by `end`; other line ends, inside of strings and comments, stay.
+/// Replaces each `
+/// ` at the end of a line by `end`. Line ends inside of strings and comments stay.
 fn with_ends(text: &str, end: &str) -> String {
     if end == "\n" {
         return text.to_string();

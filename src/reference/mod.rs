@@ -1,4 +1,4 @@
-//! All tables of words of the readers, for the manual and for editors.
+//! Tables of all words of the scene language, for the manual and for editors.
 
 mod sorts;
 
@@ -11,14 +11,14 @@ use crate::texture::words::{FINISH, IMAGE_MAP, IRID, NORMAL, PIGMENT, REFLECTION
 use crate::value::{Family, Spec};
 use crate::{atmosphere, camera, interpreter, light, scene};
 
-/// A block of the language with its section in the manual's reference.
+/// A block of the language, with its place in the manual's reference.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
     /// Parameters and words of the documented block.
     pub spec: &'static Spec,
     /// Name of the family to which the documented block belongs; `None` outside of the families.
     pub family: Option<&'static str>,
-    /// True if the block's parameters and words are written in braces.
+    /// True if the block is written with braces.
     pub has_braces: bool,
     /// Name of the documented block in Markdown; empty for a member of a family.
     title: &'static str,
@@ -31,13 +31,13 @@ impl Entry {
         Self { spec, family: None, has_braces: true, title, page }
     }
 
-    /// Returns the link in Markdown from another page of the reference to the block's section.
+    /// Returns a Markdown link to the block's section, for other pages of the reference.
     pub fn link(&self) -> String {
         let Self { spec, title, page, .. } = self;
         if self.family.is_some() { format!("[`{0}`]({page}#{0})", spec.name) } else { format!("[{title}]({page})") }
     }
 
-    /// Returns the syntax of the block.
+    /// Returns the syntax of the block, as the manual shows it.
     pub fn usage(&self) -> String {
         if self.has_braces { self.spec.block_usage() } else { self.spec.usage() }
     }
@@ -85,7 +85,7 @@ pub fn entries() -> impl Iterator<Item = Entry> {
     BLOCKS.iter().copied().chain(members())
 }
 
-/// Words that are in no table of a block, and the chapters about them.
+/// Words that belong to no block's table, and the chapters about them.
 pub const ELSEWHERE: &[(&str, &str)] = &[
     ("albedo", "[`finish`](finishes.md), before the number of `diffuse`, `phong` or `specular`"),
     ("all", "`filter all` and `transmit all` in [`image_map`](pigments.md#image_map)"),

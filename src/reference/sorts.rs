@@ -14,7 +14,7 @@ use crate::value::{Family, ValueKind};
 pub struct Sorts {
     /// Words for objects, such as `sphere` and `union`.
     pub objects: Vec<&'static str>,
-    /// Words with braces that are no objects, such as `pigment` and `camera`.
+    /// Words of blocks that are no objects, such as `pigment` and `camera`.
     pub blocks: Vec<&'static str>,
     /// Names of functions with arguments in parentheses, such as `sin`.
     pub functions: Vec<&'static str>,

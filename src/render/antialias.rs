@@ -1,5 +1,5 @@
-//! Adaptive anti-aliasing (manual, "Anti-Aliasing Options"): the first pass takes one sample for each pixel or corner; the final pass takes
-//! more where neighbours differ.
+//! Adaptive anti-aliasing (manual, "Anti-Aliasing Options"): the first pass takes one sample for each pixel or corner;
+//! the final pass takes more where neighbours differ.
 
 use super::blocks::{BLOCK, Blocks};
 use super::corners::Corners;
@@ -23,11 +23,11 @@ pub(super) struct Method {
 
 #[derive(Clone)]
 enum MethodKind {
-    /// One sample a pixel.
+    /// One sample for each pixel.
     Single,
-    /// Focal blur: many samples a pixel, in one pass.
+    /// Focal blur: many samples for each pixel, in one pass.
     Blurred(Lens),
-    /// Two passes.
+    /// Adaptive anti-aliasing in two passes.
     Adaptive(SampleLayout),
 }
 
@@ -62,7 +62,7 @@ impl Method {
         }
     }
 
-    /// Takes the sample of the first pass at a pixel or corner.
+    /// Returns the sample of the first pass at a pixel or corner.
     pub fn first_sample(&self, sampler: &mut Sampler, x: usize, y: usize) -> Pixel {
         match self.kind {
             MethodKind::Adaptive(SampleLayout::Corners) => return self.corners().sample(sampler, [x, y], [0, 0]),
@@ -73,12 +73,13 @@ impl Method {
         pixel(&sampler.sample(x as f64 + 0.5, y as f64 + 0.5))
     }
 
-    /// Edge of the blocks to which the final pass is bound, if it is; a block needs all first samples of its rows and one row around.
+    /// Returns the edge of the blocks that the final pass computes together; `None` without blocks. A block needs all
+    /// first samples of its rows and one row around.
     pub fn tile_edge(&self) -> Option<usize> {
         matches!(self.kind, MethodKind::Adaptive(SampleLayout::Grid)).then_some(BLOCK)
     }
 
-    /// Computes the pixels of an area, row by row, from the first samples there and around.
+    /// Computes the pixels of an area, row by row, from the first samples in and around the area.
     pub fn tile(&self, sampler: &mut Sampler, first_samples: &PixelRows, area: Region) -> Vec<Pixel> {
         if let MethodKind::Adaptive(SampleLayout::Grid) = self.kind {
             return self.blocks().tile(sampler, first_samples, area).into_iter().map(finished).collect();
@@ -123,34 +124,34 @@ impl Method {
         neighbours.any(|other| self.difference.counts(middle, other))
     }
 
-    /// The key of a pixel's random numbers: its index in the whole picture.
+    /// Returns the key of a pixel's random numbers: its index in the whole picture.
     fn number(&self, x: usize, y: usize) -> u64 {
         y as u64 * self.width as u64 + x as u64
     }
 }
 
-/// Offsets of the neighbours, those that share an edge first.
+/// Offsets of a pixel's neighbours, those that share an edge first.
 const NEIGHBOURS: [[isize; 2]; 8] = [[-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [1, -1], [-1, 1], [1, 1]];
 
-/// Decides whether two samples differ visibly.
+/// Test whether two samples differ visibly.
 pub(super) struct Difference {
     threshold: f64,
-    /// Gamma after which differences are measured (`Antialias_Gamma`).
+    /// Gamma with which differences are measured (`Antialias_Gamma`).
     gamma: f64,
-    /// True if the numbers of the scene follow the sRGB curve.
+    /// True if the scene's colour values follow the sRGB curve.
     is_srgb: bool,
     alpha: bool,
-    /// Maximum slope of the curve from [`DARK`] on, and minimum slope up to 1: bounds that save most powers.
+    /// Maximum slope of the gamma curve from [`DARK`] on, and minimum slope up to 1: bounds that avoid most powers.
     slopes: [f64; 2],
-    /// Numbers that differ by no more than this differ by at most a quarter of the threshold on the curve.
+    /// Difference of two values that is at most a quarter of the threshold after the gamma curve.
     negligible: f64,
 }
 
 const DARK: f64 = 1.0 / 32.0;
 
 impl Difference {
-    /// Differences are measured on light to the power of 1/`gamma`; `numbers` converts the numbers of the scene to light
-    /// (quirk: `antialias_gamma`).
+    /// Creates the test for a threshold. Differences are measured on light to the power of 1/`gamma`; `numbers`
+    /// converts the scene's values to light (quirk: `antialias_gamma`).
     fn new(threshold: f64, gamma: f64, numbers: Gamma, alpha: bool) -> Self {
         let (gamma, is_srgb) = match numbers {
             Gamma::Power(power) => (gamma / power, false),
@@ -165,12 +166,12 @@ impl Difference {
         Self { threshold, gamma, is_srgb, alpha, slopes, negligible }
     }
 
-    /// True if the sum of the channels' differences, after the gamma, reaches the threshold.
+    /// True if the sum of the channels' differences, after the gamma curve, reaches the threshold.
     pub fn counts(&self, a: &Pixel, b: &Pixel) -> bool {
         self.exceeds(a, b, 1.0)
     }
 
-    /// True if the sum reaches `times` the threshold.
+    /// True if the sum of the channels' differences reaches `times` the threshold.
     pub fn exceeds(&self, a: &Pixel, b: &Pixel, times: f64) -> bool {
         let threshold = self.threshold * times;
         let opacity = if self.alpha { f64::from((a[3] - b[3]).abs()) } else { 0.0 };
@@ -204,7 +205,7 @@ pub(super) fn pixel(sample: &Radiance) -> Pixel {
     [rgb.x as f32, rgb.y as f32, rgb.z as f32, *transparency as f32]
 }
 
-/// Turns NaN into black (quirk: `nan_pixel_is_black`).
+/// Replaces NaN by black (quirk: `nan_pixel_is_black`).
 fn finished(pixel: Pixel) -> Pixel {
     pixel.map(|c| if c.is_nan() { 0.0 } else { c })
 }

@@ -1,5 +1,5 @@
-//! Renders a picture in scanline bands from the top. Each band is passed on when it is finished, so a large picture needs memory for a few
-//! bands only. While the final pass works on one band, the first pass works on the next.
+//! Renders a picture in scanline bands from the top. Each finished band is passed on, so that a large picture needs
+//! memory for a few bands only. While the final pass works on one band, the first pass works on the next.
 
 use super::antialias::Method;
 use super::pixel_rows::{Pixel, PixelRows};
@@ -15,17 +15,17 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const TILE: usize = 16;
 /// Approximate number of pixels in a band, which is at least one row: enough work for many threads.
 const BAND: usize = 1 << 18;
-/// Bytes for each pixel of a band: in the tiles of both passes and twice in the rows of both.
+/// Memory for each pixel of a band, in bytes: in the tiles of both passes and twice in the rows of both.
 const BYTES_PER_PIXEL: u128 = 6 * size_of::<Pixel>() as u128;
 
-/// Number of rows of the bands of an area.
+/// Returns the number of rows of each band of an area.
 fn band_rows(area: Region) -> usize {
     let bands = area.width.saturating_mul(area.height).div_ceil(BAND).max(1);
     let rows = area.height.div_ceil(bands).max(1);
     if rows < TILE { rows } else { rows.next_multiple_of(TILE) }
 }
 
-/// Maximum number of bytes for the bands of an area.
+/// Returns the maximum memory for the bands of an area, in bytes.
 pub(super) fn memory_bytes(area: Region) -> u128 {
     area.width as u128 * band_rows(area).min(area.height) as u128 * BYTES_PER_PIXEL
 }
@@ -43,7 +43,7 @@ pub(super) struct FrameRender<'a> {
 pub(super) type RowReceiver<'a> = dyn FnMut(Vec<Pixel>) -> diagnostic::Result<()> + Send + 'a;
 
 impl FrameRender<'_> {
-    /// Renders every pixel of the region and passes the rows on.
+    /// Renders every pixel of the region and passes the rows to `receiver`.
     pub fn run(&self, receiver: &mut RowReceiver) -> Result<RayCounts, Stopped> {
         let (region, area) = (self.region, self.first_area());
         let rows = band_rows(region);
@@ -80,7 +80,8 @@ impl FrameRender<'_> {
         Ok(counts)
     }
 
-    /// Returns the end of the rows that the final pass can render now: it needs the first samples around each pixel.
+    /// Returns the end of the rows that the final pass can render from the present first samples, which it needs around
+    /// each pixel.
     fn final_rows_end(&self, first_samples: &PixelRows, next_row: usize, rows: usize) -> usize {
         let end = self.region.y + self.region.height;
         let alignment = self.row_alignment();
@@ -127,17 +128,17 @@ impl FrameRender<'_> {
         }
     }
 
-    /// The area of the first pass; `None` for methods of one pass.
+    /// Returns the area of the first pass; `None` for methods of one pass.
     fn first_area(&self) -> Option<Region> {
         self.method.first_area(self.region)
     }
 
-    /// The final pass needs first samples of whole groups of so many rows, and of one row above and below them.
+    /// Returns the number of rows in each group that the final pass computes together.
     fn row_alignment(&self) -> usize {
         self.method.tile_edge().unwrap_or(1)
     }
 
-    /// Edge of the tiles of the final pass.
+    /// Returns the edge of the tiles of the final pass, in pixels.
     fn tile_edge(&self) -> usize {
         self.method.tile_edge().unwrap_or(TILE)
     }
@@ -153,7 +154,7 @@ impl FrameRender<'_> {
         pixels
     }
 
-    /// Number of pixels of both passes.
+    /// Returns the number of pixels of both passes.
     fn total(&self) -> usize {
         let pixels = |area: Region| area.width.saturating_mul(area.height);
         pixels(self.region).saturating_add(self.first_area().map_or(0, pixels))

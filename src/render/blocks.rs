@@ -1,6 +1,7 @@
-//! POV-Ray's first sampling method (manual, "Anti-Aliasing Options"): each pixel of a block, from the top left, is compared with the pixels
-//! to its left and above, in their current state; pixels that differ get a grid of samples (quirk: `antialias_blocks`). A block also
-//! samples the row above and the column to the left, even outside the picture.
+//! POV-Ray's first sampling method (manual, "Anti-Aliasing Options"): each pixel of a block, from the top left, is
+//! compared with the present values of the pixels to its left and above; pixels that differ get a grid of samples
+//! (quirk: `antialias_blocks`). A block also samples the row above and the column to the left, even outside the
+//! picture.
 //!
 //! Coordinates of first samples are shifted: the first sample at (x + 1, y + 1) is the pixel (x, y).
 
@@ -13,10 +14,10 @@ use crate::transport::Purpose;
 /// Edge of a block in pixels.
 pub(super) const BLOCK: usize = 32;
 
-/// The method's settings.
+/// Settings of the sampling method with a grid in each pixel.
 pub(super) struct Blocks<'m> {
     pub difference: &'m Difference,
-    /// Rows and columns of the grid.
+    /// Number of rows, and of columns, of the grid.
     pub depth: u32,
     /// Random displacement of samples from the centres of their cells, as a share of half a cell.
     pub jitter: f64,
@@ -61,7 +62,7 @@ impl Blocks<'_> {
         (part.y..part.y + part.height).flat_map(row).map(|(x, y)| *now.at(x, y)).collect()
     }
 
-    /// Compares a pixel with the pixels to the left and above, and samples those that differ.
+    /// Compares a pixel with the pixels to the left and above, and takes more samples of those that differ.
     fn compare(&self, sampler: &mut Sampler, now: &mut PixelRows, sampled: &mut [bool], [x, y]: [usize; 2]) {
         let mut differs = false;
         let (left, above) = ((x > now.area.x).then(|| [x - 1, y]), (y > now.area.y).then(|| [x, y - 1]));
@@ -76,7 +77,8 @@ impl Blocks<'_> {
         }
     }
 
-    /// Samples a pixel of the block once; the row above and the column to the left keep their first samples.
+    /// Takes more samples of a pixel of the block, unless that was done. The row above and the column to the left keep
+    /// their first samples.
     fn sample_once(&self, sampler: &mut Sampler, now: &mut PixelRows, sampled: &mut [bool], [x, y]: [usize; 2]) {
         if x == now.area.x || y == now.area.y {
             return;
@@ -104,7 +106,7 @@ impl Blocks<'_> {
         sum.map(|c| (c / f64::from(depth * depth + 1)) as f32)
     }
 
-    /// The key of a position's random numbers: its index in the whole picture.
+    /// Returns the key of a position's random numbers: its index in the whole picture.
     fn number(&self, x: usize, y: usize) -> u64 {
         y as u64 * (self.size[0] as u64 + 1) + x as u64
     }

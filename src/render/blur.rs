@@ -1,4 +1,4 @@
-//! Focal blur: many rays a pixel, each through another point of the lens and of the pixel (manual, "Focal Blur").
+//! Focal blur: many rays for each pixel, through different points of the lens and of the pixel (manual, "Focal Blur").
 
 use super::pixel_rows::Pixel;
 use super::sampler::Sampler;
@@ -9,7 +9,7 @@ use crate::transport::Purpose;
 /// Steps of an additive recurrence that fills [0, 1)⁴ evenly: powers of 1/φ, where φ⁵ = φ + 1 (Roberts 2018, "R4").
 const STEPS: [f64; 4] =
     [0.856_674_883_854_502_9, 0.733_891_856_627_126, 0.628_706_721_038_087_1, 0.538_597_257_223_610_2];
-/// Number of rays between two tests whether the pixel has converged.
+/// Number of rays between two tests for convergence.
 const ASK_EVERY: u32 = 4;
 
 /// Returns the mean of a pixel's rays; stops as soon as the variance is low enough (quirk: `focal_blur_convergence`).

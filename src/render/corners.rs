@@ -1,5 +1,5 @@
-//! POV-Ray's second sampling method: a pixel is the mean of its corners, and is subdivided where those differ (manual, "Anti-Aliasing
-//! Options"). The depth counts the pixel itself (quirk: `antialias_depth`).
+//! POV-Ray's second sampling method: a pixel is the mean of its corners, and is subdivided where the corners differ
+//! (manual, "Anti-Aliasing Options"). The depth counts the pixel itself (quirk: `antialias_depth`).
 
 use super::antialias::{Difference, pixel};
 use super::pixel_rows::{Pixel, PixelRows};
@@ -7,7 +7,7 @@ use super::sampler::Sampler;
 use crate::transport::Purpose;
 use rustc_hash::FxHashMap;
 
-/// The method's settings.
+/// Settings of the sampling method with corners.
 pub(super) struct Corners<'m> {
     pub difference: &'m Difference,
     /// Maximum depth of subdivision, counting the pixel; 1 for none.
@@ -18,14 +18,14 @@ pub(super) struct Corners<'m> {
     pub width: usize,
 }
 
-/// The subdivision of one pixel.
+/// Subdivision of one pixel into square pieces.
 struct Subdivision<'a, 'm, 't, 'w> {
     corners: &'a Corners<'m>,
     sampler: &'t mut Sampler<'w>,
     corner_samples: &'a PixelRows,
     x: usize,
     y: usize,
-    /// Samples within the pixel, by position in smallest pieces.
+    /// Samples within the pixel, by position in units of the smallest piece.
     between: FxHashMap<[u32; 2], Pixel>,
 }
 
@@ -35,7 +35,8 @@ impl Corners<'_> {
         1 << (self.depth - 1)
     }
 
-    /// Takes the sample at a position, in smallest pieces from the pixel's top left corner; the same for all pixels that share it.
+    /// Takes the sample at a position, in smallest pieces from the pixel's top left corner. Pixels that share the
+    /// position get the same sample.
     pub fn sample(&self, sampler: &mut Sampler, [x, y]: [usize; 2], [right, down]: [u32; 2]) -> Pixel {
         let pieces = self.pieces();
         let (x, y) = (x + (right / pieces) as usize, y + (down / pieces) as usize);
@@ -49,7 +50,7 @@ impl Corners<'_> {
         pixel(&sampler.sample(at(x, right, 0), at(y, down, 1)))
     }
 
-    /// Computes a pixel from its corners.
+    /// Computes a pixel from the samples at its corners.
     pub fn pixel(&self, sampler: &mut Sampler, corner_samples: &PixelRows, x: usize, y: usize) -> Pixel {
         let between = FxHashMap::default();
         let mut subdivision = Subdivision { corners: self, sampler, corner_samples, x, y, between };

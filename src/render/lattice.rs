@@ -1,20 +1,20 @@
-//! durer's own anti-aliasing: a pixel that differs from a neighbour gets 5 samples, and 10 if those differ.
+//! durer's own anti-aliasing: a pixel that differs from a neighbour gets 5 samples, and 10 if its samples differ much.
 //!
-//! Samples are at the points of a lattice (Sloan and Joe, Lattice Methods for Multiple Integration, 1994): the multiples of (1, 3)/10 modulo
-//! 1, of which every other one is a multiple of (1, 3)/5. Both lattices are square, rotated by 18° and 63°, so horizontal and vertical
-//! edges have ten and five levels. The pixel's centre, whose sample is known, is one of the points. Random bits transpose and mirror the
-//! lattice of each pixel.
+//! Samples are at the points of a lattice (Sloan and Joe, Lattice Methods for Multiple Integration, 1994): the
+//! multiples of (1, 3)/10 modulo 1, of which every other one is a multiple of (1, 3)/5. Both lattices are square,
+//! rotated by 18° and 63°, so horizontal and vertical edges have ten and five levels. The pixel's centre, whose sample
+//! is known, is one of the points. Random bits transpose and mirror the lattice of each pixel.
 
 use super::antialias::{Difference, pixel as pixel_of};
 use super::pixel_rows::Pixel;
 use super::sampler::Sampler;
 use crate::transport::Purpose;
 
-/// Number of samples at first, the centre included.
+/// Number of samples of a pixel that differs from a neighbour, the centre included.
 const FEW: u32 = 5;
 /// Number of samples of a pixel whose first samples differ.
 const MANY: u32 = 10;
-/// Multiple of the threshold by which the first samples must differ.
+/// Multiple of the threshold by which a pixel's first samples must differ to get more.
 const FAR: f64 = 2.0;
 
 /// Returns point `index` of the lattice in the unit square; point 0 is the centre. `symmetry` is one of 8, 0 to 7.
@@ -26,7 +26,7 @@ fn lattice_point(index: u32, symmetry: u32) -> [f64; 2] {
     if symmetry & 4 == 0 { [0.5 + x, 0.5 + y] } else { [0.5 + y, 0.5 + x] }
 }
 
-/// Computes a pixel; `middle` is the sample at its centre.
+/// Computes a pixel with lattice samples; `middle` is the sample at its centre.
 pub(super) fn pixel(
     sampler: &mut Sampler,
     difference: &Difference,

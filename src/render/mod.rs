@@ -24,34 +24,34 @@ use crate::world::World;
 use sampler::FrameCamera;
 use workers::Workers;
 
-/// Options of a render. Size, anti-aliasing, quality, region, frame and alpha determine every byte of it; the number of
-/// threads does not.
+/// Options of a render. Size, anti-aliasing, quality, region, frame and alpha determine every byte of the picture; the
+/// number of threads does not.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Width in pixels.
+    /// Width of the whole picture in pixels.
     pub width: usize,
-    /// Height in pixels.
+    /// Height of the whole picture in pixels.
     pub height: usize,
-    /// Threshold of adaptive anti-aliasing; `None` for one sample a pixel.
+    /// Threshold of adaptive anti-aliasing; `None` for one sample per pixel.
     pub antialias: Option<f64>,
-    /// Samples of anti-aliasing.
+    /// Positions of the samples of anti-aliasing.
     pub sampling: Sampling,
     /// Quality level, 0 to 11, as POV-Ray's `+Q`.
     pub quality: u8,
-    /// Number of threads; 0 for one a processor.
+    /// Number of threads; 0 for one per processor.
     pub threads: usize,
-    /// The part of the picture to render.
+    /// Part of the picture to render; `None` for all of it.
     pub region: Option<Region>,
     /// Alpha of the pixels outside of `region`, which are black.
     pub outside_alpha: f32,
-    /// Number of the frame: a part of each random number's key.
+    /// Number of the frame, which is a part of each random number's key.
     pub frame: u32,
-    /// True to keep alpha (`+UA`): the background is then transparent.
+    /// True for a picture with alpha (`+UA`), whose background is transparent.
     pub alpha: bool,
 }
 
 impl Options {
-    /// A whole picture at full quality on one thread, with one sample a pixel.
+    /// Creates the options of a whole picture at full quality on one thread, with one sample per pixel.
     pub fn new(width: usize, height: usize) -> Self {
         Self {
             width,
@@ -68,14 +68,14 @@ impl Options {
     }
 }
 
-/// Samples of anti-aliasing.
+/// Method and parameters of anti-aliasing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
-    /// Positions of the samples.
+    /// Layout of the samples in a pixel.
     pub layout: SampleLayout,
     /// Rows and columns of a grid, 1 to 9; for corners, the number of subdivisions, plus one.
     pub depth: u32,
-    /// Random displacement of samples, from 0 to 1, as a share of their cell.
+    /// Random displacement of samples, from 0 to 1, as a share of the sample's cell.
     pub jitter: f64,
     /// Gamma after which the difference of two samples is measured; above 0.
     pub gamma: f64,
@@ -92,9 +92,9 @@ impl Default for Sampling {
 pub enum SampleLayout {
     /// Points of a lattice; depth and jitter have no effect.
     Lattice,
-    /// A grid in each pixel that differs: POV-Ray's first method.
+    /// A grid of samples in each pixel that differs: POV-Ray's first method.
     Grid,
-    /// Corners of pixels, with subdivision: POV-Ray's second method.
+    /// Samples at the corners of pixels, with subdivision: POV-Ray's second method.
     Corners,
 }
 
@@ -105,19 +105,19 @@ pub struct Region {
     pub x: usize,
     /// Topmost row.
     pub y: usize,
-    /// Width in pixels.
+    /// Width of the rectangle in pixels.
     pub width: usize,
-    /// Height in pixels.
+    /// Height of the rectangle in pixels.
     pub height: usize,
 }
 
-/// A unit of work. Its result depends on nothing but the World, the options and the tile.
+/// A unit of work: one pass over a rectangle of pixels. The result depends only on the World, the options and the tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tile {
     /// Number of the pass: [`FIRST_PASS`] takes the samples that anti-aliasing compares, [`FINAL_PASS`] computes the
     /// pixels.
     pub pass: u8,
-    /// Its pixels.
+    /// Pixels of the tile.
     pub area: Region,
 }
 
@@ -126,15 +126,15 @@ pub const FIRST_PASS: u8 = 0;
 /// The pass that computes the pixels of the picture.
 pub const FINAL_PASS: u8 = 1;
 
-/// The caller's side of a render: progress, cancellation, and storage of finished tiles.
+/// Callbacks of a render: progress, cancellation, and storage of finished tiles.
 pub trait Watch: Sync {
-    /// Called after each tile with the number of finished pixels; with adaptive anti-aliasing the pixels of both passes
+    /// Reports the number of finished pixels after each tile. With adaptive anti-aliasing, the pixels of both passes
     /// count.
     fn progress(&self, done: usize, total: usize);
-    /// Returns true to stop the render. The answer takes effect at the next surface that a ray hits.
+    /// True if the render must stop, which happens at the next surface that a ray hits.
     fn cancelled(&self) -> bool;
-    /// Returns a token that stops the render too, even inside of a long search for one hit. By default that is the
-    /// token of the calling thread.
+    /// Returns a token that also stops the render inside a long search for one hit; by default the calling thread's
+    /// token.
     fn cancel_token(&self) -> CancelToken {
         CancelToken::current()
     }
@@ -142,7 +142,7 @@ pub trait Watch: Sync {
     fn load_tile(&self, _: Tile) -> Option<Vec<[f32; 4]>> {
         None
     }
-    /// Stores the pixels of a finished tile; [`light`] converts them to what the picture shows.
+    /// Stores the pixels of a finished tile; [`light`] converts them to linear light and alpha.
     fn store_tile(&self, _: Tile, _: &[[f32; 4]]) {}
 }
 
@@ -161,17 +161,17 @@ impl Watch for Unwatched {
 pub struct Cancelled;
 
 impl Region {
-    /// The part of the region that is within a picture of this size.
+    /// Returns the part of the region that is within a picture of this size.
     fn within(self, width: usize, height: usize) -> Region {
         let (x, y) = (self.x.min(width), self.y.min(height));
         Region { x, y, width: self.width.min(width - x), height: self.height.min(height - y) }
     }
 }
 
-/// Reason of an early end of a render.
+/// Reason for which a render ended early.
 #[derive(Debug)]
 pub enum Stopped {
-    /// The caller cancelled it.
+    /// The caller cancelled the render.
     Cancelled,
     /// The receiver of the rows failed.
     Fault(Fault),
@@ -192,7 +192,7 @@ impl From<Fault> for Stopped {
 /// Renders a picture into memory.
 ///
 /// # Errors
-/// [`Cancelled`] if `watch` cancels.
+/// [`Cancelled`] if `watch` cancels the render.
 pub fn render(world: &World, options: &Options, watch: &dyn Watch) -> Result<(Frame, RayCounts), Cancelled> {
     let mut frame = Frame { width: options.width, height: options.height, pixels: vec![] };
     frame.pixels.reserve_exact(options.width * options.height);
@@ -200,10 +200,10 @@ pub fn render(world: &World, options: &Options, watch: &dyn Watch) -> Result<(Fr
     Ok((frame, counts))
 }
 
-/// Renders a picture and passes its rows on, from the top, as they are finished.
+/// Renders a picture and passes its rows to `rows`, from the top, as soon as they are finished.
 ///
 /// # Errors
-/// [`Stopped`] if `watch` cancels or `rows` fails.
+/// [`Stopped`] if `watch` cancels the render or `rows` fails.
 pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn Rows) -> Result<RayCounts, Stopped> {
     let (width, height) = (options.width, options.height);
     let whole = Region { x: 0, y: 0, width, height };
@@ -235,7 +235,7 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     Ok(counts)
 }
 
-/// Returns the pixel outside of the region.
+/// Returns the colour of the pixels outside of the rendered region.
 fn outside_pixel(options: &Options) -> [f32; 4] {
     [0.0, 0.0, 0.0, options.outside_alpha]
 }
@@ -250,8 +250,8 @@ pub fn light(world: &World, options: &Options, pixel: &[f32; 4]) -> [f32; 4] {
     output::light(pixel, world.gamma, options.alpha)
 }
 
-/// Maximum number of bytes that the render of a region needs, besides the World and what the receiver of the rows
-/// keeps.
+/// Returns the maximum memory that the render of a region needs, in bytes, besides the World and the rows that the
+/// receiver stores.
 pub fn memory_bytes(region: Region) -> u128 {
     bands::memory_bytes(region)
 }
@@ -259,16 +259,16 @@ pub fn memory_bytes(region: Region) -> u128 {
 /// The first hit through the centre of a pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picked {
-    /// Name of the shape: `sphere` …
+    /// Name of the shape that was hit, such as `sphere`.
     pub shape: &'static str,
-    /// Distance from the camera, in world units.
+    /// Distance of the hit from the camera, in world units.
     pub t: f64,
-    /// Point in world space.
+    /// Point of the hit in world space.
     pub point: [f64; 3],
-    /// Outward normal in world space, length 1.
+    /// Outward normal of the hit in world space, length 1.
     pub normal: [f64; 3],
-    /// Surface coordinates, as `uv_mapping` uses them.
+    /// Surface coordinates of the hit, as `uv_mapping` uses them.
     pub uv: [f64; 2],
-    /// Text of the object.
+    /// Span of the block of the hit object.
     pub source: Span,
 }

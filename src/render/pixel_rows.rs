@@ -1,30 +1,30 @@
-//! A window of rows of a picture, which moves down while the picture is rendered.
+//! Consecutive rows of a picture, a window that moves down while the picture is rendered.
 
 use super::Region;
 
-/// Red, green, blue and transparency, in the numbers of the scene.
+/// Red, green, blue and transparency of a pixel, in the scene's colour space.
 pub(super) type Pixel = [f32; 4];
 
 /// Consecutive rows of an area; rows are added at the bottom and dropped at the top.
 pub(super) struct PixelRows {
-    /// The rows that are stored.
+    /// Area of the rows that are stored.
     pub area: Region,
-    /// Pixels row by row.
+    /// Pixels of the stored rows, row by row.
     pub pixels: Vec<Pixel>,
 }
 
 impl PixelRows {
-    /// No rows yet, at the top of an area.
+    /// Creates an empty window at the top of an area.
     pub fn new(area: Region) -> Self {
         Self { area: Region { height: 0, ..area }, pixels: vec![] }
     }
 
-    /// The row below the last one.
+    /// Returns the row number below the last stored row.
     pub fn bottom(&self) -> usize {
         self.area.y + self.area.height
     }
 
-    /// Adds black rows at the bottom.
+    /// Adds black rows below the last row.
     pub fn add(&mut self, rows: usize) {
         self.area.height += rows;
         self.pixels.resize(self.area.width * self.area.height, [0.0; 4]);
@@ -37,7 +37,7 @@ impl PixelRows {
         (self.area.y, self.area.height) = (self.area.y + rows, self.area.height - rows);
     }
 
-    /// Copies the pixels of a tile within the area.
+    /// Stores the pixels of a tile that lies within the area.
     pub fn put(&mut self, tile: Region, pixels: &[Pixel]) {
         for (row, line) in pixels.chunks(tile.width).enumerate() {
             let start = self.index(tile.x, tile.y + row);
@@ -45,7 +45,7 @@ impl PixelRows {
         }
     }
 
-    /// The pixel at (x, y) of the picture.
+    /// Returns the pixel at (x, y) of the picture.
     ///
     /// # Panics
     /// If the pixel is not stored.
@@ -53,7 +53,7 @@ impl PixelRows {
         &self.pixels[self.index(x, y)]
     }
 
-    /// The pixel at (x, y) of the picture; `None` if it is not stored.
+    /// Returns the pixel at (x, y) of the picture; `None` if the pixel is not stored.
     pub fn get(&self, x: usize, y: usize) -> Option<&Pixel> {
         let Region { x: left, y: top, width, height } = self.area;
         ((left..left + width).contains(&x) && (top..top + height).contains(&y)).then(|| self.at(x, y))

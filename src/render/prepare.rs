@@ -1,4 +1,4 @@
-//! Preparation of a frame: what is computed before the picture and only read while it is rendered.
+//! Preparation of a frame: data that is computed before the picture and only read while the picture is rendered.
 //!
 //! Photon maps and radiosity belong here: each is an ordered map ([`Workers::map`]) whose result becomes a part of the
 //! [`FrameContext`], so that no ray of the picture can change it.
@@ -9,7 +9,7 @@ use super::{Cancelled, Options};
 use crate::transport::{CameraOrigin, FrameContext, Quality};
 use crate::world::World;
 
-/// Computes what all rays of a frame share.
+/// Computes the data that all rays of a frame share.
 pub(super) fn prepare<'w>(
     world: &'w World,
     camera: &FrameCamera,

@@ -1,11 +1,11 @@
-//! Samples of the picture: a point of the picture, a camera ray through it, its radiance.
+//! Samples of the picture: radiances of camera rays through points of the picture.
 
 use crate::camera::{Lens, View};
 use crate::color::Rgb;
 use crate::math::{DVec2, DVec3};
 use crate::transport::{FrameContext, Purpose, Radiance, RandomSequence, RayCounts, Tracer};
 
-/// The camera of a frame, for a picture of one size.
+/// The camera of a frame, prepared for a picture of one size.
 pub(super) struct FrameCamera {
     pub view: View,
     /// Lens of a camera with focal blur.
@@ -21,7 +21,8 @@ impl FrameCamera {
     }
 }
 
-/// Takes one sample after another, on one thread. Points are in pixels from the top left corner of the picture.
+/// Sampler that takes one sample after another, on one thread. Points are in pixels from the top left corner of the
+/// picture.
 pub(super) struct Sampler<'w> {
     camera: &'w FrameCamera,
     tracer: Tracer<'w>,
@@ -36,32 +37,33 @@ impl<'w> Sampler<'w> {
         Self { camera, tracer: Tracer::new(context, is_cancelled) }
     }
 
-    /// Starts a sample of a pixel: random numbers from here on are keyed by both.
+    /// Starts a sample of a pixel: later random numbers are keyed by both.
     pub fn begin(&mut self, pixel: u64, sample: u64) {
         self.tracer.begin(pixel, sample);
     }
 
-    /// Random numbers of the current sample.
+    /// Returns random numbers of the current sample.
     pub fn random(&mut self, purpose: Purpose) -> RandomSequence {
         self.tracer.random.sequence(purpose)
     }
 
-    /// Random numbers that all samples of the current pixel share.
+    /// Returns random numbers that all samples of the current pixel share.
     pub fn pixel_random(&self, purpose: Purpose) -> RandomSequence {
         self.tracer.random.pixel_sequence(purpose)
     }
 
-    /// True if the render was cancelled; samples since then are worthless.
+    /// True if the render was cancelled, so that later samples are invalid.
     pub fn is_stopped(&self) -> bool {
         self.tracer.is_stopped()
     }
 
-    /// Rays traced so far.
+    /// Returns the numbers of rays traced so far.
     pub fn counts(&self) -> &RayCounts {
         &self.tracer.counts
     }
 
-    /// Returns the radiance through a point: the mean over all rays of a camera that has several.
+    /// Returns the radiance through a point of the picture: the mean over all rays, for a camera with several rays per
+    /// point.
     #[inline]
     pub fn sample(&mut self, x: f64, y: f64) -> Radiance {
         let view = &self.camera.view;

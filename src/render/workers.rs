@@ -1,4 +1,5 @@
-//! Parallel work: the only file of this module that uses rayon. Results are in the order of the jobs, whatever thread did them.
+//! Parallel work with rayon, which no other file of this module uses. Results are in the order of the jobs, whatever
+//! thread computed them.
 
 use super::{Cancelled, Watch};
 use crate::math::cancel::CancelToken;
@@ -8,7 +9,7 @@ use rayon::prelude::*;
 /// Stack of each thread in bytes. Solids that are nested 5000 deep, which is the parser's limit, need 17 MB; unused stack costs no memory.
 const STACK: usize = 32 << 20;
 
-/// A pool of threads.
+/// A pool of worker threads.
 pub(super) struct Workers<'a> {
     pool: Option<rayon::ThreadPool>,
     pub watch: &'a dyn Watch,
@@ -16,14 +17,14 @@ pub(super) struct Workers<'a> {
 }
 
 impl<'a> Workers<'a> {
-    /// A pool of `threads` threads; 0 for one a processor.
+    /// Creates a pool of `threads` threads; 0 for one per processor.
     pub fn new(threads: usize, watch: &'a dyn Watch) -> Self {
         let builder = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK);
         // Without threads the work is done on the caller's.
         Self { pool: builder.build().ok(), watch, token: watch.cancel_token() }
     }
 
-    /// True if the render is to stop: results that end after that may be worthless.
+    /// True if the render must stop, so that later results are invalid.
     pub fn is_cancelled(&self) -> bool {
         self.token.is_cancelled() || self.watch.cancelled()
     }

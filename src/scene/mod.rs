@@ -29,29 +29,29 @@ use std::sync::Arc;
 /// Contents of the scene.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Scene {
-    /// The last `#version`, as 100 times the number.
+    /// Number of the last `#version`, times 100.
     pub version: u32,
-    /// `global_settings`.
+    /// Values of `global_settings`.
     pub settings: Settings,
     /// The last camera; POV-Ray's default camera if the scene has none.
     pub camera: Camera,
-    /// Spans of all cameras; the last one counts.
+    /// Spans of all cameras in the text; the last camera is used.
     #[serde(skip)]
     pub cameras: Vec<Span>,
     /// Colour of rays without a hit.
     pub background: Option<Background>,
-    /// The sky; the last one counts.
+    /// Sky sphere; the last one of the scene is used.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sky_sphere: Option<SkySphere>,
-    /// Fogs.
+    /// Fogs of the scene.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub fogs: Vec<Fog>,
-    /// Rainbows.
+    /// Rainbows of the scene.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rainbows: Vec<Rainbow>,
     /// Objects and lights in the order of the text.
     pub objects: Vec<Object>,
-    /// Blocks that durer does not render yet.
+    /// Blocks of the scene that durer does not render yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
@@ -59,10 +59,10 @@ pub struct Scene {
 /// Defaults set by `#default` for the text that follows.
 #[derive(Clone, Debug, Default)]
 pub struct Defaults {
-    /// Texture of objects without their own.
+    /// Texture of objects that state none.
     pub texture: Arc<Texture>,
-    /// `radiosity` of objects without their own; `None` without the block.
+    /// `radiosity` block of objects that have none; `None` without a default.
     pub radiosity: Option<ObjectRadiosity>,
-    /// Recently read parts, for deduplication.
+    /// Recently read parts of objects, for deduplication.
     pub recent: Rc<RecentParts>,
 }

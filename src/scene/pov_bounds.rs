@@ -1,14 +1,14 @@
-//! The boxes that `min_extent` and `max_extent` return. Scenes place objects by these boxes, so they are POV-Ray's and
-//! not always the smallest ones (quirk: `csg_extent_boxes`). The box of a shape is that of its object space, transformed
-//! once. The box of a CSG object is the union or intersection of its parts' boxes; each later transform acts on this
-//! box.
+//! The boxes that `min_extent` and `max_extent` return. Scenes place objects by these boxes, so they are POV-Ray's
+//! boxes, which are not always the smallest (quirk: `csg_extent_boxes`). The box of a shape is its box in object space,
+//! transformed once. The box of a CSG object is the union or intersection of its parts' boxes, and each later transform
+//! acts on that box.
 
 use super::{CsgOp, Object, ObjectKind};
 use crate::math::{Aabb, DVec3};
 use crate::shape::{HUGE, Kernel};
 
 impl Object {
-    /// The object's box after its transforms.
+    /// Returns the object's box after its transforms, as POV-Ray computes it.
     pub fn pov_bounds(&self) -> Aabb {
         let own = match &self.kind {
             ObjectKind::Shape(shape) => shape.pov_bounds(&self.transform),
@@ -22,7 +22,7 @@ impl Object {
         })
     }
 
-    /// The box of a CSG object before its transforms.
+    /// Returns the box of a CSG object before its transforms.
     pub(super) fn parts_box(op: CsgOp, parts: &[Object]) -> Aabb {
         match op {
             CsgOp::Union | CsgOp::Merge => {
@@ -52,7 +52,7 @@ fn volume(b: &Aabb) -> f64 {
     size.x * size.y * size.z
 }
 
-/// The box that a part of an intersection leaves.
+/// Returns the box to which a part of an intersection restricts the others.
 fn side(part: &Object) -> Aabb {
     outer_side(part, false)
 }
@@ -74,7 +74,7 @@ fn outer_side(part: &Object, taken_away: bool) -> Aabb {
     }
 }
 
-/// The half-space below an axis-aligned plane as a box; everything for any other plane.
+/// Returns the half-space below an axis-aligned plane as a box; an infinite box for any other plane.
 fn half_space(normal: DVec3, point: DVec3) -> Aabb {
     let mut out = Aabb::INFINITE;
     for axis in 0..3 {

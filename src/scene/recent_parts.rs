@@ -1,4 +1,4 @@
-//! Deduplication of equal parts: a loop may read the same finish a hundred thousand times.
+//! Deduplication of equal parts of objects: a loop may read the same finish a hundred thousand times.
 
 use crate::shape::{Kernel, Shape};
 use crate::texture::{Finish, Normal, Texture};
@@ -6,16 +6,16 @@ use smallvec::SmallVec;
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// Number of recent parts per type. Macros rarely alternate between more than a few parts.
+/// Number of recent parts that are compared, for each type. Macros rarely alternate between more parts.
 const MAX_RECENT: usize = 4;
 
-/// The parts that were read last.
+/// The parts of objects that were read last.
 #[derive(Debug, Default)]
 pub struct RecentParts {
     finishes: Recent<Finish>,
     normals: Recent<Normal>,
     textures: Recent<Texture>,
-    /// Shapes that build caches lazily.
+    /// Recent shapes that build caches while tracing.
     shapes: RefCell<SmallVec<[Shape; MAX_RECENT]>>,
 }
 
@@ -23,7 +23,7 @@ pub struct RecentParts {
 type Recent<T> = RefCell<SmallVec<[Arc<T>; MAX_RECENT]>>;
 
 impl RecentParts {
-    /// Replaces a texture by an equal recent one; its finishes and normals, too.
+    /// Replaces a texture, its finishes and its normals by equal ones that were read recently.
     pub fn deduplicate(&self, texture: &mut Arc<Texture>) {
         // A texture that is shared already stays as it is.
         let Some(own) = Arc::get_mut(texture) else { return };
@@ -36,7 +36,7 @@ impl RecentParts {
         join(&self.textures, texture, Texture::is_certainly_equal);
     }
 
-    /// A recent shape that is equal to this one and builds caches lazily.
+    /// Returns a recent shape that equals this one, if the shape builds caches while tracing.
     pub fn find_shape(&self, shape: &Shape) -> Option<Shape> {
         if !shape.caches_lazily() {
             return None;
@@ -44,7 +44,7 @@ impl RecentParts {
         self.shapes.borrow().iter().find(|other| *other == shape).cloned()
     }
 
-    /// Adds a shape that builds caches lazily.
+    /// Adds a shape that builds caches while tracing.
     pub fn add_shape(&self, shape: &Shape) {
         if shape.caches_lazily() {
             push(&mut self.shapes.borrow_mut(), shape.clone());

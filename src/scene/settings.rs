@@ -1,4 +1,4 @@
-//! `global_settings` (manual, "Global Settings").
+//! The block `global_settings` (manual, "Global Settings").
 
 use super::words::{SETTINGS, SETTINGS_ROWS};
 use crate::color::{Gamma, Rgb};
@@ -12,7 +12,7 @@ use serde::Serialize;
 /// Values of `global_settings`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Settings {
-    /// `assumed_gamma`, once it is known.
+    /// Value of `assumed_gamma`; `None` until the scene states it.
     pub gamma: Option<Gamma>,
     /// Maximum number of reflections and refractions of a ray.
     pub max_trace_level: u32,
@@ -26,12 +26,12 @@ pub struct Settings {
     pub noise_generator: Option<NoiseGenerator>,
     /// Number of wave sources of the patterns `ripples` and `waves`.
     pub number_of_waves: usize,
-    /// True if surfaces keep back the colour that their filter absorbs, as before 3.7; see
+    /// True if a filter also makes the surface reflect less of the colours that it absorbs, as before 3.7; see
     /// [`crate::color::Color::opacity`].
     pub opacity_by_color: bool,
     /// True if sky layers are blended as before 3.7; see [`crate::world::Sky`].
     pub sky_by_share: bool,
-    /// Settings that durer does not support yet.
+    /// Settings of the scene that durer does not support yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
 }
@@ -54,7 +54,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Reads the inside of the block.
+    /// Reads the contents of a `global_settings` block.
     ///
     /// # Errors
     /// With the span of the unexpected token, and the expectation.
@@ -81,7 +81,7 @@ impl Settings {
 }
 
 impl Settings {
-    /// Reads the number after `max_trace_level`, which old scenes also write outside of the block.
+    /// Reads the number after `max_trace_level`, which old scenes also state outside of `global_settings`.
     ///
     /// # Errors
     /// With the span of the unexpected token, and the expectation.

@@ -9,39 +9,40 @@ use crate::value::{Next, Reader, ReaderExt, Thing};
 use serde::Serialize;
 use std::sync::{Arc, LazyLock};
 
-/// The transform of objects that were not moved, shared by all of them.
+/// Identity transform, shared by the textures of all objects that were not transformed.
 static STILL: LazyLock<Arc<Transform>> = LazyLock::new(Arc::default);
 
 /// A texture on an object.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Painted {
-    /// The texture, shared by all objects that use it.
+    /// Texture, shared by all objects that use it.
     pub texture: Arc<Texture>,
-    /// Transform of the object since the texture was set; `None` if the texture was set before any transform, so that
-    /// the transform is the object's own.
+    /// Transform of the object since the texture was set; `None` if it equals the object's whole transform, because the
+    /// texture was set first.
     pub moved: Option<Arc<Transform>>,
 }
 
 impl Painted {
-    /// A texture set on an object that has the transform `before`.
+    /// Sets a texture on an object that already has the transform `before`.
     pub fn new(texture: Arc<Texture>, before: &Transform) -> Self {
         Self { texture, moved: (!before.is_identity()).then(|| STILL.clone()) }
     }
 
-    /// Adds a transform of the object.
+    /// Appends a transform of the object, which also transforms the texture.
     pub(super) fn transform_by(&mut self, step: &Transform) {
         if let Some(moved) = &mut self.moved {
             *moved = Arc::new(moved.then(step));
         }
     }
 
-    /// Transform from the texture's space to that of the block around the object; `object` is the object's transform.
+    /// Returns the transform from the texture's space to the space of the block around the object; `object` is the
+    /// object's transform.
     pub fn place<'t>(&'t self, object: &'t Transform) -> &'t Transform {
         self.moved.as_deref().unwrap_or(object)
     }
 }
 
-/// Reads consecutive `texture` blocks as layers; the first is the lowest.
+/// Reads consecutive `texture` blocks as layers, the lowest first.
 ///
 /// # Errors
 /// With the span of the unexpected token, and the expectation.
@@ -77,11 +78,11 @@ fn nothing() -> Arc<Texture> {
 /// Contents of a `material` block (manual, "Material").
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Material {
-    /// Texture of the outside.
+    /// Texture of the outside of the surface.
     pub texture: Option<Arc<Texture>>,
-    /// Texture of the inside.
+    /// Texture of the inside of the surface.
     pub interior_texture: Option<Arc<Texture>>,
-    /// Interior.
+    /// Interior of the solid.
     pub interior: Option<Arc<Interior>>,
 }
 
@@ -91,7 +92,7 @@ impl Thing for Material {
     }
 }
 
-/// Reads the inside of a `material`; `interior` is that of the object so far.
+/// Reads the contents of a `material` block; `interior` is what the object has so far.
 ///
 /// # Errors
 /// With the span of the unexpected token, and the expectation.

@@ -1,38 +1,38 @@
-//! Size of objects: loops can nest objects, or double them, until no memory can hold them.
+//! Size of objects, by which scenes are refused that would exhaust the memory: loops can nest objects, or double them.
 
 use super::{Object, Scene};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 
-/// Maximum nesting depth of objects, which recursive functions walk.
+/// Maximum nesting depth of objects, because functions recurse over objects.
 const MAX_DEPTH: u32 = 5000;
-/// Maximum number of shapes that clip one object: transforms of the object copy them.
+/// Maximum number of shapes that clip one object, because each transform of the object copies them.
 const MAX_CLIPPING: u32 = 1_000_000;
-/// Approximate bytes per shape in the world.
+/// Approximate memory of a shape in the world, in bytes.
 const PER_SHAPE: u64 = 1000;
 
-/// Maximum number of shapes that have indices.
+/// Maximum number of shapes that can be numbered.
 const MAX_SHAPES: u32 = u32::MAX / 2;
 
-/// Size of an object, computed when the object is built.
+/// Nesting depth and number of shapes of an object, computed when the object is built.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Weight {
-    /// Nesting depth.
+    /// Nesting depth of the object.
     depth: u32,
     /// Number of shapes, counting each instance; saturates.
     shapes: u32,
 }
 
 impl Weight {
-    /// Size of one shape.
+    /// Depth and number of a single shape.
     pub const SHAPE: Self = Self { depth: 0, shapes: 1 };
 
-    /// Number of shapes.
+    /// Returns the number of shapes, counting each instance.
     pub fn shapes(self) -> u32 {
         self.shapes
     }
 
-    /// Adds the sizes of the parts of an object.
+    /// Returns the depth and number of shapes of an object with these parts.
     pub fn around(self, parts: &[Object]) -> Self {
         parts.iter().map(|part| part.weight()).fold(self, |sum, part| Self {
             depth: sum.depth.max(part.depth + 1),
@@ -40,7 +40,7 @@ impl Weight {
         })
     }
 
-    /// Checks the nesting depth.
+    /// Checks the nesting depth of an object.
     ///
     /// # Errors
     /// E0104 if the depth is above the maximum.
@@ -71,7 +71,7 @@ impl Scene {
     /// Checks whether the world of the scene fits into `memory` bytes.
     ///
     /// # Errors
-    /// E0242 if it does not.
+    /// E0242 if the world is too large.
     pub fn check_weight(&self, memory: Option<u64>) -> Result<()> {
         let limit = memory.map_or(MAX_SHAPES, |bytes| (bytes / PER_SHAPE).min(MAX_SHAPES.into()) as u32);
         let mut shapes: u32 = 0;

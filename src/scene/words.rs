@@ -7,7 +7,7 @@ use crate::value::ValueKind::{Block, Color, Flag, Float};
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Spec, WordSpec};
 
-/// Blocks inside objects.
+/// Words of blocks inside objects.
 const PARTS: &[WordSpec] = &[
     word("pigment", Block, "black", "its colour, as `texture { pigment { … } }` says it too"),
     word("texture", Block, "", "what it looks like; several are layers, the last on top"),
@@ -22,7 +22,7 @@ const PARTS: &[WordSpec] = &[
     word("bounded_by", Block, "", "rays that miss one of these objects see nothing of it; durer needs no such hint"),
 ];
 
-/// Switches of objects; `on` or `off` may follow each.
+/// Words of the switches of objects; `on` or `off` may follow each.
 pub(super) const FLAGS: &[Row<Flags>] = &[
     word("no_shadow", Flag, "off", "it casts no shadow").sets(|s, r| set(&mut s.no_shadow, r.flag())),
     word("no_image", Flag, "off", "it is not seen directly, but in mirrors and as a shadow")
@@ -42,7 +42,7 @@ pub(super) const FLAGS: &[Row<Flags>] = &[
         .sets(|s, r| set(&mut s.cutaway_textures, r.flag())),
 ];
 
-/// Words of any object, after those of its shape.
+/// Words that every object takes, after those of its shape.
 pub const MODIFIERS: Spec = Spec {
     name: "object",
     summary: "what any object takes behind the words of its own",
@@ -52,7 +52,7 @@ pub const MODIFIERS: Spec = Spec {
     ..Spec::EMPTY
 };
 
-/// Rows of [`SETTINGS`].
+/// Words of `global_settings`, and how each is read.
 pub(super) const SETTINGS_ROWS: &[Row<Settings>] = &[
     word(
         "assumed_gamma",
@@ -80,7 +80,7 @@ pub(super) const SETTINGS_ROWS: &[Row<Settings>] = &[
         .sets(|s, r| set(&mut s.ambient_light, r.color().map(|c| c.rgb))),
 ];
 
-/// Words of `global_settings`.
+/// Specification of the block `global_settings`.
 pub const SETTINGS: Spec = Spec {
     name: "global_settings",
     summary: "what holds for the whole scene",

@@ -2,15 +2,15 @@
 
 use crate::image_io::Frame;
 
-/// Allowed difference of two pictures.
+/// Allowed difference between two pictures.
 ///
-/// One program renders the same bytes everywhere. Another version may round a last digit in another way, which changes
-/// a few pixels on edges.
+/// One program renders the same bytes everywhere. Another version may round a last digit differently, which changes a
+/// few pixels on edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Difference of a channel that is allowed in any pixel, in steps of 1/255.
     pub steps: u8,
-    /// Number of pixels in a thousand that may differ by more.
+    /// Number of pixels in a thousand that may differ by more than `steps`.
     pub per_mille: f64,
 }
 
@@ -34,7 +34,8 @@ pub enum Verdict {
 /// Difference of a rendered picture from its snapshot, with 8 bits per channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
-    /// Width and height of the expected picture, if they differ from those of the rendered one.
+    /// Width and height of the expected picture, if they differ from those of the rendered picture; `None` for equal
+    /// sizes.
     pub other_size: Option<(usize, usize)>,
     /// Number of compared pixels.
     pub pixels: usize,
@@ -76,7 +77,7 @@ pub fn compare(expected: &Frame, rendered: &Frame, tolerance: Tolerance) -> Comp
     Comparison { other_size: None, pixels, different, beyond, largest, verdict }
 }
 
-/// The largest difference of a channel for each pixel.
+/// Returns the largest difference of a channel for each pixel, in steps of 1/255.
 fn distances(a: &Frame, b: &Frame) -> Vec<u8> {
     let distance = |(p, q): (&[u8; 4], &[u8; 4])| match (p[3], q[3]) {
         (0, 0) => 0,
@@ -85,8 +86,8 @@ fn distances(a: &Frame, b: &Frame) -> Vec<u8> {
     a.rgba8().iter().zip(&b.rgba8()).map(distance).collect()
 }
 
-/// A map of the differences of two pictures of one size: the expected picture in dim gray, with colours from red for
-/// one step through orange and yellow to white for the largest difference.
+/// Returns a map of the differences of two pictures of one size: the expected picture in dim gray, with colours from
+/// red for one step through orange and yellow to white for the largest difference.
 pub fn difference(expected: &Frame, rendered: &Frame) -> Frame {
     let paint = |(pixel, d): (&[f32; 4], u8)| {
         let gray = 0.12 * (0.3 * pixel[0] + 0.59 * pixel[1] + 0.11 * pixel[2]).clamp(0.0, 1.0);

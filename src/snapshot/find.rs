@@ -1,20 +1,20 @@
-//! Search for scenes with snapshots.
+//! Finds scenes with snapshots.
 
 use crate::source::{FileKind, Files, scenes_below};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A scene and its snapshot, which need not exist.
+/// A scene and the path of its snapshot, which need not exist.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Case {
-    /// Path of the scene that the test renders.
+    /// Path of the scene to render.
     pub scene: PathBuf,
     /// Path of the scene's snapshot.
     pub picture: PathBuf,
 }
 
-/// Ending of a snapshot's name. No other picture has such a name, so that rendering a scene cannot overwrite its
-/// snapshot.
+/// End of a snapshot's file name. Rendering a scene cannot overwrite its snapshot, because no other picture has such a
+/// name.
 pub const ENDING: &str = "snapshot.png";
 
 /// True if the path has the name of a snapshot.
@@ -29,8 +29,8 @@ impl Case {
     }
 }
 
-/// The scenes among `paths`, and the scenes with a snapshot in the folders among `paths`, sorted by path. Hidden
-/// folders and Cargo's `target` are omitted.
+/// Returns the scenes among `paths`, and the scenes with a snapshot in the folders among `paths`, sorted by path.
+/// Hidden folders and Cargo's `target` are omitted.
 ///
 /// # Errors
 /// If a path does not exist or a folder cannot be read.
@@ -49,13 +49,13 @@ pub fn find(files: &dyn Files, paths: &[PathBuf]) -> io::Result<Vec<Case>> {
     Ok(cases)
 }
 
-/// The scene of a path: the path itself, or the scene beside a snapshot.
+/// Returns the scene of a path: the path itself, or the scene beside a snapshot.
 fn scene_of(files: &dyn Files, path: &Path) -> PathBuf {
     let beside = ["scene", "pov"].map(|ending| path.with_extension("").with_extension(ending));
     beside.into_iter().find(|scene| is_snapshot(path) && files.is_file(scene)).unwrap_or(path.to_path_buf())
 }
 
-/// The options in a comment at the start of a scene: `//! test: --size 128x96 --aa off`.
+/// Returns the options in a comment at the start of a scene, as in `//! test: --size 128x96 --aa off`.
 pub fn header(text: &str) -> Option<&str> {
     let lines = text.lines().map(str::trim);
     let mut comments = lines.take_while(|line| line.is_empty() || line.starts_with("//"));

@@ -1,4 +1,4 @@
-//! A page that shows expected and rendered pictures and their differences.
+//! HTML page that shows expected and rendered pictures and their differences.
 
 use super::difference;
 use crate::diagnostic::Result;
@@ -26,7 +26,7 @@ pub struct Entry<'a> {
 /// Files of a snapshot report: names and contents.
 pub type Report = Vec<(String, Vec<u8>)>;
 
-/// The page `index.html` and its pictures. Scenes with differences come first.
+/// Returns the page `index.html` and its pictures. Scenes with differences come first.
 ///
 /// # Errors
 /// E0008 for pictures that PNG can't hold.
@@ -52,7 +52,7 @@ pub fn report(entries: &[Entry<'_>]) -> Result<Report> {
     Ok(files)
 }
 
-/// The pictures of one entry as HTML; their files are added to the report.
+/// Returns the pictures of one scene as HTML, and adds their files to the report.
 fn pictures(entry: &Entry<'_>, files: &mut Report) -> Result<String> {
     let stem: String =
         entry.name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect();

@@ -1,4 +1,4 @@
-//! Present activity of the calling thread, for messages about exhausted memory.
+//! Present activity of the calling thread, which messages about exhausted memory mention.
 
 use std::cell::Cell;
 
@@ -6,7 +6,7 @@ thread_local! {
     static CURRENT: Cell<&'static str> = const { Cell::new("while it was read") };
 }
 
-/// An activity of the calling thread that lasts while this value exists.
+/// An activity of the calling thread, which ends when this value is dropped.
 #[derive(Debug)]
 pub struct Activity {
     before: &'static str,

@@ -1,4 +1,4 @@
-//! The disk, and files that appear whole or not at all.
+//! Reading and writing on the machine's disk. A written file appears whole or not at all.
 
 use super::{Entry, FileKind, Files, Metadata, WriteAccess, WriteMode};
 use std::fs::{File, FileType, OpenOptions};
@@ -11,7 +11,7 @@ use tempfile::NamedTempFile;
 pub struct Disk;
 
 impl Files for Disk {
-    /// Refuses devices and pipes, which may never end; opening them does not block.
+    /// Reads a file. Devices and pipes, which may never end, are refused; opening one does not block.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         let mut options = OpenOptions::new();
         options.read(true);
@@ -60,7 +60,7 @@ impl Files for Disk {
     }
 
     /// Writes a temporary file in the same folder, which then replaces the old file. Devices and pipes are written
-    /// directly; a symbolic link remains one.
+    /// directly; a symbolic link stays a link.
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         let path = resolve(path)?;
         if is_special(&path) {
@@ -93,15 +93,15 @@ impl Files for Disk {
 /// Maximum number of bytes that are reserved for a file before it is read; larger files grow while they are read.
 const MAX_RESERVED: usize = 1 << 30;
 
-/// Files that are opened without following links.
+/// Opens files without following links.
 #[cfg(unix)]
 mod below {
     use super::{File, Path, WriteAccess, io, refused_link};
     use rustix::fs::{Mode, OFlags, open as open_path, openat};
     use std::os::unix::fs::MetadataExt;
 
-    /// Opens each folder from `root` on by its name in the folder before, and the file in the last one. The kernel refuses
-    /// links, so that nothing can change between a check and the opening.
+    /// Opens the file at `relative` below `root`, where `relative` contains no link. Each folder is opened by its name
+    /// in the folder before, and the kernel refuses links, so that nothing can change between a check and the opening.
     pub fn open(root: &Path, relative: &Path, access: WriteAccess) -> io::Result<File> {
         let folder_flags = OFlags::DIRECTORY | OFlags::CLOEXEC | OFlags::RDONLY;
         let mut folder = open_path(root, folder_flags, Mode::empty())?;
@@ -129,7 +129,7 @@ mod below {
     }
 }
 
-/// Names the refusal of a link.
+/// Turns the kernel's error for a refused link into one that says so.
 #[cfg(unix)]
 fn refused_link(error: rustix::io::Errno) -> io::Error {
     match error {
@@ -140,8 +140,8 @@ fn refused_link(error: rustix::io::Errno) -> io::Error {
     }
 }
 
-/// A file whose bytes arrive over a long time. Nothing appears at its path before [`Draft::commit`], and a draft that
-/// is not committed vanishes, however the program ends.
+/// A file whose bytes arrive over a long time. Nothing appears at the file's path before [`Draft::commit`]. A draft
+/// that is not committed vanishes, however the program ends.
 pub struct Draft {
     path: PathBuf,
     bytes: Bytes,
@@ -150,7 +150,7 @@ pub struct Draft {
 }
 
 enum Bytes {
-    /// A file without a name in the folder of `path`.
+    /// A file on the disk that has no name yet, in the folder of its later path.
     Disk(io::BufWriter<File>),
     Memory(Cursor<Vec<u8>>),
 }
@@ -161,12 +161,12 @@ impl Draft {
         Self { path: path.to_path_buf(), bytes: Bytes::Memory(Cursor::default()), is_durable: false }
     }
 
-    /// Lets [`Draft::commit`] wait until the file on the disk, and its name, would survive a power loss.
+    /// Makes [`Draft::commit`] wait until the file on the disk and its name would survive a power loss.
     pub fn make_durable(&mut self) {
         self.is_durable = true;
     }
 
-    /// Returns the bytes of a draft in memory; none for a draft on disk.
+    /// Returns the bytes of a draft in memory; empty for a draft on disk.
     pub fn into_bytes(self) -> Vec<u8> {
         match self.bytes {
             Bytes::Memory(bytes) => bytes.into_inner(),
@@ -241,13 +241,13 @@ pub fn resolve(path: &Path) -> io::Result<PathBuf> {
     Ok(if path.is_symlink() { path.canonicalize()? } else { path.to_path_buf() })
 }
 
-/// True if `path` exists and is neither file nor folder (`/dev/null`, a named pipe).
+/// True if `path` exists and is neither a file nor a folder (`/dev/null`, a named pipe).
 fn is_special(path: &Path) -> bool {
     path.metadata().is_ok_and(|m| !m.is_file() && !m.is_dir())
 }
 
-/// Creates a file in the folder of `path` that vanishes unless it is persisted. It has the permissions of any new file;
-/// by default, only its owner could read a temporary file.
+/// Creates a file in the folder of `path` that is deleted unless it gets a name. The permissions are those of any new
+/// file, since by default only the owner could read a temporary file.
 fn temporary(path: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".durer-").suffix(".part");
@@ -256,7 +256,8 @@ fn temporary(path: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder(path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))
 }
 
-/// Waits until the names in the folder of `path` would survive a power loss. A system that cannot do this is ignored.
+/// Waits until the names in the folder of `path` would survive a power loss. The failure of a system that cannot do so
+/// is ignored.
 pub fn sync_folder_of(path: &Path) {
     #[cfg(unix)]
     let _ = File::open(folder(path)).and_then(|folder| folder.sync_all());
@@ -268,7 +269,7 @@ fn folder(path: &Path) -> &Path {
     path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// The error's text without the path of the temporary file, which the user does not know.
+/// Returns the error's text without the path of the temporary file, which the user does not know.
 fn system_text(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" at path \"").next().unwrap_or_default().to_string()

@@ -4,8 +4,8 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A regular file that is locked against other processes as long as this value exists. The system releases the lock of
-/// a process that was killed. An empty file vanishes with the value.
+/// A regular file that is locked against other processes as long as this value exists. The system releases the lock if
+/// the process is killed. If the file is empty, it is deleted when this value is dropped.
 pub struct Exclusive {
     path: PathBuf,
     file: File,
@@ -41,7 +41,7 @@ impl Exclusive {
         })
     }
 
-    /// Opens and locks a file as [`Exclusive::open`] does, after all others have released it.
+    /// Opens and locks a file as [`Exclusive::open`] does, but first waits for other processes to release it.
     ///
     /// # Errors
     /// If the file is not a plain file, or cannot be opened.
@@ -60,17 +60,17 @@ impl Exclusive {
         }
     }
 
-    /// Returns the path of the file.
+    /// Returns the path of the locked file.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Returns the open file.
+    /// Returns the open handle of the locked file.
     pub fn file(&self) -> &File {
         &self.file
     }
 
-    /// Deletes the file before the lock is released.
+    /// Deletes the file while it is still locked.
     pub fn delete(&self) {
         // After the folder was renamed, another file may have the path.
         if is_at(&self.file, &self.path).unwrap_or(false) {
@@ -87,7 +87,7 @@ impl Drop for Exclusive {
     }
 }
 
-/// Opens a regular file for reading and writing, or creates it. Opening a pipe does not block.
+/// Opens a regular file for reading and writing, or creates it. Does not block on a pipe.
 fn open_plain(path: &Path) -> Result<File, OpenError> {
     // Opening a device can have effects, so that its kind is checked before.
     if std::fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
@@ -116,7 +116,7 @@ fn has_second_name(_: &std::fs::Metadata) -> bool {
     false
 }
 
-/// Accepts the error of a file system without locks, whose files are used without them.
+/// Ignores the error of a file system that has no locks; its files are used unlocked.
 fn allow_no_locks(error: io::Error) -> Result<(), OpenError> {
     #[cfg(unix)]
     if error.raw_os_error() == Some(rustix::io::Errno::NOLCK.raw_os_error()) {
@@ -125,7 +125,7 @@ fn allow_no_locks(error: io::Error) -> Result<(), OpenError> {
     if error.kind() == io::ErrorKind::Unsupported { Ok(()) } else { Err(error.into()) }
 }
 
-/// True if the open file is the one at `path`.
+/// True if the open file is the one that `path` names now.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> io::Result<bool> {
     use std::os::unix::fs::MetadataExt;
@@ -137,7 +137,7 @@ fn is_at(file: &File, path: &Path) -> io::Result<bool> {
     }
 }
 
-/// True if a file is at `path`. Windows frees the name of a deleted file after all processes have closed it.
+/// True if a file exists at `path`. Windows frees the name of a deleted file only after all processes have closed it.
 #[cfg(not(unix))]
 fn is_at(_: &File, path: &Path) -> io::Result<bool> {
     Ok(path.is_file())

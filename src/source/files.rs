@@ -1,7 +1,7 @@
-//! The interface through which everything is read and written.
+//! The interface through which all files are read and written.
 //!
 //! The caller of the library chooses an implementation: [`Disk`](super::Disk), [`Memory`](super::Memory) or
-//! [`Overlay`](super::Overlay). No code outside of `source/` and the front ends opens a file in another way.
+//! [`Overlay`](super::Overlay). Only `source/` and the front ends open files in another way.
 
 use super::Draft;
 use serde::{Deserialize, Serialize};
@@ -10,8 +10,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// Storage that a run reads from and writes to. Relative paths start at the current folder, whatever the implementation
-/// takes for it.
+/// Storage that a run reads from and writes to. Relative paths start at the implementation's current folder.
 pub trait Files: Send + Sync {
     /// Returns the contents of a file.
     ///
@@ -19,7 +18,7 @@ pub trait Files: Send + Sync {
     /// If the file does not exist or cannot be read.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
 
-    /// Returns the contents of a file that is one of several candidates, such as a font whose family is searched for.
+    /// Returns the contents of a file that is only a candidate, such as a font during the search for a family.
     /// [`Recorder`](super::Recorder) does not count the file as read.
     ///
     /// # Errors
@@ -79,7 +78,7 @@ pub trait Files: Send + Sync {
         }
     }
 
-    /// Replaces a file, or creates it: the whole of `bytes` or nothing.
+    /// Replaces or creates a file, which then contains all of `bytes`.
     ///
     /// # Errors
     /// If the file cannot be written; then nothing has changed.
@@ -101,7 +100,7 @@ pub trait Files: Send + Sync {
         Ok(())
     }
 
-    /// True if the policy of this storage allows to read `path`. [`Sandboxed`](super::Sandboxed) restricts it.
+    /// True if the storage's policy allows `path` to be read. Only [`Sandboxed`](super::Sandboxed) restricts reading.
     fn may_read(&self, _path: &Path) -> bool {
         true
     }
@@ -121,7 +120,7 @@ pub trait Files: Send + Sync {
         self.metadata(path).is_ok_and(|metadata| metadata.kind == FileKind::Folder)
     }
 
-    /// Returns a value that changes when the file is written; `None` if the file does not exist.
+    /// Returns the state of a file, which differs after the file was written; `None` if the file does not exist.
     fn stamp(&self, path: &Path) -> Option<Stamp> {
         let metadata = self.metadata(path).ok()?;
         Some(Stamp { modified: metadata.modified?, length: metadata.length })
@@ -144,7 +143,7 @@ pub enum FileKind {
 /// Properties of a file or folder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Metadata {
-    /// Kind of the target, if `path` was a symbolic link.
+    /// Kind of the file; for a symbolic link, the kind of the link's target.
     pub kind: FileKind,
     /// Length of the file in bytes.
     pub length: u64,
@@ -157,11 +156,11 @@ pub struct Metadata {
 pub struct Entry {
     /// Name of the folder's entry, without the folder.
     pub name: OsString,
-    /// Kind of the folder's entry itself; links are not followed.
+    /// Kind of the folder's entry; [`FileKind::Link`] for a link, which is not followed.
     pub kind: FileKind,
 }
 
-/// State of a file, for comparison: two different contents nearly always have different stamps.
+/// State of a file at one moment. Different contents nearly always have different stamps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stamp {
     modified: SystemTime,

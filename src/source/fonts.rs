@@ -18,7 +18,8 @@ enum Family {
     Serif,
 }
 
-/// Parts of file names, in lower case, with their families. The first match is used; `Sans` without a match.
+/// Parts of file names in lower case, with the families that they indicate. The first match counts; `Sans` without a
+/// match.
 const FAMILIES: &[(&str, Family)] = &[
     ("cour", Family::Mono),
     ("mono", Family::Mono),
@@ -42,13 +43,13 @@ const FAMILIES: &[(&str, Family)] = &[
     ("bodoni", Family::Serif),
 ];
 
-/// Families whose files on Windows have abbreviations of the weight: `arialbd`, `verdanaz`.
+/// Families whose font files on Windows abbreviate the style: `arialbd`, `verdanaz`.
 const SHORT: &[&str] = &[
     "arial", "times", "cour", "verdana", "georgia", "trebuc", "tahoma", "calibri", "cambria", "consola", "pala",
     "comic",
 ];
 
-/// The abbreviations; true for bold and for italic.
+/// Abbreviations of styles in the names of font files. The flags are bold and italic.
 const ENDINGS: &[(&str, bool, bool)] = &[
     ("bd", true, false),
     ("b", true, false),
@@ -58,7 +59,8 @@ const ENDINGS: &[(&str, bool, bool)] = &[
     ("z", true, true),
 ];
 
-/// Preferred fonts. The first ones have the letter widths of Windows' fonts.
+/// Parts of the names of fonts that are preferred as substitutes. The first ones have the letter widths of Windows'
+/// fonts.
 const PREFERRED: &[&str] = &["liberation", "dejavu", "free", "noto", "timrom", "cyrvetic", "crystal"];
 
 /// Parts of the names of fonts that are unsuitable for plain text.
@@ -77,22 +79,22 @@ impl Style {
     }
 }
 
-/// The letters of a file's name in lower case, without its ending.
+/// Returns the letters of a file's name in lower case, without its extension.
 fn plain(name: &str) -> String {
     let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
     stem.chars().filter(|c| c.is_ascii_alphabetic()).map(|c| c.to_ascii_lowercase()).collect()
 }
 
-/// All font files in these folders and below them, in the order of the folders and of their paths.
+/// Returns all font files in and below these folders, in the order of the folders and of the files' paths.
 pub fn font_files(files: &dyn Files, folders: &[PathBuf]) -> Vec<PathBuf> {
     let mut found = vec![];
     folders.iter().for_each(|folder| collect(files, folder, MAX_DEPTH, &mut found));
     found
 }
 
-/// The font file in these folders and below them whose style is nearest to the font `name`. The result depends only on
-/// the set of files that may be read.
+/// Returns the font file in and below these folders whose style is nearest to the style of the font `name`. The result
+/// depends only on the set of files that may be read.
 pub fn similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
     let (mut found, wanted) = (font_files(files, folders), Style::of(name));
     found.sort_by_cached_key(|file| (difference(wanted, file), file.clone()));
@@ -117,13 +119,13 @@ fn collect(files: &dyn Files, folder: &Path, depth: usize, out: &mut Vec<PathBuf
     }
 }
 
-/// True if the path has the ending of a font file.
+/// True if the path has the extension of a font file.
 pub fn is_file_name(path: &Path) -> bool {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     ["ttf", "otf", "ttc"].iter().any(|e| ending.eq_ignore_ascii_case(e))
 }
 
-/// Difference of a font from the wanted style, the most important criterion first.
+/// Ranks how much a font file differs from the wanted style, the most important criterion first.
 fn difference(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, String) {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let (style, plain) = (Style::of(&name), plain(&name));
@@ -132,7 +134,7 @@ fn difference(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, Str
     (odd, style.family != wanted.family, style.bold != wanted.bold, style.italic != wanted.italic, rank, plain)
 }
 
-/// The font folders: those in `DURER_FONTS`, or the folders of the system and the user.
+/// Returns the folders of fonts: those in `DURER_FONTS`, or the folders of the system and the user.
 pub fn folders() -> Vec<PathBuf> {
     if let Some(list) = std::env::var_os("DURER_FONTS") {
         return std::env::split_paths(&list).collect();
@@ -142,7 +144,7 @@ pub fn folders() -> Vec<PathBuf> {
     SYSTEM.iter().map(PathBuf::from).chain(own).collect()
 }
 
-/// Font folders of Linux and macOS.
+/// Folders of fonts on Linux and macOS.
 const SYSTEM: &[&str] = &["/usr/share/fonts", "/usr/local/share/fonts", "/Library/Fonts", "/System/Library/Fonts"];
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 /// Services of the machine on which a run takes place, beside its [`Files`](super::Files).
 pub trait Host: Debug + Send + Sync {
-    /// Returns the time that has passed since a moment that stays the same for this host.
+    /// Returns the time that has passed since a fixed moment, which the host chooses.
     fn elapsed(&self) -> Duration;
 
     /// Returns the time since the beginning of the year 1970 in UTC, for the built-in variable `now`.
@@ -14,7 +14,7 @@ pub trait Host: Debug + Send + Sync {
     /// Returns the memory that the process occupies, in bytes; `None` if the system does not report it.
     fn resident_bytes(&self) -> Option<u64>;
 
-    /// True if [`Host::resident_bytes`] is a count that costs as little as reading a variable.
+    /// True if [`Host::resident_bytes`] is as cheap as reading a variable.
     fn counts_memory(&self) -> bool {
         false
     }

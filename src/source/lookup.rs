@@ -6,15 +6,16 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
 
-/// Look-ups by path, each in the order of its first occurrence. A path with different answers changed during the run.
+/// Look-ups by path, each in the order of its first occurrence. Different answers for one path mean that the files
+/// changed during the run.
 pub type Lookups = BTreeMap<PathBuf, Vec<Lookup>>;
 
-/// Files that a run read, and those that it looked up.
+/// Files that a run read, and paths that it only asked about.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct LookedUpFiles {
     /// Files that were read.
     pub read: ReadFiles,
-    /// Look-ups of files that were read, and of others.
+    /// Questions about paths during the run, with their answers.
     pub lookups: Lookups,
 }
 
@@ -33,11 +34,11 @@ pub enum Lookup {
     Kind(Option<FileKind>),
     /// Hash of the names in the folder.
     Names(ContentHash),
-    /// Spelling in the folder of a name in any letter case.
+    /// Spelling, in a folder, of a name whose letter case is ignored.
     Spelling {
-        /// Name that was searched for.
+        /// Name that was searched for, in any letter case.
         name: String,
-        /// Name in the folder; `None` for a missing entry.
+        /// Name as the folder spells it; `None` for a missing entry.
         found: Option<String>,
     },
     /// Path without links, relative if it is below the current folder; `None` for a missing entry.
@@ -60,7 +61,7 @@ impl Lookup {
         Self::Target(target.map(|target| target.strip_prefix(current).unwrap_or(target).to_path_buf()))
     }
 
-    /// Looks up length and time of modification.
+    /// Returns the present answer about the file's length and time of modification.
     pub fn version(files: &dyn Files, path: &Path) -> Self {
         let metadata = files.metadata(path).ok();
         Self::Version(metadata.map(|metadata| {
@@ -69,7 +70,7 @@ impl Lookup {
         }))
     }
 
-    /// True if the same question has the same answer now.
+    /// True if the storage would give the same answer about `path` now.
     pub fn is_current(&self, files: &dyn Files, path: &Path) -> bool {
         let now = match self {
             Self::Kind(_) => Self::Kind(files.metadata(path).ok().map(|metadata| metadata.kind)),

@@ -23,7 +23,7 @@ pub struct Memory(Arc<Mutex<Stored>>);
 struct Stored {
     /// Files held in memory by normalized path.
     files: BTreeMap<PathBuf, File>,
-    /// Number of changes so far, which serves as the clock of the time of modification.
+    /// Number of changes so far, which serves as a file's time of modification.
     changes: u64,
 }
 
@@ -71,7 +71,7 @@ impl Stored {
         change(&mut file.bytes);
     }
 
-    /// Files below a folder, with their paths relative to it.
+    /// Returns the files below a folder, with their paths relative to it.
     fn below(&self, folder: &Path) -> impl Iterator<Item = &Path> {
         self.files.keys().filter_map(move |path| path.strip_prefix(folder).ok())
     }
@@ -141,7 +141,7 @@ impl Files for Memory {
     }
 }
 
-/// Appends to a file in memory.
+/// Writer that appends to a file in memory.
 struct Writer {
     memory: Memory,
     path: PathBuf,
@@ -176,7 +176,8 @@ impl Overlay {
         self.texts.insert(self.key(path), text);
     }
 
-    /// The key of a path: the canonical path if the underlying storage has the file or its folder.
+    /// Returns the path under which the overlay stores a text: the canonical path if the file or its folder exists in
+    /// the underlying storage.
     fn key(&self, path: &Path) -> PathBuf {
         let whole = || self.files.canonicalize(path);
         let beside = || {
@@ -235,7 +236,7 @@ fn not_found() -> io::Error {
     io::ErrorKind::NotFound.into()
 }
 
-/// The absolute path without `.` and `..`; `..` of the root is the root.
+/// Returns the absolute path without `.` and `..`. `..` of the root is the root.
 fn normalized(path: &Path) -> PathBuf {
     path.components().fold(PathBuf::from("/"), |mut path, part| {
         match part {

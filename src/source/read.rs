@@ -11,7 +11,7 @@ pub enum ReadError {
     Io(io::Error),
     /// Reading failed because the path is a folder.
     Folder,
-    /// The file is no text, but for example `a PNG picture`.
+    /// The file is no text. The description says what it is, for example `a PNG picture`.
     NotText(&'static str),
 }
 
@@ -43,7 +43,7 @@ pub fn text_of(bytes: Vec<u8>) -> Result<String, ReadError> {
     }
 }
 
-/// First bytes of files that are mistaken for scenes.
+/// Descriptions of files that are mistaken for scenes, by their first bytes.
 const SIGNATURES: &[(&[u8], &str)] = &[
     (b"\x89PNG", "a PNG picture"),
     (b"\xff\xd8\xff", "a JPEG picture"),
@@ -60,10 +60,10 @@ const SIGNATURES: &[(&[u8], &str)] = &[
     (b"\xfe\xff", "text in UTF-16"),
 ];
 
-/// Number of bytes that are examined.
+/// Number of bytes at a file's start that are examined to tell texts from other files.
 const EXAMINED: usize = 8192;
 
-/// Kind of a file that is no text; `None` for a text. A file is no text if it has a known signature, a zero byte near
+/// Describes a file that is no text; `None` for a text. A file is no text if it has a known signature, a zero byte near
 /// its start, or more than one control character in sixteen bytes.
 fn binary_kind(bytes: &[u8]) -> Option<&'static str> {
     if let Some((_, kind)) = SIGNATURES.iter().find(|(start, _)| bytes.starts_with(start)) {

@@ -1,4 +1,5 @@
-//! Records which files were read, with hashes of their contents, and which were looked up: the inputs of a picture.
+//! Records the inputs of a picture: which files were read, with hashes of their contents, and which paths were asked
+//! about.
 
 use super::lookup::{Lookup, Lookups};
 use super::{Draft, Entry, Files, Metadata, WriteAccess, WriteMode};
@@ -21,7 +22,7 @@ impl ContentHash {
         Self(blake3::hash(bytes))
     }
 
-    /// The hash of a file whose contents changed from these to those of `next`.
+    /// Returns the combined hash of a file whose contents changed from `self` to `next` during a run.
     fn followed_by(self, next: Self) -> Self {
         Self::of(&[*self.0.as_bytes(), *next.0.as_bytes()].concat())
     }
@@ -62,8 +63,8 @@ impl Recorder {
         Self { files, record: Mutex::default() }
     }
 
-    /// Records contents that came from elsewhere, such as standard input. A file that was read with different contents
-    /// during one run gets a hash of all of them.
+    /// Records contents that were read elsewhere, such as standard input, as those of the file `path`. A file that was
+    /// read with different contents during one run gets a hash of all of them.
     pub fn record(&self, path: &Path, bytes: &[u8]) {
         let mut record = self.record_mut();
         let hash = ContentHash::of(bytes);

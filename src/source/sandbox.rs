@@ -1,4 +1,4 @@
-//! Policy for the files of a scene: what it may read and write, whatever links and `..` its paths contain.
+//! Policy for the files of a scene: which files it may read and write, also through links and `..` in paths.
 
 use super::{Draft, Entry, Files, Memory, Metadata, WriteAccess, WriteMode};
 use std::collections::BTreeSet;
@@ -31,36 +31,36 @@ pub enum ReadPolicy {
 /// Files that a scene may write.
 #[derive(Clone, Debug, Default)]
 pub enum WritePolicy {
-    /// No file changes: what the scene writes stays in memory, where the scene itself can read it during the run.
+    /// No file changes. Written files stay in memory, where the scene itself can read them during the run.
     #[default]
     InMemory,
     /// Files below these folders, except those that [`WriteFolder`] protects.
     Below(Vec<WriteFolder>),
 }
 
-/// A folder below which a scene may create files, and replace those that it created before.
+/// A folder below which a scene may create files, and replace files that it created before.
 ///
-/// Never written are files whose name or folder begins with a dot, scenes, INI files and snapshots, and nothing is
-/// written through a link.
+/// A scene can't write files whose name or folder begins with a dot, scenes, INI files and snapshots, and can't write
+/// through a link.
 #[derive(Clone, Debug)]
 pub struct WriteFolder {
-    /// The folder.
+    /// Path of the folder that the scene may write to.
     pub path: PathBuf,
-    /// Memory of the files that the scene created.
+    /// List of the files that the scene created.
     pub created: Arc<dyn CreatedFiles>,
     /// True if the scene may also replace files that it did not create.
     pub replaces_all: bool,
 }
 
-/// Memory of the files that a scene created.
+/// List of the files that a scene created.
 pub trait CreatedFiles: Debug + Send + Sync {
-    /// Records that the scene creates or replaces this file now.
+    /// Records that the scene creates or replaces the file `path` now.
     fn add(&self, path: &Path);
-    /// True if the scene created this file, and nobody else has changed the file since.
+    /// True if the scene created the file `path`, and nobody else has changed it since.
     fn contains(&self, path: &Path) -> bool;
 }
 
-/// Files that were created while this value exists.
+/// List of the files that were created during the lifetime of this value.
 #[derive(Debug, Default)]
 pub struct CreatedInSession(Mutex<BTreeSet<PathBuf>>);
 
@@ -82,12 +82,12 @@ impl CreatedFiles for CreatedInSession {
 }
 
 impl Sandbox {
-    /// Allows to read all files; what the scene writes stays in memory.
+    /// Allows a scene to read all files; files that the scene writes stay in memory.
     pub fn read_only() -> Self {
         Self { read: ReadPolicy::Anywhere, write: WritePolicy::InMemory }
     }
 
-    /// Allows to read in all folders of the search path, and to create files below the current folder.
+    /// Allows a scene to read below all folders of the search path, and to create files below the current folder.
     pub fn allow_search_path(search: &super::SearchPath) -> Self {
         // Fonts are not confidential, and include folders hold links to them.
         let read = search.folders.iter().chain(&search.fonts).cloned().collect();
@@ -97,11 +97,11 @@ impl Sandbox {
     }
 }
 
-/// Storage restricted by a [`Sandbox`]: the only place that enforces the policy.
+/// Storage that enforces the policy of a [`Sandbox`] on all accesses.
 pub struct Sandboxed<'a> {
     files: &'a dyn Files,
     sandbox: &'a Sandbox,
-    /// Files that were written under [`WritePolicy::InMemory`], by their paths without links.
+    /// Files that the scene wrote under [`WritePolicy::InMemory`], by their paths without links.
     written: Memory,
 }
 
@@ -111,12 +111,12 @@ impl<'a> Sandboxed<'a> {
         Self { files, sandbox, written: Memory::default() }
     }
 
-    /// Returns the files that the scene wrote to memory alone, in alphabetical order.
+    /// Returns the files that the scene wrote to memory, in alphabetical order.
     pub fn written_in_memory(&self) -> Vec<PathBuf> {
         self.written.paths()
     }
 
-    /// Returns the path without links and `..`. The file need not exist, but its folder must.
+    /// Returns a path without links and `..`. The file need not exist, but its folder must.
     fn resolved(&self, path: &Path) -> io::Result<PathBuf> {
         if let Ok(path) = self.files.canonicalize(path) {
             return Ok(path);
@@ -138,7 +138,7 @@ impl<'a> Sandboxed<'a> {
         if self.may_read(path) { Ok(()) } else { Err(io::ErrorKind::PermissionDenied.into()) }
     }
 
-    /// The key in [`Self::written`] of a file that the scene wrote to memory.
+    /// Returns the key of a file in [`Self::written`]; `None` if the scene wrote no such file to memory.
     fn in_memory(&self, path: &Path) -> Option<PathBuf> {
         if self.written.is_empty() {
             return None;
@@ -184,7 +184,8 @@ impl<'a> Sandboxed<'a> {
         self.files.open_below(&root, &relative, access)
     }
 
-    /// Returns a folder without links, and a path relative to it without `..`; `None` if the path is not below.
+    /// Returns a folder without links, and a path relative to it without `..`; `None` if the path is not below the
+    /// folder.
     fn relative_to(&self, folder: &Path, path: &Path) -> Option<(PathBuf, PathBuf)> {
         let root = self.files.canonicalize(folder).ok()?;
         let current = self.files.canonicalize(Path::new(".")).ok()?;
@@ -194,7 +195,7 @@ impl<'a> Sandboxed<'a> {
     }
 }
 
-/// The path without `.`, and with each `..` applied to the name before it.
+/// Returns the path without `.`, and with each `..` applied to the name before it.
 fn without_dots(path: &Path) -> PathBuf {
     let mut out = PathBuf::new();
     for part in path.components() {
@@ -207,7 +208,7 @@ fn without_dots(path: &Path) -> PathBuf {
     out
 }
 
-/// Returns the reason why scenes never write a file of this name; `None` if they may.
+/// Returns the reason why scenes can't write a file of this name; `None` if they can.
 fn protection_reason(relative: &Path) -> Option<&'static str> {
     let names: Vec<String> = relative.iter().map(|name| name.to_string_lossy().to_lowercase()).collect();
     let (file, folders) = names.split_last()?;
@@ -291,7 +292,7 @@ impl Files for Sandboxed<'_> {
 }
 
 impl Sandboxed<'_> {
-    /// True for a file in a folder that the scene may write to: what it has written, it may read.
+    /// True if the file is in a folder that the scene may write to, so that the scene may also read the file.
     fn is_writable_folder(&self, path: &Path) -> bool {
         let WritePolicy::Below(folders) = &self.sandbox.write else { return false };
         let folders: Vec<PathBuf> = folders.iter().map(|folder| folder.path.clone()).collect();

@@ -1,10 +1,10 @@
-//! Scenes and include files in a folder.
+//! Finds scenes and include files in a folder.
 
 use super::{Entry, FileKind, Files};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// All scenes in a folder and below it, sorted by path. Hidden folders and Cargo's `target` are omitted.
+/// Returns all scenes in and below a folder, sorted by path. Hidden folders and Cargo's `target` are omitted.
 ///
 /// # Errors
 /// If a folder cannot be read.
@@ -12,7 +12,7 @@ pub fn scenes_below(files: &dyn Files, folder: &Path) -> io::Result<Vec<PathBuf>
     below(files, folder, &["scene", "pov"])
 }
 
-/// All scenes and include files in a folder and below it, sorted by path.
+/// Returns all scenes and include files in and below a folder, sorted by path.
 ///
 /// # Errors
 /// If a folder cannot be read.

@@ -1,15 +1,15 @@
-//! The include path.
+//! The include path: the folders in which the files that a scene names are searched.
 
 use super::{Disk, Files};
 use std::path::{Component, Path, PathBuf};
 
-/// Folders in which files that a scene names are searched.
+/// Folders in which the files that a scene names are searched.
 #[derive(Clone, Debug, Default)]
 pub struct SearchPath {
-    /// In order: the scene's folder, the current folder, those of `-I` and `DURER_INCLUDE`, and those of an installed
-    /// POV-Ray.
+    /// Folders in the order of the search: the scene's folder, the current folder, those of `-I` and `DURER_INCLUDE`,
+    /// and those of an installed POV-Ray.
     pub folders: Vec<PathBuf>,
-    /// Folders of fonts that substitute missing ones.
+    /// Folders of fonts that substitute missing fonts.
     pub fonts: Vec<PathBuf>,
 }
 
@@ -18,12 +18,12 @@ pub struct SearchPath {
 pub struct Found {
     /// Path of the file that the search found.
     pub path: PathBuf,
-    /// Spelling that is found on every system, if the name in the scene is not.
+    /// Spelling of the file's name that every system finds; `None` if the scene has that spelling.
     pub portable: Option<String>,
 }
 
 impl SearchPath {
-    /// The include path of a scene on this machine; `options` are the folders of `-I`.
+    /// Creates the include path of a scene on this machine. `options` are the folders of `-I`.
     pub fn new(scene_folder: &Path, options: &[PathBuf]) -> Self {
         let mut folders = vec![scene_folder.to_path_buf()];
         // Scenes write their files into the current folder.
@@ -40,21 +40,21 @@ impl SearchPath {
         Self { folders, fonts }
     }
 
-    /// The include path on a machine without POV-Ray.
+    /// Removes the folders of an installed POV-Ray from the include path.
     pub fn without_installed(mut self) -> Self {
         self.folders.retain(|folder| !is_installed(folder));
         self.fonts.retain(|folder| !is_installed(folder));
         self
     }
 
-    /// Finds the first file or folder with exactly this name, for `file_exists`.
+    /// Finds the first file or folder that has exactly this name, for `file_exists`.
     pub fn find(&self, files: &dyn Files, name: &str) -> Option<PathBuf> {
         self.search(name, None, |path| files.exists(path))
     }
 
-    /// Finds a file to read. The folder of the file `including` is searched last, since POV-Ray does not search it. The
-    /// ending `.inc` is optional. A name that is not found is then interpreted as on other systems: in any letter case,
-    /// with `\` in place of `/`, and at last by the file name of a DOS path.
+    /// Finds a file that a scene names. The folder of the file `including` is searched last, since POV-Ray does not
+    /// search it. The extension `.inc` is optional. A name that is not found is searched again as other systems read
+    /// it: in any letter case, with `\` in place of `/`, and at last by the file name of a DOS path.
     pub fn resolve(&self, files: &dyn Files, name: &str, including: Option<&Path>) -> Option<Found> {
         let beside = including.and_then(Path::parent);
         let exact = |name: &str| self.search(name, beside, |path| files.is_file(path));

@@ -31,11 +31,11 @@ struct File {
     path: Option<PathBuf>,
     text: String,
     base: usize,
-    /// Byte offsets of the lines in the text. Lines end with CR, LF or CRLF.
+    /// Byte offsets of the starts of the lines. Lines end with CR, LF or CRLF.
     lines: std::sync::OnceLock<Vec<u32>>,
 }
 
-/// Texts of a run and the storage they come from. A [`Span`] has a meaning only together with its `Sources`.
+/// Texts of a run and the storage they come from. A [`Span`] is a position in one particular `Sources`.
 pub struct Sources {
     files: Recorder,
     texts: elsa::FrozenVec<Box<File>>,
@@ -49,17 +49,17 @@ impl Default for Sources {
 }
 
 impl Sources {
-    /// No texts yet; those to come are read from `files`.
+    /// Creates an empty collection of texts, which reads files from `files`.
     pub fn new(files: Arc<dyn Files>) -> Self {
         Self { files: Recorder::new(files), texts: elsa::FrozenVec::new() }
     }
 
-    /// The storage that the run reads from and writes to.
+    /// Returns the storage that the run reads from and writes to.
     pub fn files(&self) -> &dyn Files {
         &self.files
     }
 
-    /// Records contents that came from elsewhere, such as standard input, among [`Sources::read_files`].
+    /// Adds contents that were read elsewhere, such as standard input, to [`Sources::read_files`].
     pub fn record(&self, name: &Path, bytes: &[u8]) {
         self.files.record(name, bytes);
     }
@@ -74,7 +74,7 @@ impl Sources {
         self.files.begin_run();
     }
 
-    /// Returns the look-ups of files since [`Sources::begin_run`]: which exist, and where files were found.
+    /// Returns the look-ups of files since [`Sources::begin_run`]: questions about paths, with their answers.
     pub fn lookups(&self) -> Lookups {
         self.files.lookups()
     }
@@ -84,7 +84,7 @@ impl Sources {
         LookedUpFiles { read: self.read_files(), lookups: self.lookups() }
     }
 
-    /// Adds a text; `None` if all texts together would exceed 4 GB.
+    /// Adds a text; returns `None` if all texts together would exceed 4 GB.
     pub fn add(&self, name: &str, path: Option<&Path>, text: String) -> Option<FileId> {
         let base = self.texts.iter().last().map_or(1, |f| f.base + f.text.len() + 1);
         u32::try_from(base + text.len() + 1).ok()?;
@@ -103,7 +103,7 @@ impl Sources {
         self.texts.get(id.0 as usize).map_or("", |f| &f.text)
     }
 
-    /// The name of a text as the user wrote it.
+    /// Returns the name of a text as the user wrote it.
     pub fn name(&self, id: FileId) -> &str {
         self.texts.get(id.0 as usize).map_or("", |f| &f.name)
     }
@@ -118,7 +118,7 @@ impl Sources {
         self.texts.get(id.0 as usize).map_or(0, |f| f.base)
     }
 
-    /// The text that contains a span, and the byte range in that text.
+    /// Returns the text that contains a span, and the byte range in that text.
     pub fn locate(&self, span: Span) -> Option<(FileId, std::ops::Range<usize>)> {
         if span.is_none() {
             return None;

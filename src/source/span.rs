@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-/// A range of bytes in the concatenation of all texts (see [`super::Sources`]), which also identifies the text. The
-/// default is [`Span::NONE`].
+/// A range of bytes in the concatenation of all texts (see [`super::Sources`]), so that a span also identifies its
+/// text. The default is [`Span::NONE`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 pub struct Span {
     /// Offset of the span's first byte.
@@ -13,7 +13,7 @@ pub struct Span {
 }
 
 impl Span {
-    /// No position, for values from the command line and for defaults. Global offsets start at 1.
+    /// Absence of a position, for values from the command line and for defaults. (Positions in texts start at 1.)
     pub const NONE: Span = Span { lo: 0, hi: 0 };
 
     /// Creates the span from `lo` to `hi`, exclusive.
@@ -26,7 +26,7 @@ impl Span {
         self.hi == 0
     }
 
-    /// The range from the start of this span to the end of the other.
+    /// Returns the range from the start of this span to the end of the other.
     pub fn to(self, other: Span) -> Span {
         if self.is_none() {
             other
@@ -37,7 +37,7 @@ impl Span {
         }
     }
 
-    /// Returns the empty span after this span.
+    /// Returns the empty span directly after this span.
     pub fn end(self) -> Span {
         Span { lo: self.hi, hi: self.hi }
     }

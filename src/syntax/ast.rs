@@ -1,27 +1,27 @@
-//! The syntax tree: a sequence of elements with their spans. Nothing is evaluated; tokens and comments are kept beside
-//! the tree.
+//! The syntax tree of a scene's text: a sequence of elements with their spans. Nothing is evaluated; a list beside the
+//! tree holds the tokens and comments.
 
 use super::tokens::Tokens;
 use super::word::Word;
 use crate::source::Span;
 use std::sync::Arc;
 
-/// A name that the author chose, or a constant of the language; an index into [`super::Names`].
+/// Number of a name in [`super::Names`]: a name that the author chose, or a constant of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Symbol(pub u32);
 
-/// A parsed file, possibly with faults.
+/// Syntax tree of a scene file, which may contain faults.
 #[derive(Debug, Default)]
 pub struct Ast {
     /// Outermost elements of the scene file.
     pub elements: Vec<Element>,
-    /// All tokens and comments of the file: with the blanks between them they are its text.
+    /// All tokens and comments of the file. With the blanks between them, they are the file's whole text.
     pub tokens: Tokens,
     /// Brackets that are not closed in the rest of the file.
     pub unclosed: Vec<Span>,
 }
 
-/// An element of a file, block, entry, group, directive's body, or macro's argument list.
+/// Syntax element of a file, block, map entry, group, directive's body, or macro's argument list.
 #[derive(Clone, Debug)]
 pub struct Element {
     /// Span of the syntax element in the source.
@@ -44,7 +44,7 @@ impl Element {
 pub enum ElementKind {
     /// A keyword, or the name of a built-in function without arguments.
     Word(&'static Word),
-    /// A number, vector, string, name, call or a combination of them.
+    /// A number, vector, string, name or call, or operators between these.
     Expr(Box<Expr>),
     /// Two or more literal numbers and vectors with commas between them.
     Numbers(Box<NumberList>),
@@ -73,7 +73,7 @@ pub enum Sign {
     Open(Bracket),
     /// Closing bracket as a sign in the syntax tree.
     Close(Bracket),
-    /// Between two operands; `<` and `>` may also enclose a vector, `-` and `+` precede an operand.
+    /// Binary operator. `<` and `>` may also enclose a vector, and `-` and `+` may precede an operand.
     Operator(Operator),
     /// The sign `!`.
     Not,
@@ -128,7 +128,7 @@ pub struct Block {
 /// A word before a brace: a keyword, or an unknown word (an error that is reported when the run reaches it).
 #[derive(Clone, Copy, Debug)]
 pub struct Name {
-    /// The keyword in the name's position; `None` for a word that the scene language lacks.
+    /// Keyword that the name is; `None` for a word that is not in the scene language.
     pub word: Option<&'static str>,
     /// Span of the word that names a block or member.
     pub span: Span,
@@ -157,15 +157,15 @@ pub enum Widths {
 pub struct Expr {
     /// Span of the expression in the source.
     pub span: Span,
-    /// True if a name is called somewhere in it. Only the run decides what the name is.
+    /// True if a name is called somewhere in the expression. Only the run decides whether the name is a macro.
     pub calls: bool,
     /// Kind of the expression.
     pub kind: ExprKind,
 }
 
 impl Expr {
-    /// True if it compares or chooses, outside of its brackets, which has a meaning only in parentheses, conditions and
-    /// colours.
+    /// True if the expression contains a comparison or `?:` outside of brackets. Both have a meaning only in
+    /// parentheses, conditions and colours.
     pub fn compares(&self) -> bool {
         match &self.kind {
             ExprKind::Chain(chain) => {
@@ -178,7 +178,7 @@ impl Expr {
     }
 }
 
-/// Kinds of expressions. Chains of operators are flat, so that no tree is deeper than the text's brackets.
+/// Kinds of expressions. A chain of operators is one flat node, so the tree is never deeper than the text's brackets.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
     /// Expression that is a literal number.
@@ -191,7 +191,8 @@ pub enum ExprKind {
     Literal(Arc<[f64]>),
     /// Expression that is a vector `< … >` of expressions.
     Vector(Box<[Element]>),
-    /// Expression in parentheses, `( … )`: kept, because `(A)` passes a copy where `A` passes a reference.
+    /// Expression in parentheses, `( … )`. The parentheses count, because a macro receives a copy for `(A)` and a
+    /// reference for `A`.
     Paren(Box<Expr>),
     /// Chain of binary operators of one precedence, `a op b op c …`, from left to right.
     Chain(Box<Chain>),
@@ -205,7 +206,7 @@ pub enum ExprKind {
     Call(Symbol, Box<[Element]>),
     /// Expression that accesses an array: `A[i][j]`.
     Index(Box<Expr>, Box<[Expr]>),
-    /// Expression that calls a function or array element: `A[i](x)`.
+    /// Expression that calls an element of an array: `A[i](x)`.
     Apply(Box<Expr>, Box<[Element]>),
     /// Expression that accesses a member: `A.x`.
     Dot(Box<Expr>, Name, Symbol),
@@ -254,8 +255,8 @@ pub enum Operator {
 }
 
 impl Operator {
-    /// Precedence: a higher number binds more tightly. `&` and `|` have one precedence, from left to right: `(1|0&0)`
-    /// is 0 (quirk: `logical_precedence`).
+    /// Returns the operator's precedence: a higher number binds more tightly. `&` and `|` have one precedence, from
+    /// left to right: `(1|0&0)` is 0 (quirk: `logical_precedence`).
     pub fn precedence(self) -> u8 {
         use Operator::*;
         match self {
@@ -266,7 +267,8 @@ impl Operator {
         }
     }
 
-    /// Precedence inside `function { … }`, where `&` binds more tightly than `|` (quirk: `logical_precedence`).
+    /// Returns the operator's precedence inside `function { … }`, where `&` binds more tightly than `|` (quirk:
+    /// `logical_precedence`).
     pub fn precedence_in_functions(self) -> u8 {
         if self == Operator::And { 2 } else { self.precedence() }
     }
@@ -329,7 +331,7 @@ pub struct Function {
 pub enum Directive {
     /// Directive `#declare` or `#local`; the value is the result of the following elements.
     Declare(Declare),
-    /// Directive `#declare` or `#local` with anything but a plain target before the `=`; the flag is `local`.
+    /// Directive `#declare` or `#local` with anything but a plain target before the `=`. The flag is true for `#local`.
     DeclarePieces(bool),
     /// The directive `#if` with its `#elseif` and `#else` branches.
     If(Box<[Branch]>),
@@ -348,18 +350,18 @@ pub enum Directive {
 /// The parentheses after a directive's word.
 #[derive(Clone, Debug)]
 pub enum Head {
-    /// A directive's argument that is one whole expression.
+    /// Contents of the parentheses, if they are one complete expression.
     Whole(Expr),
-    /// Directive's argument that is no whole expression; `None` if there are no parentheses.
+    /// Contents of the parentheses, if they are no complete expression; `None` if there are no parentheses.
     Pieces(Option<Box<[Element]>>),
 }
 
-/// The directive `#declare A[i] =` or `#local A[i] =`.
+/// The directive `#declare A[i] =` or `#local A[i] =`, without the value that follows.
 #[derive(Clone, Debug)]
 pub struct Declare {
     /// True for `#local`, false for `#declare`.
     pub local: bool,
-    /// Contents of `deprecated "why"` in a declaration; the flag is `once`.
+    /// Message of `deprecated "why"` in a declaration. The flag is true for `deprecated once`.
     pub deprecated: Option<(bool, Box<str>)>,
     /// Name that the declaration assigns to, with its indices and its span.
     pub target: Target,
@@ -374,13 +376,13 @@ pub struct Target {
     pub symbol: Symbol,
     /// Span of the declared name, without its indices.
     pub span: Span,
-    /// A keyword can't be declared: an error when the run reaches it.
+    /// Keyword that stands where the name should be, which is an error once the directive runs.
     pub keyword: Option<&'static str>,
     /// Indices `[i][j]` after the declared name.
     pub indices: Box<[Expr]>,
 }
 
-/// A condition and the elements that run if it holds.
+/// One branch of an `#if` directive: a condition, and the elements that run if the condition holds.
 #[derive(Clone, Debug)]
 pub struct Branch {
     /// Span of the branch from its directive's word to the next one.
@@ -429,7 +431,7 @@ pub struct Arm {
     pub span: Span,
     /// Condition of the `#switch` arm.
     pub when: When,
-    /// The elements that run; without `#break` the next arm follows.
+    /// Elements that run if the arm is chosen. Without `#break`, the next arm runs too.
     pub body: Box<[Element]>,
 }
 
@@ -451,9 +453,9 @@ pub struct Macro {
     pub name: Symbol,
     /// Span of the macro's name.
     pub span: Span,
-    /// Span of a faulty part of its head: an error when the run reaches it.
+    /// Span of a fault between `#macro` and its body, which is an error once the directive runs.
     pub fault: Option<Span>,
-    /// Names of its parameters; the flag is `optional`.
+    /// Names of the macro's parameters. The flag is true for an `optional` parameter.
     pub parameters: Box<[(Symbol, bool)]>,
     /// Elements that a call of the macro runs.
     pub body: Box<[Element]>,

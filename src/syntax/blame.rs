@@ -1,13 +1,14 @@
-//! Finds the opener that has no end. In such a text, the last closers have closed the wrong openers: the blocks that
-//! can be nested, and the indentation, indicate the right one.
+//! Finds the opening bracket whose closing bracket is missing, by which blocks may contain which others and by the
+//! indentation. The last opening bracket without a partner is rarely the culprit, since later closing brackets are
+//! matched with the wrong ones.
 
 use super::fault::is_other_end;
 use super::outline::{Line, Outline, Pair};
 use super::word::{self, SHAPES};
 use crate::diagnostic::{Diagnostic, codes};
 
-/// Returns the braces of a text in order: index of the token, line, and the pair of an opening brace. The line of an
-/// opening brace is that of the word before the brace.
+/// Returns all opening and closing braces in order: token index, line and, for an opening brace, its pair. The line of
+/// an opening brace is the line of the word before the brace.
 fn braces(outline: &Outline) -> impl Iterator<Item = (usize, Line, Option<&Pair>)> {
     let is_brace = |&token: &usize| matches!(outline.word(token), "{" | "}");
     (0..outline.tokens.len()).filter(is_brace).map(|token| {
@@ -17,21 +18,21 @@ fn braces(outline: &Outline) -> impl Iterator<Item = (usize, Line, Option<&Pair>
     })
 }
 
-/// True if the line of a closing token lies after its opener's line and is indented less: the closer belongs to an
+/// True if a closing token lies on a later line than `opener`, with less indentation, so that it probably closes an
 /// outer pair.
 fn is_outdented(closer: &Line, opener: &Line) -> bool {
     closer.is_first && opener.start < closer.start && closer.indent < opener.indent
 }
 
-/// An indication that a block should have ended.
+/// Evidence that a block should have ended earlier.
 enum Sign<'o> {
-    /// A block that the block can't contain.
+    /// A nested block that the outer block can't contain.
     Inner(&'o Pair),
-    /// The token of a `}` that by its indentation closes an outer block.
+    /// The token index of a `}` whose indentation matches an outer block.
     Closer(&'o Pair, usize),
 }
 
-/// The brace that most probably has no end, if there is an indication.
+/// Returns the error for the opening brace that most probably lacks its `}`; `None` without evidence.
 pub fn open_brace(outline: &Outline) -> Option<Diagnostic> {
     // Match each `}` with the last `{`, also across the bodies of directives.
     let mut stack: Vec<(&Pair, Line)> = vec![];
@@ -68,7 +69,7 @@ pub fn open_brace(outline: &Outline) -> Option<Diagnostic> {
     })
 }
 
-/// A `}` that ends a block too early, so that a later one closes nothing.
+/// Returns the error for a `}` that ends a block too early, so that a later `}` closes nothing.
 pub fn early_brace(outline: &Outline) -> Option<Diagnostic> {
     let (mut stack, mut early): (Vec<(&Pair, Line)>, _) = (vec![], None);
     for (closer, line, opened) in braces(outline) {
@@ -96,8 +97,8 @@ pub fn early_brace(outline: &Outline) -> Option<Diagnostic> {
     None
 }
 
-/// Faults of the directives without `#end`: the one that most probably lacks it if there is an indication, else the
-/// innermost three.
+/// Returns the errors for directives without `#end`: the directive that most probably lacks its `#end`, or without
+/// evidence the innermost three.
 pub(super) fn open_directives(outline: &Outline) -> Vec<Diagnostic> {
     let open: Vec<_> = directives(outline).filter(|pair| pair.closer.is_none()).collect();
     let Some(outermost) = open.first() else { return vec![] };
@@ -108,7 +109,7 @@ pub(super) fn open_directives(outline: &Outline) -> Vec<Diagnostic> {
     open.iter().rev().take(3).map(unclosed).collect()
 }
 
-/// Returns the directives of a text that have a body.
+/// Returns the directives of a text that need an `#end`.
 fn directives(outline: &Outline) -> impl Iterator<Item = &Pair> {
     outline.pairs.iter().filter(|pair| pair.bracket == b'#')
 }
@@ -118,7 +119,7 @@ fn unclosed_directive(outline: &Outline, pair: &Pair) -> Diagnostic {
     Diagnostic::new(codes::UNCLOSED, outline.token_span(pair.opener), message)
 }
 
-/// The fault of the first `#endif` or similar word after an open directive.
+/// Returns the error for the first `#endif` or similar word after an open directive.
 fn other_end(outline: &Outline, open: &Pair) -> Option<Diagnostic> {
     let end = outline.tokens[open.opener..].iter().find(|token| is_other_end(outline.directive(token)))?;
     let message = format!("there is no directive `#{}`", outline.directive(end));
@@ -127,7 +128,7 @@ fn other_end(outline: &Outline, open: &Pair) -> Option<Diagnostic> {
     Some(d.also(outline.token_span(open.opener), unclosed).help("every directive with a body ends with `#end`"))
 }
 
-/// The fault of a directive whose `#end` belongs to an outer one by its indentation.
+/// Returns the error for an inner directive whose `#end` is indented like an outer directive's.
 fn outdented_end(outline: &Outline) -> Option<Diagnostic> {
     let line = |token: usize| outline.line_at(outline.tokens[token].range.start);
     let is_wrong = |pair: &&Pair| {
@@ -140,7 +141,7 @@ fn outdented_end(outline: &Outline) -> Option<Diagnostic> {
     Some(unclosed_directive(outline, wrong).help(help))
 }
 
-/// False if a block certainly can't contain another directly.
+/// False if a block of the name `outer` certainly can't contain a block of the name `inner` directly.
 fn can_hold(outer: &str, inner: &str) -> bool {
     if word::lookup(inner).is_none() {
         return true;

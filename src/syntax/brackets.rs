@@ -1,36 +1,37 @@
-//! Matching of brackets: a stack of the openers that are open at a position of the text.
+//! Matching of brackets: a stack of the brackets that are open at a position of the text.
 //!
-//! Brackets match within one directive's body. A bracket without a partner there is not an error: the other half may
-//! come from a macro, another branch or another file. The grammar then makes it an element of its own.
+//! Brackets match within one directive's body. A bracket without a partner in the same body is not an error: the
+//! partner may come from a macro, another branch or another file. The grammar makes such a bracket an element by
+//! itself.
 
 use super::class;
 
-/// Maximum nesting: the parser recurses on the native stack.
+/// Maximum nesting depth of brackets, because the parser recurses on the native stack.
 pub(super) const MAX_DEPTH: usize = 1000;
 
-/// Opening bracket or directive that a closing one must match.
+/// Opening bracket or directive that needs a matching end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Opener {
     Brace,
     /// Opening brace of `function { … }`, inside which `<` compares.
     FunctionBrace,
-    /// Grouping, a condition or a built-in function's arguments, where `<` compares.
+    /// Opening parenthesis of a group, a condition or a built-in function's arguments, inside which `<` compares.
     Paren,
-    /// Arguments of a macro or of an author's function.
+    /// Opening parenthesis of the arguments of a macro or of an author's function.
     Arguments,
     Bracket,
     /// The `<` that opens a vector.
     Angle,
     /// The `?` that opens a conditional expression.
     Choice,
-    /// The `:` of a conditional expression, whose value extends to the next comma or bracket: consecutive choices nest.
+    /// The `:` of a conditional expression, whose last operand extends to the next comma or bracket.
     Otherwise,
-    /// Directive of this class, which opens a body.
+    /// Directive with a body, by its token class.
     Directive(u8),
 }
 
 impl Opener {
-    /// The classes of the two halves of a matched pair.
+    /// Returns the token classes of a matched opening and closing bracket.
     pub(super) fn classes(self) -> (u8, u8) {
         match self {
             Opener::Brace | Opener::FunctionBrace => (class::BRACE, class::BRACE_END),
@@ -43,13 +44,13 @@ impl Opener {
         }
     }
 
-    /// True for `?` and `<`, which end where any enclosing bracket does.
+    /// True for `?` and the `<` of a vector, which end together with the bracket around them.
     fn is_weak(self) -> bool {
         matches!(self, Opener::Angle | Opener::Choice | Opener::Otherwise)
     }
 }
 
-/// The openers around a position, each with the index of its token.
+/// Stack of the brackets and directives that are open at a position, each with the index of its token.
 #[derive(Default)]
 pub(super) struct Brackets {
     stack: Vec<(Opener, usize)>,
@@ -74,7 +75,7 @@ impl Brackets {
         self.functions > 0
     }
 
-    /// True if a `<` after an operand is a comparison here.
+    /// True if a `<` after an operand is a comparison at the present position.
     pub(super) fn compares(&self) -> bool {
         let open = self.stack.iter().rev().map(|o| o.0);
         let around = open
@@ -83,7 +84,8 @@ impl Brackets {
         self.in_function() || around == Some(Opener::Paren)
     }
 
-    /// True if a list of literals is allowed here: between elements, but not inside vectors, parentheses and functions.
+    /// True if a list of literals is allowed at the present position: between elements, but not inside vectors,
+    /// parentheses and functions.
     pub(super) fn takes_lists(&self) -> bool {
         let top = self.stack.last().map(|o| o.0);
         !self.in_function() && matches!(top, None | Some(Opener::Brace | Opener::Directive(_)))
@@ -101,7 +103,8 @@ impl Brackets {
         }
     }
 
-    /// Closes the opener of this class, and returns it. Openers in between stay unmatched.
+    /// Closes the innermost bracket that matches the class `closer`, and returns the bracket and its token index.
+    /// Brackets inside it stay unmatched.
     pub(super) fn close(&mut self, closer: u8) -> Option<(Opener, usize)> {
         let body = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_))).map_or(0, |i| i + 1);
         let weak = matches!(closer, class::VECTOR_END | class::CHOICE_ELSE);
@@ -121,15 +124,15 @@ impl Brackets {
         Some(found)
     }
 
-    /// A comma or semicolon: ends choices.
+    /// Ends conditional expressions at a comma or semicolon.
     pub(super) fn separate(&mut self) {
         while matches!(self.stack.last(), Some((Opener::Otherwise, _))) {
             self.pop();
         }
     }
 
-    /// `#else`, `#end` and similar: ends the body of the innermost directive, whose class is returned. The directive
-    /// stays open.
+    /// Ends the present body of the innermost directive, at `#else` or `#end`, and returns the directive's class. The
+    /// directive stays open.
     pub(super) fn end_body(&mut self) -> Option<u8> {
         let depth = self.stack.iter().rposition(|o| matches!(o.0, Opener::Directive(_)))?;
         self.pop_to(depth + 1);
@@ -144,12 +147,12 @@ impl Brackets {
         self.pop();
     }
 
-    /// Number of directives without an end.
+    /// Returns the number of directives that have no `#end` yet.
     pub(super) fn unended(&self) -> usize {
         self.stack.iter().filter(|o| matches!(o.0, Opener::Directive(_))).count()
     }
 
-    /// Brackets of the outermost body that are open at the text's end.
+    /// Returns the token indices of the brackets outside of all directives that are still open.
     pub(super) fn unclosed(&self) -> impl Iterator<Item = usize> + '_ {
         let outermost = self.stack.iter().take_while(|o| !matches!(o.0, Opener::Directive(_)));
         outermost.filter(|o| !o.0.is_weak()).map(|o| o.1)

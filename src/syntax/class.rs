@@ -1,18 +1,18 @@
 //! Classes of tokens: the characters that the grammar reads, their names in `grammar/scene.pest`, and the directives
-//! with a structure. This is their only table; a test compares the grammar with it.
+//! that have a body. A test compares the grammar with this table.
 //!
-//! A directive without a body (`#debug`, `#include` …) is a [`PLAIN`] token: the interpreter has the list of these.
+//! A directive without a body (`#debug`, `#include` …) is a [`PLAIN`] token; the interpreter knows these by name.
 
-/// The effect of a directive on the nesting of bodies.
+/// Effect of a directive on the nesting of directives' bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
-    /// Names the value that follows: no body.
+    /// Assigns the value that follows to a name, and has no body.
     Declares,
     /// Opens a body that `#end` closes.
     Opens,
-    /// Ends a body and begins the next, of a directive of these classes.
+    /// Ends the body of a directive of one of these classes, and begins its next body.
     Continues(&'static [u8]),
-    /// Role of a directive that ends the last open body.
+    /// Ends the innermost open body.
     Ends,
 }
 
@@ -82,7 +82,7 @@ classes! {
 
 const BRANCHES: &[u8] = &[IF, IFDEF, IFNDEF];
 
-/// The directives that the grammar handles.
+/// Name, token class and role of each directive that the grammar handles.
 const DIRECTIVES: &[(&str, u8, Role)] = &[
     ("declare", DECLARE, Role::Declares),
     ("local", DECLARE, Role::Declares),
@@ -100,22 +100,22 @@ const DIRECTIVES: &[(&str, u8, Role)] = &[
     ("end", END, Role::Ends),
 ];
 
-/// The class and role of the directive of this name; `None` for those without a body.
+/// Returns the class and role of the directive of this name; `None` for directives without a body.
 pub(super) fn directive(word: &str) -> Option<(u8, Role)> {
     DIRECTIVES.iter().find(|(name, ..)| *name == word).map(|&(_, class, role)| (class, role))
 }
 
-/// The words after `#` that open, continue or end a body, and `declare` and `local`.
+/// Returns the names of the directives that open, continue or end a body, and `declare` and `local`.
 pub fn structural_directives() -> impl Iterator<Item = &'static str> {
     DIRECTIVES.iter().map(|(name, ..)| *name)
 }
 
-/// True if the directive of this name opens a body, which `#end` closes.
+/// True if the directive of this name opens a body that `#end` closes.
 pub fn opens(word: &str) -> bool {
     DIRECTIVES.iter().any(|row| row.0 == word && row.2 == Role::Opens)
 }
 
-/// True if the directive of this name separates bodies between an opening one and its `#end`.
+/// True if the directive of this name begins a further body before the `#end`, as `#else` does.
 pub fn continues(word: &str) -> bool {
     DIRECTIVES.iter().any(|row| row.0 == word && matches!(row.2, Role::Continues(_)))
 }

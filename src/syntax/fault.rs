@@ -1,10 +1,10 @@
-//! Explains the fault where the grammar stopped.
+//! Explains the syntax error at the position where the grammar stopped.
 
 use super::word;
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::source::Span;
 
-/// The message for text that fits no rule from `at` on.
+/// Returns the error for text that fits no rule of the grammar from the offset `at` on.
 pub fn explain(text: &str, at: usize, base: usize) -> Diagnostic {
     if let Some(d) = missing_condition(text, at, base) {
         return d;
@@ -30,19 +30,20 @@ pub fn explain(text: &str, at: usize, base: usize) -> Diagnostic {
     }
 }
 
-/// True for words of other languages for `#elseif`.
+/// True for `elif` and similar words, which other languages have for `#elseif`.
 pub fn is_other_elseif(word: &str) -> bool {
     matches!(word, "elsif" | "elif" | "elsf" | "elseIf" | "ElseIf" | "else_if" | "elsei")
 }
 
-/// `#elsif`, which is never read if the branch before it does not run: the elements that follow it do not run either.
+/// Returns the error for `#elsif`: the directive is skipped together with the branch before it, and so are the elements
+/// that follow.
 pub(super) fn lost_branch(word: &str, span: Span) -> Diagnostic {
     let message = format!("there is no directive `#{word}`: what follows it is a part of the branch before");
     let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, span, message).help("write `#elseif`");
     Diagnostic { severity: Severity::Warning, ..d }
 }
 
-/// True for words of other languages for `#end`.
+/// True for `endif` and similar words, which other languages have for `#end`.
 pub fn is_other_end(word: &str) -> bool {
     matches!(
         word,
@@ -50,7 +51,7 @@ pub fn is_other_end(word: &str) -> bool {
     )
 }
 
-/// The text at `at`, for a message.
+/// Describes the text at the offset `at`, for a message.
 fn found(text: &str, at: usize) -> String {
     match token_at(text, at) {
         "" => "the end of the text".into(),
@@ -62,7 +63,7 @@ fn token_span(text: &str, at: usize, base: usize) -> Span {
     Span::new(base + at, base + at + token_at(text, at).len())
 }
 
-/// True if the text before `at` could be the left side of a comparison.
+/// True if the text before the offset `at` could be the left side of a comparison.
 fn follows_operand(text: &str, at: usize) -> bool {
     let before = text[..at].trim_end();
     match last_word(before) {
@@ -71,7 +72,7 @@ fn follows_operand(text: &str, at: usize) -> bool {
     }
 }
 
-/// Returns the fault of a missing name or `=`, as in `#declare A 5`, `#declare = 5` and `#macro (A)`.
+/// Returns the error for a missing name or `=`, as in `#declare A 5`, `#declare = 5` and `#macro (A)`.
 fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     let before = text[..at].trim_end();
     let fault = |message: String| Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
@@ -89,13 +90,13 @@ fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic
     matches!(directive, "declare" | "local").then(|| d.help(format!("`#{directive} {name} = {value};`")))
 }
 
-/// The directive at the end of a text.
+/// Returns the name of the directive that a text ends with.
 fn directive_at_end(text: &str) -> Option<&str> {
     let word = last_word(text)?;
     text[..text.len() - word.len()].trim_end_matches([' ', '\t']).ends_with('#').then_some(word)
 }
 
-/// Returns the fault of a condition without parentheses, as in `#if A = 1`.
+/// Returns the error for a condition without parentheses, as in `#if A = 1`.
 fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     let directive = text[at..].strip_prefix('#')?.trim_start_matches([' ', '\t']);
     let word = token_at(directive, 0);
@@ -120,7 +121,7 @@ fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     Some(Diagnostic::new(codes::SYNTAX, span, message).help(format!("`#{word} ({form}) …`")))
 }
 
-/// True if the parenthesis at the start of the text is closed.
+/// True if the text contains the partner of the parenthesis that it starts with.
 fn is_closed(text: &str) -> bool {
     let mut depth = 0usize;
     text.chars().any(|c| {
@@ -163,7 +164,7 @@ fn help_for(text: &str, at: usize, token: &str) -> Option<String> {
     })
 }
 
-/// The word, number or character that starts at `at`.
+/// Returns the word, number or character that starts at the offset `at`.
 pub fn token_at(text: &str, at: usize) -> &str {
     let rest = &text[at..];
     let word = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
@@ -176,7 +177,7 @@ fn last_word(text: &str) -> Option<&str> {
     word.starts_with(|c: char| c.is_alphabetic() || c == '_').then_some(word)
 }
 
-/// The `<` of a vector that is still open at `at`, judging by its line and the one before.
+/// Returns the offset of a vector's `<` that is still open at the offset `at`, judging by this line and the one before.
 fn open_vector(text: &str, at: usize) -> Option<usize> {
     let mut depth = 0;
     for (i, c) in text[..at].char_indices().rev() {
@@ -193,7 +194,7 @@ fn open_vector(text: &str, at: usize) -> Option<usize> {
     None
 }
 
-/// True if this text ends inside `( … )` where `<` compares: grouping parentheses, a condition or a function's
+/// True if the text ends inside `( … )` where `<` compares: grouping parentheses, a condition or a function's
 /// arguments.
 fn in_parentheses(text: &str) -> bool {
     let mut depth = 0;

@@ -1,5 +1,5 @@
-//! The lexer. One pass over the bytes, which also finds the partner of each bracket (see [`super::brackets`]) and
-//! collects the comments.
+//! The lexer: splits a text into tokens in one pass over its bytes, finds the partner of each bracket (see
+//! [`super::brackets`]) and collects the comments.
 
 use super::Names;
 use super::ast::NumberList;
@@ -18,26 +18,28 @@ pub(super) struct Token {
     pub(super) start: u32,
     /// Offset after the token's last byte.
     pub(super) end: u32,
-    /// A keyword's number, a name's symbol, or an index into [`Lexed::numbers`] or [`Lexed::lists`].
+    /// Number of a keyword, symbol of a name, or index into [`Lexed::numbers`] or [`Lexed::lists`], by the token's
+    /// class.
     pub(super) data: u32,
 }
 
 /// A scene text split into tokens.
 #[derive(Default)]
 pub(super) struct Lexed {
-    /// One ASCII character for each token: the grammar's input.
+    /// One ASCII character for each token, its class: the input of the grammar.
     pub(super) classes: Vec<u8>,
-    /// The tokens, as many as classes.
+    /// Position and data of each token, parallel to the classes.
     pub(super) tokens: Vec<Token>,
     /// Numeric values of the text's `NUMBER` tokens.
     pub(super) numbers: Vec<f64>,
-    /// Values of `LITERAL` and `NUMBERS` tokens; the tree shares them.
+    /// Values of `LITERAL` and `NUMBERS` tokens, shared with the syntax tree.
     pub(super) lists: Vec<NumberList>,
-    /// Indices of tokens at which nothing is open, ascending: the text can be cut there.
+    /// Indices of tokens at which no bracket or directive is open, ascending. The text can be parsed in pieces between
+    /// them.
     pub(super) cuts: Vec<u32>,
     /// Ranges of all comments in the text, in local offsets.
     pub(super) comments: Vec<(u32, u32)>,
-    /// Number of directives without `#end`: as many empty `END` tokens are the last ones.
+    /// Number of directives without `#end`. The lexer appends an empty `END` token for each one.
     pub(super) unended: usize,
     /// Indices of brackets that are not closed in the rest of the text.
     pub(super) unclosed: Vec<u32>,
@@ -45,8 +47,8 @@ pub(super) struct Lexed {
     pub(super) faults: Vec<Diagnostic>,
 }
 
-/// Splits `text`, whose first byte has the global offset `base`, into tokens; without `lists`, each number and each
-/// sign is a token of its own.
+/// Splits `text`, whose first byte has the global offset `base`, into tokens. Without `lists`, each number and each
+/// sign is a token by itself.
 pub(super) fn lex(text: &str, base: usize, names: &Names, lists: bool) -> Lexed {
     let mut lexer = Lexer {
         text,
@@ -75,11 +77,11 @@ struct Lexer<'t> {
     out: Lexed,
     brackets: Brackets,
     lists: Option<ListScanner>,
-    /// Number of closing brackets without an opener in their body.
+    /// Number of closing brackets without a partner in the same body.
     loose_closers: usize,
 }
 
-/// True for characters that are ignored everywhere: no-break spaces, byte-order marks, DEL.
+/// True for characters that the lexer ignores: no-break spaces, byte-order marks, DEL.
 pub fn is_nothing(c: char) -> bool {
     matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}')
 }
@@ -128,12 +130,12 @@ impl Lexer<'_> {
         self.out.tokens.push(Token { start, end: self.at as u32, data });
     }
 
-    /// The class of the previous token; a `;` at the start.
+    /// Returns the class of the previous token; that of a `;` at the start of the text.
     fn before(&self) -> u8 {
         self.out.classes.last().copied().unwrap_or(class::SEMICOLON)
     }
 
-    /// True if the previous token ends an operand, so that a sign after it adds.
+    /// True if the previous token ends an operand, so that a sign after it is a binary operator.
     fn after_operand(&self) -> bool {
         match self.before() {
             class::NAME | class::NUMBER | class::LITERAL | class::NUMBERS | class::STRING => true,
@@ -200,7 +202,8 @@ impl Lexer<'_> {
         }
     }
 
-    /// A list of literals or a vector of numbers that begins here: its class and its end.
+    /// Returns the class and the end of a list of literals, or a vector of numbers, that begins at the present
+    /// position.
     fn literal(&mut self, b: u8) -> Option<(u8, usize)> {
         let after_operand = self.after_operand();
         // Lists are allowed between elements: not inside expressions, vectors or functions.
@@ -232,7 +235,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// Adds an opening bracket, which is unmatched until its other half is found.
+    /// Adds a token for an opening bracket, as unmatched until its partner is found.
     fn open(&mut self, b: u8) {
         let opener = match b {
             b'{' if self.opens_function() => Opener::FunctionBrace,
@@ -271,7 +274,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// Marks the word before a matched brace, so that the grammar need not try whether it opens a block.
+    /// Marks the word before a matched brace, so that the grammar need not find out whether the word opens a block.
     fn mark_head(&mut self, brace: usize) {
         let Some((word, before)) = self.out.classes[..brace].split_last_mut() else { return };
         let is_word = matches!(*word, class::KEYWORD | class::NAME | class::BUILTIN);
@@ -280,7 +283,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// True if the next brace is that of `function (…) {` or `function 20, 20 {`.
+    /// True if the next `{` belongs to `function (…) {` or `function 20, 20 {`.
     fn opens_function(&self) -> bool {
         let classes = &self.out.classes;
         let mut i = classes.len();
@@ -329,7 +332,7 @@ impl Lexer<'_> {
         self.out.comments.push((start as u32, self.at as u32));
     }
 
-    /// Skips `/* … */`, which may be nested; false if it has no end.
+    /// Skips the comment `/* … */`, which may be nested; returns false if the comment has no end.
     fn block_comment(&mut self) -> bool {
         let start = self.at;
         let (mut depth, mut at) = (1, start + 2);
@@ -407,7 +410,7 @@ impl Lexer<'_> {
         self.at = end;
     }
 
-    /// At the end of the text: ends the open directives, so that a tree can be built, and collects the open brackets.
+    /// Ends the open directives at the end of the text, so that a tree can be built, and collects the open brackets.
     fn unended(&mut self) {
         self.out.unended = self.brackets.unended();
         for _ in 0..self.out.unended {
@@ -418,7 +421,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// A character without meaning: a token, since the run may never reach it.
+    /// Adds a token for a character without meaning, which is an error only once it is read.
     fn other(&mut self) {
         let c = self.text[self.at..].chars().next().unwrap_or(' ');
         let mut len = c.len_utf8();

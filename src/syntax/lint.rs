@@ -1,5 +1,5 @@
-//! The lints of `--warn`: names that are declared and never used, and names that hide others. They are found in the
-//! text alone, so that branches that do not run count too.
+//! Finds names that are declared and never used, and names that hide others (`--warn`). The text alone is examined,
+//! including branches that do not run.
 
 use super::lex::lex;
 use super::outline::{Declaration, DeclarationKind, Outline};
@@ -12,7 +12,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Switches that enable lints of a scene's text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lints {
-    /// W0209: declared in the scene's own file, and used in none of the files.
+    /// W0209: a name is declared in the scene's own file and used in no file.
     pub unused: bool,
     /// W0210: a `#local` or a parameter in a macro of the scene's own file hides a name declared outside of macros.
     pub shadow: bool,
@@ -20,7 +20,7 @@ pub struct Lints {
     pub portable: bool,
 }
 
-/// Lints the first file, which is the scene's own; the others are its includes.
+/// Returns the lints of the first file, which is the scene's own. The other files are its includes.
 pub fn lint(sources: &Sources, files: &[FileId], lints: Lints) -> Vec<Diagnostic> {
     let outline = |(i, &file): (usize, &FileId)| {
         let (text, base) = (sources.text(file), sources.base(file));

@@ -1,4 +1,4 @@
-//! Parser: text to syntax tree. No other module uses pest.
+//! Parser of scene files: from text to syntax tree. No other module uses pest.
 
 pub mod ast;
 pub mod blame;

@@ -1,4 +1,4 @@
-//! Interned names.
+//! Table of interned names.
 
 use super::ast::Symbol;
 use rustc_hash::FxHashMap;
@@ -12,7 +12,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Returns the symbol of a name, new or known.
+    /// Returns the symbol of a name, and adds the name to the table if it is new.
     pub fn intern(&self, name: &str) -> Symbol {
         let mut symbols = self.symbols.borrow_mut();
         if let Some(&symbol) = symbols.get(name) {
@@ -24,7 +24,7 @@ impl Names {
         symbol
     }
 
-    /// The symbol of a name, if some file mentions it.
+    /// Returns the symbol of a name; `None` if no file mentions the name.
     pub fn find(&self, name: &str) -> Option<Symbol> {
         self.symbols.borrow().get(name).copied()
     }

@@ -1,9 +1,9 @@
-//! Literal numbers, scanned by hand: a mesh consists mostly of them.
+//! Scans literal numbers with own code for speed, since a mesh consists mostly of numbers.
 
 use super::ast::{NumberList, Widths};
 use crate::source::Span;
 
-/// A number that starts at `at`, without a sign: its value and its end; `None` without a number.
+/// Scans an unsigned number that starts at the offset `at`. Returns its value and end; `None` without a number.
 pub(super) fn scan_number(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     let (mut mantissa, mut i) = scan_digits(bytes, at, 0);
     let (mut digits, mut scale) = (i - at, 0i32);
@@ -28,9 +28,9 @@ pub(super) fn scan_number(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     Some((text.parse().ok()?, end))
 }
 
-/// Appends all digits from `at` on to those of `value` (modulo 2⁶⁴); returns their end. Eight bytes are tested
-/// together, and the number of digits is computed without branches, which would be unpredictable (Muła, SIMD-ized
-/// parsing of numbers, 2016, in a word instead of a register).
+/// Appends the decimal digits from the offset `at` on to those of `value` (modulo 2⁶⁴), and returns the new value and
+/// the end. Eight bytes are tested together, without unpredictable branches (Muła, SIMD-ized parsing of numbers, 2016,
+/// in a word instead of a register).
 #[inline]
 fn scan_digits(bytes: &[u8], at: usize, mut value: u64) -> (u64, usize) {
     let mut i = at;
@@ -67,7 +67,7 @@ fn digit(bytes: &[u8], i: usize) -> Option<u64> {
     bytes.get(i).map(|b| b.wrapping_sub(b'0')).filter(|d| *d < 10).map(u64::from)
 }
 
-/// Scans an exponent such as `e-5` to its value and end; 0 without an exponent.
+/// Scans an exponent such as `e-5`. Returns its value and end; 0 without an exponent.
 fn scan_exponent(bytes: &[u8], at: usize) -> (i32, usize) {
     let none = (0, at);
     if !matches!(bytes.get(at), Some(b'e' | b'E')) {
@@ -92,7 +92,7 @@ const POWERS: [f64; 23] = [
     1e21, 1e22,
 ];
 
-/// True for whitespace of the language.
+/// True for bytes that are whitespace in the scene language.
 pub(super) fn is_blank(b: u8) -> bool {
     b <= b' '
 }
@@ -104,7 +104,7 @@ fn skip_blanks(bytes: &[u8], mut at: usize) -> usize {
     at
 }
 
-/// Lists of this length or more are moved instead of copied.
+/// Minimum length of a list of numbers that is moved instead of copied.
 const LONG: usize = 1 << 12;
 
 /// Scans literal vectors and lists of literals into [`NumberList`]s.
@@ -115,9 +115,9 @@ pub(super) struct ListScanner {
 }
 
 impl ListScanner {
-    /// The longest list of literals that starts at `at`: numbers (with a sign, if `sign` allows one first) and vectors
-    /// with commas between them. An item that an operator continues is excluded. Returns the number of items and their
-    /// end; [`Self::take`] returns them.
+    /// Scans the longest list of literals that starts at the offset `at`: numbers and vectors with commas between them.
+    /// The first may have a sign if `sign` is true. An item that is an operand of an operator is left out. Returns the
+    /// number of items, which [`Self::take`] yields, and their end.
     pub(super) fn scan(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<(usize, usize)> {
         self.data.clear();
         self.widths = WidthsBuilder::default();
@@ -141,12 +141,12 @@ impl ListScanner {
         end.map(|end| (self.widths.count, end))
     }
 
-    /// Number of components of the first item.
+    /// Returns the number of components of the first scanned item.
     pub(super) fn first_width(&self) -> usize {
         self.widths.first.map_or(0, usize::from)
     }
 
-    /// The items of the last scan.
+    /// Returns the items of the last scan.
     pub(super) fn take(&mut self) -> NumberList {
         let widths = std::mem::take(&mut self.widths).finish();
         // (Copying a short list keeps the buffer for the next.)
@@ -155,7 +155,7 @@ impl ListScanner {
         NumberList { data, widths }
     }
 
-    /// One literal vector that starts at `at`; returns its end.
+    /// Scans one literal vector that starts at the offset `at`, and returns its end.
     pub(super) fn scan_vector(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         self.data.clear();
         self.widths = WidthsBuilder::default();
@@ -209,8 +209,8 @@ impl ListScanner {
     }
 }
 
-/// True if the text at `at` continues the literal before it: an operator, component or index. (A comment may: then the
-/// grammar handles the literal.)
+/// True if an operator, component or index at the offset `at` continues the literal before it. True for a comment too,
+/// so that the grammar decides.
 fn is_continued(bytes: &[u8], at: usize) -> bool {
     matches!(
         bytes.get(at),
@@ -259,7 +259,7 @@ impl NumberList {
         self.data.is_empty()
     }
 
-    /// The spans of the items of a list with the span `place` and the text `text`.
+    /// Returns the spans of the items of a number list that has the span `place` and the text `text`.
     pub fn spans(text: &str, place: Span) -> impl Iterator<Item = Span> + '_ {
         let mut places = ListPlaces::default();
         (0..).map_while(move |item| places.find(text, place, item))
@@ -274,8 +274,8 @@ impl NumberList {
     }
 }
 
-/// Finds the spans of a list's items by scanning again: a mesh has millions, and only messages and editors need them.
-/// Each search continues from the last item found.
+/// Finds the spans of a number list's items by scanning the text again. Spans are not stored, because a mesh has
+/// millions of items. Each search continues from the last item found.
 #[derive(Default)]
 pub struct ListPlaces {
     list: Span,
@@ -285,7 +285,7 @@ pub struct ListPlaces {
 }
 
 impl ListPlaces {
-    /// The span of an item of the list with the span `list` and the text `text`.
+    /// Returns the span of the item `item` of the number list with the span `list` and the text `text`.
     pub fn find(&mut self, text: &str, list: Span, item: usize) -> Option<Span> {
         let bytes = text.as_bytes();
         if self.list != list || item < self.item {

@@ -1,4 +1,4 @@
-//! Runs the grammar over a file, piece by piece.
+//! Runs the grammar over a file, in pieces of limited size.
 
 use super::ast::{Ast, Element};
 use super::build::Builder;
@@ -15,7 +15,7 @@ use std::ops::Range;
 #[grammar = "../grammar/scene.pest"]
 pub(super) struct SceneParser;
 
-/// Number of tokens of a piece: few enough that pest's own tokens stay in the cache.
+/// Number of tokens that are parsed together: few enough that pest's own tokens stay in the CPU cache.
 const PIECE: usize = 8 * 1024;
 
 /// Maximum number of errors of a file that are reported.
@@ -31,23 +31,23 @@ pub(super) struct Source<'t> {
     pub(super) single: bool,
 }
 
-/// Size of the elements that the parser produces.
+/// Size of the syntax elements that the parser produces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Granularity {
-    /// Blocks, calls and expressions are one element where the text holds them whole.
+    /// A complete block, call or expression is one element.
     #[default]
     Whole,
-    /// Each token is an element; only directives are whole. The scene is the same, as tests check.
+    /// Each token is an element, except that directives are complete. The rendered scene is the same.
     Tokens,
 }
 
-/// Parses a file. A tree is returned for any faults, which are those of the text itself: directives without `#end`,
-/// strings and comments that do not end, brackets that nest too deeply.
+/// Parses a file into a syntax tree and the faults of its text: directives without `#end`, strings and comments without
+/// an end, brackets that nest too deeply. A tree is returned even for a faulty text.
 pub fn parse(sources: &Sources, file: FileId, names: &Names, granularity: Granularity) -> (Ast, Vec<Diagnostic>) {
     parse_text(sources.text(file), sources.base(file), names, granularity)
 }
 
-/// Parses a text whose first byte has the global offset `base`: a file, or a piece between two positions where no
+/// Parses a text whose first byte has the global offset `base`: a file, or a part of one between two positions where no
 /// bracket and no directive is open.
 pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granularity) -> (Ast, Vec<Diagnostic>) {
     let single = granularity == Granularity::Tokens;
@@ -77,12 +77,12 @@ pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granulari
     (Ast { elements, tokens, unclosed }, faults)
 }
 
-/// The tokens of a text without its tree, and the faults of [`parse_text`], in a fraction of its time.
+/// Splits a text into tokens and returns them with the faults that [`parse_text`] would find, without building a tree.
 pub fn tokens_of(text: &str, base: usize) -> (Tokens, Vec<Diagnostic>) {
     with_faults(lex(text, base, &Names::default(), true), text, base)
 }
 
-/// The tokens of a text and the faults of its tokens, including directives without `#end`.
+/// Returns the tokens of a text and their faults, including directives without `#end`.
 fn with_faults(mut lexed: Lexed, text: &str, base: usize) -> (Tokens, Vec<Diagnostic>) {
     let mut faults = std::mem::take(&mut lexed.faults);
     let unended = lexed.unended;
@@ -94,7 +94,7 @@ fn with_faults(mut lexed: Lexed, text: &str, base: usize) -> (Tokens, Vec<Diagno
     (tokens, faults)
 }
 
-/// Parses the tokens of a range.
+/// Parses a range of tokens into elements.
 fn parse_piece(
     source: &Source,
     lexed: &Lexed,

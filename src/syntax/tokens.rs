@@ -1,4 +1,4 @@
-//! The tokens of a file as a list, for walkers of the text instead of the tree: a formatter, an editor.
+//! List of the tokens of a file, for code that reads the text instead of the tree: the formatter and editors.
 
 use super::lex::{Lexed, Token};
 use crate::source::Span;
@@ -49,7 +49,7 @@ impl Tokens {
         self.tokens.is_empty()
     }
 
-    /// Tokens and comments in the order of the text; between them are blanks and characters without meaning.
+    /// Returns the tokens and comments in the order of the text, without blanks and characters without meaning.
     pub fn pieces(&self) -> impl Iterator<Item = Piece> + '_ {
         let span = |lo: u32, hi: u32| Span::new(self.base + lo as usize, self.base + hi as usize);
         let token = move |t: &Token| Piece::Token(span(t.start, t.end));

@@ -1,4 +1,4 @@
-//! All words of the language (manual, "Keywords"), and durer's own.
+//! All words of the scene language (manual, "Keywords"), and the words that only durer has.
 
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
@@ -6,13 +6,13 @@ use std::sync::LazyLock;
 /// Category of a reserved word in the grammar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Category {
-    /// Names a block or a parameter in one.
+    /// Word that names a block, or a parameter in a block.
     Keyword,
-    /// Takes arguments in parentheses; without them it is a keyword (`julia_fractal { … sqr }`).
+    /// Word that takes arguments in parentheses. Without them it is a keyword, as in `julia_fractal { … sqr }`.
     Function,
     /// Category of built-in values such as `x`, `pi`, `clock` and `on`.
     Constant,
-    /// durer's own, a word only inside the blocks of [`contextual`]; elsewhere an ordinary name.
+    /// Word that only durer has, inside the blocks of [`contextual`]; elsewhere an ordinary name.
     Contextual,
 }
 
@@ -26,13 +26,13 @@ pub struct Word {
 }
 
 impl Category {
-    /// True if a word of this category is never an author's name, nor a value.
+    /// True if a word of this category can neither be declared nor used as a value.
     pub(super) fn is_reserved(self) -> bool {
         matches!(self, Category::Keyword | Category::Function)
     }
 }
 
-/// The word as a static string and its category; `None` for names that authors may declare.
+/// Returns the word as a static string and its category; `None` for names that authors may declare.
 pub fn lookup(word: &str) -> Option<(&'static str, Category)> {
     lookup_number(word).map(|(number, category)| (by_number(number).name, category))
 }
@@ -68,8 +68,8 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| {
     Table { words, numbers }
 });
 
-/// Returns the word of the language that a name is, so that no scene can declare it; `None` for a name that is free, or
-/// that of a constant which scenes may declare anew.
+/// Returns the reserved word that a name equals, so that no scene may declare the name; `None` for a free name, or for
+/// a constant that scenes may declare anew.
 pub fn reserved(name: &str) -> Option<&'static str> {
     const DECLARABLE: &[&str] = &[
         "clock_delta",
@@ -86,16 +86,16 @@ pub fn reserved(name: &str) -> Option<&'static str> {
     (category != Category::Contextual && !DECLARABLE.contains(&word)).then_some(word)
 }
 
-/// Returns the words that only durer has inside the block of this name.
+/// Returns the words that are known only to durer, for the block of this name.
 pub fn contextual(block: &str) -> &'static [&'static str] {
     CONTEXTUAL.iter().find(|(name, _)| *name == block).map_or(&[], |(_, words)| words)
 }
 
-/// durer's own words and the blocks in which they are words.
+/// Words that only durer has, each with the block in which it is a word.
 pub const CONTEXTUAL: &[(&str, &[&str])] =
     &[("camera", &["eye", "center", "fov_x", "fov_y"]), ("mesh", &["file"]), ("plane", &["implicit", "point", "span"])];
 
-/// Words of shapes that contain no other objects. (For advice about a text alone; `shape` has the parameters.)
+/// Words of shapes that contain no other objects. The module `shape` has their parameters.
 #[rustfmt::skip]
 pub const SHAPES: &[&str] = &[
     "bicubic_patch", "blob", "box", "cone", "cubic", "cylinder", "disc", "height_field", "isosurface", "julia_fractal", "lathe",
@@ -103,10 +103,10 @@ pub const SHAPES: &[&str] = &[
     "sor", "sphere", "sphere_sweep", "superellipsoid", "text", "torus", "triangle",
 ];
 
-/// Words of objects that contain others.
+/// Words of objects that contain other objects.
 pub const GROUPS: &[&str] = &["object", "union", "merge", "intersection", "difference"];
 
-/// Words of blocks and of parameters in them.
+/// Words of blocks and of their parameters.
 #[rustfmt::skip]
 pub const KEYWORDS: &[&str] = &[
     "aa_level", "aa_threshold", "absorption", "accuracy", "adaptive", "adc_bailout", "agate", "agate_turb",
@@ -169,7 +169,7 @@ pub const FUNCTIONS: &[&str] = &[
     "trace", "val", "vaxis_rotate", "vcross", "vdot", "vlength", "vnormalize", "vrotate", "vstr", "vturbulence",
 ];
 
-/// Words of values, with the manual's description.
+/// Words of built-in values, each with its description in the manual.
 pub const CONSTANTS: &[(&str, &str)] = &[
     ("clock", "the moment of an animation, 0 to 1 unless `--clock` or an INI file says otherwise"),
     ("clock_delta", "from the clock of one frame to that of the next"),

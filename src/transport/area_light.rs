@@ -9,9 +9,10 @@ use crate::math::DVec3;
 use crate::world::LightSource;
 use rustc_hash::FxHashMap;
 
-/// Corners whose light differs by more, summed over the channels, do not agree (quirk: `area_light_subdivision`).
+/// Maximum difference of the light at a piece's corners, summed over the channels, at which the piece is not subdivided
+/// (quirk: `area_light_subdivision`).
 const MAX_DIFFERENCE: f64 = 0.1;
-/// Maximum number of lights whose visibility is stored in an array.
+/// Maximum number of lights of a grid whose visibilities are stored in an array.
 const MAX_ARRAY: usize = 1 << 16;
 
 /// One evaluation of the visibility of a grid of lights.
@@ -19,16 +20,16 @@ struct GridVisibility<'a> {
     light: &'a LightSource,
     area: &'a Area,
     point: DVec3,
-    /// From the grid's centre.
+    /// Sample of the light at the grid's centre.
     center: &'a LightSample,
     state: &'a RayState,
     random: RandomSequence,
     known: Known,
 }
 
-/// Visibility of the lights that shadow rays were traced to.
+/// Known visibilities of the lights of a grid.
 enum Known {
-    /// Row by row; NaN for a light without a shadow ray.
+    /// Visibility of each light, row by row; NaN for a light without a shadow ray.
     Array(Vec<Rgb>),
     Map(FxHashMap<[u32; 2], Rgb>),
 }
@@ -59,8 +60,8 @@ impl Tracer<'_> {
         self.piece(&mut grid, [0, 0], [n - 1, m - 1], 0)
     }
 
-    /// Returns the mean visibility of a large grid that is not adaptive, without memory of the single lights: their
-    /// weights in [`Tracer::area_visibility`] are products of those of their column and row.
+    /// Returns the mean visibility of a large grid that is not adaptive, without storing the lights' visibilities. The
+    /// weight of a light is the product of the weights of its column and row.
     fn mean_of_all_lights(&mut self, grid: &GridVisibility) -> Rgb {
         let [columns, rows] = grid.area.size.map(weights_of_halving);
         let mut sum = Rgb::ZERO;
@@ -75,7 +76,8 @@ impl Tracer<'_> {
         sum
     }
 
-    /// The mean over a piece of the grid, from the light `low` to the light `high`, after `level` halvings.
+    /// Returns the mean visibility over a piece of the grid, from the light `low` to the light `high`, after `level`
+    /// halvings.
     fn piece(&mut self, grid: &mut GridVisibility, low: [u32; 2], high: [u32; 2], level: u32) -> Rgb {
         let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.cell(grid, cell));
         let is_single = (0..2).all(|i| high[i] - low[i] <= 1);
@@ -96,7 +98,7 @@ impl Tracer<'_> {
         sum * 0.25
     }
 
-    /// The visibility of one light.
+    /// Returns the visibility of one light of the grid, which is computed once.
     fn cell(&mut self, grid: &mut GridVisibility, cell: [u32; 2]) -> Rgb {
         let at = cell[1] as usize * grid.area.size[0] as usize + cell[0] as usize;
         let known = match &grid.known {
@@ -121,8 +123,8 @@ impl Tracer<'_> {
     }
 }
 
-/// Returns the weights of the lights of one side of a grid, whose sum is 1: the side is halved down to pairs of lights,
-/// and the lights of a pair count alike.
+/// Returns the weights of the lights along one side of a grid, whose sum is 1: the side is halved down to pairs, and
+/// both lights of a pair have equal weights.
 fn weights_of_halving(n_lights: u32) -> Vec<f64> {
     let mut out = vec![0.0; n_lights as usize];
     let mut pieces = vec![(0, n_lights - 1, 1.0)];
@@ -145,7 +147,7 @@ pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomS
     area.light_offset(cell, toward, area.jitter.then(|| [random.at(number), random.at(number + 1)]))
 }
 
-/// True if the light of all corners hardly differs.
+/// True if the light at a piece's corners differs so little that the piece is not subdivided.
 #[inline]
 fn agree(corners: &[Rgb; 4], light: Rgb) -> bool {
     let apart = |a: Rgb, b: Rgb| ((a - b) * light).abs().element_sum() > MAX_DIFFERENCE;
@@ -156,7 +158,8 @@ fn agree(corners: &[Rgb; 4], light: Rgb) -> bool {
 mod tests {
     use super::*;
 
-    /// The weight of the light `at` in the mean over the piece from `low` to `high`, which is halved down to pairs.
+    /// Returns the weight of the light `at` in the mean over the piece from `low` to `high`, which is halved down to
+    /// pairs.
     fn weight(at: u32, low: u32, high: u32) -> f64 {
         if high - low <= 1 {
             return 0.5 * (f64::from(at == low) + f64::from(at == high));

@@ -4,25 +4,25 @@ use super::interface::{Interiors, copy_of};
 use crate::math::DVec3;
 use crate::world::{ObjectInfo, World};
 
-/// Features that `+Q` switches.
+/// Features of the picture that the quality level `+Q` switches on.
 #[derive(Clone, Copy, Debug)]
 pub struct Quality {
-    /// From 2 on: light sources illuminate.
+    /// True from level 2 on: light sources illuminate.
     pub lights: bool,
-    /// From 4 on: shadows.
+    /// True from level 4 on: objects cast shadows.
     pub shadows: bool,
-    /// From 5 on: an `area_light` is a grid of lights, not one.
+    /// True from level 5 on: an `area_light` is a grid of lights, not one.
     pub area_lights: bool,
-    /// From 6 on: pigments in place of `quick_color`, and transparency.
+    /// True from level 6 on: pigments in place of `quick_color`, and transparency.
     pub pigments: bool,
-    /// From 8 on: reflection and normals.
+    /// True from level 8 on: reflection and bumped normals.
     pub reflection: bool,
-    /// From 9 on: fog and rainbows.
+    /// True from level 9 on: fog and rainbows.
     pub atmosphere: bool,
 }
 
 impl Quality {
-    /// The features of a level from 0 to 11 (quirk: `quality_levels`).
+    /// Returns the features of a quality level from 0 to 11 (quirk: `quality_levels`).
     pub fn new(q: u8) -> Self {
         Self {
             lights: q >= 2,
@@ -53,7 +53,7 @@ pub struct FrameContext<'w> {
     pub(super) camera: CameraOrigin,
     /// Number of the frame, a part of each random number's key.
     pub(super) frame: u32,
-    /// True if the picture keeps alpha.
+    /// True if the picture has an alpha channel.
     pub(super) keeps_alpha: bool,
     /// Interiors that contain the common origin of camera rays.
     camera_interiors: Interiors,
@@ -62,7 +62,7 @@ pub struct FrameContext<'w> {
 }
 
 impl<'w> FrameContext<'w> {
-    /// Finds what the camera is inside of.
+    /// Creates the context of a frame, and finds the interiors that contain the camera.
     pub fn new(world: &'w World, quality: Quality, camera: CameraOrigin, frame: u32, keeps_alpha: bool) -> Self {
         let tracks_interiors = world.asks_inside();
         let around = |origin| interiors_around(world, origin);

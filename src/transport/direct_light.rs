@@ -1,4 +1,5 @@
-//! Light that a surface sends by itself or from light sources: one function for each term of `finish` (manual, "Finish").
+//! Light that a surface emits, or reflects from light sources: one function for each term of `finish` (manual,
+//! "Finish").
 
 use super::area_light::offset;
 use super::random::Purpose;
@@ -12,19 +13,19 @@ use crate::math::{DVec3, fp};
 use crate::world::{LightSource, Lobe};
 use std::f64::consts::FRAC_PI_2;
 
-/// The geometry of one reflection of light at one layer.
+/// Geometry of the reflection of light by one layer.
 struct Incidence {
-    /// Direction of the ray that hits the surface.
+    /// Direction of the ray that hits the surface, length 1.
     dir: DVec3,
-    /// N, length 1.
+    /// Surface normal N, length 1.
     normal: DVec3,
-    /// l, length 1, towards the light.
+    /// Direction l towards the light, length 1.
     to_light: DVec3,
-    /// N·l; negative for light from behind.
+    /// Cosine of the angle of incidence, N·l; negative for light from behind.
     cos: f64,
 }
 
-/// A light source, as one point of a surface sees it.
+/// A light source, relative to one point of a surface.
 #[derive(Clone, Copy)]
 struct Source<'a> {
     light: &'a LightSource,
@@ -48,7 +49,7 @@ impl Tracer<'_> {
         sum
     }
 
-    /// The radiance that one light source causes.
+    /// Returns the radiance that one light source causes by diffuse and specular reflection.
     fn reflected_light(&mut self, light: &LightSource, state: &RayState, shading: &ShadingPoint) -> Rgb {
         let dir = state.ray.dir;
         let center = light.emitter.sample(shading.point, DVec3::ZERO);
@@ -74,8 +75,8 @@ impl Tracer<'_> {
         sum / (f64::from(n) * f64::from(m))
     }
 
-    /// The radiance that light from one direction causes; `visibility` is only asked for light that the surface
-    /// reflects.
+    /// Returns the radiance that light from one direction causes. `visibility` is called only if the surface reflects
+    /// the light.
     fn reflected_sample(
         &mut self,
         sample: &LightSample,
@@ -123,13 +124,13 @@ fn reflects_light(shading: &ShadingPoint, from: DVec3, both_sides: bool) -> bool
     })
 }
 
-/// `ambient` and `emission`.
+/// Returns the light of `ambient` and `emission`.
 fn emitted(shaded: &ShadedLayer) -> Rgb {
     let finish = &shaded.layer.finish;
     shaded.color.rgb * shaded.opacity * (finish.ambient + finish.emission)
 }
 
-/// `diffuse`, `brilliance`, `crand`.
+/// Returns the diffusely reflected light: `diffuse`, `brilliance`, `crand`.
 fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -> Rgb {
     let layer = shaded.layer;
     let amount = if at.cos > 0.0 || both_sides { layer.finish.diffuse } else { layer.finish.diffuse_back };
@@ -140,7 +141,7 @@ fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -
     shaded.color.rgb * (shaded.opacity * amount * power(at.cos.abs(), layer.finish.brilliance) - grain)
 }
 
-/// `phong` and `specular`, tinted by `metallic`.
+/// Returns the highlights: `phong` and `specular`, tinted by `metallic`.
 fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
     let layer = shaded.layer;
     let mut amount = 0.0;
@@ -158,13 +159,13 @@ fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
     metal_tint(layer.finish.metallic, at.cos, shaded.color.rgb) * amount
 }
 
-/// strength · cosⁿ
+/// Returns the strength of a highlight, strength · cosⁿ.
 fn lobe(lobe: &Lobe, cos: f64) -> f64 {
     if cos <= 0.0 { 0.0 } else { lobe.strength * power(cos, lobe.exponent) }
 }
 
-/// Returns the colour of light that metal reflects: the pigment's, but white at a grazing angle, by F of Strauss, A
-/// realistic lighting model for computer animators, 1990.
+/// Returns the tint of light that metal reflects: the pigment's colour, but white at a grazing angle, by F of Strauss,
+/// A realistic lighting model for computer animators, 1990.
 pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
     if metallic == 0.0 {
         return Rgb::ONE;
@@ -178,7 +179,7 @@ pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
     Rgb::ONE + (pigment - Rgb::ONE) * (metallic * (1.0 - fresnel))
 }
 
-/// Returns x to a power. Most exponents are whole numbers, for which a few products are enough.
+/// Returns `x` to the power of `exponent`. Most exponents are whole numbers, for which a few products suffice.
 fn power(x: f64, exponent: f64) -> f64 {
     let whole = exponent as u32;
     if f64::from(whole) == exponent && whole < 4096 { fp::integer_power(x, whole) } else { fp::pow(x, exponent) }

@@ -1,7 +1,7 @@
 //! `dispersion`: an interior refracts each colour by another angle (manual, "Dispersion").
 //!
-//! White light splits where it passes between interiors of different dispersion; each part keeps its hue from there on. The number of
-//! parts changes neither the weight of a ray nor the sum of the colours.
+//! White light splits at a boundary between interiors of different dispersion; each part then keeps its hue. The number
+//! of parts changes neither the weight of a ray nor the sum of the colours.
 
 use super::ray_state::RayState;
 use super::reflect;

@@ -5,7 +5,7 @@ use crate::medium::Interior;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// Numbers of the interiors around a ray, the last entered on top.
+/// Numbers of the interiors that contain a ray's origin; the last entered is on top.
 pub(super) type Interiors = SmallVec<[u32; 6]>;
 
 /// Returns a copy of the list; faster than `clone` for the usual, empty list.
@@ -21,19 +21,19 @@ pub(super) struct Interface {
     pub n1: f64,
     /// Index of refraction beyond the surface.
     pub n2: f64,
-    /// The indices (n1, n2) for Fresnel's equations; they differ from the above where the ray is in more than one
-    /// interior.
+    /// Indices (n1, n2) in Fresnel's equations, which differ from those of refraction where the ray is inside several
+    /// interiors.
     mirror: (f64, f64),
-    /// Position of the interior that the ray leaves in the list of interiors; `None` if the ray enters.
+    /// Position in the list of the interior that the ray leaves; `None` if the ray enters an interior.
     leaves: Option<usize>,
 }
 
 impl Interface {
-    /// No boundary: one medium on both sides.
+    /// Boundary without effect: one medium on both sides.
     pub const NONE: Interface = Interface { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
-    /// The boundary of interior `own` for a ray inside `inside`: the ray leaves the interior if it is in the list, and
-    /// enters it otherwise.
+    /// Creates the boundary of the interior `own` for a ray inside the interiors `inside`. The ray leaves `own` if the
+    /// list contains it, and enters it otherwise.
     pub fn new(inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<&u32>| i.and_then(|&i| interiors.get(i as usize)).map_or(1.0, |interior| interior.ior);
         let (n1, own_ior) = (ior(inside.last()), ior(Some(&own)));
@@ -46,15 +46,15 @@ impl Interface {
         Self { n1, n2, mirror: (own_ior, beyond), leaves: Some(at) }
     }
 
-    /// Returns the boundary for one hue (see [`Interior::ior_of_hue`]); reflection stays that of white light (quirk:
-    /// `dispersion_ior`).
+    /// Returns the boundary for light of one hue (see [`Interior::ior_of_hue`]). Its reflectance stays that of white
+    /// light (quirk: `dispersion_ior`).
     pub fn of_hue(self, hue: f64, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of_hue(hue));
         Self { n1: ior(inside.last().copied()), n2: ior(self.beyond(inside, own)), ..self }
     }
 
-    /// Number of colours into which white light splits here; `None` if both sides have the same dispersion. The
-    /// interior beyond the boundary says how many (quirk: `dispersion_samples_beyond`).
+    /// Returns the number of colours into which white light splits at the boundary, as the interior beyond it states
+    /// (quirk: `dispersion_samples_beyond`); `None` if both sides have the same dispersion.
     pub fn samples(&self, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Option<u32> {
         let interior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize));
         let dispersion = |interior: Option<&Arc<Interior>>| interior.map_or(1.0, |interior| interior.dispersion);
@@ -63,7 +63,7 @@ impl Interface {
         (dispersion(before) != dispersion(beyond)).then(samples)
     }
 
-    /// The interior on top of the list after the ray has crossed the boundary of `own`.
+    /// Returns the top of the list of interiors after the ray has crossed the boundary of `own`.
     fn beyond(&self, inside: &Interiors, own: u32) -> Option<u32> {
         match self.leaves {
             Some(at) => inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, &i)| i),
@@ -71,17 +71,17 @@ impl Interface {
         }
     }
 
-    /// True if the ray leaves an interior.
+    /// True if the ray leaves an interior at the boundary.
     pub fn leaves(&self) -> bool {
         self.leaves.is_some()
     }
 
-    /// True if a ray is refracted here.
+    /// True if the boundary refracts a ray.
     pub fn bends(&self) -> bool {
         self.n1 != self.n2
     }
 
-    /// Updates the list of interiors of a ray that crosses the boundary of `own`.
+    /// Updates the list `inside` of a ray that crosses the boundary of the interior `own`.
     pub fn cross(&self, inside: &mut Interiors, own: u32) {
         match self.leaves {
             Some(at) => drop(inside.remove(at)),
@@ -89,8 +89,8 @@ impl Interface {
         }
     }
 
-    /// Reflectance of a dielectric for unpolarised light (Fresnel's equations). `cos` is the cosine of the angle
-    /// between ray and normal; bumps that are seen from behind (`cos` < 0) reflect all light (quirk:
+    /// Returns the reflectance of a dielectric for unpolarised light (Fresnel's equations). `cos` is the cosine of the
+    /// angle between ray and normal. Bumps that are seen from behind (`cos` < 0) reflect all light (quirk:
     /// `bumps_from_behind`).
     pub fn fresnel(&self, cos: f64) -> f64 {
         let (n1, n2) = self.mirror;
@@ -111,8 +111,8 @@ impl Interface {
         (perpendicular * perpendicular + parallel * parallel) / 2.0
     }
 
-    /// Direction beyond the boundary by Snell's law, length 1; `None` for total internal reflection. The side of
-    /// `normal` does not matter (quirk: `bumps_from_behind`).
+    /// Returns the direction beyond the boundary by Snell's law, length 1; `None` for total internal reflection. The
+    /// side of `normal` does not matter (quirk: `bumps_from_behind`).
     pub fn refract(&self, dir: DVec3, normal: DVec3) -> Option<DVec3> {
         if !self.bends() {
             return Some(dir);

@@ -14,14 +14,15 @@ use crate::world::Intersection;
 /// Light that arrives along a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Radiance {
-    /// Radiance in the numbers of the scene (see `assumed_gamma`).
+    /// Radiance in the scene's colour space (see `assumed_gamma`).
     pub rgb: Rgb,
-    /// Share of what is behind the scene that shows: 1 - alpha.
+    /// Transparency of the picture: 1 - alpha.
     pub transparency: f64,
 }
 
 impl Radiance {
-    /// Of a camera ray that does not exist: black, and transparent in a picture that keeps alpha (quirk: `camera_without_ray`).
+    /// Result of a camera ray that does not exist: black, and transparent in a picture with alpha (quirk:
+    /// `camera_without_ray`).
     pub const NO_RAY: Self = Self { rgb: Rgb::ZERO, transparency: 1.0 };
 
     const ZERO: Self = Self { rgb: Rgb::ZERO, transparency: 0.0 };

@@ -1,5 +1,5 @@
-//! Random numbers, each keyed by its use: frame, pixel, sample, vertex of the ray tree, and purpose. A new use shifts no other number, and
-//! nothing depends on threads or on what else is rendered.
+//! Random numbers, each keyed by frame, pixel, sample, vertex of the ray tree, and purpose. Therefore a new use of
+//! random numbers changes no other numbers, and they do not depend on threads or on the rendered region.
 
 use crate::math::rng;
 
@@ -8,20 +8,20 @@ use crate::math::rng;
 pub enum Purpose {
     /// Position of a sample in its pixel.
     PixelPosition,
-    /// Start of the sequence of points on a lens, for a pixel.
+    /// Start of the sequence of points on the lens, for a pixel.
     Lens,
-    /// Positions of the lights of a grid, for a shadow.
+    /// Positions of an area light's lights, for a shadow.
     AreaLight,
-    /// `crand`
+    /// Random grain of diffuse light (`crand`).
     Grain,
     /// `jitter` of a rainbow.
     Rainbow,
 }
 
-/// Number of purposes.
+/// Number of purposes of random numbers.
 const PURPOSES: usize = Purpose::Rainbow as usize + 1;
 
-/// Generates the random numbers of one sample after another.
+/// Generator of the random numbers of one sample after another.
 #[derive(Clone, Copy, Debug)]
 pub struct Random {
     frame: u64,
@@ -29,22 +29,22 @@ pub struct Random {
     sample: u64,
     /// Number of surfaces that the sample's rays have hit.
     vertex: u64,
-    /// Number of draws at this vertex, by purpose.
+    /// Number of draws at the present vertex, by purpose.
     draws: [u64; PURPOSES],
 }
 
 impl Random {
-    /// The numbers of a frame.
+    /// Creates the generator of a frame's random numbers.
     pub(super) fn new(frame: u32) -> Self {
         Self { frame: u64::from(frame), pixel: 0, sample: 0, vertex: 0, draws: [0; PURPOSES] }
     }
 
-    /// Starts a sample of a pixel.
+    /// Starts a sample of a pixel: later numbers are keyed by both.
     pub(super) fn begin(&mut self, pixel: u64, sample: u64) {
         (self.pixel, self.sample, self.vertex, self.draws) = (pixel, sample, 0, [0; PURPOSES]);
     }
 
-    /// Moves on to the next surface.
+    /// Starts the next vertex of the sample's ray tree.
     pub(super) fn next_vertex(&mut self) {
         (self.vertex, self.draws) = (self.vertex + 1, [0; PURPOSES]);
     }
@@ -54,14 +54,14 @@ impl Random {
         self.sequence(purpose).at(0)
     }
 
-    /// Returns a sequence of any number of values.
+    /// Returns an unlimited sequence of random numbers.
     pub fn sequence(&mut self, purpose: Purpose) -> RandomSequence {
         let draws = &mut self.draws[purpose as usize];
         *draws += 1;
         RandomSequence(rng::random_word(&[self.frame, self.pixel, self.sample, self.vertex, purpose as u64, *draws]))
     }
 
-    /// Returns a sequence that all samples of the pixel share.
+    /// Returns a sequence of random numbers that all samples of the pixel share.
     pub fn pixel_sequence(&self, purpose: Purpose) -> RandomSequence {
         RandomSequence(rng::random_word(&[self.frame, self.pixel, u64::MAX, purpose as u64]))
     }
@@ -72,7 +72,7 @@ impl Random {
 pub struct RandomSequence(u64);
 
 impl RandomSequence {
-    /// Returns one of the numbers, in [0, 1).
+    /// Returns the random number of this index in the sequence, in [0, 1).
     pub fn at(self, number: u64) -> f64 {
         rng::random_unit(&[self.0, number])
     }

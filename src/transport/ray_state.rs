@@ -1,4 +1,4 @@
-//! A ray on its way through the scene.
+//! State of a ray that is traced through the scene.
 
 use super::interface::{Interiors, copy_of};
 use crate::atmosphere::Segment;
@@ -8,7 +8,7 @@ use crate::math::Ray;
 /// Number of surfaces after which a ray is dropped: guards against rounding that keeps a ray in one place.
 pub(super) const MAX_SURFACES: u32 = 20_000;
 
-/// A ray that is still to be traced, and its share in the radiance of the camera ray.
+/// A ray that is still to be traced, and its share of the camera ray's radiance.
 #[derive(Debug)]
 pub(super) struct RayState {
     pub ray: Ray,
@@ -18,22 +18,22 @@ pub(super) struct RayState {
     pub weight: f64,
     /// Factor of the ray's radiance in the result.
     pub throughput: Rgb,
-    /// Factor of the ray's transparency in the alpha channel of the result; 0 after a reflection.
+    /// Factor of the transparency that the ray contributes to the alpha channel; 0 after a reflection.
     pub transparency: f64,
-    /// True after a reflection.
+    /// True if the ray was reflected.
     pub is_reflected: bool,
-    /// True after a surface that the ray passed.
+    /// True if the ray was transmitted by a surface.
     pub has_transmitted: bool,
-    /// Interiors around the ray, the last entered on top.
+    /// Interiors that contain the ray; the last entered is on top.
     pub inside: Interiors,
-    /// Place in the spectrum, from 0 for red to 1 for violet; `None` for white light.
+    /// Hue of the ray after dispersion, from 0 for red to 1 for violet; `None` for white light.
     pub hue: Option<f64>,
-    /// Number of surfaces so far.
+    /// Number of surfaces that the ray and its ancestors have hit.
     pub n_surfaces: u32,
 }
 
 impl RayState {
-    /// The state of a camera ray.
+    /// Creates the state of a camera ray.
     #[inline]
     pub fn camera(ray: Ray, inside: Interiors) -> Self {
         Self {
@@ -50,14 +50,15 @@ impl RayState {
         }
     }
 
-    /// Multiplies the factors by the transmittance of a segment.
+    /// Multiplies throughput and transparency by the transmittance of a segment.
     #[inline]
     pub fn attenuate(&mut self, segment: &Segment) {
         self.throughput *= segment.transmittance;
         self.transparency *= gray(segment.transmittance);
     }
 
-    /// The state of a ray that continues along `ray` from a surface with a share of this ray's light; all else stays.
+    /// Returns the state of a ray that continues along `ray` from a surface, with the factor `share` of this ray's
+    /// light.
     #[inline]
     pub fn continued(&self, ray: Ray, share: Rgb) -> Self {
         Self {

@@ -1,5 +1,5 @@
-//! `reflection`: how much of the light in mirror direction a surface reflects (manual, "Reflection"). Upper layers do not attenuate the
-//! reflection of lower layers (quirk: `layers_keep_reflection`).
+//! `reflection`: the share of light in mirror direction that a surface reflects (manual, "Reflection"). Upper layers do
+//! not attenuate the reflection of lower layers (quirk: `layers_keep_reflection`).
 
 use super::direct_light::metal_tint;
 use super::interface::Interface;
@@ -10,31 +10,31 @@ use crate::texture::Reflection;
 use crate::world::World;
 use smallvec::SmallVec;
 
-/// The ray that is reflected, and where.
+/// The ray that a surface reflects, and the point of the reflection.
 #[derive(Clone, Copy)]
 pub(super) struct MirrorContext<'a> {
-    /// Weight of the ray.
+    /// Importance of the reflected ray, which is compared with `adc_bailout`.
     pub weight: f64,
     pub interface: &'a Interface,
     pub world: &'a World,
 }
 
-/// A layer that reflects.
+/// A layer with `reflection`.
 pub(super) struct Mirror<'a> {
     pub reflection: &'a Reflection,
     pub shaded: &'a ShadedLayer<'a>,
-    /// Share of the layer's material.
+    /// Share of the layer's material in a blend of materials.
     pub share: f64,
 }
 
-/// A reflected ray: the normal that reflects it, and its weight. Layers with equal bounces share one ray.
+/// A reflected ray: the normal that reflects it, and its weight. Layers with an equal normal and weight share one ray.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Bounce {
     pub normal: DVec3,
     pub weight: f64,
 }
 
-/// Returns the rays that the layers reflect, each once.
+/// Returns the rays that the layers reflect, equal ones only once.
 pub(super) fn bounces(mirrors: &[Mirror], context: MirrorContext) -> SmallVec<[Bounce; 2]> {
     let mut bounces = SmallVec::new();
     for bounce in mirrors.iter().filter_map(|mirror| bounce(mirror, context)) {
@@ -45,13 +45,15 @@ pub(super) fn bounces(mirrors: &[Mirror], context: MirrorContext) -> SmallVec<[B
     bounces
 }
 
-/// True if what the layers of a bounce show is proportional to the light: no `exponent` other than 1.
+/// True if the reflected light of a bounce is proportional to the incoming light: no layer has an `exponent` other than
+/// 1.
 pub(super) fn is_linear(mirrors: &[Mirror], context: MirrorContext, ray: Bounce) -> bool {
     let has_exponent = |mirror: &Mirror| mirror.reflection.exponent != 1.0 && bounce(mirror, context) == Some(ray);
     !mirrors.iter().any(has_exponent)
 }
 
-/// Returns the radiance that the layers of a bounce reflect from `light` out of the direction `out`, at `point`.
+/// Returns the radiance that the layers of a bounce reflect from the incoming `light` into the direction `out`, at
+/// `point`.
 pub(super) fn reflected(
     mirrors: &[Mirror],
     point: DVec3,
@@ -73,13 +75,13 @@ pub(super) fn reflected(
     sum
 }
 
-/// Returns the factor of totally reflected light out of the direction `out`: 1, unless the top layer has a film.
+/// Returns the factor of totally reflected light in the direction `out`: 1, unless the top layer has a thin film.
 pub(super) fn total(material: &MaterialSample, point: DVec3, out: DVec3, world: &World) -> Rgb {
     material.layers.first().map_or(Rgb::ONE, |top| film(point, top, out, world))
 }
 
-/// Returns the factor that a thin film (`irid`) on a layer applies to light out of a direction. Bumps that are seen or
-/// lit from behind count as from the front (quirk: `bumps_from_behind`).
+/// Returns the factor that a layer's thin film (`irid`) applies to light from a direction. Bumps that are seen or lit
+/// from behind count as from the front (quirk: `bumps_from_behind`).
 pub(super) fn film(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &World) -> Rgb {
     match &shaded.layer.finish.irid {
         Some(irid) => {
@@ -91,8 +93,8 @@ pub(super) fn film(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &Worl
 }
 
 /// Returns the ray that one layer reflects; `None` if its weight is below `adc_bailout`. The gray of the layers above
-/// lowers the weight, shares of a blend and the tint of a metal do not; without `fresnel` the angle does not count
-/// either (quirk: `reflection_weight`).
+/// lowers the weight, but shares of a blend, the tint of a metal and, without `fresnel`, the angle do not (quirk:
+/// `reflection_weight`).
 fn bounce(mirror: &Mirror, context: MirrorContext) -> Option<Bounce> {
     let Mirror { reflection, shaded, .. } = mirror;
     let part = match reflection.fresnel {
@@ -103,7 +105,7 @@ fn bounce(mirror: &Mirror, context: MirrorContext) -> Option<Bounce> {
     (weight > context.world.adc_bailout).then_some(Bounce { normal: shaded.normal, weight })
 }
 
-/// Returns the share of light that a layer with `conserve_energy` leaves to other terms: what it does not reflect. 1
+/// Returns the share of light that a layer with `conserve_energy` does not reflect, which its other terms receive; 1
 /// for other layers.
 pub(super) fn left_over(shaded: &ShadedLayer, interface: &Interface) -> Rgb {
     match shaded.layer.finish.mirror.as_deref().filter(|_| shaded.layer.finish.conserve_energy) {
@@ -118,7 +120,7 @@ fn reflectance(mirror: &Reflection, shaded: &ShadedLayer, interface: &Interface)
     untinted(mirror, cos, interface) * metal_tint(mirror.metallic, cos, shaded.color.rgb)
 }
 
-/// The reflectance before `metallic` tints it.
+/// Returns the reflectance without the tint of `metallic`.
 fn untinted(mirror: &Reflection, cos: f64, interface: &Interface) -> Rgb {
     let part = if mirror.fresnel {
         interface.fresnel(cos)

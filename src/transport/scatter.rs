@@ -10,37 +10,37 @@ use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Ray};
 use smallvec::SmallVec;
 
-/// A surface that a ray hits, with the optical boundary there.
+/// A surface that a ray hits, with its optical boundary.
 pub(super) struct Boundary<'a, 'w> {
     pub shading: &'a ShadingPoint<'w>,
     pub interface: &'a Interface,
-    /// Transmittance of the interior that the ray leaves here, for light from beyond the surface.
+    /// Transmittance of the interior that the ray leaves at the surface, for light from beyond the surface.
     pub attenuation: Rgb,
 }
 
-/// Fate of the light that one material transmits.
+/// Continuation of the light that one material transmits.
 pub(super) enum Transmission {
-    /// Nothing continues: opaque, too faint, or too deep.
+    /// No ray continues: the material is opaque, the ray too faint, or the ray tree too deep.
     Ends,
-    /// The ray continues in this direction of length 1.
+    /// The ray continues in this refracted direction of length 1.
     Refracted(DVec3),
-    /// Total internal reflection.
+    /// Total internal reflection of the ray.
     Total,
-    /// Total internal reflection that is too faint to follow.
+    /// Total internal reflection that is too faint to be traced.
     TotalTooFaint,
-    /// White light splits into this number of colours.
+    /// White light splits into this number of coloured rays.
     Dispersed(u32),
 }
 
 /// A transmitted or totally reflected ray that continues.
 struct Continuation {
-    /// Direction, length 1.
+    /// Direction of the ray, length 1.
     dir: DVec3,
     /// True for total internal reflection.
     is_total: bool,
-    /// Factor of the ray's radiance.
+    /// Factor of the ray's radiance in the result.
     throughput: Rgb,
-    /// Factor of the ray's weight.
+    /// Factor of the ray's importance.
     weight: f64,
     /// Factor of the ray's transparency.
     transparency: f64,
@@ -51,7 +51,7 @@ impl Continuation {
         self.dir == other.dir && self.is_total == other.is_total
     }
 
-    /// Adds the share of another material that continues along the same path.
+    /// Adds the contribution of another material whose ray continues along the same path.
     fn merge(&mut self, other: &Continuation) {
         self.throughput += other.throughput;
         self.weight = self.weight.max(other.weight);
@@ -60,7 +60,8 @@ impl Continuation {
 }
 
 impl Tracer<'_> {
-    /// Pushes all rays that continue from a surface; adds to `sum` what depends on their light in a way that is not linear.
+    /// Pushes all rays that continue from a surface. Adds reflections that are not linear in the incoming light to
+    /// `sum` at once.
     pub(super) fn scatter(&mut self, state: &RayState, boundary: &Boundary, sum: &mut Radiance) {
         let first = self.queue.len();
         let materials = &boundary.shading.materials;
@@ -77,8 +78,8 @@ impl Tracer<'_> {
         self.queue[first..].reverse();
     }
 
-    /// Decides what happens to the light that a material transmits. Both limits must be passed: the surface's transmittance by its
-    /// gray, and the ray's weight by the largest channel (quirk: `adc_transmission`).
+    /// Returns how the light that a material transmits continues. The ray ends if the gray of the surface's
+    /// transmittance or the largest channel of its weight is below `adc_bailout` (quirk: `adc_transmission`).
     fn transmission(&self, state: &RayState, material: &MaterialSample, boundary: &Boundary) -> Transmission {
         let Boundary { shading, interface, .. } = *boundary;
         let world = self.context.world;
@@ -102,8 +103,8 @@ impl Tracer<'_> {
         refracted.map_or(Transmission::Total, Transmission::Refracted)
     }
 
-    /// Pushes the reflected rays. Total internal reflection replaces the mirrors of the same material that have the same normal
-    /// (quirk: `total_reflection_replaces_mirror`).
+    /// Pushes the reflected rays. Total internal reflection replaces the mirror reflection of the same material at the
+    /// same normal (quirk: `total_reflection_replaces_mirror`).
     fn push_reflected(
         &mut self,
         state: &RayState,
@@ -145,7 +146,7 @@ impl Tracer<'_> {
         }
     }
 
-    /// Pushes the transmitted, totally reflected and dispersed rays, each path once.
+    /// Pushes the transmitted, totally reflected and dispersed rays; equal paths are merged.
     fn push_transmitted(&mut self, state: &RayState, boundary: &Boundary, transmissions: &[Transmission]) {
         let Boundary { shading, interface, attenuation } = *boundary;
         let world = self.context.world;
@@ -205,8 +206,8 @@ impl Tracer<'_> {
     }
 }
 
-/// Returns the mirror direction of `dir` at a bumped normal. If bumps would reflect the ray into the surface, the surface reflects
-/// the ray again; bumps that are seen from behind have no effect (quirk: `bumps_reflect_twice`).
+/// Returns the mirror direction of `dir` at a bumped normal. If bumps would reflect the ray into the surface, the
+/// surface reflects it again; bumps that are seen from behind have no effect (quirk: `bumps_reflect_twice`).
 pub(super) fn mirror_direction(dir: DVec3, normal: DVec3, smooth: DVec3) -> DVec3 {
     let out = reflect(dir, normal);
     match out.dot(smooth) < 0.0 {

@@ -1,4 +1,5 @@
-//! Radiance and transmittance along ray segments, for camera and shadow rays: the one place that asks air and interiors.
+//! Radiance and transmittance along ray segments, for camera and shadow rays. No other code evaluates fog and
+//! interiors.
 
 use super::interface::Interiors;
 use super::random::Purpose;
@@ -14,12 +15,12 @@ pub(super) struct Span {
 }
 
 impl Span {
-    /// From one distance to another.
+    /// Creates the span between two distances.
     pub fn new(from: f64, to: f64) -> Self {
         Self { from, to }
     }
 
-    /// From the ray's origin to a distance.
+    /// Creates the span from the ray's origin to a distance.
     pub fn from_origin(to: f64) -> Self {
         Self { from: 0.0, to }
     }
@@ -53,8 +54,8 @@ impl Tracer<'_> {
         self.context.quality.atmosphere && (!world.fogs.is_empty() || !world.rainbows.is_empty())
     }
 
-    /// Returns the transmittance of an interior over the segment that ends where a ray leaves the interior. The
-    /// transmittance applies to light from beyond that surface, not to light of the surface itself (quirk:
+    /// Returns the transmittance of an interior over the segment at whose end the ray leaves it. The transmittance
+    /// applies to light from beyond that surface, not to light of the surface itself (quirk:
     /// `attenuation_beyond_surface`).
     pub(super) fn attenuation(&self, interior: u32, length: f64) -> Rgb {
         self.context.world.interiors[interior as usize].attenuation(length)

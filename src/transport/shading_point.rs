@@ -1,4 +1,4 @@
-//! The materials at a hit: pigments, normals and layers, evaluated at one point.
+//! Pigments, normals and layers at a hit, evaluated at one point.
 
 use super::context::Quality;
 use super::interface::Interface;
@@ -26,10 +26,10 @@ pub(super) struct ShadedLayer<'w> {
     pub cos: f64,
 }
 
-/// One texture, evaluated at a point. Where a pattern blends several textures, each is lit, reflects and refracts by
-/// itself, and the result is their sum by shares (quirk: `blend_by_light`).
+/// One texture, evaluated at a point. Where a pattern blends several textures, each is lit, reflects and refracts
+/// separately, and the result is the sum weighted by their shares (quirk: `blend_by_light`).
 pub(super) struct MaterialSample<'w> {
-    /// Share of the point that shows the texture.
+    /// Share of the texture in a blend of textures, from 0 to 1.
     pub share: f64,
     /// Normal with the bumps of the topmost layer, length 1, towards the ray's origin.
     pub normal: DVec3,
@@ -39,18 +39,18 @@ pub(super) struct MaterialSample<'w> {
     pub transmittance: Rgb,
 }
 
-/// The point where a ray hits a surface, with all that depends on the materials there.
+/// The point where a ray hits a surface, with the materials at that point.
 pub(super) struct ShadingPoint<'w> {
     pub part: &'w Part,
     pub point: DVec3,
     /// Normal without bumps, length 1, towards the ray's origin.
     pub smooth: DVec3,
-    /// The textures there; empty only if all shares are too small.
+    /// Materials at the point; empty only if all shares are too small.
     pub materials: SmallVec<[MaterialSample<'w>; 1]>,
 }
 
 impl<'w> ShadingPoint<'w> {
-    /// Evaluates the materials where `ray` hits `found`; `interface` is the optical boundary there.
+    /// Evaluates the materials at the hit `found` of `ray`; `interface` is the optical boundary at the hit.
     pub fn new(world: &'w World, ray: &Ray, found: &Intersection, quality: &Quality, interface: &Interface) -> Self {
         let part = &world.parts[found.part() as usize];
         let surface = found.surface(ray);
@@ -74,7 +74,7 @@ impl<'w> ShadingPoint<'w> {
         this
     }
 
-    /// All layers of all materials.
+    /// Returns all layers of all materials at the point.
     pub fn layers(&self) -> impl Iterator<Item = &ShadedLayer<'w>> {
         self.materials.iter().flat_map(|material| &material.layers)
     }
@@ -89,7 +89,7 @@ impl<'w> ShadingPoint<'w> {
     }
 }
 
-/// Collects the materials at a point.
+/// Collects the materials at a point of a surface.
 struct Painter<'w, 'a> {
     placed: &'w PlacedMaterial,
     quality: &'a Quality,
@@ -103,8 +103,8 @@ struct Painter<'w, 'a> {
 }
 
 impl<'w> Painter<'w, '_> {
-    /// Adds a material with its share. A texture that a pattern chooses is the only layer: others are refused when the
-    /// scene is read.
+    /// Adds a material with its share. A texture that a pattern chooses is the only layer, since the reader refuses
+    /// other layers.
     fn paint(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
             Some(choice) => {
@@ -127,13 +127,13 @@ impl<'w> Painter<'w, '_> {
         }
     }
 
-    /// The context with the normal for patterns.
+    /// Returns the context with the normal for patterns.
     fn pattern_context(&self, ctx: &TextureContext) -> TextureContext {
         TextureContext { normal: self.pattern_normal, ..*ctx }
     }
 
-    /// Evaluates the layers of a material. At qualities without light, the lowest visible layer is shown alone (quirk:
-    /// `unlit_layers`).
+    /// Adds the evaluated layers of a material. At qualities without light, only the lowest visible layer is evaluated
+    /// (quirk: `unlit_layers`).
     fn add(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         // (The sample is large and therefore filled in place.)
         let number = self.materials.len();
@@ -182,8 +182,8 @@ impl<'w> Painter<'w, '_> {
         material.transmittance = refraction * transmittance;
     }
 
-    /// Perturbs the normal: into the space of the texture by Mᵀ, back by M⁻ᵀ. Within the entry of a map, or a texture
-    /// with `uv_mapping`, bumps start from a normal of length 1, and the pigment uses the normal of that space (quirk:
+    /// Perturbs the normal in the space of the texture. Within the entry of a map, or a texture with `uv_mapping`,
+    /// bumps start from a normal of length 1, and the pigment uses the normal of that space (quirk:
     /// `bumps_within_maps`).
     fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> Bumped {
         let within = frame.is_some() || bumps.framed;
@@ -201,9 +201,9 @@ impl<'w> Painter<'w, '_> {
 
 /// A perturbed normal.
 struct Bumped {
-    /// For shading, of any length, in world space.
+    /// Normal for shading, of any length, in world space.
     lit: DVec3,
-    /// For patterns of the pigment; not finite where the bumps are not.
+    /// Normal for patterns of the pigment; not finite where the bumps are not.
     seen: DVec3,
 }
 
@@ -224,7 +224,7 @@ impl PatternSpaces<'_> {
     }
 }
 
-/// Calls `visit` with each material on the side that a ray hits, and its share; mostly one.
+/// Calls `visit` with each material on the side that a ray hits, and its share; mostly with one.
 fn each_material<'w>(
     world: &'w World,
     found: &Intersection,

@@ -6,19 +6,20 @@ use super::ray_state::RayState;
 use crate::world::Blocker;
 use serde::Serialize;
 
-/// Number of surfaces between two looks at the cancel flag. Mirrors that face each other can keep one camera ray busy for hours.
+/// Number of surfaces between two polls of the cancel flag. Mirrors that face each other can make one camera ray take
+/// hours.
 const SURFACES_PER_POLL: u32 = 64;
 
-/// Number of rays by kind.
+/// Numbers of traced rays, by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RayCounts {
-    /// Camera rays.
+    /// Number of camera rays.
     pub camera: u64,
-    /// Shadow rays.
+    /// Number of shadow rays.
     pub shadow: u64,
-    /// Reflected rays.
+    /// Number of reflected rays.
     pub reflected: u64,
-    /// Rays that passed a transparent surface.
+    /// Number of rays that a transparent surface transmitted.
     pub transmitted: u64,
 }
 
@@ -31,16 +32,16 @@ impl RayCounts {
         self.transmitted += other.transmitted;
     }
 
-    /// Number of rays of all kinds.
+    /// Returns the number of rays of all kinds.
     pub fn total(&self) -> u64 {
         self.camera + self.shadow + self.reflected + self.transmitted
     }
 }
 
-/// Traces the rays of one sample after another.
+/// Tracer that computes one sample after another, on one thread.
 pub struct Tracer<'w> {
     pub(super) context: &'w FrameContext<'w>,
-    /// Rays traced so far.
+    /// Numbers of rays traced so far.
     pub counts: RayCounts,
     /// Random numbers of the current sample.
     pub random: Random,
@@ -54,7 +55,7 @@ pub struct Tracer<'w> {
 }
 
 impl<'w> Tracer<'w> {
-    /// A tracer that stops soon after `is_cancelled` returns true.
+    /// Creates a tracer that stops soon after `is_cancelled` returns true.
     pub fn new(context: &'w FrameContext<'w>, is_cancelled: &'w (dyn Fn() -> bool + Sync)) -> Self {
         Self {
             context,
@@ -68,12 +69,12 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// True if the tracer was cancelled; results since then are worthless.
+    /// True if the tracer was cancelled, so that its results are invalid.
     pub fn is_stopped(&self) -> bool {
         self.stopped
     }
 
-    /// Counts a surface, and polls the cancel flag once in a while.
+    /// Counts a surface, and polls the cancel flag at every 64th.
     pub(super) fn is_stopped_at_next_surface(&mut self) -> bool {
         self.surfaces_since_poll += 1;
         if self.surfaces_since_poll == SURFACES_PER_POLL {
@@ -83,8 +84,8 @@ impl<'w> Tracer<'w> {
         self.stopped
     }
 
-    /// Starts a sample of a pixel: all random numbers from here on are keyed by both. Polls the cancel flag, since a
-    /// sample of few surfaces may take long.
+    /// Starts a sample of a pixel: later random numbers are keyed by both. Polls the cancel flag, since a sample of few
+    /// surfaces may take long.
     pub fn begin(&mut self, pixel: u64, sample: u64) {
         self.stopped |= (self.is_cancelled)();
         self.random.begin(pixel, sample);

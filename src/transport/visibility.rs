@@ -18,14 +18,13 @@ struct ShadowRay<'a> {
     ray: Ray,
     /// Distances between which objects occlude the light.
     range: Range,
-    /// Distance of the light.
+    /// Distance of the light from the surface.
     distance: f64,
 }
 
 impl Tracer<'_> {
     /// Returns the visibility of a light from a point, per channel: 0 in full shadow, 1 without any occluder. `state`
-    /// is the ray that hit
-    /// the point.
+    /// is the ray that hit the point.
     #[inline]
     pub(super) fn visibility(
         &mut self,
@@ -40,7 +39,7 @@ impl Tracer<'_> {
         }
     }
 
-    /// The visibility along one shadow ray.
+    /// Returns the visibility along one shadow ray, per channel.
     pub(super) fn point_visibility(
         &mut self,
         light: &LightSource,
@@ -63,8 +62,8 @@ impl Tracer<'_> {
         self.transmittance(&ShadowRay { light, ray, range, distance: sample.distance }, &state.inside)
     }
 
-    /// The product of the transmittances of all surfaces and segments along a shadow ray. A solid has two surfaces,
-    /// and both attenuate.
+    /// Returns the product of the transmittances of all surfaces and segments along a shadow ray. A solid has two
+    /// surfaces, and both attenuate.
     fn transmittance(&mut self, shadow: &ShadowRay, inside: &Interiors) -> Rgb {
         let ShadowRay { light, ref ray, range, distance } = *shadow;
         let world = self.context.world;
@@ -96,9 +95,8 @@ impl Tracer<'_> {
         transmittance
     }
 
-    /// Returns the transmittance where light also changes between surfaces: multiplies segment by segment, from the
-    /// nearest surface to the farthest.
-    /// `air_distance` is the distance of a light that air attenuates.
+    /// Returns the transmittance along a shadow ray if air or interiors attenuate light: multiplies segment by segment,
+    /// from the nearest surface to the farthest. `air_distance` is the distance of a light that air attenuates.
     fn segmented_transmittance(
         &mut self,
         ray: &Ray,
@@ -121,8 +119,7 @@ impl Tracer<'_> {
         }
     }
 
-    /// The transmittance of a surface, with caustics, and of the interior that the ray leaves there, since the surface
-    /// before.
+    /// Returns the transmittance of a surface, with caustics, and of the interior that the ray leaves at the surface.
     fn surface_transmittance(&mut self, ray: &Ray, hit: &Intersection, from: f64, inside: &mut Interiors) -> Rgb {
         let world = self.context.world;
         let mut transmittance = shading_point::shadow_transmittance(world, ray, hit, !self.context.quality.pigments);
@@ -147,8 +144,7 @@ impl Tracer<'_> {
 }
 
 /// Returns the transparent surfaces along a shadow ray, from the nearest to the farthest. A surface closer to the one
-/// before than the
-/// minimum distance is skipped: a thinner box filters once, and so does the edge of its shadow (quirk:
+/// before than the minimum distance is skipped: a thinner box filters once, and so does the edge of its shadow (quirk:
 /// `shadow_min_distance`).
 fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32) -> bool) -> Vec<Intersection<'w>> {
     let mut surfaces = vec![];

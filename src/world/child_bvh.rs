@@ -1,4 +1,4 @@
-//! A bounding volume hierarchy over the children of one solid node that has many.
+//! Bounding volume hierarchy over the children of one CSG node that has many.
 
 use crate::math::bvh::{self, Bvh};
 use crate::math::{Aabb, DVec3, Range, Ray};
@@ -7,11 +7,11 @@ use std::ops::ControlFlow;
 /// Minimum number of children for a hierarchy; below it, testing each child is faster.
 const MANY: usize = 8;
 
-/// Finds the children whose boxes a ray or a point meets.
+/// Hierarchy that finds the children whose boxes a ray intersects or a point is in.
 #[derive(Clone, Debug)]
 pub struct ChildBvh {
     bvh: Bvh,
-    /// Numbers of the children in the hierarchy, in its order.
+    /// Numbers of the children with finite boxes, in the order of the hierarchy.
     order: Vec<u32>,
     /// Numbers of the children with infinite boxes, which are always visited.
     rest: Vec<u32>,
@@ -30,7 +30,8 @@ impl ChildBvh {
         Some(Box::new(ChildBvh { bvh, order, rest }))
     }
 
-    /// Calls `visit` with each child whose box the ray meets; `visit` returns the range that is still of interest.
+    /// Calls `visit` with each child whose box the ray intersects. `visit` returns the range in which further hits
+    /// count.
     pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> Range) {
         let mut range = range;
         for &child in &self.rest {

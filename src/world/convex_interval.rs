@@ -1,5 +1,5 @@
-//! Decides from intervals along a ray which hits on the parts of a solid are hits of the solid, where rounding makes
-//! that safe.
+//! Decides by intervals along a ray which hits on the parts of a solid are hits of the solid, where rounding errors
+//! can't change the result.
 
 use super::leaf::{Intersection, Intersections, Leaf};
 use super::node::{SolidKind, SolidNode};
@@ -7,16 +7,16 @@ use crate::math::{Range, Ray};
 use crate::shape::{Crossing, End, Kernel};
 use smallvec::SmallVec;
 
-/// Distance from the end of an interval, in units of the part's own space, below which the part's `inside` decides, so
-/// that coinciding surfaces are treated alike. Far above rounding and above the tolerance of `inside`.
+/// Distance from the end of an interval below which the part's `inside` decides, in units of the part's own space, so
+/// that coincident surfaces are treated alike. Far above rounding errors and the tolerance of `inside`.
 const SLACK: f64 = 1e-6;
 
-/// The interval of a ray inside a convex part, or its complement.
+/// Interval of a ray inside a convex part, or the complement of such an interval.
 #[derive(Clone, Copy, Debug)]
 struct ConvexInterval {
-    /// Ends of the interval, infinite where it has no end; the first is after the second if the interval is empty.
+    /// Ends of the interval, which may be infinite. The first is after the second if the interval is empty.
     ends: [End; 2],
-    /// True if the part is the complement of the interval.
+    /// True if the part is inverted, so that the ray is inside it outside of the interval.
     inverse: bool,
     /// [`SLACK`] in units of `t`.
     slack: f64,
@@ -25,7 +25,7 @@ struct ConvexInterval {
 impl ConvexInterval {
     const NONE: [End; 2] = [End { t: f64::INFINITY, part: 0 }, End { t: f64::NEG_INFINITY, part: 0 }];
 
-    /// The interval of a ray in a leaf; `None` if the leaf does not know it.
+    /// Returns the interval of a ray inside a shape; `None` if the shape can't compute intervals.
     #[inline]
     fn of(leaf: &Leaf, ray: &Ray) -> Option<Self> {
         let local = leaf.local(ray);
@@ -41,7 +41,7 @@ impl ConvexInterval {
         Some(Self { ends, inverse: leaf.inverse != around, slack })
     }
 
-    /// Returns the part of the range in which the interval can contain points.
+    /// Returns the part of the range in which the ray can be inside the part.
     fn reach(&self, range: Range) -> Range {
         if self.inverse {
             return range;
@@ -49,7 +49,8 @@ impl ConvexInterval {
         range.intersection(Range { min: self.ends[0].t - self.slack, max: self.ends[1].t + self.slack })
     }
 
-    /// Returns whether the point at `t` is inside the part; `None` if the part itself must decide.
+    /// Returns whether the point at `t` is inside the part; `None` so close to an end that the part's `inside` must
+    /// decide.
     fn holds(&self, t: f64) -> Option<bool> {
         let [min, max] = self.ends.map(|end| end.t);
         let near = (t - min).abs() < self.slack || (t - max).abs() < self.slack;
@@ -57,7 +58,8 @@ impl ConvexInterval {
     }
 }
 
-/// Returns the part of the range in which the ray can be inside the solid; the whole range if the solid does not know.
+/// Returns the part of the range in which the ray can be inside the solid; the whole range if the solid can't compute
+/// intervals.
 pub(super) fn within(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
     match solid.kind() {
         SolidKind::Leaf(leaf) if !(leaf.inverse && leaf.shape.is_convex()) => {
@@ -67,11 +69,11 @@ pub(super) fn within(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
     }
 }
 
-/// A part does not know where a ray is inside it.
+/// Error of a part that can't compute the interval of a ray inside it.
 pub(super) struct Unknown;
 
-/// Returns the nearest hit of an intersection, or of a merge if `merged`, with the shape that is hit, where all
-/// children know their intervals. `shows` returns true for a hit at `t` that no clipping solid removes.
+/// Returns the nearest hit of an intersection, or of a merge if `merged`, with the shape that is hit; all children must
+/// be able to compute their intervals. `shows` returns true for a hit at `t` that no clipping solid removes.
 pub(super) fn nearest<'a>(
     children: &'a [SolidNode],
     merged: bool,
@@ -111,16 +113,16 @@ pub(super) fn nearest<'a>(
 
 /// The hits of a ray on the children of an intersection or a merge.
 pub(super) struct Gathered<'a> {
-    /// Range in which hits are of interest.
+    /// Range of distances in which hits count.
     range: Range,
-    /// Each hit with the number of its child.
+    /// Hits, each with the number of the child that is hit.
     pub(super) hits: SmallVec<[(Intersection<'a>, u32); 4]>,
-    /// Intervals of the ray inside the children; `None` where a child does not know.
+    /// Intervals of the ray inside the children; `None` for a child that can't compute intervals.
     intervals: SmallVec<[Option<ConvexInterval>; 4]>,
 }
 
 impl<'a> Gathered<'a> {
-    /// No hits. (The struct is large and therefore built in place.)
+    /// Creates an empty list of hits. (Built in place, because the struct is large.)
     pub(super) fn new() -> Self {
         Self { range: Range::ALL, hits: SmallVec::new(), intervals: SmallVec::new() }
     }
@@ -130,8 +132,8 @@ impl<'a> Gathered<'a> {
         self.intervals.resize(children, None);
     }
 
-    /// Finds the interval of a child. If only hits inside the child are of interest (`only_inside`), shrinks the range
-    /// to it. Returns the range.
+    /// Finds the interval of child `i`, and returns the range. If only hits inside the child count (`only_inside`),
+    /// shrinks the range to the interval.
     pub(super) fn look(&mut self, i: usize, child: &SolidNode, ray: &Ray, range: Range, only_inside: bool) -> Range {
         self.range = self.range.intersection(range);
         if let SolidKind::Leaf(leaf) = child.kind()
@@ -166,7 +168,7 @@ impl<'a> Gathered<'a> {
         }
     }
 
-    /// True if the ray at `t` is inside child `i`.
+    /// True if the point at `t` on the ray is inside child `i`.
     pub(super) fn inside(&self, i: usize, child: &SolidNode, ray: &Ray, t: f64) -> bool {
         self.intervals[i].and_then(|interval| interval.holds(t)).unwrap_or_else(|| child.inside(ray.at(t)))
     }

@@ -1,4 +1,4 @@
-//! All objects that rays can hit.
+//! All objects that rays can hit, with a bounding volume hierarchy.
 
 use super::instance::Instance;
 use super::leaf::{Intersection, Intersections, Leaf};
@@ -9,10 +9,10 @@ use crate::value::Family;
 use serde::Serialize;
 use std::ops::ControlFlow;
 
-/// All objects, and a bounding volume hierarchy over the finite ones.
+/// All objects that rays can hit, and a bounding volume hierarchy over the finite ones.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Geometry {
-    /// The finite objects first, in the order of the hierarchy.
+    /// All objects: first the finite ones, in the order of the hierarchy.
     items: Vec<Item>,
     finite: usize,
     /// Numbers of finite items whose inside extends beyond their box, such as an inverted sphere.
@@ -21,23 +21,23 @@ pub struct Geometry {
     bvh: Bvh,
 }
 
-/// An element of the hierarchy.
+/// Object or instance in the geometry's list.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 enum Item {
     Solid(SolidNode),
-    /// Solids that many objects share; visible to the same kinds of rays.
+    /// Instance of solids that many objects share. All of its solids are visible to the same kinds of rays.
     Instance(Instance),
 }
 
-/// The item that occluded a shadow ray.
+/// Index of the object that occluded a shadow ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Blocker(usize);
 
-/// A solid with its instance.
+/// A solid with the instance that it belongs to.
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedSolid<'a> {
-    /// In the space of `copied` if the solid is a part of an instance.
+    /// The solid, in the space of the instance `copied` if there is one.
     node: &'a SolidNode,
     copied: Option<&'a Instance>,
 }
@@ -55,8 +55,8 @@ impl GeometryBuilder {
         Self { finite: Vec::with_capacity(count), infinite: vec![] }
     }
 
-    /// Adds an object. A union without clipping is split, so that each child has its own place in the hierarchy: what
-    /// applies to the union must be stated for each child.
+    /// Adds an object. A union without clipping is split, so that each child has its own place in the hierarchy.
+    /// Properties of the union must therefore also be stored with each child.
     pub fn add(&mut self, object: SolidNode) {
         match object.into_parts() {
             NodeParts::Many(children) => children.into_iter().for_each(|child| self.add(child)),
@@ -94,14 +94,14 @@ impl From<GeometryBuilder> for Geometry {
 }
 
 impl Geometry {
-    /// Builds the hierarchy; unions are split.
+    /// Builds the hierarchy over the solids; unions are split.
     pub fn new(roots: Vec<SolidNode>) -> Self {
         let mut builder = GeometryBuilder::default();
         builder.extend(roots);
         builder.into()
     }
 
-    /// True without any object.
+    /// True if the geometry has no object.
     pub fn is_empty(&self) -> bool {
         self.items.is_empty()
     }
@@ -134,7 +134,7 @@ impl Geometry {
         self.finite == self.items.len() && self.unbounded.is_empty()
     }
 
-    /// Returns the closest hit in the range among objects for which `accept` returns true. Of several hits at one
+    /// Returns the closest hit in the range on the objects for which `accept` returns true. Of several hits at one
     /// point, an infinite object wins, then the object that was declared first (quirk: `first_object_wins`).
     #[inline]
     pub fn closest(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> Option<Intersection<'_>> {
@@ -166,9 +166,8 @@ impl Geometry {
         self.any_after(ray, range, accept, &mut None)
     }
 
-    /// True if the ray hits any accepted object in the range; tests `last` first, the occluder of a ray that usually
-    /// starts nearby, and stores the new occluder
-    /// there.
+    /// True if the ray hits any accepted object in the range. Tests the object `last` first, which occluded an earlier
+    /// ray from nearby, and stores the new occluder there.
     pub fn any_after(
         &self,
         ray: &Ray,
@@ -215,7 +214,7 @@ impl Geometry {
         flow
     }
 
-    /// Calls `visit` with each shape that the ray hits in the range and the object that contains the shape, even if the
+    /// Calls `visit` with each hit in the range on any shape, and with the object that contains the shape, even if the
     /// hit is not on the object's surface.
     pub fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(PlacedSolid<'a>, Intersection<'a>)) {
         self.meet(ray, range, |i, range| {
@@ -259,8 +258,8 @@ impl Geometry {
         });
     }
 
-    /// Calls `visit` with the position of each object whose box the ray meets; `visit` returns the distance up to which
-    /// hits are still of interest.
+    /// Calls `visit` with the index of each object whose box the ray intersects. `visit` returns the distance up to
+    /// which further hits count.
     #[inline]
     fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> ControlFlow<(), f64>) {
         let mut max = range.max;
@@ -275,7 +274,7 @@ impl Geometry {
 }
 
 impl Item {
-    /// Number of the object, or of the first object of an instance.
+    /// Returns the number of the object, or of the first object of an instance.
     fn object(&self) -> u32 {
         match self {
             Self::Solid(node) => node.object,
@@ -318,27 +317,27 @@ impl Item {
 }
 
 impl<'a> PlacedSolid<'a> {
-    /// Number that lowering gave to the object.
+    /// Returns the object's index in [`super::World::objects`].
     pub fn object(&self) -> u32 {
         self.copied.map_or(self.node.object, |copied| copied.object_of(self.node))
     }
 
-    /// The solid, in object space or, for an instance, in the instance's space.
+    /// Returns the solid, in world space or, for an instance, in the instance's space.
     pub fn node(&self) -> &'a SolidNode {
         self.node
     }
 
-    /// Box around all hits, in world space.
+    /// Returns a box around all hits, in world space.
     pub fn bounds(&self) -> Aabb {
         self.copied.map_or_else(|| self.node.bounds(), |copied| copied.bounds_of(self.node))
     }
 
-    /// True if the point is inside.
+    /// True if the point is inside the solid.
     pub fn inside(&self, p: DVec3) -> bool {
         self.node.inside(self.copied.map_or(p, |copied| copied.local_point(p)))
     }
 
-    /// Name of the first shape of the solid, and its number in [`super::World::parts`].
+    /// Returns the name of the solid's first shape, and the shape's index in [`super::World::parts`].
     pub fn first_shape(&self) -> Option<(&'static str, u32)> {
         let leaf = first_leaf(self.node)?;
         Some((leaf.shape.spec().name, self.copied.map_or(leaf.id, |copied| copied.part_of(leaf))))

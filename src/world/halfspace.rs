@@ -1,13 +1,13 @@
 //! Intersections of half-spaces, and boxes around them: bounds for intersections of slanted planes.
 //!
 //! A box is clipped by one half-space after the other, as a convex polyhedron (Sutherland and Hodgman, Reentrant
-//! polygon clipping, 1974, face by face). All rounding is outwards: the half-spaces by a margin, the box by its own.
+//! polygon clipping, 1974, face by face). All rounding is outwards: both the half-spaces and the box get a margin.
 
 use crate::math::{Aabb, DVec3, Transform, tolerance};
 use crate::shape::{Kernel, Shape};
 use smallvec::SmallVec;
 
-/// Maximum number of half-spaces that are used.
+/// Maximum number of half-spaces that clip a box.
 const MOST: usize = 64;
 /// Size of the start box for an unbounded intersection, as a multiple of the largest distance of a half-space.
 const FAR: f64 = 1e4;
@@ -16,10 +16,10 @@ const FARTHEST: f64 = 1e100;
 /// Distance by which each half-space is moved outwards, relative to the box's largest coordinate.
 const MARGIN: f64 = 1e-10;
 
-/// All points p with normal·p ≤ distance.
+/// Half-space of all points p with normal·p ≤ distance.
 #[derive(Clone, Copy, Debug)]
 pub struct HalfSpace {
-    /// Length 1.
+    /// Outward normal of the half-space, length 1.
     normal: DVec3,
     distance: f64,
 }
@@ -28,7 +28,8 @@ pub struct HalfSpace {
 pub type HalfSpaces = SmallVec<[HalfSpace; 16]>;
 
 impl HalfSpace {
-    /// Transforms the half-space normal·p ≤ distance from object to world space; `None` if the result is not finite.
+    /// Transforms the half-space normal·p ≤ distance by `m` from object to world space; `None` if the result is not
+    /// finite.
     fn under(m: &Transform, normal: DVec3, distance: f64) -> Option<Self> {
         // n·(M⁻¹·p) ≤ d, where M⁻¹·p = A·p + b: (Aᵀ·n)·p ≤ d - n·b
         let n = m.inv.matrix3.transpose() * normal;
@@ -42,7 +43,8 @@ impl HalfSpace {
     }
 }
 
-/// Appends half-spaces that contain the inside and surface of a shape with flat faces or round walls.
+/// Appends half-spaces that contain the inside and surface of a shape with flat faces or round walls; none for other
+/// shapes.
 pub fn push_shape(shape: &Shape, m: &Transform, inverse: bool, out: &mut HalfSpaces) {
     let turned = || shape.as_half_space().into_iter().map(|(normal, distance)| (-normal, -distance)).collect();
     let planes = if inverse { turned() } else { shape.half_spaces() };
@@ -51,7 +53,7 @@ pub fn push_shape(shape: &Shape, m: &Transform, inverse: bool, out: &mut HalfSpa
     out.extend(placed.filter_map(|(normal, distance)| HalfSpace::under(m, normal, distance + 2.0 * tolerance::INSIDE)));
 }
 
-/// Returns a box around the intersection of `start` with all half-spaces.
+/// Returns a box around the intersection of the box `start` with all half-spaces.
 pub fn cut(start: Aabb, planes: &[HalfSpace]) -> Aabb {
     // Axis-parallel planes are in the boxes already.
     if start.is_empty() || !planes.iter().any(HalfSpace::is_slanted) {
@@ -129,7 +131,7 @@ impl Polyhedron {
     }
 }
 
-/// Clips a face to negative `height`, closes it along the cut, and returns the new edge.
+/// Clips a face to the points where `height` is negative, closes it along the cut, and returns the new edge.
 fn cut_face(face: &mut SmallVec<[Edge; 8]>, height: &impl Fn(DVec3) -> f64) -> Option<Edge> {
     let mut ends: SmallVec<[DVec3; 2]> = SmallVec::new();
     face.retain(|edge| {

@@ -1,5 +1,5 @@
-//! Instancing: objects that differ only in transform and appearance share their shapes, so that a scene of a million
-//! trees stores the leaves of one.
+//! Instances: objects that differ only in transform and appearance share their shapes, so that a scene of a million
+//! trees stores the leaves of one tree.
 
 use super::geometry::Geometry;
 use super::leaf::{Intersection, Intersections, Leaf, loosened};
@@ -13,13 +13,13 @@ use std::sync::Arc;
 /// One of many objects that share their shapes.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Instance {
-    /// The shapes, numbered from 0, in the space of the instance.
+    /// Shared shapes in instance space, numbered from 0.
     shared: Arc<Geometry>,
-    /// World from instance space; `None` for the identity.
+    /// Transform from instance to world space; `None` for the identity.
     place: Option<Arc<Transform>>,
-    /// Offset of [`Leaf::id`].
+    /// Number that is added to [`Leaf::id`] of the shared shapes.
     first_part: u32,
-    /// Offset of [`SolidNode::object`].
+    /// Number that is added to [`SolidNode::object`] of the shared solids.
     first_object: u32,
 }
 
@@ -32,32 +32,32 @@ impl Instance {
         &self.shared
     }
 
-    /// Number of the instance's first object.
+    /// Returns the number of the instance's first object.
     pub fn object(&self) -> u32 {
         self.first_object
     }
 
-    /// Number of one of the shared solids in this instance.
+    /// Returns the object number of one of the shared solids in this instance.
     pub fn object_of(&self, node: &SolidNode) -> u32 {
         self.first_object + node.object
     }
 
-    /// Number of one of the shared shapes in this instance.
+    /// Returns the part number of one of the shared shapes in this instance.
     pub fn part_of(&self, leaf: &Leaf) -> u32 {
         self.first_part + leaf.id
     }
 
-    /// World from instance space; `None` for the identity.
+    /// Returns the transform from instance to world space; `None` for the identity.
     pub fn place(&self) -> Option<&Transform> {
         self.place.as_deref()
     }
 
-    /// M⁻¹·ray.
+    /// Transforms a ray from world to instance space, M⁻¹·ray.
     pub fn local(&self, ray: &Ray) -> Ray {
         self.place().map_or(*ray, |m| m.inverse_transform_ray(ray))
     }
 
-    /// M⁻¹·p.
+    /// Transforms a point from world to instance space, M⁻¹·p.
     pub fn local_point(&self, p: DVec3) -> DVec3 {
         self.place().map_or(p, |m| m.inverse_transform_point(p))
     }
@@ -67,7 +67,7 @@ impl Instance {
         Intersection { object: self.first_object + found.object, copied: Some(self), ..found }
     }
 
-    /// The closest hit in the range.
+    /// Returns the closest hit in the range.
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         self.shared.closest(&self.local(ray), range, |_| true).map(|found| self.own(found))
     }
@@ -80,12 +80,12 @@ impl Instance {
         });
     }
 
-    /// Box around all hits.
+    /// Returns a box around all hits, in world space.
     pub fn bounds(&self) -> Aabb {
         self.shared.solids().map(|node| self.bounds_of(node)).fold(Aabb::EMPTY, Aabb::union)
     }
 
-    /// Box around all hits of one of the shared solids.
+    /// Returns a box around all hits of one of the shared solids, in world space.
     pub fn bounds_of(&self, node: &SolidNode) -> Aabb {
         let Some(m) = self.place() else { return node.bounds() };
         match node.kind() {

@@ -1,4 +1,4 @@
-//! A shape with its transform, and hits on it.
+//! A shape with its transform, and hits on such a shape.
 
 use super::instance::Instance;
 use crate::math::{Aabb, DVec2, DVec3, Quadratic, Range, Ray, Transform, tolerance};
@@ -8,69 +8,69 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::sync::Arc;
 
-/// A shape in the world.
+/// A shape placed in the world by a transform.
 #[derive(Clone, Debug, Serialize)]
 pub struct Leaf {
-    /// The shape in object space; instances share it.
+    /// Shape in object space, which instances share.
     pub shape: Shape,
-    /// World from object; `None` for the identity.
+    /// Transform from object to world space; `None` for the identity.
     place: Option<Arc<Transform>>,
-    /// True if the inside is the outside.
+    /// True if the shape is inverted, which exchanges inside and outside.
     pub inverse: bool,
-    /// Number of the shape's part in [`super::World::parts`], before the offset of an instance.
+    /// Index of the shape's properties in [`super::World::parts`], before the offset of an instance.
     pub id: u32,
 }
 
 /// A hit on a shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Intersection<'a> {
-    /// In object space, except for `t`.
+    /// Hit in object space, except for the distance `t`, which is the same in all spaces.
     pub hit: Hit,
     /// The shape that was hit.
     pub leaf: &'a Leaf,
-    /// [`super::SolidNode::object`] of the outermost node.
+    /// Number of the hit object, [`super::SolidNode::object`] of the outermost node.
     pub object: u32,
-    /// The instance that contains the shape.
+    /// Instance that contains the hit shape.
     pub(super) copied: Option<&'a Instance>,
 }
 
-/// Hits of a solid.
+/// Hits on the shapes of a solid.
 pub type Intersections<'a> = SmallVec<[Intersection<'a>; 8]>;
 
-/// Point and normal of a hit.
+/// Point and normal of a hit, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     /// Point in world space.
     pub point: DVec3,
     /// Outward normal in world space, length 1.
     pub normal: DVec3,
-    /// Point in object space.
+    /// Point of the hit in object space.
     pub object_point: DVec3,
 }
 
 impl Leaf {
-    /// The shape under `transform`, world from object.
+    /// Places a shape by `transform`, from object to world space.
     pub fn new(shape: Shape, transform: &Transform, id: u32) -> Self {
         Self::placed(shape, &SharedDefault::new(*transform), id)
     }
 
-    /// The shape under a transform that is shared with others.
+    /// Places a shape by a transform that other shapes share.
     pub(super) fn placed(shape: Shape, transform: &SharedDefault<Transform>, id: u32) -> Self {
         Self { shape, place: place(transform), inverse: false, id }
     }
 
-    /// World from object.
+    /// Returns the transform from object to world space.
     pub fn transform(&self) -> Transform {
         self.place.as_deref().copied().unwrap_or(Transform::IDENTITY)
     }
 
-    /// Exchanges inside and outside; an open surface stays as it is.
+    /// Exchanges inside and outside; an open surface stays unchanged.
     pub(super) fn inverted(self) -> Self {
         let inverse = if self.shape.is_open() { self.inverse } else { !self.inverse };
         Self { inverse, ..self }
     }
 
-    /// M⁻¹·ray.
+    /// Transforms a ray from world to object space, M⁻¹·ray.
     pub(super) fn local(&self, ray: &Ray) -> Ray {
         self.place.as_ref().map_or(*ray, |m| m.inverse_transform_ray(ray))
     }
@@ -95,7 +95,7 @@ impl Leaf {
         self.shape.hits(&self.local(ray), range, out);
     }
 
-    /// Appends the hits of a shape that is a part of a CSG object or clipped; see [`Kernel::hits_in_csg`].
+    /// Appends the hits of a shape that is clipped or a part of a CSG object; see [`Kernel::hits_in_csg`].
     pub(super) fn hits_in_csg(&self, ray: &Ray, range: Range, out: &mut Hits) {
         self.shape.hits_in_csg(&self.local(ray), range, out);
     }
@@ -106,14 +106,15 @@ impl Leaf {
         !self.shape.is_open() && self.shape.inside(local) != self.inverse
     }
 
-    /// The quadratic form that is not positive inside, in world space; `None` for a shape that is not a quadric.
+    /// Returns the quadratic form, in world space, that is not positive inside the shape; `None` for a shape that is
+    /// not a quadric.
     pub(super) fn quadratic(&self) -> Option<Quadratic> {
         let own = self.shape.bounding_quadratic()?;
         let upright = if self.inverse { own.negated() } else { own };
         Some(self.place.as_ref().map_or(upright, |m| upright.transformed(m)))
     }
 
-    /// Returns a box around all hits and a box around all inside points.
+    /// Returns a box around all hits and a box around all inside points, in world space.
     pub(super) fn bounds(&self) -> (Aabb, Aabb) {
         let surface = loosened(match &self.place {
             Some(m) => self.shape.bounds_under(m),
@@ -133,51 +134,51 @@ impl Leaf {
     }
 }
 
-/// Returns a transform other than the identity.
+/// Returns the transform; `None` for the identity.
 pub(super) fn place(transform: &SharedDefault<Transform>) -> Option<Arc<Transform>> {
     transform.explicit_value().filter(|transform| !transform.is_identity()).cloned()
 }
 
 impl<'a> Intersection<'a> {
-    /// A hit on a shape of the node `object`.
+    /// Creates the hit on a shape of the object with the number `object`.
     pub(super) fn new(hit: Hit, leaf: &'a Leaf, object: u32) -> Self {
         Self { hit, leaf, object, copied: None }
     }
 }
 
 impl Intersection<'_> {
-    /// Distance along the ray.
+    /// Returns the distance of the hit along the ray.
     pub fn t(&self) -> f64 {
         self.hit.t
     }
 
-    /// Number in [`super::World::parts`].
+    /// Returns the index of the hit shape's properties in [`super::World::parts`].
     pub fn part(&self) -> u32 {
         self.copied.map_or(self.leaf.id, |copied| copied.part_of(self.leaf))
     }
 
-    /// True if this hit is shown instead of `other`: closer, or at the same point and declared earlier.
+    /// True if this hit wins against `other`: closer, or at the same point on an object that was declared earlier.
     pub(super) fn goes_before(&self, other: &Intersection) -> bool {
         self.hit.t < other.hit.t || (self.hit.t == other.hit.t && self.part() < other.part())
     }
 
-    /// True if the shape is inverted.
+    /// True if the hit shape is inverted.
     pub fn inverted(&self) -> bool {
         self.leaf.inverse
     }
 
-    /// True if the shape was inverted but its textures keep their sides (quirk: `quadric_keeps_sides`).
+    /// True if the hit shape was inverted but its textures keep their sides (quirk: `quadric_keeps_sides`).
     pub fn keeps_texture_sides(&self) -> bool {
         self.leaf.inverse && self.leaf.shape.quirks().keeps_texture_sides
     }
 
-    /// Surface coordinates at `object_point` of [`Intersection::surface`].
+    /// Returns the surface coordinates at `object_point` of [`Intersection::surface`].
     pub fn uv(&self, object_point: DVec3) -> DVec2 {
         self.leaf.shape.uv(object_point, &self.hit)
     }
 
-    /// Coordinates for `uv_mapping`: surface coordinates, or x and y in world space for a shape without a mapping
-    /// (quirk: `uv_of_world_point`).
+    /// Returns the coordinates for `uv_mapping`: surface coordinates, or x and y in world space for a shape without a
+    /// mapping (quirk: `uv_of_world_point`).
     pub fn mapped_uv(&self, surface: &Surface) -> DVec2 {
         if self.leaf.shape.has_uv_mapping() { self.uv(surface.object_point) } else { surface.point.truncate() }
     }
@@ -198,7 +199,7 @@ impl Intersection<'_> {
     }
 }
 
-/// Grows a box slightly, so that rounding never puts a hit outside.
+/// Grows a box slightly, so that no hit is outside because of rounding.
 pub(super) fn loosened(b: Aabb) -> Aabb {
     if b.is_empty() {
         return Aabb::EMPTY;

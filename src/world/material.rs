@@ -1,4 +1,4 @@
-//! Lowered textures: layers with all constants computed.
+//! Lowered textures: layers whose constants are computed in advance.
 
 use crate::color::{Color, Rgb};
 use crate::pattern::{Pattern, PatternProgram, Space, TextureContext};
@@ -15,25 +15,25 @@ pub struct Material {
     pub layers: Box<[Layer]>,
     /// True if no point transmits light.
     pub opaque: bool,
-    /// True if every layer is the same everywhere, so that no point needs to be computed.
+    /// True if every layer has one colour everywhere, so that no point needs to be evaluated.
     pub solid: bool,
-    /// Transmittance of all layers, if `solid`.
+    /// Transmittance of all layers, if the material is `solid`.
     pub pass: Rgb,
     /// True if a pattern depends on surface coordinates.
     pub uv: bool,
-    /// True if two shares of this material cannot be merged into one: each reflects and transmits by itself, or the
-    /// second uses the normal that the first left.
+    /// True if two entries of this material in a blend cannot be merged into one: each reflects and transmits by
+    /// itself, or the second uses the normal that the first changed.
     repeats: bool,
 }
 
-/// A pattern and the materials among which it chooses.
+/// A pattern and the materials that it blends.
 #[derive(Clone, Debug, Serialize)]
 pub struct Choice {
-    /// The pattern.
+    /// Pattern that selects the materials.
     pub pattern: PatternProgram,
     /// Space of the pattern, for the transformation of normals.
     pub space: Space,
-    /// The materials by the pattern's value.
+    /// Materials by the value of the pattern.
     pub parts: Blend<Arc<Material>>,
 }
 
@@ -56,10 +56,10 @@ impl Choice {
     }
 }
 
-/// A lowered layer.
+/// A lowered layer of a texture.
 #[derive(Clone, Debug, Serialize)]
 pub struct Layer {
-    /// Other materials in place of this layer.
+    /// Pattern of materials that replaces this layer.
     pub choice: Option<Box<Choice>>,
     /// Perturbation of the normal.
     pub normal: Option<Arc<NormalProgram>>,
@@ -83,19 +83,19 @@ pub struct LoweredFinish {
     pub diffuse: f64,
     /// Diffuse transmission: light from the other side.
     pub diffuse_back: f64,
-    /// Exponent of the cosine in diffuse reflection.
+    /// Exponent of the cosine in diffuse reflection (`brilliance`).
     pub brilliance: f64,
-    /// Highlight about the mirror direction.
+    /// Highlight of the Phong model, about the mirror direction.
     pub phong: Lobe,
-    /// Highlight about the half-way vector.
+    /// Highlight of the Blinn model, about the half-way vector.
     pub specular: Lobe,
     /// Share of the pigment's colour in highlights.
     pub metallic: f64,
     /// Amplitude of random grain in diffuse light.
     pub crand: f64,
-    /// Thin film on top.
+    /// Thin film on the layer.
     pub irid: Option<Box<Irid>>,
-    /// Reflection; `None` for a layer that does not reflect.
+    /// Mirror reflection; `None` for a layer without.
     pub mirror: Option<Box<Reflection>>,
     /// Factor of transmitted light, if this is the topmost layer.
     pub refraction: f64,
@@ -109,20 +109,20 @@ pub struct LoweredFinish {
 pub enum LayerColor {
     /// One colour everywhere.
     Solid(Color),
-    /// A colour for each point.
+    /// A colour that is computed for each point.
     PigmentProgram(Box<PigmentProgram>),
 }
 
 /// A highlight: strength · cosⁿ.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Lobe {
-    /// Strength at its centre.
+    /// Strength at the highlight's centre.
     pub strength: f64,
-    /// Exponent n.
+    /// Exponent n of the cosine.
     pub exponent: f64,
 }
 
-/// Lowers what several textures share.
+/// Lowering of finishes and normals that several textures share.
 pub trait SharedParts {
     /// Lowers a finish.
     fn finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish>;
@@ -169,7 +169,7 @@ fn is_opaque(layer: &texture::Layer) -> bool {
     }
 }
 
-/// True if the layer reflects or has random grain, so that two evaluations differ.
+/// True if the layer reflects or has random grain, so that two evaluations at one point differ.
 fn sends_light_on(layer: &texture::Layer) -> bool {
     !layer.finish.reflection.is_without_reflection() || layer.finish.crand != 0.0
 }
@@ -200,7 +200,7 @@ impl Layer {
         }
     }
 
-    /// True if the pigment has no colour at all at a point, such as beside a picture shown `once`.
+    /// True if the pigment has no colour at a point, for example beside an image map with `once`.
     pub fn is_nothing(&self, ctx: &TextureContext, quick: bool) -> bool {
         match self.shown(quick) {
             LayerColor::Solid(_) => false,

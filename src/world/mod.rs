@@ -1,5 +1,5 @@
-//! The lowered scene: what rays need. Every object has M and M⁻¹; there are no names, versions, degrees or nested
-//! blocks.
+//! The lowered scene: the data that rays need. Every object has one transform and its inverse; there are no names,
+//! versions, degrees or nested blocks.
 
 mod child_bvh;
 mod convex_interval;
@@ -36,24 +36,24 @@ use crate::source::Span;
 use serde::Serialize;
 use std::sync::Arc;
 
-/// The lowered scene.
+/// The scene, lowered to the data that rays need.
 #[derive(Debug, Serialize)]
 pub struct World {
-    /// The camera.
+    /// Camera of the scene.
     pub eye: LoweredCamera,
-    /// Text of the camera; none for the default camera.
+    /// Span of the camera's block; [`Span::NONE`] for the default camera.
     #[serde(skip)]
     pub camera_source: Span,
-    /// All objects.
+    /// All objects that rays can hit.
     pub geometry: Geometry,
-    /// Minimum distances of hits.
+    /// Minimum hit distances of rays.
     pub epsilon: RayEpsilon,
     /// Properties of shapes, by [`Intersection::part`].
     pub parts: Vec<Part>,
     /// Properties of objects, by [`SolidNode::object`].
     pub objects: Vec<ObjectInfo>,
-    /// Solids for `cutaway_textures`, by [`UncommonPart::cut`]: a point on a cutting shape shows the materials of all
-    /// solids that contain it in equal shares, or [`Part::outside`] if none does.
+    /// Solids for `cutaway_textures`, by [`UncommonPart::cut`]. A point on a cutting shape shows the materials of all
+    /// solids that contain the point in equal shares, or [`Part::outside`] if none does.
     pub cuts: Vec<Vec<(SolidNode, PlacedMaterial)>>,
     /// Materials, by [`PlacedMaterial::material`].
     pub materials: Vec<Material>,
@@ -65,25 +65,25 @@ pub struct World {
     pub photons: Vec<PhotonSettings>,
     /// Number of wave sources of `ripples` and `waves` (`number_of_waves`).
     pub waves: usize,
-    /// By number of the interior: true if the interior is not hollow and keeps fog out.
+    /// True for each interior, by its number, that is not hollow and keeps fog out.
     pub filled: Vec<bool>,
-    /// All lights.
+    /// All lights of the scene.
     pub lights: Vec<LightSource>,
-    /// Numbers of the lights that illuminate a part, by [`UncommonPart::lights`].
+    /// Sets of lights that illuminate a shape, by [`UncommonPart::lights`]: the numbers of the lights.
     pub lit_by: Vec<Box<[u32]>>,
     /// Sky sphere and background.
     pub sky: Sky,
-    /// All fogs with an effect.
+    /// All fogs that have an effect.
     pub fogs: Vec<Fog>,
-    /// All rainbows.
+    /// All rainbows of the scene.
     pub rainbows: Vec<Rainbow>,
-    /// Conversion from the numbers of the scene to light.
+    /// Conversion from the scene's colour values to linear light.
     pub gamma: Gamma,
     /// Maximum depth of the ray tree.
     pub max_trace_level: u32,
-    /// Minimum weight of a ray.
+    /// Importance below which rays are not traced.
     pub adc_bailout: f64,
-    /// See [`crate::scene::Settings::opacity_by_color`].
+    /// True for the blending of filters before version 3.7; see [`crate::scene::Settings::opacity_by_color`].
     pub opacity_by_color: bool,
     /// True if any object transmits light.
     pub see_through: bool,
@@ -100,12 +100,12 @@ pub struct World {
 /// Properties of a shape.
 #[derive(Clone, Debug, Serialize)]
 pub struct Part {
-    /// Material of the outside.
+    /// Material of the outside, in its space.
     pub outside: PlacedMaterial,
-    /// Properties that few shapes have.
+    /// Properties that only few shapes have.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub uncommon: Option<Box<UncommonPart>>,
-    /// Number of the interior.
+    /// Index of the shape's interior in [`World::interiors`].
     pub interior: u32,
     /// True if light from behind counts as light from the front.
     pub double_illuminate: bool,
@@ -115,35 +115,36 @@ pub struct Part {
     /// `no_shadow` of the shape or of a block around it. The object that contains the shape can still cast its shadow.
     #[serde(skip)]
     pub no_shadow: bool,
-    /// Text of the object.
+    /// Span of the object's block.
     pub source: Span,
 }
 
 /// Properties of a shape that are uncommon.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct UncommonPart {
-    /// Material of the inside, if it differs.
+    /// Material of the inside, if it differs from that of the outside.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inside: Option<PlacedMaterial>,
     /// Embedded textures of the shape; number 1 is the first.
     pub embedded: Box<[PlacedMaterial]>,
     /// Number of the set of lights that illuminate the shape; 0 for the lights of no group.
     pub lights: u32,
-    /// For a shape that cuts (`cutaway_textures`): number of the solids that are shown in place of `outside`.
+    /// Index in [`World::cuts`] of the solids whose materials a cutting shape shows (`cutaway_textures`); `None` for
+    /// other shapes.
     pub cut: Option<u32>,
 }
 
-/// A material with its transform.
+/// A material with the transform of its space.
 #[derive(Clone, Debug, Serialize)]
 pub struct PlacedMaterial {
-    /// Number of the material.
+    /// Index of the material in [`World::materials`].
     pub material: u32,
-    /// World from texture; `None` for the identity, or if the transform has no effect.
+    /// Transform from texture to world space; `None` for the identity, or if the transform has no effect.
     pub place: Option<Arc<Transform>>,
 }
 
 impl Part {
-    /// Number of the set of lights that illuminate the shape.
+    /// Returns the number of the set of lights that illuminate the shape, an index in [`World::lit_by`].
     pub fn lights(&self) -> u32 {
         self.uncommon.as_ref().map_or(0, |uncommon| uncommon.lights)
     }
@@ -173,30 +174,30 @@ pub struct ObjectInfo {
     pub photons: u32,
     /// True if no point transmits light.
     pub opaque: bool,
-    /// Number of the interior, or [`Self::VIEW`].
+    /// Index of the object's interior, or [`Self::VIEW`].
     pub interior: u32,
 }
 
 impl ObjectInfo {
-    /// In place of an interior: the object is another view of an object that is counted already.
+    /// Value in place of an interior's index: the object is only another view of an object that is already counted.
     pub const VIEW: u32 = u32::MAX;
 }
 
 /// A light in the world.
 #[derive(Clone, Debug, Serialize)]
 pub struct LightSource {
-    /// Index in [`World::lights`].
+    /// Index of the light in [`World::lights`].
     #[serde(skip)]
     pub number: usize,
     /// The light's emission.
     pub emitter: LoweredLight,
-    /// The object that light must pass (`projected_through`); objects between it and the light do not occlude.
+    /// Object that the light must pass (`projected_through`). Objects between the light and this object do not occlude.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub through: Option<Box<Geometry>>,
 }
 
 impl World {
-    /// True if rays must keep a list of the interiors around them.
+    /// True if rays must keep a list of the interiors that contain them.
     pub fn asks_inside(&self) -> bool {
         self.bends || self.colors_light || !self.fogs.is_empty() || !self.rainbows.is_empty()
     }

@@ -1,4 +1,4 @@
-//! Geometric queries while the text is evaluated: `trace` and `inside`.
+//! Geometric queries of the scene's text: `trace`, `inside` and extents of declared objects.
 
 use super::Geometry;
 use super::lower::lower_alone;
@@ -21,12 +21,12 @@ impl Probe {
     /// Lowers one object.
     ///
     /// # Errors
-    /// As for a whole scene: numbers that are not finite, singular transforms.
+    /// If numbers are not finite or transforms singular, as for a whole scene.
     pub fn new(object: &Object) -> Result<Self> {
         Ok(Self(lower_alone(object)?))
     }
 
-    /// Returns the first hit of a ray and the outward normal there, of length 1.
+    /// Returns the first hit of a ray and the outward normal at the hit, of length 1.
     pub fn trace(&self, from: DVec3, direction: DVec3) -> Option<(DVec3, DVec3)> {
         let direction = direction.try_normalize()?;
         let ray = Ray { origin: from, dir: direction };
@@ -35,7 +35,7 @@ impl Probe {
         Some((surface.point, surface.normal))
     }
 
-    /// Box around all surfaces; empty without any.
+    /// Returns a box around all surfaces; empty for an object without surfaces.
     pub fn bounds(&self) -> Aabb {
         self.0.items().map(|item| item.bounds()).fold(Aabb::EMPTY, Aabb::union)
     }

@@ -1,4 +1,4 @@
-//! Minimum distances of hits along rays.
+//! Minimum hit distances along rays.
 
 use super::Geometry;
 use crate::math::{Aabb, DVec3, tolerance};
@@ -7,20 +7,20 @@ use serde::Serialize;
 /// Minimum hit distances, in world units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RayEpsilon {
-    /// For camera, reflected and transmitted rays (quirk: `surface_min_distance`).
+    /// Minimum distance for camera, reflected and transmitted rays (quirk: `surface_min_distance`).
     pub surface: f64,
-    /// For shadow rays, at both ends (quirk: `shadow_min_distance`).
+    /// Minimum distance for shadow rays, from both ends (quirk: `shadow_min_distance`).
     pub shadow: f64,
 }
 
-/// Size of a scene in which POV-Ray's absolute distances work well.
+/// Size of a scene for which POV-Ray's absolute distances are suitable, in world units.
 const USUAL: f64 = 10.0;
 
 impl RayEpsilon {
-    /// POV-Ray's distances.
+    /// Minimum hit distances that POV-Ray uses in any scene.
     pub const POV_RAY: Self = Self { surface: tolerance::SURFACE, shadow: tolerance::SHADOW };
 
-    /// Returns POV-Ray's distances; but for a scene so small and so near to the eye that POV-Ray shows nothing of it,
+    /// Returns POV-Ray's minimum distances. A scene so small and so near to `eye` that POV-Ray shows nothing of it gets
     /// distances in proportion to its size.
     pub fn of(geometry: &Geometry, eye: DVec3) -> Self {
         let mut all = Aabb::from_points([eye]);
@@ -39,7 +39,7 @@ impl RayEpsilon {
         Self { surface: tolerance::SURFACE * part, shadow: tolerance::SHADOW * part }
     }
 
-    /// Scales the minimum distance of a shape to this scene.
+    /// Scales the minimum hit distance of a shape to this scene.
     pub fn own(&self, least: f64) -> f64 {
         least * (self.surface / tolerance::SURFACE)
     }

@@ -1,4 +1,4 @@
-//! Sky sphere and background, by direction.
+//! Sky sphere and background: light from a direction.
 
 use super::LayerColor;
 use crate::atmosphere::{Background, Segment, SkySphere, ViewKind};
@@ -9,32 +9,32 @@ use crate::pattern::TextureContext;
 use crate::scene::Scene;
 use serde::Serialize;
 
-/// Sky sphere and background.
+/// Sky sphere and background of the scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct Sky {
-    /// Colour behind the sky sphere.
+    /// Colour of the background, behind the sky sphere.
     background: Background,
     /// Layers of the sky sphere, from the lowest to the topmost.
     layers: Vec<SkyLayer>,
-    /// Factor of the light of all layers.
+    /// Factor of the light of all layers of the sky sphere.
     emission: Rgb,
-    /// World from the space of the pigments.
+    /// Transform from the space of the pigments to world space.
     place: Transform,
-    /// True for scenes before version 3.7: layers are mixed by shares, and pictures with alpha show no sky (quirk:
-    /// `sky_by_share`).
+    /// True for scenes before version 3.7, in which layers are mixed by shares, and pictures with alpha show no sky
+    /// (quirk: `sky_by_share`).
     by_share: bool,
 }
 
 #[derive(Clone, Debug, Serialize)]
 struct SkyLayer {
     color: LayerColor,
-    /// `quick_color` for low qualities, if it differs.
+    /// Colour at low quality levels (`quick_color`), if it differs.
     #[serde(skip_serializing_if = "Option::is_none")]
     quick: Option<LayerColor>,
 }
 
 impl Sky {
-    /// Lowers the sky of a scene.
+    /// Lowers the sky sphere and background of a scene.
     pub(super) fn new(scene: &Scene) -> Self {
         let background = scene.background.unwrap_or(Background::NONE);
         let none = SkySphere::default();
@@ -69,7 +69,7 @@ impl Sky {
         if self.by_share { self.by_share(colors, behind) } else { self.layered(colors, behind) }
     }
 
-    /// Composites each layer, from the topmost on, over the layers below.
+    /// Composites the layers of the sky sphere, given from the topmost on, over the light `behind`.
     fn layered(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let veil = |color: Color| Segment {
             radiance: self.emission * color.rgb * (1.0 - color.filter - color.transmit),
@@ -78,8 +78,8 @@ impl Sky {
         colors.fold(Segment::NONE, |above, color| above.in_front_of(veil(color))).in_front_of(behind)
     }
 
-    /// Mixes layers as before version 3.7: each by its share; light that passes all layers takes their product colour
-    /// (quirk: `sky_by_share`).
+    /// Mixes the layers of the sky sphere by their shares, as before version 3.7. Light that passes all layers is
+    /// tinted by the product of their colours (quirk: `sky_by_share`).
     fn by_share(&self, colors: impl Iterator<Item = Color>, behind: Segment) -> Segment {
         let (mut light, mut share) = (Rgb::ZERO, 1.0);
         let (mut transmit, mut filter, mut tint) = (1.0, 1.0, Rgb::ONE);

@@ -1,4 +1,4 @@
-//! Directives and expressions: parts of items.
+//! Gathers the atoms of directives and expressions.
 
 use super::Gatherer;
 use crate::format::atoms::flag::*;
@@ -54,7 +54,7 @@ impl Gatherer<'_> {
         Item::Bodies
     }
 
-    /// Finishes a directive's arms; the closing `#end` is in no arm.
+    /// Adds a directive's arms to the list of atoms; the closing `#end` is in no arm.
     fn finish_arms(&mut self, start: usize, mut arms: Vec<Arm>, span: Span) {
         // Everything before it is in the last arm.
         while let Some(piece) = self.pieces.next
@@ -96,7 +96,7 @@ impl Gatherer<'_> {
         }
     }
 
-    /// Takes the rest of a head in parentheses, and the body.
+    /// Takes the rest of a directive's parentheses, and the body.
     fn close_arm(&mut self, arms: &mut Vec<Arm>, start: usize, body: &[Element], span: Span, choice: bool) {
         let first = body.first().map_or(self.local(span.hi), |e| self.local(e.span.lo));
         let text = self.text;
@@ -137,7 +137,7 @@ impl Gatherer<'_> {
 
     // ------------------------------------------------------------ expressions
 
-    /// Elements that are not items of a body: arguments.
+    /// Gathers arguments, which are elements but not items of a body.
     fn loose(&mut self, elements: &[Element]) {
         for e in elements {
             self.before(e.span);

@@ -1,4 +1,4 @@
-//! Makes the list of atoms from the tree and the tokens.
+//! Makes the formatter's list of atoms from the syntax tree and the tokens.
 
 mod inside;
 
@@ -8,10 +8,10 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::{Piece, Tokens, is_nothing};
 
-/// Length of a list in bytes above which the formatter treats each vector as one atom.
+/// Length of a list of numbers, in bytes, above which each vector is one atom.
 const LONG_LIST: usize = 100_000;
 
-/// The atoms of a text whose first byte has the global offset `base`.
+/// Returns the atoms of a text whose first byte has the global offset `base`.
 pub fn gather(text: &str, base: usize, ast: &Ast) -> Atoms {
     let pieces = Pieces::of(&ast.tokens);
     let mut gatherer = Gatherer { text, base, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
@@ -37,7 +37,7 @@ impl<'a> Pieces<'a> {
     }
 }
 
-/// True if a blank between two adjacent tokens would change them: `0.5.6` is not a number, but `0.5 .6` are two.
+/// True if a blank between two adjacent tokens would change them: `0.5.6` is another text than `0.5 .6`.
 fn changes_if_spaced(before: u8, first: u8) -> bool {
     let numeric = |byte: u8| byte.is_ascii_digit() || byte == b'.';
     numeric(before) && numeric(first) || before == b'>' && first == b'='
@@ -48,9 +48,9 @@ struct Gatherer<'a> {
     base: usize,
     pieces: Pieces<'a>,
     out: Atoms,
-    /// Local offset in the text after the last atom.
+    /// Offset in the text after the last atom.
     at: usize,
-    /// Flags for the next token that becomes an atom.
+    /// Flags for the next atom that is added.
     pending: u16,
     /// Name of the innermost block around the next token.
     block: &'a str,
@@ -69,7 +69,7 @@ impl<'a> Gatherer<'a> {
         self.text.get(self.local(span.lo)..self.local(span.hi)).unwrap_or_default()
     }
 
-    /// Takes all pieces that begin before a local offset.
+    /// Adds all tokens and comments that begin before a local offset.
     fn upto(&mut self, end: usize) {
         while let Some(piece) = self.pieces.next
             && self.local(piece.span().lo) < end
@@ -87,7 +87,7 @@ impl<'a> Gatherer<'a> {
         self.upto(self.local(span.hi));
     }
 
-    /// The text of the next piece, unless it is a comment.
+    /// Returns the text of the next token; `None` before a comment.
     fn next_token(&self) -> Option<&str> {
         match self.pieces.next {
             Some(Piece::Token(span)) => self.text.get(self.local(span.lo)..self.local(span.hi)),
@@ -95,7 +95,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// Takes the next token, and comments before it.
+    /// Adds the next token, and the comments before it.
     fn token(&mut self) {
         while let Some(piece) = self.pieces.take() {
             self.piece(piece);
@@ -105,7 +105,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// Keeps characters without meaning between tokens.
+    /// Adds the characters without meaning between two tokens, so that they stay in the text.
     fn between(&mut self, end: usize) {
         let text = self.text;
         let skipped = |c: char| c <= ' ' || is_nothing(c);
@@ -164,7 +164,7 @@ impl<'a> Gatherer<'a> {
         self.at = hi;
     }
 
-    /// True if the point before a local offset selects a component of the expression before it.
+    /// True if the `.` before a local offset selects a member of the expression before it.
     fn is_access(&self, hi: usize) -> bool {
         let word = |byte: Option<&u8>| byte.is_some_and(|b| b.is_ascii_alphabetic() || *b == b'_');
         let first = self.out.row.last().and_then(|atom| self.text.as_bytes().get(atom.lo as usize));
@@ -172,7 +172,7 @@ impl<'a> Gatherer<'a> {
             && (word(first) || matches!(first, Some(b')' | b']')))
     }
 
-    /// Splits a token that contains several numbers and vectors.
+    /// Splits a token that is a list of numbers and vectors into atoms.
     fn list(&mut self, lo: usize, hi: usize) {
         let (bytes, packed) = (self.text.as_bytes(), hi - lo > LONG_LIST);
         let mut at = lo;
@@ -228,7 +228,7 @@ impl<'a> Gatherer<'a> {
         self.layer(&layers);
     }
 
-    /// If one of several textures of a declaration begins a line, all do.
+    /// Makes all textures of a declaration begin a line if one of them does.
     fn layer(&mut self, starts: &[usize]) {
         let [_, first, rest @ ..] = starts else { return };
         if rest.is_empty() {
@@ -248,7 +248,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// Takes the comma after an element.
+    /// Adds the comma after an element.
     fn comma(&mut self, e: &Element) {
         if e.comma {
             self.pending = 0;
@@ -256,7 +256,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// Marks the item from an atom to the last one.
+    /// Marks the atoms from `start` to the last one as an item.
     fn mark(&mut self, start: usize, item: Item) {
         let end = self.len() as u32;
         let text = self.text;
@@ -277,7 +277,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// Makes each item of a list an item of the body.
+    /// Makes each number or vector of a list an item of the body.
     fn split(&mut self, start: usize) {
         let (end, mut from, mut depth) = (self.len(), start, 0);
         for i in start..end {
@@ -329,7 +329,7 @@ impl<'a> Gatherer<'a> {
         item
     }
 
-    /// Takes the contents after the bracket that was just taken, up to the end of its element.
+    /// Adds the contents of brackets, up to the closing one, after the opening one was added.
     fn enclosed(&mut self, start: usize, span: Span, body: &[Element]) {
         let open = self.len() - 1;
         self.body(body);

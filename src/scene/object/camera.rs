@@ -1,4 +1,4 @@
-//! Reading of cameras; the rays of a `mesh_camera` start at an object, its mesh.
+//! Reads cameras. (The rays of a `mesh_camera` start at the faces of an object.)
 
 use super::{Object, ObjectKind};
 use crate::camera::{Camera, PlacedMesh};
@@ -9,10 +9,10 @@ use crate::source::Span;
 use crate::value::Reader;
 use std::sync::Arc;
 
-/// Number of recent shapes whose faces are cached.
+/// Number of recent shapes whose lists of faces are cached.
 const RECENT: usize = 8;
 
-/// Reads the inside of a camera; `source` is the span of the block.
+/// Reads the contents of a camera's block; `source` is the span of the block.
 ///
 /// # Errors
 /// With the span of the unexpected token, and the expectation.
@@ -21,7 +21,7 @@ pub fn read_camera(r: &mut dyn Reader, source: Span, defaults: &Defaults) -> Res
     Camera::read(r, source, &defaults.texture, &mut |r| Ok(placed(&*Object::read(r, defaults)?, &mut known)))
 }
 
-/// The faces of a mesh with its transform; other objects have no faces.
+/// Returns the faces of a mesh with the object's transform; other objects have no faces.
 fn placed(object: &Object, known: &mut Vec<(Shape, Arc<[Face]>)>) -> PlacedMesh {
     let faces = match &object.kind {
         ObjectKind::Shape(shape) => faces(shape, known),
@@ -30,7 +30,7 @@ fn placed(object: &Object, known: &mut Vec<(Shape, Arc<[Face]>)>) -> PlacedMesh 
     PlacedMesh { faces, transform: *object.transform }
 }
 
-/// The faces of a shape, listed once for all of its copies.
+/// Returns the faces of a shape, which are listed once for all copies of the shape.
 fn faces(shape: &Shape, known: &mut Vec<(Shape, Arc<[Face]>)>) -> Arc<[Face]> {
     if let Some((_, faces)) = known.iter().rev().take(RECENT).find(|(other, _)| other.shares_with(shape)) {
         return faces.clone();

@@ -11,11 +11,11 @@ use crate::value::{Next, Reader, ReaderExt};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// Textures of a shape that is being read; equal textures share a number.
+/// Textures embedded in a shape that is being read; equal textures share a number.
 pub(super) struct EmbeddedTextures<'a> {
     defaults: &'a Defaults,
     textures: Vec<Arc<Texture>>,
-    /// Numbers of the textures by address.
+    /// Numbers of the embedded textures, by the address of the texture.
     numbers: FxHashMap<*const Texture, u32>,
 }
 
@@ -24,7 +24,7 @@ impl<'a> EmbeddedTextures<'a> {
         Self { defaults, textures: vec![], numbers: FxHashMap::default() }
     }
 
-    /// The textures as parts of the object; `None` if the shape has none.
+    /// Returns the embedded textures for the object; `None` if the shape has none.
     pub fn painted(self) -> Option<Arc<[Painted]>> {
         let painted = |texture| Painted::new(texture, &Transform::IDENTITY);
         (!self.textures.is_empty()).then(|| self.textures.into_iter().map(painted).collect())

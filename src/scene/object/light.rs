@@ -1,5 +1,4 @@
-//! Reading of lights with their objects, and of light groups (manual, "Looks_like", "Projected_Through", "Light
-//! Groups").
+//! Reads lights with their objects, and light groups (manual, "Looks_like", "Projected_Through", "Light Groups").
 
 use super::{CsgOp, Object, ObjectKind, is_object};
 use crate::diagnostic::Result;
@@ -16,10 +15,10 @@ use std::sync::Arc;
 /// A light with its objects, in the space of the block around it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LightSource {
-    /// The light.
+    /// Light without its objects.
     #[serde(flatten)]
     pub light: Light,
-    /// Visible shape of the light (`looks_like`); it casts no shadow.
+    /// Visible shape of the light (`looks_like`), which casts no shadow.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub looks_like: Option<Object>,
     /// Object that the light must pass (`projected_through`); nothing between the light and the object casts shadows.
@@ -43,7 +42,7 @@ pub const LIGHT_GROUP: Spec = Spec {
 };
 
 impl LightSource {
-    /// Reads the inside of a `light_source`; `source` is the span of the block.
+    /// Reads the contents of a `light_source` block; `source` is the span of the block.
     pub(super) fn read(r: &mut dyn Reader, source: Span, defaults: &Defaults) -> Result<Self> {
         let mut lit = Self::from(Light::read(r, source)?);
         loop {
@@ -84,7 +83,7 @@ impl LightSource {
 }
 
 impl Object {
-    /// Reads the inside of a `light_group`; `source` is the span of the block.
+    /// Reads the contents of a `light_group` block; `source` is the span of the block.
     pub(super) fn read_light_group(source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         let (mut parts, mut global, mut steps) = (vec![], false, vec![]);
         loop {
@@ -112,7 +111,7 @@ impl Object {
         Ok(object)
     }
 
-    /// Reads the inside of a light; `source` is the span of the block.
+    /// Reads the contents of a light's block; `source` is the span of the block.
     pub(super) fn read_light(source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         let lit = LightSource::read(r, source, defaults)?;
         Ok(Box::new(Self::new(ObjectKind::Light(Arc::new(lit)), "light_source", source, defaults)))

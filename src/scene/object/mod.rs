@@ -24,13 +24,13 @@ pub use photons::{PHOTONS, PhotonSettings};
 pub use radiosity::{OBJECT_RADIOSITY, ObjectRadiosity};
 pub use read::is_object;
 
-/// Geometry of an object.
+/// Geometry of an object: a shape, a CSG object or a light.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ObjectKind {
-    /// A single shape.
+    /// A single shape, such as a sphere.
     Shape(Shape),
-    /// A CSG object with its parts.
+    /// A CSG object: the operation and the operands.
     Csg(CsgOp, Arc<[Object]>),
     /// A light, which can be a part of a union.
     Light(Arc<LightSource>),
@@ -40,17 +40,17 @@ pub enum ObjectKind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CsgOp {
-    /// Union with the surfaces inside.
+    /// Union that keeps the surfaces inside it.
     Union,
-    /// Intersection.
+    /// Intersection of all parts.
     Intersection,
-    /// The first part without the others.
+    /// Difference: the first part without the others.
     Difference,
-    /// Union without the surfaces inside.
+    /// Union without the surfaces inside it.
     Merge,
 }
 
-/// Switches; those of a CSG object also apply to its parts.
+/// Switches of an object. Switches of a CSG object also apply to its parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[allow(missing_docs)]
 pub struct Flags {
@@ -66,7 +66,7 @@ pub struct Flags {
 }
 
 impl Flags {
-    /// All switches off.
+    /// Switches of an object without modifiers: all off.
     pub const NONE: Self = Self {
         no_shadow: false,
         no_image: false,
@@ -80,17 +80,17 @@ impl Flags {
     };
 }
 
-/// An object. Copies are cheap: they share everything but the transform until they are modified.
+/// An object of the scene. Copies are cheap: until they are modified, they share everything but the transform.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Object {
     /// Contents of the object, shared with its copies.
     #[serde(flatten)]
     pub body: Arc<ObjectBody>,
-    /// Product of all transforms, to the space of the block around the object.
+    /// Product of all transforms of the object: from object space to the space of the block around it.
     pub transform: SharedDefault<Transform>,
     /// Span of the object's block.
     pub source: Span,
-    /// Default texture at the statement that added the object to the scene, for all parts without their own; used for
+    /// Default texture for parts without a texture, as it was when the object was added to the scene; used for
     /// outermost objects only.
     pub default_texture: Arc<Texture>,
 }
@@ -98,16 +98,16 @@ pub struct Object {
 /// Contents of an object except its transform. [`Object`] dereferences to it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ObjectBody {
-    /// Geometry.
+    /// Geometry of the object.
     pub kind: ObjectKind,
-    /// Texture; `None` for that of the parent, or else the default.
+    /// Texture of the object; `None` for the parent's texture or, at last, the default.
     pub texture: Option<Painted>,
-    /// Rarely used fields.
+    /// Rarely used fields of the object.
     #[serde(flatten)]
     pub uncommon: SharedDefault<Uncommon>,
-    /// Word of the block.
+    /// Word of the object's block, such as `sphere`.
     pub word: &'static str,
-    /// Box and size of a CSG object; `None` for a single shape.
+    /// Box and size of a CSG object; `None` for a single shape or a light.
     #[serde(skip)]
     pub bulk: Option<Box<Bulk>>,
 }
@@ -115,35 +115,35 @@ pub struct ObjectBody {
 /// Box and size of a CSG object.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bulk {
-    /// Box that [`Object::pov_bounds`] returns; transformed with the object.
+    /// Box that [`Object::pov_bounds`] returns, in the space after the object's transforms.
     pub pov_bounds: Option<Aabb>,
-    /// Size.
+    /// Nesting depth and number of shapes.
     pub weight: Weight,
 }
 
 /// Rarely used fields of an object.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Uncommon {
-    /// Texture of the inside.
+    /// Texture on the inside of the object's surface.
     pub interior_texture: Option<Painted>,
-    /// Textures embedded in the shape; number 1 is the first.
+    /// Textures embedded in the shape, such as those of a mesh; number 1 is the first.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub embedded: Option<Arc<[Painted]>>,
-    /// Interior.
+    /// Interior of the object.
     pub interior: Option<Arc<Interior>>,
-    /// Objects outside of which the object is clipped; transformed with the object.
+    /// Clipping objects, outside of which the object is cut away; they are transformed with the object.
     pub clipped_by: Option<Arc<[Object]>>,
-    /// Objects that bound the object: a hint.
+    /// Bounding objects: rays that miss them skip the object.
     pub bounded_by: Option<Arc<[Object]>>,
-    /// `global_lights` of a light group: true if lights outside of the group illuminate it.
+    /// `global_lights` of a light group: true if lights outside of the group illuminate it; `None` for other objects.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub light_group: Option<bool>,
-    /// Switches.
+    /// Switches of the object, such as `no_shadow`.
     pub flags: Flags,
-    /// `photons` of the object; `None` without the block.
+    /// `photons` block of the object; `None` without the block.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub photons: Option<PhotonSettings>,
-    /// `radiosity` of the object; `None` without the block.
+    /// `radiosity` block of the object; `None` without the block.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radiosity: Option<ObjectRadiosity>,
 }
@@ -182,7 +182,7 @@ impl Uncommon {
 }
 
 impl ObjectBody {
-    /// Contents without modifiers.
+    /// Creates the contents of an object without modifiers.
     pub fn new(kind: ObjectKind, word: &'static str) -> Self {
         let bulk = match &kind {
             ObjectKind::Csg(_, parts) if !parts.is_empty() => {
@@ -193,12 +193,12 @@ impl ObjectBody {
         Self { kind, texture: None, uncommon: SharedDefault::DEFAULT, word, bulk }
     }
 
-    /// Size of the object.
+    /// Returns the object's nesting depth and number of shapes.
     pub fn weight(&self) -> Weight {
         self.bulk.as_ref().map_or(Weight::SHAPE, |bulk| bulk.weight)
     }
 
-    /// True if a transform of the object must also change its contents.
+    /// True if a transform of the object must also transform textures or clipping objects.
     fn has_transformed_contents(&self) -> bool {
         let moved = |painted: &Option<Painted>| painted.as_ref().is_some_and(|p| p.moved.is_some());
         let bound = self.uncommon.clipped_by.is_some() || self.uncommon.bounded_by.is_some();
@@ -216,7 +216,7 @@ impl Deref for Object {
 }
 
 impl DerefMut for Object {
-    /// Makes the contents the object's own before the change.
+    /// Returns the contents for a change. Contents shared with copies are cloned first.
     fn deref_mut(&mut self) -> &mut ObjectBody {
         Arc::make_mut(&mut self.body)
     }
@@ -229,7 +229,7 @@ impl Thing for Object {
 }
 
 impl Object {
-    /// An object without modifiers.
+    /// Creates an object without modifiers.
     pub fn new(kind: ObjectKind, word: &'static str, source: Span, defaults: &Defaults) -> Self {
         Self {
             body: Arc::new(ObjectBody::new(kind, word)),
@@ -239,13 +239,13 @@ impl Object {
         }
     }
 
-    /// A shape that is being read.
+    /// Creates an object whose shape is still to be read.
     pub(in crate::scene) fn unfinished(word: &'static str, source: Span, defaults: &Defaults) -> Self {
         let nothing = ObjectKind::Csg(CsgOp::Union, Arc::default());
         Self::new(nothing, word, source, defaults)
     }
 
-    /// True if the `uv_mapping` of the group around the object also applies to it (quirk: `uv_mapping_of_group`).
+    /// True if `uv_mapping` of the group around the object also applies to the object (quirk: `uv_mapping_of_group`).
     pub fn inherits_uv_mapping(&self) -> bool {
         self.uncommon.interior_texture.is_none()
     }

@@ -1,5 +1,5 @@
-//! `photons { … }` of an object (manual, "Shooting Photons at an Object"). The photon pass does not exist yet, so that
-//! the block is read with a warning.
+//! `photons { … }` of an object (manual, "Shooting Photons at an Object"). The block is read with a warning, because
+//! the photon pass does not exist yet.
 
 use crate::diagnostic::Result;
 use crate::value::ValueKind::{Flag, Float};
@@ -11,7 +11,7 @@ use serde::Serialize;
 /// Interaction of an object with photons.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct PhotonSettings {
-    /// Factor of the distance between the photons that lights shoot at the object; `None` if lights do not shoot at it.
+    /// Factor of the distance between the photons that lights shoot at the object; `None` if the object is no target.
     pub target: Option<f64>,
     /// True if the object refracts photons, false if not; `None` for the light's choice.
     pub refraction: Option<bool>,
@@ -23,7 +23,7 @@ pub struct PhotonSettings {
     pub ignores_photons: bool,
 }
 
-/// Words of the block, and how each is read.
+/// Words of the `photons` block, and how each is read.
 const PHOTON_ROWS: &[Row<PhotonSettings>] = &[
     word("target", Float, "1", "lights shoot photons at the object; a smaller number makes them denser")
         .sets(|s, r| set(&mut s.target, r.optional_float().map(|spacing| Some(spacing.unwrap_or(1.0))))),
@@ -37,7 +37,7 @@ const PHOTON_ROWS: &[Row<PhotonSettings>] = &[
         .sets(|s, r| set(&mut s.pass_through, r.flag().map(Some))),
 ];
 
-/// `photons { … }` of an object.
+/// Specification of the block `photons { … }` of an object.
 pub const PHOTONS: Spec = Spec {
     name: "photons",
     summary: "interaction of an object with photons; durer does not render photons yet",
@@ -46,7 +46,7 @@ pub const PHOTONS: Spec = Spec {
 };
 
 impl PhotonSettings {
-    /// Reads the block from its opening to its end; items override the present values.
+    /// Reads a `photons` block from its opening to its closing brace; what it states replaces the present values.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -63,7 +63,8 @@ impl PhotonSettings {
         }
     }
 
-    /// Returns the settings of a part of a group whose settings are `group`; values of the part's own have priority.
+    /// Returns the settings of a part of a group with the settings `group`. Values that the part itself states have
+    /// priority.
     #[must_use]
     pub fn inherit(self, group: Self) -> Self {
         Self {

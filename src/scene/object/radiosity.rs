@@ -6,19 +6,19 @@ use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
 
-/// Radiosity settings of one object.
+/// `radiosity` settings of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ObjectRadiosity {
     /// Factor of the number of rays by which radiosity gathers light at the object: more than 0, and 1 at most.
     pub importance: f64,
 }
 
-/// Words of the block, and how each is read.
+/// Words of the `radiosity` block, and how each is read.
 const RADIOSITY_ROWS: &[Row<ObjectRadiosity>] =
     &[word("importance", Float, "1", "factor of the number of rays that gather light at the object, 1 at most")
         .sets(|s, r| set(&mut s.importance, read_importance(r)))];
 
-/// `radiosity { … }` of an object.
+/// Specification of the block `radiosity { … }` of an object.
 pub const OBJECT_RADIOSITY: Spec = Spec {
     name: "radiosity",
     summary: "radiosity settings of one object; durer does not render radiosity yet",
@@ -27,7 +27,7 @@ pub const OBJECT_RADIOSITY: Spec = Spec {
 };
 
 impl ObjectRadiosity {
-    /// Reads the block from its opening to its end.
+    /// Reads a `radiosity` block from its opening to its closing brace.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.

@@ -1,4 +1,4 @@
-//! Reading of objects and their modifiers (manual, "Object Modifiers").
+//! Reads objects and their modifiers (manual, "Object Modifiers").
 
 use super::embedded::EmbeddedTextures;
 use super::{CsgOp, Object, ObjectBody, ObjectKind, ObjectRadiosity};
@@ -14,7 +14,7 @@ use crate::value::words::{is_row, read_row};
 use crate::value::{Family, Next, Reader, ReaderExt, Value};
 use std::sync::Arc;
 
-/// CSG operation of a block's word.
+/// Returns the CSG operation of a block's word; `None` for other blocks.
 fn csg_op(word: &str) -> Option<CsgOp> {
     Some(match word {
         // The name of `union` before 1993.
@@ -32,9 +32,9 @@ pub fn is_object(word: &str) -> bool {
 }
 
 impl Object {
-    /// Reads an object: a block, whose name comes next, or a declared object.
+    /// Reads an object: a block, whose name is the next token, or a declared object.
     ///
-    /// Boxed, because objects are large and passed from block to block.
+    /// The result is boxed, because objects are large and passed from block to block.
     ///
     /// # Errors
     /// With the span of the unexpected token, and the expectation.
@@ -54,7 +54,7 @@ impl Object {
         }
     }
 
-    /// Reads the inside of an object's block.
+    /// Reads the contents of an object's block.
     fn read_block(word: &'static str, source: Span, r: &mut dyn Reader, defaults: &Defaults) -> Result<Box<Self>> {
         if let Some(op) = csg_op(word) {
             return Self::read_csg(op, word, source, r, defaults);
@@ -139,8 +139,8 @@ impl Object {
         Ok(object)
     }
 
-    /// Reads modifiers and the shape's own words up to the end of the block. False if a transform that is not finite
-    /// makes the object empty.
+    /// Reads modifiers and the shape's own words up to the end of the block. Returns false if a transform that is not
+    /// finite makes the object empty.
     fn read_modifiers(
         &mut self,
         mut shape: Option<&mut Shape>,
@@ -190,7 +190,7 @@ impl Object {
         }
     }
 
-    /// Reads one modifier; false if the next token is none.
+    /// Reads one modifier of an object; returns false if the token `next` begins none.
     pub(in crate::scene) fn read_modifier(
         &mut self,
         next: Next,
@@ -235,7 +235,7 @@ impl Object {
         Ok(true)
     }
 
-    /// Reads `texture`, `interior_texture`, or a part of a texture.
+    /// Reads `texture`, `interior_texture`, or a part of a texture such as `pigment`; returns false for another token.
     fn read_surface(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
         match next {
             Next::Block("texture") | Next::Thing("texture") => {
@@ -263,7 +263,7 @@ impl Object {
         Ok(true)
     }
 
-    /// A copy of the texture with the object's transforms applied, for parts that are added now.
+    /// Returns a copy of the object's texture with the object's transforms applied, for layers that are added now.
     fn transformed_texture(&self, painted: &Painted) -> Texture {
         let mut texture = (*painted.texture).clone();
         let place = painted.place(&self.transform);
@@ -273,7 +273,7 @@ impl Object {
         texture
     }
 
-    /// Adds layers to the object's own texture, even if that was set in a declaration (quirk: `textures_add_layers`).
+    /// Adds layers to the object's own texture, even if a declaration set that texture (quirk: `textures_add_layers`).
     fn with_layers(&self, below: Option<&Painted>, texture: Arc<Texture>) -> Painted {
         let layers = match below {
             Some(below) => {
@@ -336,15 +336,15 @@ impl Object {
     }
 }
 
-/// The warning about a number that is not finite.
+/// Returns the warning about an object that is invisible because of a number that is not finite.
 fn invisible_warning(word: &str, fault: Diagnostic) -> Diagnostic {
     let message = format!("nothing of this `{word}` is drawn: {}", fault.message);
     Diagnostic { code: codes::INFINITE, severity: codes::INFINITE.severity(), message, ..fault }
         .help("look for a division by zero, or a number that grows in a loop")
 }
 
-/// Skips a colour, declared or not, which has no effect in an object (quirk: `object_color_ignored`). `fault` is the
-/// error for any other token.
+/// Skips a colour, which has no effect in an object (quirk: `object_color_ignored`). `fault` is the error for any other
+/// token.
 fn skip_color(next: Next, fault: Diagnostic, r: &mut dyn Reader) -> Result<()> {
     let at = r.span();
     let is_color = match next {

@@ -1,4 +1,4 @@
-//! Directives.
+//! Builds the syntax tree's nodes of directives.
 
 use super::expr::unescape;
 use super::{Builder, In, name_of};
@@ -27,7 +27,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The parentheses after a directive's word.
+    /// Builds the contents of the parentheses after a directive's word.
     fn head(&self, head: Option<Pair<Rule>>) -> Head {
         let Some(head) = head else { return Head::Pieces(None) };
         let whole = if self.single { None } else { self.only_expr(head.clone(), In::Script) };
@@ -113,7 +113,7 @@ impl Builder<'_> {
         Some(Target { symbol, span: name.span, keyword, indices })
     }
 
-    /// Each branch extends from its directive's word to the next one.
+    /// Builds the branches of an `#if` directive. Each branch extends from its directive's word to the next one.
     fn branches_of(&self, pair: Pair<Rule>, place: In) -> Box<[Branch]> {
         let (kind, mut branches, mut head) = (self.text_of(&pair), vec![], None);
         let kind = kind[1..].trim_start().to_string();

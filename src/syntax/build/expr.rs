@@ -1,4 +1,4 @@
-//! Expressions.
+//! Builds the syntax tree's nodes of expressions.
 
 use super::{Builder, In, known_word};
 use crate::source::Span;
@@ -10,8 +10,8 @@ use pest::iterators::Pair;
 use std::ops::Range;
 
 impl Builder<'_> {
-    /// An expression, if it is complete. Directives inside are searched for before it is built: otherwise their bodies
-    /// could be built repeatedly.
+    /// Builds an expression; `None` if it is incomplete or contains a directive. Directives are looked for first,
+    /// because building their bodies repeatedly would be slow.
     pub(super) fn whole_expr(&self, pair: &Pair<Rule>, place: In) -> Option<Expr> {
         if self.holds_directive(&super::range(pair)) && !self.is_whole(pair) {
             return None;
@@ -19,11 +19,12 @@ impl Builder<'_> {
         self.expr(pair.clone(), place)
     }
 
+    /// Returns true if a token of the range is a directive.
     pub(super) fn holds_directive(&self, range: &Range<usize>) -> bool {
         self.classes[range.clone()].iter().any(|class| class.is_ascii_uppercase() || *class == class::PLAIN)
     }
 
-    /// True if its brackets contain expressions only. (Arguments of names may be anything.)
+    /// True if all brackets of the expression contain expressions only. Arguments of names may be anything.
     fn is_whole(&self, pair: &Pair<Rule>) -> bool {
         pair.clone().into_inner().all(|part| match part.as_rule() {
             Rule::call | Rule::arguments => true,
@@ -37,7 +38,8 @@ impl Builder<'_> {
         })
     }
 
-    /// Terms and operators, and an optional choice. `None` if its brackets contain anything but expressions.
+    /// Builds an expression of terms, operators and an optional `? :`; `None` if a bracket in it contains anything but
+    /// expressions.
     pub(super) fn expr(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
         let precedence = if place == In::Function { Operator::precedence_in_functions } else { Operator::precedence };
         let span = self.span(&pair);
@@ -71,7 +73,7 @@ impl Builder<'_> {
         if whole { Some([self.expr(yes, place)?, self.expr(no, place)?]) } else { None }
     }
 
-    /// Signs, a primary, components and indices.
+    /// Builds a term: signs, an operand, members and indices.
     fn term(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
         let mut prefixes = vec![];
         let mut value: Option<Expr> = None;
@@ -141,7 +143,7 @@ impl Builder<'_> {
         Some(Expr { span, calls, kind: ExprKind::Index(Box::new(array), indices) })
     }
 
-    /// The expression between two brackets, if it is the only content.
+    /// Builds the expression between two brackets; `None` if the brackets contain anything else.
     pub(super) fn only_expr(&self, brackets: Pair<Rule>, place: In) -> Option<Expr> {
         let range = super::range(&brackets);
         let mut inner = brackets.into_inner();
@@ -172,7 +174,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A call of a built-in function; its arguments have commas between them.
+    /// Builds a call of a built-in function, whose arguments have commas between them.
     fn builtin(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
         let (span, name) = (self.span(&pair), word::by_number(self.token(&pair).data));
         let mut arguments = vec![];
@@ -225,8 +227,8 @@ impl Builder<'_> {
     }
 }
 
-/// Signs before an operand, the innermost first. Signs that cancel each other are dropped, so that `- - - … 1` does not
-/// nest.
+/// Signs before an operand, the innermost first. Signs that cancel each other are dropped, so that the tree does not
+/// nest for `- - - … 1`.
 #[derive(Debug, Default)]
 pub struct SignRow(pub Vec<(Prefix, Span)>);
 
@@ -247,10 +249,10 @@ impl SignRow {
     }
 }
 
-/// Binary operators with their right operands, without the first operand.
+/// Binary operators with their right operands, after the first operand of a chain.
 type Tail = Vec<(Operator, Expr)>;
 
-/// Groups operands by precedence; operators of one precedence make one flat chain.
+/// Groups operands into flat chains by the precedence of the operators between them.
 fn climb(first: Expr, rest: Tail, precedence: fn(Operator) -> u8) -> Expr {
     if rest.is_empty() {
         return first;

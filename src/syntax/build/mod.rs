@@ -1,4 +1,4 @@
-//! Converts pest's pairs to the tree of [`super::ast`].
+//! Converts the pairs of the pest parser to the syntax tree of [`super::ast`].
 
 mod directive;
 mod expr;
@@ -16,8 +16,8 @@ use pest::iterators::{Pair, Pairs};
 pub use pieces::{begins_with_parenthesis, begins_with_sign, pieces};
 use std::ops::Range;
 
-/// Builder of the elements of one piece of text. Positions in pairs are indices of tokens, counted from the piece's
-/// first.
+/// Builder of the syntax tree for one piece of the text. Positions in pairs are indices of tokens, counted from the
+/// piece's first token.
 pub(super) struct Builder<'n> {
     names: &'n Names,
     text: &'n str,
@@ -31,8 +31,8 @@ pub(super) struct Builder<'n> {
     single: bool,
 }
 
-/// Maximum number of tokens of an incomplete expression whose parts are tried as expressions. (In larger ones, trying
-/// parts of parts could take too long.)
+/// Maximum number of tokens of an incomplete expression whose parts are still built as expressions. In larger ones,
+/// repeated attempts could take too long.
 const SMALL: usize = 24;
 
 /// Context in which an expression of the syntax tree is built.
@@ -51,7 +51,7 @@ impl<'n> Builder<'n> {
         Self { names, text, base, classes: &classes[first..], tokens: &tokens[first..], numbers, lists, single }
     }
 
-    /// The elements of a whole piece.
+    /// Appends the elements of a whole piece of text to `out`.
     pub(super) fn piece(&self, chunk: Pair<Rule>, out: &mut Vec<Element>) {
         let range = range(&chunk);
         self.elements_into(chunk.into_inner(), range, In::Script, out);
@@ -76,12 +76,13 @@ impl<'n> Builder<'n> {
         self.numbers[self.token(pair).data as usize]
     }
 
-    /// A vector of numbers, or a list of literals. (May be called again if the enclosing expression is incomplete.)
+    /// Returns the numbers of a token that is a literal vector or a list of literals.
     fn list(&self, token: Token) -> NumberList {
         self.lists[token.data as usize].clone()
     }
 
-    /// Appends the elements in a range of tokens: commas between them are flags of the elements before.
+    /// Appends the elements in a range of tokens to `out`. A comma between two elements becomes a flag of the first
+    /// one.
     fn elements_into(&self, pairs: Pairs<Rule>, range: Range<usize>, place: In, out: &mut Vec<Element>) {
         let (first, mut at) = (out.len(), range.start);
         for pair in pairs.filter(|p| p.as_rule() != Rule::EOI) {
@@ -93,14 +94,14 @@ impl<'n> Builder<'n> {
         self.commas(at..range.end, first, out);
     }
 
-    /// The elements between the brackets of a pair, or in a body.
+    /// Builds the elements between the brackets of a pair, or in a directive's body.
     fn elements(&self, pair: Pair<Rule>, place: In) -> Box<[Element]> {
         let mut out = vec![];
         self.inner_into(pair, place, &mut out);
         out.into_boxed_slice()
     }
 
-    /// The elements of a pair that ends with a bracket, without the tokens before the first element.
+    /// Appends the elements of a pair that ends with a bracket, without the tokens before the first element.
     fn inner_into(&self, pair: Pair<Rule>, place: In, out: &mut Vec<Element>) {
         let mut range = range(&pair);
         match pair.as_rule() {
@@ -111,7 +112,7 @@ impl<'n> Builder<'n> {
         self.elements_into(pair.into_inner(), range, place, out);
     }
 
-    /// Handles tokens between two elements, which can only be commas.
+    /// Handles the tokens between two elements, all of which are commas.
     fn commas(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
         for i in range.filter(|i| self.classes[*i] == class::COMMA) {
             let behind = out.len() > first;
@@ -164,7 +165,8 @@ impl<'n> Builder<'n> {
         out.push(Element::new(span, kind));
     }
 
-    /// Builds `#declare` alone, followed by each token of the target, and the `=`.
+    /// Builds a `#declare` without a plain target: the directive, then each token of the target and the `=` as an
+    /// element.
     fn declare_pieces(&self, pair: Pair<Rule>, out: &mut Vec<Element>) {
         let (own, token) = (range(&pair), self.token(&pair));
         let directive = Directive::DeclarePieces(token.data == 1);
@@ -179,7 +181,7 @@ impl<'n> Builder<'n> {
         self.singles(at..own.end, first, out);
     }
 
-    /// Makes each token an element, except for directives, and for complete elements between brackets.
+    /// Makes each token an element, except for directives and for complete elements between brackets.
     fn flatten(&self, pair: Pair<Rule>, place: In, out: &mut Vec<Element>) {
         let place = if pair.as_rule() == Rule::function { In::Function } else { place };
         let (first, own) = (out.len(), range(&pair));
@@ -232,7 +234,7 @@ impl<'n> Builder<'n> {
         Block { name, body: self.elements(pair, place) }
     }
 
-    /// Returns the word at the start of a parser's pair.
+    /// Returns the word at the start of a parser's pair, as a keyword if it is one.
     fn name(&self, pair: &Pair<Rule>) -> Name {
         let token = self.token(pair);
         Name { word: known_word(self.token_text(token)), span: self.token_span(token) }

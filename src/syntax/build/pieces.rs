@@ -1,12 +1,12 @@
-//! Expressions split into a list of elements. The interpreter reads these where a macro in the expression, or its
-//! continuation, may change the precedence.
+//! Splits expressions into lists of elements, for the places where a macro in the expression, or text after it, may
+//! change the precedence.
 
 use crate::source::Span;
 use crate::syntax::Names;
 use crate::syntax::ast::*;
 use crate::syntax::word;
 
-/// The parts of an expression, one level down: operators and operands, or brackets and their contents.
+/// Returns the parts of an expression, one level down: operators and operands, or brackets and their contents.
 pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
     let mut out = Pieces(vec![]);
     match &e.kind {
@@ -77,7 +77,7 @@ pub fn begins_with_sign(e: &Expr) -> bool {
     }
 }
 
-/// True if the text begins with `(`.
+/// True if the text of the expression begins with `(`.
 pub fn begins_with_parenthesis(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Paren(_) => true,
@@ -122,7 +122,7 @@ impl Pieces {
         self.bracketed(Bracket::Paren, span, |out| out.0.extend(arguments.iter().cloned()));
     }
 
-    /// The operands and operators of a chain, of any precedence.
+    /// Appends the operands and operators of a chain, in the order of the text.
     fn operands(&mut self, e: &Expr) {
         match &e.kind {
             ExprKind::Chain(chain) => {

@@ -1,4 +1,4 @@
-//! Construction of an outline in one pass over the tokens.
+//! Builds the outline of a text in one pass over the tokens.
 
 use super::{Declaration, DeclarationKind, Outline, Pair, Token, TokenKind, Use};
 use crate::source::{FileId, Sources};
@@ -58,14 +58,14 @@ fn outline_token(text: &str, class: u8, range: Range<usize>) -> Token {
     Token { range, kind, class, pair: None }
 }
 
-/// Adds one token after the other to an outline.
+/// Builder that adds one token after another to an outline.
 struct Builder {
     outline: Outline,
     /// Indices of the pairs that are open before the present token.
     open: Vec<usize>,
     /// Indices of the pairs of the macros that are open before the present token.
     macros: Vec<usize>,
-    /// Index of the first token that can be a use; a directive has read the names before it.
+    /// Index of the first token that can be a use of a name; the directive before has already read the earlier ones.
     first_use: usize,
 }
 
@@ -85,6 +85,7 @@ impl Builder {
         }
     }
 
+    /// True if the token of this index is a name.
     fn is_name(&self, i: usize) -> bool {
         self.outline.tokens.get(i).is_some_and(|token| token.kind == TokenKind::Name)
     }

@@ -139,13 +139,13 @@ impl Outline {
         self.text.get(range.clone()).unwrap_or_default()
     }
 
-    /// Returns the word of a directive, without `#`; empty for another token.
+    /// Returns the word of a directive's token, without `#`; empty for another token.
     pub fn directive(&self, token: &Token) -> &str {
         let is_blank = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
         self.slice(&token.range).strip_prefix('#').map_or("", |word| word.trim_start_matches(is_blank))
     }
 
-    /// Returns the word before a pair's bracket, or of its directive.
+    /// Returns the word before a pair's bracket, or the word of a directive's pair.
     pub fn head(&self, pair: &Pair) -> &str {
         self.slice(&pair.head)
     }
@@ -183,8 +183,8 @@ impl Outline {
         around.find(|&pair| self.is_macro(&self.pairs[pair]))
     }
 
-    /// Returns the macro that declares a name used in the macro `scope`, as the index of a pair; `None` for a global
-    /// name.
+    /// Returns the macro that declares a name, for a use of the name in the macro `scope`, as the index of a pair;
+    /// `None` for a global name.
     pub fn owner(&self, name: &str, scope: Option<usize>) -> Option<usize> {
         use DeclarationKind::{Counter, Local, Parameter};
         let owns = |pair: &usize| {

@@ -1,4 +1,4 @@
-//! Kinds of the declared names, as far as the text decides them.
+//! Finds the kinds of the declared names, as far as the text alone decides them.
 
 use super::after_partner;
 use crate::syntax::class;
@@ -12,17 +12,17 @@ pub(super) enum DeclaredKind {
     Block(&'static str),
     /// Kind of a name declared as a vector without a word before it.
     Vector,
-    /// Kind of a name that is declared as another kind, or as different kinds.
+    /// Kind of a name that is declared as anything else, or as several kinds.
     Unknown,
 }
 
-/// Blocks whose names POV-Ray accepts in a block of the same word only.
+/// Blocks whose declared names POV-Ray accepts only in a block of the same word.
 const BLOCKS: &[&str] = &["texture", "pigment", "normal", "finish", "interior", "material", "transform"];
 
-/// All names that the scene's files declare, with their kinds.
+/// Names that the scene's files declare, with their kinds.
 pub(super) struct Declared<'a> {
     kinds: FxHashMap<&'a str, DeclaredKind>,
-    /// True for a macro if the last token of its body, and of all others of the name, is the `}` of a block.
+    /// Names of macros; true if each macro of the name ends with the `}` of a block.
     macros: FxHashMap<&'a str, bool>,
     /// True if the scene's own file requests a language version without `;` after values.
     pub is_old: bool,
@@ -63,13 +63,13 @@ impl<'a> Declared<'a> {
     }
 }
 
-/// True if a block is the last token of the macro that a declaration defines.
+/// True if the last token of the macro that a declaration defines is the `}` of a block.
 fn is_block_macro(outline: &Outline, d: &Declaration) -> bool {
     let own = outline.opened_by(outline.first_token(d.whole.start)).and_then(|pair| pair.closer);
     own.is_some_and(|end| outline.before(end) == class::BRACE_END)
 }
 
-/// The kind of a declaration's value.
+/// Returns the kind of a declaration's value.
 fn kind_of(outline: &Outline, d: &Declaration) -> DeclaredKind {
     // The first token after the name is `=`.
     let value = outline.first_token(d.range.end) + 1;

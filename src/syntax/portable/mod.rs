@@ -1,7 +1,7 @@
-//! `--warn portable`: text that durer accepts and POV-Ray 3.7 rejects (quirk: `strict_separators`). Where the text
-//! alone does not decide what POV-Ray would see, as in a macro's body, nothing is reported.
+//! The lint `--warn portable`: text that durer accepts and POV-Ray 3.7 rejects (quirk: `strict_separators`). Nothing is
+//! reported where the text alone does not decide how POV-Ray reads it, as in a macro's body.
 //!
-//! The rules examine the tokens of the scene's own file, with the brackets that are open around each.
+//! The rules examine the tokens of the scene's own file, with the brackets that are open around each token.
 
 mod declared;
 mod rules;
@@ -12,11 +12,11 @@ use super::outline::{Outline, Pair};
 use crate::diagnostic::{Diagnostic, codes};
 use declared::Declared;
 
-/// The label at the place where a `;` is missing.
+/// Label of the position where a `;` is missing.
 pub const MISSING_SEMICOLON: &str = "`;` goes here";
 
-/// Reports text of the scene's own file that POV-Ray 3.7 rejects. `own` has each number as a token; `all` are the
-/// outlines of the file and of its includes.
+/// Reports text of the scene's own file that POV-Ray 3.7 rejects. In the outline `own`, each number is a token; `all`
+/// holds the outlines of the file and of its includes.
 pub(super) fn lint_portability(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
     let declared = Declared::new(own, all);
     let mut check = Check { outline: own, declared: &declared, directive: None, addition: None, out: vec![] };
@@ -35,18 +35,18 @@ struct Check<'a> {
     declared: &'a Declared<'a>,
     /// Index of the last directive before the present token.
     directive: Option<usize>,
-    /// Index of the last token that was reported as a word of durer's own.
+    /// Index of the last token that was reported as a word that only durer has.
     addition: Option<usize>,
     out: Vec<Diagnostic>,
 }
 
 impl<'a> Check<'a> {
-    /// The brackets around a token, the innermost first.
+    /// Returns the brackets around a token, the innermost first.
     fn brackets(&self, at: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
         self.outline.pairs_around(at).filter(|pair| pair.bracket != b'#' && pair.closer.is_some())
     }
 
-    /// The directives whose bodies contain a token, the innermost first.
+    /// Returns the directives whose bodies contain a token, the innermost first.
     fn directives(&self, at: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
         self.outline.pairs_around(at).filter(|pair| pair.bracket == b'#')
     }
@@ -55,7 +55,7 @@ impl<'a> Check<'a> {
         self.directives(at).any(|pair| self.outline.is_macro(pair))
     }
 
-    /// The word of the block that directly contains a token.
+    /// Returns the word of the block that directly contains a token.
     fn block(&self, at: usize) -> Option<&'a str> {
         self.brackets(at).next().filter(|pair| pair.bracket == b'{').map(|pair| self.outline.head(pair))
     }
@@ -70,7 +70,7 @@ fn is_keyword(outline: &Outline, at: usize) -> bool {
     matches!(outline.class(at), class::KEYWORD | class::HEAD | class::FUNCTION)
 }
 
-/// Index of the token after the partner of an opening bracket; `None` if a directive is between them.
+/// Returns the index of the token after the partner of an opening bracket; `None` if a directive is between them.
 fn after_partner(outline: &Outline, open: usize) -> Option<usize> {
     let closer = outline.opened_by(open)?.closer?;
     (open..closer).all(|at| !class::is_directive(outline.class(at))).then_some(closer + 1)

@@ -1,4 +1,4 @@
-//! The rules of [`super`].
+//! Rules of the lint `--warn portable`, which finds text that POV-Ray 3.7 rejects.
 
 use super::declared::DeclaredKind;
 use super::{Check, is_keyword, value};
@@ -6,21 +6,21 @@ use crate::diagnostic::Label;
 use crate::syntax::class::{self, is_directive};
 use crate::syntax::word::{self, GROUPS, SHAPES};
 
-/// Blocks with numbers and words, in which POV-Ray accepts no comma before a word and none at the end.
+/// Blocks in which POV-Ray accepts no comma before a keyword and none before the `}`.
 #[rustfmt::skip]
 const STRICT: &[&str] = &[
     "sphere", "box", "cylinder", "cone", "torus", "plane", "triangle", "smooth_triangle", "polygon", "prism", "lathe",
     "superellipsoid", "quadric", "text", "isosurface", "sphere_sweep", "blob", "mesh", "object", "finish", "camera",
     "global_settings", "light_source", "interior",
 ];
-/// Blocks of objects, in which it accepts no comma at all.
+/// Blocks of objects in which POV-Ray accepts no comma at all.
 const JOINING: &[&str] = &["union", "merge", "intersection", "difference"];
-/// Blocks with lists of blocks, in which it accepts none between two.
+/// Blocks with lists of blocks, in which POV-Ray accepts no comma between two blocks.
 const ROWS: &[&str] = &["mesh", "blob", "sky_sphere"];
-/// Maps, in which it accepts none between the entries.
+/// Blocks of maps, in which POV-Ray accepts no comma between the entries.
 const MAPS: &[&str] =
     &["color_map", "colour_map", "pigment_map", "normal_map", "texture_map", "slope_map", "density_map"];
-/// Words of objects, cameras and lights, none of which can begin anything else after a comma.
+/// Keywords of objects, cameras and lights that can't begin an operand, so that a comma before them is wrong.
 #[rustfmt::skip]
 const MODIFIERS: &[&str] = &[
     "pigment", "texture", "normal", "finish", "interior", "material", "interior_texture", "scale", "rotate",
@@ -32,7 +32,7 @@ const MODIFIERS: &[&str] = &[
     "reflection", "emission", "brilliance", "crand", "metallic", "max_gradient", "contained_by", "accuracy",
 ];
 
-/// Blocks of patterns, in which it accepts no comma before these words either, except after a list of the pattern.
+/// Blocks of patterns, in which POV-Ray accepts no comma before the words [`MODIFIERS`], except after a pattern's list.
 const PAINTS: &[&str] = &["pigment", "normal", "texture"];
 #[rustfmt::skip]
 const PAINT_WORDS: &[&str] = &[
@@ -40,11 +40,11 @@ const PAINT_WORDS: &[&str] = &[
     "turbulence", "octaves", "omega", "lambda", "ramp_wave", "sine_wave", "triangle_wave", "scallop_wave", "cubic_wave",
     "poly_wave", "quick_color", "quick_colour", "warp", "bump_size",
 ];
-/// Patterns with lists, after whose last entry it accepts a comma.
+/// Patterns that take a list, after whose last entry POV-Ray accepts a comma.
 const LISTS: &[&str] = &["checker", "hexagon", "brick", "square", "triangular", "cubic", "object", "tiles"];
 
 impl Check<'_> {
-    /// Applies the rules to a token.
+    /// Applies all rules of the lint to the token of the index `at`.
     pub(super) fn judge(&mut self, at: usize) {
         match self.outline.class(at) {
             class::COMMA => self.comma(at),
@@ -151,7 +151,7 @@ impl Check<'_> {
         }
     }
 
-    /// True if the directive that ends with this `#end` begins at the start of a statement, and not in a value.
+    /// True if the directive that ends with the `#end` at this index begins a statement, and is not part of a value.
     fn begins_statement(&self, end: usize) -> bool {
         let Some(head) = self.outline.closed_by(end).map(|pair| pair.opener) else { return false };
         head == 0
@@ -159,7 +159,7 @@ impl Check<'_> {
             || self.outline.class(head - 1) == class::BRACE_END && self.is_statement(head)
     }
 
-    /// True if a call of a macro that ends with an object ends before this token, where a statement may begin.
+    /// True if the token before this index ends a call of a macro that produces an object, where a statement may begin.
     fn calls_objects(&self, at: usize) -> bool {
         let Some(name) = self.outline.closed_by(at - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
@@ -170,8 +170,8 @@ impl Check<'_> {
         starts && self.outline.class(name) == class::NAME && self.declared.ends_with_block(self.outline.word(name))
     }
 
-    /// True if the block that ends before this token is a statement: neither a value, nor a part of a macro or a
-    /// branch.
+    /// True if the block that ends before this token is a statement by itself: neither a value, nor a part of a macro
+    /// or a branch.
     fn is_statement(&self, at: usize) -> bool {
         let Some(head) = self.outline.closed_by(at - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
@@ -197,7 +197,7 @@ impl Check<'_> {
         self.block(at) == Some("pigment") && open.is_some_and(|open| open.opener + 1 == at)
     }
 
-    /// True if the token follows the number of an entry of a map of colours.
+    /// True if the token follows the number of an entry of a colour map.
     fn is_map_entry(&self, at: usize) -> bool {
         let mut outwards = self.brackets(at);
         let (Some(entry), Some(map)) = (outwards.next(), outwards.next()) else { return false };
@@ -274,7 +274,7 @@ impl Check<'_> {
         }
     }
 
-    /// Checks for a word that only durer has.
+    /// Reports a word that only durer has.
     fn addition(&mut self, at: usize) {
         let (Some(block), Some(open)) = (self.block(at), self.brackets(at).next()) else { return };
         let name = self.outline.word(at);
@@ -292,7 +292,7 @@ impl Check<'_> {
         }
     }
 
-    /// A font by its family: a file's name usually has no blanks, or an ending.
+    /// Reports a font that is given by its family name. (The name of a font file usually has no blanks, or an ending.)
     fn font(&mut self, at: usize) {
         if self.outline.word(at).contains(' ') && !self.outline.word(at).contains('.') {
             let help = "`ttf \"file.ttf\"` is what both know";
@@ -301,7 +301,7 @@ impl Check<'_> {
     }
 }
 
-/// True if a statement begins with this word. (Others may continue the value.)
+/// True if a statement begins with this keyword, which can't continue a value.
 fn is_statement_word(name: &str) -> bool {
     is_object(name)
         || matches!(name, "light_source" | "camera" | "background" | "global_settings" | "sky_sphere" | "fog")

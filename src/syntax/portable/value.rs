@@ -1,10 +1,10 @@
-//! The end of the value of a `#declare`, where a `;` belongs.
+//! Finds the end of the value of a `#declare`, where a `;` belongs.
 
 use super::{after_partner, is_keyword};
 use crate::syntax::class;
 use crate::syntax::outline::Outline;
 
-/// Functions that return strings, after which POV-Ray needs no `;`.
+/// Functions that return strings; POV-Ray needs no `;` after them.
 const TEXTS: &[&str] = &["chr", "concat", "datetime", "str", "strlwr", "strupr", "substr", "vstr"];
 /// Keywords that begin a colour.
 const COLORS: &[&str] = &[
@@ -12,8 +12,8 @@ const COLORS: &[&str] = &[
     "filter", "transmit",
 ];
 
-/// Index of the token after a number, vector or colour that begins at `at`; `None` where the text alone does not
-/// decide, as for a name that may be a macro or an object, or for a value that directives compose.
+/// Returns the index of the token after the number, vector or colour that begins at the index `at`; `None` where the
+/// text alone does not decide, as for a name that may be a macro, or for a value with directives in it.
 pub(super) fn end(outline: &Outline, at: usize) -> Option<usize> {
     let mut at = at;
     loop {

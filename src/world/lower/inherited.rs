@@ -6,22 +6,22 @@ use crate::scene::{Flags, Object, ObjectKind};
 use crate::texture::Uncommon;
 use std::sync::Arc;
 
-/// Properties that blocks around an object pass on.
+/// Properties that an object inherits from the blocks around it.
 #[derive(Clone, Default)]
 pub struct Inherited {
     pub place: Place,
     pub texture: Option<Look>,
     pub inside: Option<Look>,
-    /// Number of the solids that its shapes cut, if the shapes have no texture.
+    /// Number of the solids that the object's shapes cut, for shapes without a texture; see [`super::World::cuts`].
     pub cut: Option<u32>,
-    /// True if inverted an odd number of times.
+    /// True if the object and the blocks around it are inverted an odd number of times.
     pub inverted: bool,
     pub interior: Option<u32>,
-    /// `hollow` of the object, for blocks without an interior.
+    /// Value of `hollow` of an enclosing object, for objects without an interior.
     pub hollow_air: Option<bool>,
     /// Number of the group of lights around the object; 0 for none.
     pub lights: u32,
-    /// True if the block around is that group itself.
+    /// True if the innermost enclosing block is that light group.
     pub lights_here: bool,
     pub flags: Flags,
     /// Index of the photon settings in [`super::Lowering::photons`].
@@ -34,8 +34,8 @@ impl Inherited {
     }
 }
 
-/// Returns the interior of an object. In old scenes the finish states a part of it; the topmost layer's finish has
-/// priority (quirk: `finish_ior_first`).
+/// Returns the interior of an object. In old scenes, the finish states a part of the interior; the topmost layer's
+/// finish has priority (quirk: `finish_ior_first`).
 pub fn interior_of(object: &Object) -> Option<Arc<Interior>> {
     let said = object.uncommon.interior.clone();
     let finish = object.texture.as_ref().and_then(|painted| painted.texture.layers.last()).map(|top| &top.finish);
@@ -49,8 +49,8 @@ pub fn interior_of(object: &Object) -> Option<Arc<Interior>> {
     }
 }
 
-/// Returns `hollow` for interiors that the blocks within do not state: that of the last shape (quirk:
-/// `hollow_of_last_part`). `None` without any such shape.
+/// Returns the value of `hollow` for interiors whose blocks do not state it: that of the last shape (quirk:
+/// `hollow_of_last_part`); `None` without any such shape.
 pub fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
     let hollow = object.uncommon.flags.hollow || inherited;
     match &object.kind {
@@ -63,7 +63,7 @@ pub fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
     }
 }
 
-/// Combines the flags of a part with those of its group; `inverse` is not inherited.
+/// Combines the flags of an object with those of its group; `inverse` is not inherited.
 pub fn joined(object: &Object, inherited: Flags) -> Flags {
     let own = object.uncommon.flags;
     Flags {

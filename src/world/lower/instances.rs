@@ -1,4 +1,4 @@
-//! Detects objects that are copies of one declared object: see [`crate::world::instance`].
+//! Detects copies of one declared object, which become instances (see [`crate::world::instance`]).
 
 use super::{Inherited, Lowering};
 use crate::diagnostic::Result;
@@ -13,25 +13,25 @@ use crate::world::node::{SolidKind, SolidNode};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// Minimum number of objects that share their parts; fewer get shapes of their own.
+/// Minimum number of equal objects that become instances; fewer get shapes of their own.
 const MANY: usize = 32;
 
-/// Declared objects that many objects share.
+/// Declared objects that have many copies.
 #[derive(Default)]
 pub(super) struct Copies {
-    /// By the address of the parts; the parts are kept alive.
+    /// Originals by the address of their parts, which are kept alive; `None` for parts that can't be shared.
     known: FxHashMap<*const Object, Option<Arc<Original>>>,
 }
 
 /// The geometry that instances share.
 struct Original {
     _parts: Arc<[Object]>,
-    /// The solid, lowered at the origin in a world of its own.
+    /// The original object, lowered at the origin into a geometry of its own.
     node: SolidNode,
     shared: Arc<Geometry>,
 }
 
-/// Numbers of parts and objects before an object is lowered.
+/// Numbers of parts and objects that were lowered before an object.
 #[derive(Clone, Copy)]
 pub(super) struct Mark {
     pub parts: usize,
@@ -43,7 +43,7 @@ impl Lowering {
         Mark { parts: self.parts.len(), objects: self.objects.len() }
     }
 
-    /// Returns the object that was lowered to this node as an instance, if many objects are alike.
+    /// Returns an instance that replaces the object just lowered to `node`, if the object has many copies.
     pub(super) fn copied(&mut self, object: &Object, node: &SolidNode, before: Mark) -> Result<Option<Instance>> {
         let ObjectKind::Csg(_, parts) = &object.kind else { return Ok(None) };
         if !is_seen_as_one(&self.objects[before.objects..]) {
@@ -71,7 +71,7 @@ impl Lowering {
 }
 
 impl Original {
-    /// Lowers the original; `None` if it cannot be shared.
+    /// Lowers the original object; `None` if copies can't share it.
     fn of(object: &Object, parts: &Arc<[Object]>) -> Result<Option<Self>> {
         let mut alone = Lowering::default();
         let object = Object { transform: SharedDefault::DEFAULT, ..object.clone() };
@@ -87,13 +87,13 @@ impl Original {
     }
 }
 
-/// True if all objects are visible to the same rays, and have one view only.
+/// True if all objects are visible to the same kinds of rays, and have one view only.
 fn is_seen_as_one(objects: &[ObjectInfo]) -> bool {
     let alike = |info: &ObjectInfo| ObjectInfo { interior: 0, ..*info };
     objects.iter().all(|info| info.image && info.reflection && alike(info) == alike(&objects[0]))
 }
 
-/// True if the node, whose numbers follow `before`, has the same shapes as the original and depends on nothing else.
+/// True if the node, whose numbers follow `before`, has the same shapes as the original and depends on no other data.
 fn is_copy(node: &SolidNode, original: &SolidNode, before: Mark) -> bool {
     if !node.is_whole() || !original.is_whole() || node.object as usize != before.objects + original.object as usize {
         return false;

@@ -1,4 +1,4 @@
-//! Lowers lights: location, `looks_like`, groups.
+//! Lowers lights with their `looks_like` objects and light groups.
 
 use super::{Group, Inherited, Lowering, Solid, lower_alone};
 use crate::diagnostic::Result;
@@ -8,7 +8,7 @@ use crate::world;
 use crate::world::lower::place::not_finite;
 
 impl Lowering {
-    /// Lowers a light; `looks_like` becomes an object.
+    /// Lowers a light, and adds its `looks_like` object to the geometry.
     pub(super) fn lower_light(
         &mut self,
         lit: &LightSource,
@@ -47,7 +47,7 @@ impl Lowering {
         lit.looks_like.as_ref().map_or(Ok(None), |object| self.lower_object(object, &around))
     }
 
-    /// Adds a group of lights and returns its number.
+    /// Adds a light group and returns its number.
     pub(super) fn add_group(&mut self, global: bool) -> u32 {
         self.add(Group { lights: vec![], within: None, global })
     }
@@ -57,8 +57,8 @@ impl Lowering {
         self.groups.len() as u32
     }
 
-    /// Returns, for each group of lights, the lights that illuminate its objects, in order of declaration; group 0 is
-    /// no group.
+    /// Returns the lights that illuminate the objects of each light group, in order of declaration. Group 0 stands for
+    /// objects in no group.
     pub(super) fn lit_by(&self) -> Vec<Box<[u32]>> {
         let of_group = |group: &Group| {
             let global: &[u32] = if group.global { &self.global } else { &[] };

@@ -1,5 +1,5 @@
-//! Lowering: from what the author wrote to what rays need. Nested blocks become one M and M⁻¹ a shape, properties of a
-//! group are passed to its parts, shared textures are lowered once.
+//! Lowering: converts the scene as written to the data that rays need. Each shape gets one transform, the parts of a
+//! group inherit its properties, and shared textures are lowered once.
 
 mod inherited;
 mod instances;
@@ -33,7 +33,7 @@ use std::sync::Arc;
 /// Lowers a scene.
 ///
 /// # Errors
-/// Numbers that are not finite, transforms whose product is singular.
+/// If numbers are not finite or the product of transforms is singular.
 pub fn lower(scene: &Scene) -> Result<World> {
     // (Cloning an object copies a few pointers.)
     lower_objects(scene.objects.iter().cloned(), scene)
@@ -119,7 +119,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
     })
 }
 
-/// Lowers one object by itself.
+/// Lowers one object into a geometry of its own.
 pub(super) fn lower_alone(object: &Object) -> Result<Geometry> {
     let texture = object.default_texture.clone();
     let mut lowering = Lowering { default_texture: texture, ..Lowering::default() };
@@ -143,35 +143,35 @@ struct Lowering {
     objects: Vec<ObjectInfo>,
     cuts: Vec<Vec<(SolidNode, PlacedMaterial)>>,
     materials: Vec<Material>,
-    /// Textures that may be used again, with their materials.
+    /// Materials of textures that later objects may share.
     textures: Lowered<Texture, u32>,
     shared: Shared,
     copies: Copies,
     interiors: Vec<Arc<Interior>>,
-    /// Distinct photon settings; the first are the defaults.
+    /// Distinct photon settings; the first entry is the default.
     photons: Vec<PhotonSettings>,
-    /// Interior of all shapes without one.
+    /// Interior of all shapes that have none.
     air: Arc<Interior>,
-    /// By number of the interior: true if not hollow.
+    /// True for each interior that is not hollow.
     filled: Vec<bool>,
     lights: Vec<LightSource>,
-    /// Groups of lights; the first is number 1.
+    /// Light groups; the first one has the number 1.
     groups: Vec<Group>,
-    /// Lights of no group.
+    /// Numbers of the lights outside of all groups.
     global: Vec<u32>,
 }
 
-/// A `light_group`.
+/// A `light_group` while it is lowered.
 struct Group {
     lights: Vec<u32>,
-    /// Number of another group whose lights illuminate this one too.
+    /// Number of an enclosing group whose lights illuminate this group, too.
     within: Option<u32>,
-    /// True if lights outside illuminate the group too.
+    /// True if lights outside of the group illuminate it.
     global: bool,
 }
 
 impl Lowering {
-    /// An empty world; `ambient_light` is the scene's factor of `ambient`.
+    /// Creates the state before any object is lowered; `ambient_light` is the scene's factor of `ambient`.
     fn under(ambient_light: Rgb) -> Self {
         let photons = vec![PhotonSettings::default()];
         Self { shared: Shared::under(ambient_light), photons, ..Self::default() }
@@ -183,14 +183,14 @@ impl Lowering {
         self.shared.forget_spent();
     }
 
-    /// Frees the number of an object that was split into its parts.
+    /// Frees the number of an object that was split into its parts, for the next object.
     fn forget_dissolved(&mut self, number: Option<u32>) {
         if number.is_some_and(|number| number as usize + 1 == self.objects.len()) {
             self.objects.pop();
         }
     }
 
-    /// Lowers an object; `None` if rays cannot hit it: lights, empty groups.
+    /// Lowers an object; `None` for lights and empty groups, which rays cannot hit.
     fn lower_object(&mut self, object: &Object, inherited: &Inherited) -> Result<Option<Solid>> {
         let own = self.own(object, inherited)?;
         let clip = self.lower_clip(object, inherited)?;
@@ -217,7 +217,7 @@ impl Lowering {
         Ok(Some(Solid { node: node.bounded(self.lower_bounds(object, inherited)?), opaque }))
     }
 
-    /// Returns the properties inside the object's block.
+    /// Returns the properties that the parts of an object inherit.
     fn own(&mut self, object: &Object, inherited: &Inherited) -> Result<Inherited> {
         let place = inherited.place.inside(object)?;
         let look = |painted: &Option<Painted>| inherited.place.look(painted.as_ref(), object, &place);
@@ -243,7 +243,7 @@ impl Lowering {
         })
     }
 
-    /// Adds the photon settings of an object in a group with the settings number `group`; returns their number.
+    /// Adds the photon settings of an object in a group with the settings number `group`, and returns their number.
     fn add_photons(&mut self, object: &Object, group: u32) -> u32 {
         let Some(own) = object.uncommon.photons else { return group };
         let settings = own.inherit(self.photons.get(group as usize).copied().unwrap_or_default());
@@ -255,7 +255,8 @@ impl Lowering {
         number as u32
     }
 
-    /// Adds an interior, even if it equals the one before: a ray that leaves an object must find what it entered.
+    /// Adds an interior and returns its number. Equal interiors get different numbers, so that a ray that leaves an
+    /// object finds the interior that it entered.
     fn add_interior(&mut self, mut interior: Arc<Interior>, hollow: bool) -> u32 {
         if !interior.unsupported.is_empty() {
             Arc::make_mut(&mut interior).unsupported.clear();
@@ -283,7 +284,7 @@ impl Lowering {
         self.lower_around(bounded_by.as_deref().filter(|_| bounded_by != clipped_by), inherited)
     }
 
-    /// Lowers objects in the space around another.
+    /// Lowers objects in the space around another object.
     fn lower_around(&mut self, parts: Option<&[Object]>, inherited: &Inherited) -> Result<Vec<SolidNode>> {
         let mut all = vec![];
         for part in parts.into_iter().flatten() {
@@ -350,7 +351,7 @@ impl Lowering {
         self.objects.len() as u32 - 1
     }
 
-    /// The look of shapes without a texture.
+    /// Returns the default texture with its transform, for shapes that have none.
     fn default_look(&self) -> Look {
         Look { texture: self.default_texture.clone(), transform: SharedDefault::DEFAULT }
     }
@@ -365,8 +366,8 @@ impl Lowering {
         PlacedMaterial { material, place }
     }
 
-    /// Appends the shapes of a group, with what each shows on surfaces that cut it (manual, "Cutaway Textures", quirk:
-    /// `cutaway_without_texture`).
+    /// Appends the shapes of a group, with the material that each shows on surfaces that cut it (manual, "Cutaway
+    /// Textures", quirk: `cutaway_without_texture`).
     fn find_cut(
         &mut self,
         op: CsgOp,

@@ -8,10 +8,10 @@ use crate::texture::Texture;
 use crate::value::SharedDefault;
 use std::sync::Arc;
 
-/// The space inside a block.
+/// The coordinate space inside a block.
 #[derive(Clone, Default)]
 pub(super) struct Place {
-    /// World from this space.
+    /// Transform from this space to world space.
     pub now: SharedDefault<Transform>,
 }
 
@@ -23,19 +23,19 @@ pub(super) struct Look {
 }
 
 impl Place {
-    /// The space inside the block of an object within this space: world from object = world from block · block from
-    /// object.
+    /// Returns the space inside the block of an object within this space: world from object = world from block · block
+    /// from object.
     pub fn inside(&self, object: &Object) -> Result<Self> {
         Ok(Self { now: moved(&object.transform, &self.now, object.source)? })
     }
 
-    /// Transform of textures that move with the object; the identity under `uv_mapping` (quirk:
+    /// Returns the transform of textures that move with the object; the identity under `uv_mapping` (quirk:
     /// `uv_mapping_keeps_space`).
     pub fn of_textures(&self, object: &Object) -> SharedDefault<Transform> {
         if object.uncommon.flags.uv_mapping { SharedDefault::DEFAULT } else { self.now.clone() }
     }
 
-    /// Returns the look of an object in this space; `inside` is the space inside the object's block.
+    /// Returns an object's texture with its transform to world space; `inside` is the space inside the object's block.
     pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &Place) -> Result<Option<Look>> {
         let Some(Painted { texture, moved: since }) = painted else { return Ok(None) };
         let transform = match since {
@@ -49,7 +49,7 @@ impl Place {
     }
 }
 
-/// Returns `inner` followed by `outer`; shares one of them if the other is the identity.
+/// Returns the transform `inner` followed by `outer`. If one is the identity, the other is shared.
 fn composed(inner: &SharedDefault<Transform>, outer: &SharedDefault<Transform>) -> SharedDefault<Transform> {
     match (inner.explicit_value(), outer.explicit_value()) {
         (None, _) => outer.clone(),
@@ -58,7 +58,7 @@ fn composed(inner: &SharedDefault<Transform>, outer: &SharedDefault<Transform>) 
     }
 }
 
-/// Returns `inner` followed by `outer`, checked for a singular result.
+/// Returns the transform `inner` followed by `outer`, or an error if the product is singular.
 fn moved(
     inner: &SharedDefault<Transform>,
     outer: &SharedDefault<Transform>,
@@ -72,7 +72,7 @@ fn moved(
     }
 }
 
-/// Returns the transform unless it is singular.
+/// Returns the transform, or an error if it is singular.
 fn checked(transform: Transform, source: Span) -> Result<Transform> {
     let Transform { m, inv } = &transform;
     if !m.is_finite() {

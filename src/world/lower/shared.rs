@@ -1,4 +1,4 @@
-//! Lowers shared textures, finishes and normals once.
+//! Lowers each shared texture, finish and normal only once.
 
 use crate::color::Rgb;
 use crate::texture::{Finish, Normal, NormalProgram};
@@ -7,7 +7,7 @@ use crate::world::material::SharedParts;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// Lowered finishes and normals.
+/// Finishes and normals that were already lowered.
 #[derive(Default)]
 pub(super) struct Shared {
     ambient_light: Rgb,
@@ -16,12 +16,12 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    /// No entries yet; `ambient_light` is the scene's factor of `ambient`.
+    /// Creates an empty table; `ambient_light` is the scene's factor of `ambient`.
     pub fn under(ambient_light: Rgb) -> Self {
         Self { ambient_light, ..Self::default() }
     }
 
-    /// Drops what no object uses any more.
+    /// Drops finishes and normals that no object uses any more.
     pub fn forget_spent(&mut self) {
         self.finishes.forget_spent();
         self.normals.forget_spent();
@@ -38,10 +38,10 @@ impl SharedParts for Shared {
     }
 }
 
-/// Lowered values by the address of their source, which is kept alive.
+/// Table of lowered values by the address of their source, which is kept alive.
 pub(super) struct Lowered<T, U> {
     known: FxHashMap<*const T, (Arc<T>, U)>,
-    /// Entries of the current object.
+    /// Keys that were added for the current object.
     fresh: Vec<*const T>,
 }
 

@@ -1,4 +1,5 @@
-//! Views: unions and merges with parts that have `no_image` or `no_reflection` look different to different rays.
+//! Views: a union or merge with parts that have `no_image` or `no_reflection` has different geometry for different
+//! kinds of rays.
 
 use super::Lowering;
 use crate::world::ObjectInfo;

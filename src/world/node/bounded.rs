@@ -1,4 +1,4 @@
-//! `bounded_by`: POV-Ray relies on this hint. A ray that misses the bounding object hits nothing inside it (quirk:
+//! `bounded_by`, a hint that POV-Ray trusts: a ray that misses the bounding object hits nothing inside it (quirk:
 //! `bounded_by_trusted`).
 
 use super::{SolidKind, SolidNode};
@@ -8,8 +8,8 @@ use crate::shape::{Kernel, Shape};
 use crate::world::Leaf;
 
 impl SolidNode {
-    /// Restricts the node to rays that start inside each bounding object or meet it (quirk: `bounded_by_trusted`).
-    /// Bounds that contain the node have no effect and no cost.
+    /// Restricts the node to rays that intersect each bounding object or start inside it (quirk: `bounded_by_trusted`).
+    /// Bounds that contain the whole node are dropped.
     pub fn bounded(mut self, by: impl IntoIterator<Item = SolidNode>) -> Self {
         let bounds: Vec<SolidNode> = by.into_iter().filter(|bound| !bound.surrounds(&self)).collect();
         if !bounds.is_empty() {
@@ -18,7 +18,7 @@ impl SolidNode {
         self
     }
 
-    /// Replaces all bounds by a box, or by nothing.
+    /// Replaces all bounds by a box, or removes them.
     pub fn bounded_by_box(mut self, around: Option<Aabb>) -> Self {
         if self.take_bounds().is_empty() {
             return self;
@@ -27,8 +27,8 @@ impl SolidNode {
         self.bounded(around.map(|b| SolidNode::leaf(Leaf::new(Shape::from(b), &Transform::IDENTITY, 0), 0)))
     }
 
-    /// Restricts the node to rays that meet the box that POV-Ray computes for it (quirk: `intersection_box`), which can
-    /// be smaller than the node.
+    /// Restricts the node to rays that intersect the box that POV-Ray computes for it (quirk: `intersection_box`),
+    /// which can be smaller than the node.
     pub fn visible_within(self, pov_bounds: Aabb) -> Self {
         // Slack for the rounding margins of the parts' boxes.
         let pov_bounds = pov_bounds.grown(1e-6 * pov_bounds.max.abs().max(pov_bounds.min.abs()).max_element().max(1.0));
@@ -38,7 +38,7 @@ impl SolidNode {
         self.bounded([SolidNode::leaf(Leaf::new(Shape::from(pov_bounds), &Transform::IDENTITY, 0), 0)])
     }
 
-    /// True if a ray can hit the node: it starts inside every bound or meets it.
+    /// True if the ray intersects every bound or starts inside it, so that it can hit the node.
     #[inline]
     pub(super) fn is_met(&self, ray: &Ray) -> bool {
         self.bounds_before()
@@ -46,7 +46,7 @@ impl SolidNode {
             .all(|bound| bound.inside(ray.origin) || bound.closest(ray, Range::FORWARD).is_some())
     }
 
-    /// True if this solid surely contains all hits of another, judged by boxes.
+    /// True if this solid contains all hits of `other`, as far as boxes show.
     fn surrounds(&self, other: &SolidNode) -> bool {
         let SolidKind::Leaf(leaf) = &self.kind else { return false };
         if !self.is_whole() || leaf.inverse || !leaf.shape.is_convex() {

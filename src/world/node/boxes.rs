@@ -19,8 +19,8 @@ pub(super) struct Boxes {
 }
 
 impl SolidNode {
-    /// Returns both boxes. Those of a bare shape are computed on each call, which happens only while the world is
-    /// built.
+    /// Returns the boxes around surface and inside. Boxes of a bare shape are computed on each call, which happens only
+    /// while the world is built.
     pub(super) fn boxes(&self) -> Boxes {
         match (&self.composite, &self.kind) {
             (Some(composite), _) => composite.boxes,
@@ -32,14 +32,14 @@ impl SolidNode {
         }
     }
 
-    /// True if the inside extends beyond [`SolidNode::bounds`].
+    /// True if inside points exist outside of the box [`SolidNode::bounds`].
     pub(in crate::world) fn is_unbounded(&self) -> bool {
         let Boxes { surface, solid } = self.boxes();
         !solid.is_empty() && solid.union(surface) != surface
     }
 
-    /// Box within which a camera can be inside a node whose inside extends beyond its bounds: POV-Ray's box of its
-    /// shapes, before they are inverted (quirk: `camera_inside_box`).
+    /// Returns the box within which a camera can be inside a node whose inside extends beyond its bounds: POV-Ray's box
+    /// of its shapes, before they are inverted (quirk: `camera_inside_box`).
     pub(in crate::world) fn camera_bounds(&self) -> Aabb {
         match &self.kind {
             SolidKind::Leaf(leaf)
@@ -58,12 +58,12 @@ impl SolidNode {
         }
     }
 
-    /// Box around all hits.
+    /// Returns a box around all hits of the solid.
     pub fn bounds(&self) -> Aabb {
         self.boxes().surface
     }
 
-    /// Computes both boxes from the parts and the clipping solids.
+    /// Computes the boxes around surface and inside from the parts and the clipping solids.
     pub(super) fn measure(&mut self, clip: Box<[SolidNode]>, bounds: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
         let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(SolidNode::boxes).collect();
         let (surface, solid) = match &self.kind {
@@ -117,14 +117,14 @@ impl SolidNode {
         self.composite = Some(Box::new(CompositeData { clip, bounds, unseen, boxes, convex_parts, child_bvh }));
     }
 
-    /// Computes the boxes again after parts have changed or more solids clip or bound the node.
+    /// Computes the boxes again after parts have changed or clipping or bounding solids were added.
     pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, bounds: Box<[SolidNode]>) {
         let bounds = self.take_bounds().into_iter().chain(bounds).collect();
         let clip = self.take_clip().into_iter().chain(by).collect();
         self.measure(clip, bounds, Box::default());
     }
 
-    /// Box that contains every point that is not inside: finite for an inverted shape.
+    /// Returns a box around all points that are outside of the solid; finite for an inverted shape.
     fn hole(&self) -> Aabb {
         match &self.kind {
             _ if !self.is_whole() => Aabb::INFINITE,
@@ -140,7 +140,7 @@ impl SolidNode {
     }
 }
 
-/// Calls `visit` with shapes that contain all hits and inside points of a solid.
+/// Calls `visit` with shapes that together contain all hits and inside points of a solid.
 fn for_each_enclosing_shape(kind: &SolidKind, clip: &[SolidNode], visit: &mut dyn FnMut(&Leaf)) {
     clip.iter().for_each(|c| for_each_enclosing_shape(&c.kind, c.clip(), visit));
     match kind {
@@ -152,8 +152,8 @@ fn for_each_enclosing_shape(kind: &SolidKind, clip: &[SolidNode], visit: &mut dy
     }
 }
 
-/// Boxes of an intersection: a hit is on one child and inside all others, so the surface is in the union of each
-/// child's surface box cut by all other solid boxes.
+/// Returns the boxes around surface and inside of an intersection. A hit is on one child and inside all others, so the
+/// surface is in the union of each child's surface box cut by all other solid boxes.
 fn intersection_bounds(children: &[Boxes]) -> (Aabb, Aabb) {
     let mut after = vec![Aabb::INFINITE; children.len() + 1];
     for (i, child) in children.iter().enumerate().rev() {

@@ -1,8 +1,8 @@
 //! Solids: shapes combined by `union`, `intersection`, `difference`, `merge`, `inverse` and `clipped_by`.
 //!
 //! A hit of a composite solid is a hit of one of its parts, which is kept or dropped by testing whether the point is
-//! inside the other parts, so open and infinite shapes are no special case. `inverse` is pushed down to the leaves by
-//! De Morgan's laws; clipping solids stay as they are.
+//! inside the other parts. Open and infinite shapes therefore need no special case. `inverse` is pushed down to the
+//! leaves by De Morgan's laws; clipping solids stay unchanged.
 
 mod bounded;
 mod boxes;
@@ -17,11 +17,11 @@ use serde::Serialize;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// A leaf or a composite solid.
+/// A shape or a composite solid, with its object number.
 #[derive(Clone, Debug, Serialize)]
 pub struct SolidNode {
     kind: SolidKind,
-    /// Number of the object in [`crate::world::World::objects`].
+    /// Index of the object in [`crate::world::World::objects`].
     pub object: u32,
     /// Clipping, bounds and boxes of a composite solid; `None` for a bare, unclipped shape.
     #[serde(flatten)]
@@ -31,9 +31,9 @@ pub struct SolidNode {
 /// Clipping, bounds and boxes of a composite or clipped solid.
 #[derive(Clone, Debug, Serialize)]
 struct CompositeData {
-    /// Clipping solids: only what is inside all of them is there.
+    /// Clipping solids: points outside of any of them are removed.
     clip: Box<[SolidNode]>,
-    /// Solids that a ray must meet; see [`SolidNode::bounded`].
+    /// Bounding solids, all of which a ray must intersect; see [`SolidNode::bounded`].
     #[serde(skip_serializing_if = "<[SolidNode]>::is_empty")]
     bounds: Box<[SolidNode]>,
     /// Parts of a union or merge that are invisible in this view but still belong to its inside.
@@ -41,7 +41,7 @@ struct CompositeData {
     unseen: Box<[SolidNode]>,
     #[serde(flatten)]
     boxes: Boxes,
-    /// True for an intersection or merge of a few unclipped shapes that know their intervals along a ray.
+    /// True for an intersection or merge of a few unclipped shapes that can compute their intervals along a ray.
     #[serde(skip)]
     convex_parts: bool,
     /// Hierarchy over the children, if there are many.
@@ -52,34 +52,34 @@ struct CompositeData {
 /// Structure of a node.
 #[derive(Clone, Debug, Serialize)]
 pub enum SolidKind {
-    /// A shape.
+    /// A single shape.
     Leaf(Leaf),
-    /// All surfaces of all children.
+    /// Union: all surfaces of all children.
     Union(Vec<SolidNode>),
-    /// Points inside all children.
+    /// Intersection: the points inside all children.
     Intersection(Vec<SolidNode>),
-    /// A union without its inner surfaces.
+    /// Merge: a union without its inner surfaces.
     Merge(Vec<SolidNode>),
 }
 
-/// The result of splitting a node.
+/// Result of splitting a node into its children.
 pub(super) enum NodeParts {
     One(SolidNode),
     Many(Vec<SolidNode>),
 }
 
 impl SolidNode {
-    /// A bare shape.
+    /// Creates the node of a bare shape.
     pub fn leaf(leaf: Leaf, object: u32) -> Self {
         Self::new(SolidKind::Leaf(leaf), object)
     }
 
-    /// All surfaces of all children.
+    /// Creates a union, which keeps all surfaces of all children.
     pub fn union(children: Vec<SolidNode>, object: u32) -> Self {
         Self::new(SolidKind::Union(children), object)
     }
 
-    /// Points inside all children.
+    /// Creates an intersection of the children.
     pub fn intersection(children: Vec<SolidNode>, object: u32) -> Self {
         // Flatten nested intersections.
         let parts = children.into_iter().flat_map(|child| match (child.is_whole(), child.kind) {
@@ -91,12 +91,12 @@ impl SolidNode {
         Self::new(SolidKind::Intersection(parts), object)
     }
 
-    /// A union without its inner surfaces.
+    /// Creates a merge, a union without its inner surfaces.
     pub fn merge(children: Vec<SolidNode>, object: u32) -> Self {
         Self::new(SolidKind::Merge(children), object)
     }
 
-    /// The first child without the others: the intersection with their inverses.
+    /// Creates a difference: the first child without the others.
     pub fn difference(children: Vec<SolidNode>, object: u32) -> Self {
         let turned = children.into_iter().enumerate().map(|(i, c)| if i == 0 { c } else { c.inverted() });
         Self::intersection(turned.collect(), object)
@@ -108,13 +108,13 @@ impl SolidNode {
         node
     }
 
-    /// Clips the solid to what is inside all of `by`.
+    /// Clips the solid by `by`: points outside of any of these solids are removed.
     pub fn clipped(mut self, by: Vec<SolidNode>) -> Self {
         self.measure_again(by, Box::default());
         self
     }
 
-    /// Exchanges inside and outside. Clipping solids and open surfaces stay as they are.
+    /// Exchanges inside and outside. Clipping solids and open surfaces stay unchanged.
     pub fn inverted(mut self) -> Self {
         let turned = |children: Vec<SolidNode>| children.into_iter().map(SolidNode::inverted).collect();
         self.kind = match self.kind {
@@ -126,8 +126,9 @@ impl SolidNode {
         self
     }
 
-    /// Returns the view without the parts of unions and merges that are `hidden`; hidden parts hide no others, but
-    /// still belong to the inside of what is around them (quirk: `no_image_in_union`). `None` if nothing is hidden.
+    /// Returns the view of the solid without the parts of unions and merges that are `hidden`. Hidden parts remove no
+    /// others from view, but still belong to the inside of the solid (quirk: `no_image_in_union`). `None` if nothing is
+    /// hidden.
     pub fn seen(&self, hidden: &dyn Fn(&SolidKind, u32) -> bool) -> Option<Self> {
         let children = self.children();
         let seen: Vec<Option<Self>> = children.iter().map(|c| c.seen(hidden)).collect();
@@ -149,17 +150,17 @@ impl SolidNode {
         Some(node)
     }
 
-    /// Structure of the node.
+    /// Returns the structure of the node.
     pub fn kind(&self) -> &SolidKind {
         &self.kind
     }
 
-    /// True for a union without clipping, which is only a collection of its children.
+    /// True for a union without clipping, which can be replaced by its children.
     pub(super) fn is_dissolved(&self) -> bool {
         matches!(self.kind, SolidKind::Union(_)) && self.clip().is_empty()
     }
 
-    /// Splits a union without clipping into its children; returns other nodes as they are.
+    /// Splits a union without clipping into its children; returns other nodes unchanged.
     pub(super) fn into_parts(mut self) -> NodeParts {
         match (self.clip().is_empty(), self.kind) {
             (true, SolidKind::Union(children)) => {
@@ -172,7 +173,7 @@ impl SolidNode {
         }
     }
 
-    /// True if no solid clips or bounds the node.
+    /// True if no other solid clips or bounds the node.
     pub(super) fn is_whole(&self) -> bool {
         self.clip().is_empty() && self.bounds_before().is_empty()
     }
@@ -197,7 +198,7 @@ impl SolidNode {
         self.composite.take().map_or_else(Box::default, |composite| composite.clip)
     }
 
-    /// True if the point is inside.
+    /// True if the point is inside the solid.
     pub fn inside(&self, p: DVec3) -> bool {
         let is_near = match &self.kind {
             SolidKind::Leaf(_) => true,
@@ -215,12 +216,12 @@ impl SolidNode {
         }
     }
 
-    /// Appends every hit in the range, in no particular order.
+    /// Appends every hit in the range to `out`, in no particular order.
     pub fn hits<'a>(&'a self, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         self.hits_as(false, ray, range, out);
     }
 
-    /// Appends every hit in the range; `part` is true for a part of a CSG object; see [`Kernel::hits_in_csg`].
+    /// Appends every hit in the range to `out`. `part` is true for a part of a CSG object; see [`Kernel::hits_in_csg`].
     pub(super) fn hits_as<'a>(&'a self, part: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         if !self.is_met(ray) {
             return;
@@ -259,7 +260,7 @@ impl SolidNode {
         }
     }
 
-    /// Calls `visit` with every hit on each shape of the solid, kept or not.
+    /// Calls `visit` with every hit on any shape of the solid, even if the hit is not on the solid's surface.
     pub(super) fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Intersection<'a>)) {
         match &self.kind {
             SolidKind::Leaf(leaf) => {
@@ -274,7 +275,7 @@ impl SolidNode {
         }
     }
 
-    /// The closest hit in the range.
+    /// Returns the closest hit in the range.
     #[inline]
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         match &self.kind {
@@ -285,7 +286,7 @@ impl SolidNode {
         }
     }
 
-    /// True if there is any hit in the range.
+    /// True if the ray has any hit in the range.
     pub fn any(&self, ray: &Ray, range: Range) -> bool {
         match &self.kind {
             SolidKind::Leaf(leaf) if self.clip().is_empty() => self.is_met(ray) && leaf.any(ray, range),
@@ -293,7 +294,7 @@ impl SolidNode {
         }
     }
 
-    /// The closest hit of a composite solid.
+    /// Returns the closest hit of a composite solid.
     fn closest_of_many<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         if !self.is_met(ray) {
             return None;
@@ -338,8 +339,8 @@ impl SolidNode {
         best.map(|found| Intersection { object: self.object, ..found })
     }
 
-    /// The closest hit of a clipped union: stops at the first hit that is kept. Of several hits at one point the last
-    /// part wins (quirk: `last_part_wins`).
+    /// Returns the closest hit of a clipped union: the first one that is not clipped away. Of several hits at one point
+    /// the last part wins (quirk: `last_part_wins`).
     fn closest_of_clipped<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut best: Option<(usize, Intersection)> = None;
         let mut hits = Intersections::new();
@@ -371,7 +372,8 @@ impl SolidNode {
         met.iter().for_each(|&i| all.add(i as usize, &children[i as usize], ray));
     }
 
-    /// Gathers the children's hits and tests them in order of distance until one is kept.
+    /// Returns the closest hit of an intersection or merge: tests the children's hits in order of distance until one is
+    /// kept.
     fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut all = Gathered::new();
         self.gather(ray, range, &mut all);
@@ -383,7 +385,7 @@ impl SolidNode {
         kept.map(|(found, _)| Intersection { object: self.object, ..*found })
     }
 
-    /// Calls `visit` with each child that the ray can hit; `visit` returns the range that is still of interest.
+    /// Calls `visit` with each child that the ray can hit. `visit` returns the range in which further hits count.
     fn each_child<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, &'a SolidNode, Range) -> Range) {
         let children = self.children();
         let Some((min, max)) = self.enter(ray, range) else { return };
@@ -401,8 +403,8 @@ impl SolidNode {
         }
     }
 
-    /// True if the condition holds for all children except child `but`. The condition must be true for children far
-    /// from the point.
+    /// True if the condition holds for all children except child `but`. Children far from the point are skipped, so the
+    /// condition must be true for them.
     fn all_children(&self, p: DVec3, but: usize, condition: impl Fn(usize, &SolidNode) -> bool) -> bool {
         let children = self.children();
         let fine = |i: usize| i == but || condition(i, &children[i]);
@@ -455,7 +457,7 @@ impl SolidNode {
     }
 }
 
-/// Removes the hits from `first` on that do not meet the condition.
+/// Removes the hits of `list`, from index `first` on, that do not meet the condition.
 fn keep<'a>(list: &mut Intersections<'a>, first: usize, condition: impl Fn(&Intersection<'a>) -> bool) {
     let mut end = first;
     for i in first..list.len() {
