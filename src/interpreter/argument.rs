@@ -15,7 +15,7 @@ pub(super) struct Argument<'a> {
     pub(super) span: Span,
 }
 
-/// Contents of a call's [`Argument`], by the form in which the scene wrote the argument.
+/// Contents of an argument in a macro or function call, by the form in which the scene wrote it.
 pub(super) enum Given<'a> {
     /// Argument that is a name alone, which need not be declared.
     Name(Symbol),
@@ -26,7 +26,7 @@ pub(super) enum Given<'a> {
 }
 
 impl<'a> Interpreter<'a> {
-    /// The argument that a parsed expression represents.
+    /// Returns the argument that a parsed expression represents.
     pub(super) fn whole_argument(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
         let given = match &e.kind {
             ExprKind::Name(symbol) => Given::Name(*symbol),
@@ -104,7 +104,7 @@ impl<'a> Interpreter<'a> {
         Ok(Argument { given: Given::Slot(Slot::Value(value)), span })
     }
 
-    /// True if nothing that follows continues the value that was just read.
+    /// True if no following token continues the value that was just read.
     pub(super) fn value_ends(&mut self) -> Result<bool> {
         Ok(match self.peek_after()? {
             None | Some(Token::Sign(Sign::Close(_)) | Token::End) => true,
@@ -116,7 +116,7 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// Contents of the name, element or value that an argument is.
+    /// Returns the contents of an argument that is a name, an element or a value.
     pub(super) fn argument_slot(&mut self, argument: &Argument<'a>) -> Result<Slot<'a>> {
         match &argument.given {
             Given::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
@@ -156,7 +156,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// True if the name or the element that an argument is has a value.
+    /// True if the argument is a value, or a name or array element that has one.
     pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
         match &argument.given {
             Given::Name(symbol) => self.evaluator.is_declared(*symbol),

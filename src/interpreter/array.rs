@@ -19,7 +19,7 @@ const MAX_ELEMENTS: usize = 50_000_000;
 const MAX_DIMENSIONS: usize = 5;
 
 impl<'a> Interpreter<'a> {
-    /// Reads `array[2][3] { {1, 2, 3}, {4, 5, 6} }`; the word comes next. Without sizes the braces determine them
+    /// Reads `array[2][3] { {1, 2, 3}, {4, 5, 6} }` from the word `array` on. Without sizes, the braces determine them
     /// (3.8).
     pub(super) fn read_array(&mut self) -> Result<Slot<'a>> {
         let span = self.stream.next_span();
@@ -58,7 +58,7 @@ impl<'a> Interpreter<'a> {
         Ok(Slot::Array(Rc::new(array)))
     }
 
-    /// Reads `[3]`, or `[]` for a size that the braces determine.
+    /// Reads the array size `[3]`, or `[]` for a size that the braces determine.
     fn read_array_size(&mut self) -> Result<Option<usize>> {
         let at = self.open()?;
         let mut size = None;
@@ -80,7 +80,7 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::BAD_INDEX, at, format!("an array can't have {size} elements"))
     }
 
-    /// Reads `{ … }` into an array of the given sizes. Elements that are left out have no value.
+    /// Reads the elements `{ … }` of an array of the given sizes. Elements that are left out have no value.
     fn read_array_rows(&mut self, sizes: &[usize], items: &mut [Option<Slot<'a>>]) -> Result<()> {
         let Token::Open(Bracket::Brace, _) = self.peek()? else {
             return Err(self.unexpected_token("`{` with a row of the array").into());
@@ -108,7 +108,7 @@ impl<'a> Interpreter<'a> {
         self.close("`}`")
     }
 
-    /// Reads an element. In an array without sizes, braces make an array of arrays.
+    /// Reads an element of an array. In an array without sizes, braces make an array of arrays.
     fn read_array_item(&mut self) -> Result<Slot<'a>> {
         match self.peek()? {
             Token::Open(Bracket::Brace, _) => self.read_braced_array(self.stream.next_span()),
@@ -135,7 +135,7 @@ impl<'a> Interpreter<'a> {
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: None })))
     }
 
-    /// Reads `dictionary { .Name: 1, ["other name"]: 2 }` (3.8), whose braces come next.
+    /// Reads `{ .Name: 1, ["other name"]: 2 }` of a `dictionary` (3.8), from the opening brace on.
     pub(super) fn read_dictionary(&mut self) -> Result<Slot<'a>> {
         self.open()?;
         let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Slot<'a>>>) = (vec![], vec![]);
@@ -158,7 +158,7 @@ impl<'a> Interpreter<'a> {
         Ok(Slot::Array(Rc::new(Array { sizes: Box::new([items.len()]), items, keys: Some(keys) })))
     }
 
-    /// Reads a key: `.Name` or `["name"]`.
+    /// Reads a key of a dictionary: `.Name` or `["name"]`.
     fn read_dictionary_key(&mut self) -> Result<Rc<str>> {
         match self.peek()? {
             Token::Sign(Sign::Dot) => {
@@ -176,8 +176,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads an array's name and the indices after it, and pushes back one token: the element, or the name if no index
-    /// follows.
+    /// Reads an array's name and the indices after it, and pushes back one token: the array's element, or the name if
+    /// no index follows.
     pub(super) fn element_by_tokens(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
         let span = name.span;
         let before = self.stream.has_comma();
@@ -215,8 +215,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The token directly after an array's name. As in POV-Ray, no directive and no macro runs between the two, and no
-    /// macro ends (quirk: `index_follows_name`).
+    /// Returns the token directly after an array's name. As in POV-Ray, no directive and no macro runs between the two,
+    /// and no macro ends (quirk: `index_follows_name`).
     fn index_ahead(&mut self) -> Result<Option<Token<'a>>> {
         loop {
             if self.stream.has_comma() {
@@ -237,7 +237,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Location of the element that `D.Key`, `D["key"].Key` and the like name, if `D` is a dictionary.
+    /// Returns the location of the element that an expression such as `D.Key` or `D["key"].Key` names; `None` if `D` is
+    /// no dictionary.
     pub(super) fn dictionary_lvalue(&mut self, e: &'a Expr) -> Result<Option<LValue>> {
         let base = match &e.kind {
             ExprKind::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
@@ -274,7 +275,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Location of the element `A[i][j]`, which need not have a value yet.
+    /// Returns the location of the array element `A[i][j]`, which need not have a value yet.
     pub(super) fn element_lvalue(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<LValue> {
         match base.kind {
             ExprKind::Name(symbol) => self.lvalue_of(symbol, base.span, indices),
@@ -282,7 +283,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Location of an element that is about to be declared; a new key is added to a dictionary.
+    /// Returns the location of an element that is about to be declared. A new key is added to a dictionary.
     pub(super) fn target_lvalue(&mut self, symbol: Symbol, span: Span, indices: &'a [Expr]) -> Result<LValue> {
         let indices = self.index_values(indices)?;
         self.lvalue_at(symbol, span, &indices, true)
@@ -297,7 +298,8 @@ impl<'a> Interpreter<'a> {
         indices.iter().map(|e| Ok((self.evaluate(e)?, e.span))).collect()
     }
 
-    /// Location of the element at these indices or keys. With `adds`, a new last key is added to a dictionary.
+    /// Returns the location of the element at these indices or keys. With `adds`, a new last key is added to a
+    /// dictionary.
     pub(super) fn lvalue_at(
         &mut self,
         symbol: Symbol,
@@ -359,7 +361,7 @@ impl<'a> Interpreter<'a> {
         Ok(self.evaluator.scopes().at(&lvalue).is_some())
     }
 
-    /// Number of elements of a dimension; the first dimension is 1.
+    /// Returns the number of elements of an array's dimension; the first dimension is 1.
     pub(super) fn dimension_size(&mut self, array: &Argument<'a>, dimension: &Argument<'a>) -> Result<Value> {
         let array = self.array_argument(array)?;
         let n = self.argument_number(dimension)?;
@@ -373,7 +375,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The array that an argument names, for `dimensions` and `dimension_size`.
+    /// Returns the array that an argument names, for `dimensions` and `dimension_size`.
     pub(super) fn array_argument(&mut self, argument: &Argument<'a>) -> Result<Rc<Array<'a>>> {
         match self.argument_slot(argument)? {
             Slot::Array(array) => Ok(array),

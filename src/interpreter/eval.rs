@@ -1,5 +1,5 @@
-//! Evaluation of parsed expressions in which no macro gives tokens and which nothing that follows continues. All others
-//! are read token by token in [`super::token_expr`].
+//! Evaluates expressions of the syntax tree. Expressions in which a macro produces tokens, or that following tokens
+//! continue, are read token by token in [`super::token_expr`].
 
 use super::Interpreter;
 use super::evaluator::{SMALL, apply_prefix, as_float, combine, component, divides_by_zero, not_text, vector_value};
@@ -54,7 +54,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Evaluates components such as `A.x`. Components of components do not recurse, however many there are.
+    /// Evaluates a member access such as `A.x`, without recursion for a chain such as `A.B.C`.
     fn evaluate_components(&mut self, e: &'a Expr) -> Result<Value> {
         if let Some(lvalue) = self.dictionary_lvalue(e)? {
             let slot = self.evaluator.slot_at(&lvalue, e.span)?;
@@ -91,7 +91,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The value of a name. Its first use reports the warnings that waited for it.
+    /// Returns the value of a name. The first use reports the warnings about the name's declaration.
     pub(super) fn evaluate_name(&mut self, symbol: Symbol, span: Span) -> Result<Value> {
         match self.evaluator.scopes().get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => {
@@ -117,7 +117,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The value in a slot; a fault for an array, a file, a macro and a failed declaration.
+    /// Returns the value in a slot; an error for an array, a file, a macro and a failed declaration.
     pub(super) fn slot_value(&mut self, slot: Slot<'a>, span: Span) -> Result<Value> {
         match slot {
             Slot::Value(value) => Ok(value),
@@ -146,7 +146,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reports the warnings that waited for the use of a declared thing.
+    /// Reports the warnings about a declaration, at the first use of the declared name.
     pub(super) fn report_first_use(&mut self, symbol: Symbol, span: Span) {
         for warning in self.evaluator.scopes().pending(symbol).iter().flat_map(|p| p.iter()) {
             self.reporter.report(warning.clone());

@@ -1,7 +1,7 @@
-//! Runs the AST of a scene file and builds the scene.
+//! Runs the syntax tree of a scene file and builds the scene.
 //!
 //! The run has four parts: [`stream`] holds the tokens, [`evaluator`] the values, [`scene_builder`] the scene and
-//! [`reporter`] the diagnostics. The other modules read the language with all four; [`pull`] is their centre.
+//! [`reporter`] the diagnostics. The other modules read the language with all four; [`pull`] connects them.
 
 mod argument;
 mod array;
@@ -40,7 +40,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use stream::{FrameKind, Mode, TokenStream};
 
-/// Built-in functions of scripts that `function { }` does not have: name, arguments, one-line summary.
+/// Returns name, arguments and one-line summary of each function that scripts have and `function { }` does not.
 pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     builtin::usages()
 }
@@ -72,11 +72,11 @@ pub struct Options {
     pub max_memory: Option<u64>,
     /// Clock and memory meter, for the limits and the constant `now`.
     pub host: Arc<dyn Host>,
-    /// Token by which another thread ends the run, as a limit would.
+    /// Token with which another thread can end the run.
     pub cancel: CancelToken,
     /// Size of the elements that the parser produces.
     pub granularity: Granularity,
-    /// True to record the macro calls and includes through which each object came into the scene.
+    /// True to record the call frames (macro calls and includes) of each object that is added to the scene.
     pub record_origins: bool,
     /// True to record which branches of the scene run.
     pub record_branches: bool,
@@ -118,20 +118,20 @@ pub struct Outcome {
     /// Macro calls and includes around each of the scene's objects, innermost first; empty without
     /// [`Options::record_origins`].
     pub origins: Vec<Vec<Label>>,
-    /// Files that the scene wrote to memory alone, because its sandbox does not let it write files.
+    /// Files that the scene wrote to memory, because its sandbox does not allow writing files.
     pub written_in_memory: Vec<PathBuf>,
     /// Branches of `#if`, `#ifdef` and `#switch` that never ran; empty without [`Options::record_branches`].
     pub unused_branches: Vec<Span>,
 }
 
-/// Runs a file that [`Sources`] already holds. `debug` receives the output of `#debug`, `#render` and `#statistics`.
+/// Runs a file of `sources`. `debug` receives the output of `#debug`, `#render` and `#statistics`.
 ///
-/// The recursion is as deep as the nesting of the text and of the macro calls: the stack should have about 500 MB.
+/// The recursion is as deep as the nesting of the text and of the macro calls, so the stack should have about 500 MB.
 pub fn interpret(sources: &Sources, file: FileId, options: &Options, debug: &mut dyn FnMut(&str)) -> Outcome {
     interpret_with(&ParsedFiles::default(), sources, file, options, debug)
 }
 
-/// Runs a file like [`interpret`], and reuses the syntax trees of earlier frames.
+/// Runs a file like [`interpret`], and reuses the syntax trees of earlier animation frames.
 pub fn interpret_with(
     parsed: &ParsedFiles,
     sources: &Sources,
@@ -146,7 +146,7 @@ pub fn interpret_with(
     Outcome { written_in_memory: files.written_in_memory(), ..interpreter.outcome() }
 }
 
-/// Inputs of a run, shared by all its parts.
+/// Inputs of a run, which all its parts share.
 #[derive(Clone, Copy)]
 struct Inputs<'a> {
     sources: &'a Sources,
@@ -157,7 +157,7 @@ struct Inputs<'a> {
     options: &'a Options,
 }
 
-/// One run: the four parts, which know each other only through their interfaces.
+/// One run of a scene's text, in four parts that use each other only through their interfaces.
 pub(crate) struct Interpreter<'a> {
     inputs: Inputs<'a>,
     stream: TokenStream<'a>,
@@ -200,7 +200,7 @@ impl<'a> Interpreter<'a> {
         while self.next_statement() {}
     }
 
-    /// Reads one statement; false at the end of the scene, and after a fault that ends the run.
+    /// Reads one statement; returns false at the end of the scene, and after an error that ends the run.
     fn next_statement(&mut self) -> bool {
         self.stream.set_mode(Mode::default());
         // Directives and macros run while the next statement is peeked. A fault in them skips only the directive.
@@ -219,7 +219,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reports a fault, or the unclosed bracket that causes the fault, and calls `skip`. Returns false if the run ends.
+    /// Reports an error, or the unclosed bracket that causes it, and calls `skip`. Returns false if the run ends.
     fn recover(&mut self, fault: Diagnostic, skip: impl FnOnce(&mut Self)) -> bool {
         let ends = self.reporter.limit_reached() || fault.code == codes::ENDS_RUN;
         let fault = self.stream.with_trace(fault);
@@ -256,7 +256,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Sets the language version of the text that follows.
+    /// Sets the language version for the rest of the text.
     fn set_version(&mut self, version: u32) {
         self.builder.set_version(version);
         self.evaluator.set_version(version);
@@ -273,7 +273,7 @@ impl<'a> Interpreter<'a> {
         self.report_here(d.label("this is 0"));
     }
 
-    /// The error for a name that is not declared.
+    /// Returns the error for a name that is not declared.
     fn undeclared(&self, symbol: Symbol, span: Span) -> Diagnostic {
         let declared = self.evaluator.scopes().names().map(|s| self.inputs.names.text(s));
         self.reporter.undeclared(self.inputs.names.text(symbol), span, declared)

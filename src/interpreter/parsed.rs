@@ -1,4 +1,4 @@
-//! Syntax trees of the files that a command has read. The frames of an animation share them.
+//! Syntax trees of the files that a command has read, which the frames of an animation share.
 
 use crate::source::{FileId, Files, Stamp};
 use crate::syntax::Names;
@@ -7,27 +7,27 @@ use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
-/// Parsed files, and the names in them. They belong to one [`crate::source::Sources`].
+/// Parsed files and the names in them, all from one [`crate::source::Sources`].
 #[derive(Default)]
 pub struct ParsedFiles {
     pub(super) names: Names,
     pub(super) asts: elsa::FrozenVec<Box<Ast>>,
-    /// Parts into which elements and expressions of the trees were split, by address.
+    /// Parts of split elements and expressions, by the address of the syntax tree's node.
     parts: elsa::FrozenMap<*const (), Box<[Element]>, FxBuildHasher>,
     /// Indices of the trees in `asts`.
     trees: RefCell<FxHashMap<FileId, usize>>,
-    /// Files by path, with their stamps: a scene may write a file that the next frame includes.
+    /// Files by path, with their stamps, because a scene may write a file that the next frame includes.
     files: RefCell<FxHashMap<PathBuf, (FileId, Option<Stamp>)>>,
 }
 
 impl ParsedFiles {
-    /// The syntax tree of a file, if it was parsed.
+    /// Returns the syntax tree of a file; `None` if the file was not parsed.
     pub(super) fn tree(&self, file: FileId) -> Option<&Ast> {
         let index = self.trees.borrow().get(&file).copied()?;
         self.asts.get(index)
     }
 
-    /// The parts of a node of a tree; `make` is called once per node.
+    /// Returns the parts of a node of a syntax tree; `make` is called once per node.
     pub(super) fn parts_of<T>(&self, whole: &T, make: impl FnOnce() -> Vec<Element>) -> &[Element] {
         let key: *const () = std::ptr::from_ref(whole).cast();
         match self.parts.get(&key) {
@@ -41,7 +41,7 @@ impl ParsedFiles {
         self.asts.push_get(Box::new(ast))
     }
 
-    /// The file at `path`, if it was read and has not changed since. Built-in files have no stamp.
+    /// Returns the file at `path`; `None` if it was not read or has changed since. Built-in files have no stamp.
     pub(super) fn file(&self, files: &dyn Files, path: &Path) -> Option<FileId> {
         let (file, read) = self.files.borrow().get(path).copied()?;
         (read == files.stamp(path)).then_some(file)
@@ -51,14 +51,15 @@ impl ParsedFiles {
         self.files.borrow_mut().insert(path.to_path_buf(), (file, files.stamp(path)));
     }
 
-    /// Forgets a file that is written, so that an include parses it again. Two writes may have the same stamp.
+    /// Forgets a file that is being written, so that the next include parses it again. (Two writes may have the same
+    /// stamp.)
     pub(super) fn forget(&self, files: &dyn Files, path: &Path) {
         let full = files.canonicalize(path).ok();
         let same = |known: &Path| known == path || full.is_some() && files.canonicalize(known).ok() == full;
         self.files.borrow_mut().retain(|known, _| !same(known));
     }
 
-    /// All trees with their files, in the order of reading.
+    /// Returns all syntax trees with their files, in the order of reading.
     pub fn all(&self) -> Vec<(FileId, &Ast)> {
         let mut all: Vec<_> = self.trees.borrow().iter().map(|(&file, &index)| (file, index)).collect();
         all.sort_by_key(|(_, index)| *index);

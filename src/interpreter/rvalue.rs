@@ -1,4 +1,4 @@
-//! Values of `#declare X = …` and of macro arguments: anything that can have a name.
+//! Reads the value of `#declare X = …` or of a macro's argument: any value that can have a name.
 
 use super::Interpreter;
 use super::evaluator::Slot;
@@ -15,12 +15,12 @@ use crate::texture::{ColorMap, Finish, Normal, NormalMap, Pigment, PigmentMap, S
 use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
 
-/// Blocks that can be declared but that durer does not render yet.
+/// Blocks that can be declared, but that durer does not render yet.
 pub const UNSUPPORTED_BLOCKS: &[&str] =
     &["media", "density", "density_map", "warp", "radiosity", "photons", "pattern", "array", "texture_list"];
 
 impl<'a> Interpreter<'a> {
-    /// Reads a complete value. Directives and macros after the value do not run.
+    /// Reads a complete value. Directives and macros after the value do not run yet.
     pub(super) fn read_rvalue(&mut self) -> Result<Slot<'a>> {
         self.in_mode(|mode| mode.defers = true, Self::read_deferring_rvalue)
     }
@@ -76,7 +76,7 @@ impl<'a> Interpreter<'a> {
         if self.call_follows()? { self.read_rest_of_value(value, span) } else { Ok(Slot::Value(value)) }
     }
 
-    /// Continues a value whose first operand was read.
+    /// Reads the rest of a value whose first operand was read.
     fn read_rest_of_value(&mut self, value: Value, span: Span) -> Result<Slot<'a>> {
         if matches!(&value, Value::Thing(_)) && !is_callable(&value) {
             return Ok(Slot::Value(value));
@@ -84,7 +84,7 @@ impl<'a> Interpreter<'a> {
         self.continue_value(value, span).map(|(value, _)| Slot::Value(value))
     }
 
-    /// Reads a block that can be declared.
+    /// Reads a block that can be declared, such as `texture { … }`.
     fn read_thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().clone();
         if word == "spline" {
@@ -120,7 +120,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Opens the block that comes next, calls `read` with the block's span, and closes the block.
+    /// Opens the block that comes next, reads its contents with `read`, which receives the block's span, and closes the
+    /// block.
     fn read_inside<T: Thing>(&mut self, read: impl FnOnce(&mut Self, Span) -> Result<T>) -> Result<Arc<dyn Thing>> {
         let at = self.take_token()?;
         let thing = read(self, at)?;
@@ -128,7 +129,7 @@ impl<'a> Interpreter<'a> {
         Ok(Arc::new(thing))
     }
 
-    /// Reads the inside of `#default { … }` or `default { … }`.
+    /// Reads the contents of `#default { … }` or `default { … }`.
     pub(super) fn read_defaults(&mut self) -> Result<()> {
         loop {
             let next = Reader::next(self)?;

@@ -1,4 +1,4 @@
-//! Statements at the outermost level: objects, lights, cameras, settings.
+//! Reads statements outside of all blocks: objects, lights, cameras, settings.
 
 use super::stream::Token;
 use super::{Interpreter, reporter::hints};
@@ -12,7 +12,7 @@ use crate::texture::warn_of_byte_color;
 use crate::value::words::word;
 use crate::value::{Family, Next, Reader, Spec, ValueKind};
 
-/// Words of the outermost level, except shapes.
+/// Words that begin a statement outside of all blocks, except shapes.
 pub const STATEMENTS: Spec = Spec {
     name: "scene",
     summary: "what stands in a scene outside of all braces",
@@ -47,7 +47,7 @@ pub const STATEMENTS: Spec = Spec {
 };
 
 impl Interpreter<'_> {
-    /// Reads one statement, which [`Self::peek`] has announced; false at the end of the file.
+    /// Reads one statement, whose first token [`Self::peek`] has returned; returns false at the end of the file.
     pub(super) fn read_statement(&mut self) -> Result<bool> {
         match Reader::next(self)? {
             Next::End if !matches!(self.peek()?, Token::End) => {
@@ -170,7 +170,7 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// The error for a block at the outermost level that belongs inside another block.
+    /// Returns the error for a block outside of all blocks that belongs inside another one.
     fn stray_block_error(&mut self, word: &'static str) -> Diagnostic {
         let span = match self.peek() {
             Ok(Token::Block(name)) => name.span,
@@ -183,7 +183,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The error for a value at the outermost level: mostly a misspelt word or a missing `#declare`.
+    /// Returns the error for a value outside of all blocks, mostly due to a misspelt word or a missing `#declare`.
     fn stray_value_error(&mut self) -> Diagnostic {
         if let Ok(Token::Expr(e)) = self.peek() {
             if let Some(at) = self.comparison_ahead() {
@@ -206,7 +206,7 @@ impl Interpreter<'_> {
             .help("to give it a name, write `#declare Name = …;`")
     }
 
-    /// True if a value begins with this sign, which is a token by itself. After an operand, `<` is a comparison.
+    /// True if the sign is a token by itself and begins a value. After an operand, `<` is a comparison.
     fn begins_value(&self, sign: Sign, span: Span) -> bool {
         let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
         let (before, behind) = self.inputs.sources.text(file).split_at(range.start);
@@ -226,7 +226,7 @@ impl Interpreter<'_> {
         begins && !compares && operand.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
     }
 
-    /// Span of a comparison sign in the operands that come next, as in `Size = 3`.
+    /// Returns the span of a comparison sign after the next operands, as in `Size = 3`.
     fn comparison_ahead(&mut self) -> Option<Span> {
         if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
@@ -240,7 +240,7 @@ impl Interpreter<'_> {
         row.take_while(in_row).find(|e| compares(e)).map(|e| e.span)
     }
 
-    /// Sets what depends on the whole text, and closes open files.
+    /// Sets the properties that depend on the whole text, and closes open files.
     pub(super) fn finish_scene(&mut self) {
         self.close_files();
         self.builder.finish();

@@ -26,8 +26,8 @@ pub struct Settings {
     pub noise_generator: Option<NoiseGenerator>,
     /// Number of wave sources of the patterns `ripples` and `waves`.
     pub number_of_waves: usize,
-    /// True if a filter also makes the surface reflect less of the colours that it absorbs, as before 3.7; see
-    /// [`crate::color::Color::opacity`].
+    /// True for the blending of filters before 3.7: a surface shows of its own light only the share that its filter
+    /// colour absorbs; see [`crate::color::Color::opacity`].
     pub opacity_by_color: bool,
     /// True if sky layers are blended as before 3.7; see [`crate::world::Sky`].
     pub sky_by_share: bool,

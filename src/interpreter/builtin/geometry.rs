@@ -12,8 +12,8 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 impl<'a> Interpreter<'a> {
-    /// `trace(Object, From, Direction [, Normal])`: the first intersection of a ray, or the origin; the last argument
-    /// is set to the normal there.
+    /// Evaluates `trace(Object, From, Direction [, Normal])`: the first hit of a ray, or the origin without a hit. The
+    /// name in the last argument is set to the normal at the hit.
     pub(super) fn trace_object(
         &mut self,
         object: &Argument<'a>,
@@ -62,7 +62,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The object that an argument names.
+    /// Returns the object that an argument names.
     fn object_argument(&mut self, argument: &Argument<'a>) -> Result<Arc<Object>> {
         let value = self.argument_value(argument)?;
         let found = value.describe();
@@ -75,7 +75,7 @@ impl<'a> Interpreter<'a> {
         d.help("`#declare Thing = sphere { … }` declares one").into()
     }
 
-    /// The object that an argument names, prepared for ray queries and cached.
+    /// Returns the object that an argument names, prepared for ray queries and cached.
     fn probe(&mut self, argument: &Argument<'a>) -> Result<Rc<Probe>> {
         let object = self.object_argument(argument)?;
         let key = Arc::as_ptr(&object).cast::<()>();

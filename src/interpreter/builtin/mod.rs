@@ -1,4 +1,4 @@
-//! Built-in functions of scripts: one table for each group.
+//! Calls of built-in functions in scripts, with one table for each group of functions.
 
 mod geometry;
 mod numeric;
@@ -86,7 +86,7 @@ impl Arguments {
         Diagnostic::err(codes::WRONG_TYPE, self.values[i].1, message)
     }
 
-    /// The fault for a value outside of the function's domain.
+    /// Returns the error for an argument outside of the function's domain.
     fn bad<T>(&self, i: usize, message: String) -> Result<T> {
         Diagnostic::err(codes::BAD_ARGUMENT, self.values[i].1, message)
     }
@@ -184,7 +184,7 @@ pub(super) fn needs_commas(name: &str) -> bool {
     matches!(FUNCTIONS.get(name), Some(Function::Numeric(row)) if matches!(row.kernel, numeric_table::Kernel::Many(_)))
 }
 
-/// The fault for a wrong number of arguments.
+/// Checks the number of arguments of a function's call.
 fn check_count(name: &str, arity: &RangeInclusive<usize>, found: usize, span: Span) -> Result<()> {
     if arity.contains(&found) {
         return Ok(());
@@ -200,7 +200,7 @@ fn check_count(name: &str, arity: &RangeInclusive<usize>, found: usize, span: Sp
     Diagnostic::err(codes::WRONG_COUNT, span, message)
 }
 
-/// Functions of scripts that `function { }` does not have: name, arguments, summary.
+/// Returns name, arguments and summary of each function that scripts have and `function { }` does not.
 pub(super) fn usages() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     plain().map(|f| (f.name, f.usage, f.summary)).chain(special::TABLE.iter().map(|f| (f.name, f.usage, f.summary)))
 }

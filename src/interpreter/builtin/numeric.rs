@@ -5,7 +5,7 @@ use crate::diagnostic::Result;
 use crate::function::numeric::{Kernel, Numeric};
 use crate::value::Value;
 
-/// Calls a function; the number of arguments has been checked.
+/// Computes a numeric function. The number of arguments has been checked.
 pub(super) fn compute(row: &Numeric, a: &Arguments) -> Result<Value> {
     let first = row.clamp_to_domain(a.float(0)?);
     match row.kernel {
@@ -24,7 +24,7 @@ pub(super) fn compute(row: &Numeric, a: &Arguments) -> Result<Value> {
     }
 }
 
-/// Numbers of arguments that the function takes.
+/// Returns the numbers of arguments that a numeric function accepts.
 pub(super) fn arity(row: &Numeric) -> std::ops::RangeInclusive<usize> {
     match row.kernel {
         Kernel::One(_) => 1..=1,

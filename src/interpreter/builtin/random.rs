@@ -6,7 +6,7 @@ use crate::interpreter::argument::Argument;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
-    /// Opens a random stream, and returns its number.
+    /// Opens a random stream, and returns the stream's number.
     pub(super) fn seed(&mut self, start: &Argument<'a>) -> Result<Value> {
         let start = self.argument_number(start)?;
         // Numbers outside of 32 bits count as the smallest one (quirk: `seed_overflow`).
@@ -15,8 +15,8 @@ impl<'a> Interpreter<'a> {
         Ok(Value::Float(stream as f64))
     }
 
-    /// The next number of a stream, from 0 to 1, by POV-Ray's linear congruential generator
-    /// (quirk: `random_generator`).
+    /// Returns the next number of a random stream, from 0 to 1, by POV-Ray's linear congruential generator (quirk:
+    /// `random_generator`).
     pub(super) fn rand(&mut self, stream: &Argument<'a>) -> Result<Value> {
         let number = self.argument_number(stream)?;
         match self.evaluator.random_stream(number) {

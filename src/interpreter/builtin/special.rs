@@ -17,11 +17,11 @@ pub(super) struct Special {
     pub summary: &'static str,
     /// Numbers of arguments that the built-in function takes.
     pub arity: RangeInclusive<usize>,
-    /// Function that computes the result.
+    /// Function that computes the built-in function's result.
     pub run: Run,
 }
 
-/// Function that computes the result from the arguments and the span of the call.
+/// Function that computes a built-in function's result from the arguments and the span of the call.
 pub(super) type Run = for<'a> fn(&mut Interpreter<'a>, &[Argument<'a>], Span) -> Result<Value>;
 
 pub(super) const TABLE: &[Special] = &[
@@ -112,7 +112,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// 1 if the file exists and the scene may read it.
+    /// Evaluates `file_exists(Path)`: 1 if the file exists and the scene may read it, else 0.
     fn file_exists(&mut self, path: &Argument<'a>) -> Result<Value> {
         let name = self.argument_text(path)?;
         let found =

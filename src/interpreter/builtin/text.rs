@@ -100,13 +100,13 @@ fn text(s: String) -> Result<Value> {
     Ok(Value::Text(s.into()))
 }
 
-/// Difference of the first two characters that differ; 0 for equal strings.
+/// Returns the difference of the first two characters that differ, as `strcmp` does; 0 for equal strings.
 fn compare(a: &str, b: &str) -> f64 {
     let codes = |s: &str| s.chars().map(|c| f64::from(u32::from(c))).chain([0.0]).collect::<Vec<_>>();
     codes(a).iter().zip(&codes(b)).map(|(a, b)| a - b).find(|d| *d != 0.0).unwrap_or(0.0)
 }
 
-/// Parses the number at the start of a string; returns it with its length in bytes.
+/// Parses the number at the start of a string, and returns it with its length in bytes.
 pub fn leading_number(s: &str) -> Option<(f64, usize)> {
     let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-');
     let end = s.find(|c| !digits(c)).unwrap_or(s.len()).min(400);
@@ -141,7 +141,7 @@ fn datetime(a: &Arguments) -> Result<Value> {
     }
 }
 
-/// Seconds from 1970 to the beginning of the year 2000.
+/// Time from the beginning of 1970 to that of 2000, in seconds.
 const EPOCH_2000: i64 = 946_684_800;
 
 /// Evaluates `substr(S, P, L)`: L characters from character P on, counted from 1.

@@ -1,4 +1,4 @@
-//! `#if`, `#ifdef`, `#while`, `#for`, `#switch`.
+//! The directives `#if`, `#ifdef`, `#while`, `#for` and `#switch`.
 
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::interpreter::Interpreter;
@@ -69,8 +69,8 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Reads a condition whose `(` begins the branch's body, because a macro or a branch gives the `)`. The rest of the
-    /// body is read next.
+    /// Reads a condition whose `(` is in the branch's body because a macro or a branch provides the `)`. The rest of
+    /// the body is read next.
     fn read_head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
         if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(Bracket::Paren)))) {
             return Err(self.syntax_error_at(span).into());
@@ -181,7 +181,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Reads `I, 0, 10, 2`. The commas are optional.
+    /// Reads the contents `I, 0, 10, 2` of the parentheses after `#for`. The commas are optional.
     fn read_for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
         // Without the comma after the name, `J -1, 1` and `J (0), 1` parse as expressions.
         if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
@@ -202,7 +202,7 @@ impl<'a> Interpreter<'a> {
         Ok((counter, numbers, at))
     }
 
-    /// Runs the first arm that matches, and all arms after it up to a `#break`.
+    /// Runs the first arm of a `#switch` that matches, and the arms after it up to a `#break`.
     pub fn run_switch(&mut self, value: &'a Head, arms: &'a [Arm], span: Span) -> Result<()> {
         let value = self.evaluate_head(value, span)?;
         for (i, arm) in arms.iter().enumerate() {
@@ -245,7 +245,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// Span of the second sign of `==`, `&&` or `||`.
+/// Returns the span of the second sign of `==`, `&&` or `||`, a habit from other languages.
 fn doubled_operator(elements: &[Element]) -> Option<Span> {
     let sign = |e: &Element| match e.kind {
         ElementKind::Sign(Sign::Operator(op)) => Some(op),
@@ -255,7 +255,7 @@ fn doubled_operator(elements: &[Element]) -> Option<Span> {
     elements.windows(2).find(doubled).map(|pair| pair[1].span)
 }
 
-/// The error for a part of `#if` or `#switch` after its `#else`.
+/// Returns the error for `#elseif`, `#case` or the like after an `#else`.
 fn continues_nothing(span: Span, text: &str) -> Fault {
     let word = text.split(|c: char| !c.is_ascii_alphabetic() && c != '#').next().unwrap_or("#else");
     let at = Span { hi: span.lo + word.len() as u32, ..span };

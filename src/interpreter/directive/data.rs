@@ -1,4 +1,4 @@
-//! Contents of data files: values as `#read` parses them, and as `#write` formats them, as text or bytes.
+//! Contents of data files: parses values for `#read`, and formats them for `#write` as text or bytes.
 
 use crate::interpreter::builtin::leading_number;
 use crate::interpreter::evaluator::numbers_of;
@@ -26,7 +26,7 @@ pub(super) fn skip(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
     }
 }
 
-/// Parses the number, vector or string at the start of a text; returns it with its length in bytes.
+/// Parses the number, vector or string at the start of a text, and returns it with its length in bytes.
 pub(super) fn data_value(text: &str) -> Option<(Value, usize)> {
     match text.as_bytes()[0] {
         b'"' => {
@@ -126,7 +126,7 @@ impl Binary {
         Some(Self { size, signed, big_endian })
     }
 
-    /// Rounds to the nearest integer in the range, and encodes it.
+    /// Rounds a number to the nearest integer in the format's range, and encodes it.
     fn bytes(self, x: f64) -> Vec<u8> {
         let values = (1_i64 << (8 * self.size)) as f64;
         let (low, high) = if self.signed { (-values / 2.0, values / 2.0 - 1.0) } else { (0.0, values - 1.0) };

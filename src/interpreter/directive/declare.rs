@@ -1,4 +1,4 @@
-//! `#declare A = …`, `#local A = …`, `#undef A`, `#default { … }`.
+//! The directives `#declare A = …`, `#local A = …`, `#undef A` and `#default { … }`.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
@@ -14,16 +14,16 @@ use std::rc::Rc;
 /// Target of a `#declare` or `#local` directive.
 struct Declared {
     symbol: Symbol,
-    /// Location of an array element; `None` for the name itself.
+    /// Location of the array element that is declared; `None` if the name itself is.
     lvalue: Option<LValue>,
 }
 
-/// Contents of `deprecated once "why"`; the flag is `once`.
+/// Message of `deprecated once "why"` in a declaration; the flag is true for `once`.
 type Deprecated<'a> = Option<(bool, &'a str)>;
 
 impl<'a> Interpreter<'a> {
-    /// Runs `#declare` and `#local`. A thing that cannot be built is declared all the same, and its errors are reported
-    /// where it is used: standard include files declare hundreds of things of which a scene uses a few.
+    /// Runs `#declare` and `#local`. A value with errors is declared all the same, and the errors are reported where it
+    /// is used, because standard include files declare hundreds of values of which a scene uses a few.
     pub fn run_declare(&mut self, declare: &'a Declare) -> Result<()> {
         let target = &declare.target;
         if let Some(word) = target.keyword {
@@ -74,7 +74,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Runs `#declare` and `#local` where the target before the `=` comes token by token.
+    /// Runs `#declare` and `#local` for a target that comes token by token.
     pub fn run_declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         let checkpoint = self.stream.checkpoint();
         self.declare_tokens(local, span).map_err(|fault| self.skip_fault(checkpoint, *fault))
@@ -115,7 +115,7 @@ impl<'a> Interpreter<'a> {
         self.declare_one(local, deprecated, declared)
     }
 
-    /// Returns a `(` that comes next as a token; [`Token::End`] if none does.
+    /// Returns the next token if it is `(`, and [`Token::End`] otherwise.
     fn peek_parenthesis(&mut self) -> Result<Token<'a>> {
         match self.stream.next_element().map(|e| &e.kind) {
             Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.stream.split_next(),
@@ -125,7 +125,7 @@ impl<'a> Interpreter<'a> {
         self.peek()
     }
 
-    /// Reads `deprecated once "why"`, if it comes next.
+    /// Reads `deprecated once "why"` if the next token begins it.
     fn read_deprecated(&mut self) -> Result<Deprecated<'a>> {
         let word = |me: &Self, name: &str| matches!(me.stream.next_element().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
         if !word(self, "deprecated") {
@@ -145,7 +145,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads the target: a name, perhaps with indices.
+    /// Reads the target of a declaration: a name, perhaps with indices.
     fn read_target(&mut self, directive: Span) -> Result<Declared> {
         self.pop_spent();
         // A `declare A = 3` without `#` was parsed as a comparison.
@@ -238,7 +238,7 @@ impl<'a> Interpreter<'a> {
         Ok(Declared { symbol: target.symbol, lvalue })
     }
 
-    /// Assigns a value to the target; `pending` are the warnings that wait for its use.
+    /// Assigns a value to the target of a declaration; `pending` are warnings that are reported at the first use.
     fn bind(&mut self, local: bool, declared: &Declared, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         match &declared.lvalue {
             Some(lvalue) => {
@@ -250,8 +250,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8). All values are computed before the first name is assigned,
-    /// so that `(A, B) = (B, A)` swaps them.
+    /// Reads the values `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8). All values are computed before the first name is
+    /// assigned, so that `(A, B) = (B, A)` swaps them.
     fn read_values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
         self.expose_parenthesis()?;
         let Token::Open(Bracket::Paren, _) = self.peek()? else {
@@ -315,7 +315,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// The word with a capital first letter.
+/// Returns the word with a capital first letter.
 fn capitalized(word: &str) -> String {
     let mut letters = word.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())

@@ -1,4 +1,4 @@
-//! `#fopen`, `#fclose`, `#read`, `#write` (manual, "User Defined File I/O").
+//! The directives `#fopen`, `#fclose`, `#read` and `#write` (manual, "User Defined File I/O").
 
 use super::data::{Binary, data_bytes, data_value, skip_blanks};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -27,7 +27,7 @@ pub struct OpenFile {
 }
 
 enum Access {
-    /// A text file with the offset up to which it has been read.
+    /// A text file that is read, with the offset up to which it has been read.
     Read {
         file: FileId,
         at: usize,
@@ -65,7 +65,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Reads a name, which need not be declared.
+    /// Reads a name that a directive defines; `None` if the next token is no name.
     pub fn read_name(&mut self) -> Result<Option<(Symbol, Span)>> {
         match self.peek()? {
             Token::Expr(Expr { kind: ExprKind::Name(symbol), span, .. }) => {
@@ -76,8 +76,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads the word after the file's name; empty if no word follows. No directive after it runs before the file is
-    /// open.
+    /// Reads the word after the file's name in an `#fopen`; empty if no word follows. A directive after the word runs
+    /// only after the file is open.
     fn read_access_word(&mut self) -> &'static str {
         while let Some(ElementKind::Comma) = self.stream.next_element().map(|e| &e.kind) {
             self.stream.advance();
@@ -145,7 +145,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Closes a file, and reports an error in writing the rest of its buffer.
+    /// Closes a file, and reports an error in writing the rest of the file's buffer.
     fn flush(&mut self, index: usize, span: Span) {
         let file = &mut self.open_files[index];
         let written = match std::mem::replace(&mut file.access, Access::Closed) {
@@ -174,7 +174,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Runs `#read (Name, A, B)`. At the end of its text the file is closed, which `defined` then reports.
+    /// Runs `#read (Name, A, B)`. At the end of the file's text the file is closed, and `defined(Name)` is then false.
     pub fn run_read(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#read")?;
         let Some((file, at)) = self.read_name()? else {
@@ -212,7 +212,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Reads the next number, vector or string of a file; true if more follows.
+    /// Reads the next number, vector or string of a file. The flag is true if more values follow.
     fn next_value(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
         let file = &mut self.open_files[index];
         let Access::Read { file, at } = &mut file.access else {

@@ -1,4 +1,4 @@
-//! `#include "name"`.
+//! The directive `#include "name"`.
 
 use crate::diagnostic::{Diagnostic, Result, Severity, codes, file, nearest};
 use crate::interpreter::Interpreter;
@@ -16,8 +16,8 @@ impl<'a> Interpreter<'a> {
         self.include(&text, name, joined(span, name))
     }
 
-    /// Includes the file `text` before the next token. `name` is the span of the file's name, and `span` that of the
-    /// directive.
+    /// Includes the file `text`, so that its tokens come next. `name` is the span of the file's name, `span` that of
+    /// the directive.
     pub fn include(&mut self, text: &str, name: Span, span: Span) -> Result<()> {
         if self.stream.include_paths().len() >= MAX_INCLUDES {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
@@ -61,13 +61,13 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The syntax tree of a file. Each file is read and parsed once.
+    /// Returns the syntax tree of a file, which is read and parsed once.
     fn load(&mut self, path: &Path, name: &str, span: Span) -> Result<&'a Ast> {
         let file = self.source_file(path, name, span)?;
         self.parse_file(file)
     }
 
-    /// The text of a file, read once unless the file changes.
+    /// Returns the text of a file, which is read again only if the file changes.
     pub fn source_file(&mut self, path: &Path, name: &str, span: Span) -> Result<FileId> {
         if let Some(file) = self.inputs.parsed.file(self.inputs.files, path) {
             return Ok(file);
@@ -88,7 +88,7 @@ impl<'a> Interpreter<'a> {
         Ok(file)
     }
 
-    /// The syntax tree of a file in the built-in library, under a path that no real file has.
+    /// Returns path and syntax tree of a file of the built-in library. No real file has such a path.
     fn load_built_in(&mut self, name: &str, text: &str, span: Span) -> Result<(PathBuf, &'a Ast)> {
         let path = Path::new(library::FOLDER).join(name);
         if let Some(ast) =
@@ -151,7 +151,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// The file whose name is closest to `name`. The extension is ignored, because most files share it.
+/// Returns the file whose name is closest to `name`. The extension is ignored, because most files have the same.
 fn similar_file<'a>(name: &str, there: &'a [String]) -> Option<&'a str> {
     let stem = |file: &'a str| file.rsplit_once('.').map_or(file, |(stem, _)| stem);
     let typed = name.rsplit_once('.').map_or(name, |(stem, _)| stem);

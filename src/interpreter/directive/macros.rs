@@ -1,4 +1,4 @@
-//! `#macro Name(A, B) … #end` and its calls.
+//! The directive `#macro Name(A, B) … #end`, and calls of macros.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
@@ -23,7 +23,8 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Calls a macro: evaluates the arguments, opens a scope and reads the body next, then a comma if `comma` is set.
+    /// Calls a macro: evaluates the arguments and opens a scope. The macro's body is read next, then a comma if `comma`
+    /// is set.
     pub fn call_macro(&mut self, name: Symbol, arguments: &'a [Element], span: Span, comma: bool) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
@@ -35,7 +36,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Calls a macro whose name has been consumed and whose `(` comes next.
+    /// Calls a macro whose name has been consumed; the next token is the `(`.
     pub fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
@@ -79,8 +80,8 @@ impl<'a> Interpreter<'a> {
         self.stream.push_call(definition, span, comma);
     }
 
-    /// Evaluates arguments without a frame, which is the common case: one expression for each parameter, without macro
-    /// calls. `None` for other arguments.
+    /// Evaluates the arguments of a macro in the common case: one expression for each parameter, without calls of
+    /// macros. `None` for other arguments.
     fn plain_arguments(
         &mut self,
         definition: &'a Macro,
@@ -111,8 +112,8 @@ impl<'a> Interpreter<'a> {
         Ok(Some(slots))
     }
 
-    /// Returns the location to which a macro's parameter refers whose argument is the name `symbol`. `next` is the name
-    /// that follows without a comma (quirk: `reference_without_comma`).
+    /// Returns the location to which a parameter refers if its argument is the name `symbol`. `next` is the name that
+    /// follows without a comma (quirk: `reference_without_comma`).
     fn referenced_name(&self, symbol: Symbol, next: Option<Symbol>) -> Option<LValue> {
         let scopes = self.evaluator.scopes();
         let is_number = |slot: &Slot| matches!(slot, Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_)));
@@ -160,8 +161,8 @@ impl<'a> Interpreter<'a> {
         Ok(slots)
     }
 
-    /// Reads an argument. A name alone is passed by reference, unless it is local to a macro that ends with the
-    /// argument; any other value is copied.
+    /// Reads an argument of a macro. A name alone is passed by reference, unless it is local to a macro that ends with
+    /// the argument; any other value is copied.
     fn read_macro_argument(&mut self, level: u32) -> Result<Slot<'a>> {
         if !matches!(self.peek()?, Token::Expr(Expr { kind: ExprKind::Name(_), .. }) | Token::Element(_)) {
             return self.read_rvalue();

@@ -1,4 +1,4 @@
-//! `#debug`, `#warning`, `#error`, `#render`, `#statistics`.
+//! The directives `#debug`, `#warning`, `#error`, `#render` and `#statistics`.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;

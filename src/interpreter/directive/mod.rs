@@ -1,4 +1,4 @@
-//! Directives: one file each, and one row in [`table`].
+//! Directives of the scene language: each has a file and a row in [`table`].
 
 mod branch;
 mod data;
@@ -18,7 +18,7 @@ use crate::source::Span;
 use crate::syntax::ast::{Directive, Symbol};
 
 impl<'a> Interpreter<'a> {
-    /// Runs a directive. Branches and loops push a frame that is read next.
+    /// Runs a directive. For branches and loops, pushes a frame so that the body is read next.
     pub(super) fn run_directive(&mut self, directive: &'a Directive, span: Span) -> Result<()> {
         match directive {
             Directive::Declare(declare) => self.run_declare(declare),

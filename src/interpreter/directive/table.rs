@@ -17,25 +17,25 @@ pub struct DirectiveSpec {
     pub summary: &'static str,
     /// Example of the directive in a few lines, which runs.
     pub example: &'static str,
-    /// Function that runs a directive without a body.
+    /// Function that runs the directive; `None` for a directive with a body.
     pub(in crate::interpreter) run: Option<Run>,
 }
 
-/// Function that runs a directive: receives the word and its span, and reads what follows.
+/// Function that runs a directive: receives the directive's word and span, and reads the tokens that follow.
 pub(in crate::interpreter) type Run = for<'a> fn(&mut Interpreter<'a>, &'static str, Span) -> Result<()>;
 
-/// The word and the function of a directive without a body.
+/// Returns the word and the function of a directive without a body.
 pub(in crate::interpreter) fn find(name: &str) -> Option<(&'static str, Run)> {
     RUNNERS.get(name).copied()
 }
 
-/// A hash map, because scripts may run `#write` a million times.
+/// Functions of the directives without a body, by word. (A hash map, because scripts may run `#write` a million times.)
 static RUNNERS: LazyLock<FxHashMap<&'static str, (&'static str, Run)>> = LazyLock::new(|| {
     let runners = |row: &'static DirectiveSpec| row.names.iter().filter_map(|name| Some((*name, (*name, row.run?))));
     TABLE.iter().flat_map(runners).collect()
 });
 
-/// Names of all directives of the scene language.
+/// Returns the names of all directives of the scene language.
 pub(in crate::interpreter) fn names() -> impl Iterator<Item = &'static str> {
     TABLE.iter().flat_map(|row| row.names).copied()
 }

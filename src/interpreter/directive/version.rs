@@ -1,4 +1,4 @@
-//! `#version 3.7;`
+//! The directive `#version 3.7;`.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::stream::Token;

@@ -23,12 +23,13 @@ pub struct Assets {
     pub fonts: FxHashMap<font::FontLocation, Arc<Font>>,
     /// Font files by the name of the family; `None` for a family that is not installed.
     pub families: FxHashMap<String, Option<font::FontLocation>>,
-    /// Objects that `trace` or `inside` has queried, by address. The object is kept so that no other one gets its address.
+    /// Objects that `trace` or `inside` has queried, by address. Each object is kept alive, so that no other gets its
+    /// address.
     probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
 }
 
 impl Assets {
-    /// The probe of an object that was queried before.
+    /// Returns the probe of an object that was queried before.
     pub fn probe(&self, object: *const ()) -> Option<Rc<Probe>> {
         self.probes.get(&object).map(|(_, probe)| probe.clone())
     }

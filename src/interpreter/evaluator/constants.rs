@@ -45,14 +45,14 @@ impl Constants {
         self.fixed(symbol).cloned()
     }
 
-    /// A constant that is not computed at each use.
+    /// Returns the value of a constant that stays the same during the run; `None` for `now`.
     #[inline]
     pub(super) fn fixed(&self, symbol: Symbol) -> Option<&Value> {
         self.values.get(symbol.0 as usize)?.as_ref()
     }
 }
 
-/// The value of a constant that does not change during a run.
+/// Returns the initial value of a built-in constant; `None` for other names.
 fn value_of(name: &str, inputs: Inputs) -> Option<Value> {
     let flag = |b: bool| Some(Value::Float(f64::from(b)));
     let float = |x: f64| Some(Value::Float(x));
@@ -73,5 +73,5 @@ fn value_of(name: &str, inputs: Inputs) -> Option<Value> {
     }
 }
 
-/// Days from the beginning of the year 1970 to that of 2000, where `now` starts (manual, "now").
+/// Days from the beginning of 1970 to that of 2000, from where `now` counts (manual, "now").
 const DAYS_TO_2000: f64 = 10_957.0;

@@ -1,4 +1,4 @@
-//! Elements of arrays and dictionaries.
+//! Access to elements of arrays and dictionaries.
 
 use super::{Array, Evaluator, LValue, Slot};
 use crate::diagnostic::{Diagnostic, Fault, Result, codes, did_you_mean};
@@ -7,7 +7,7 @@ use crate::syntax::ast::{Expr, ExprKind, Symbol};
 use crate::value::Value;
 
 impl<'a> Evaluator<'a> {
-    /// True if the element of `symbol` at these keys is a dictionary; without keys, if `symbol` is one.
+    /// True if the element of `symbol` at these keys is a dictionary. Without keys, true if `symbol` itself is one.
     pub fn is_dictionary(&self, symbol: Symbol, keys: &[(Value, Span)]) -> bool {
         let Some(mut lvalue) = self.scopes.resolve(symbol) else { return false };
         for (key, _) in keys {
@@ -19,7 +19,7 @@ impl<'a> Evaluator<'a> {
         self.scopes.dictionary(&lvalue).is_some()
     }
 
-    /// The location that the expression `base.key` names, if `place` is the dictionary `base`.
+    /// Returns the location that the expression `base.key` names; `None` if `lvalue` is not the dictionary `base`.
     pub fn dictionary_element(&self, lvalue: &LValue, e: &Expr) -> Result<Option<LValue>> {
         let ExprKind::Dot(_, name, symbol) = &e.kind else { return Ok(None) };
         let Some(dictionary) = self.scopes.dictionary(lvalue) else { return Ok(None) };
@@ -30,7 +30,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The location of a dictionary's element by its keys. With `adds`, a new last key is added.
+    /// Returns the location of a dictionary's element by its keys. With `adds`, a new last key is added.
     pub fn key_lvalue(&mut self, lvalue: LValue, keys: &[(Value, Span)], adds: bool) -> Result<LValue> {
         let mut lvalue = lvalue;
         for (i, (value, span)) in keys.iter().enumerate() {
@@ -48,7 +48,7 @@ impl<'a> Evaluator<'a> {
         Ok(lvalue)
     }
 
-    /// The contents of a location; a fault if it has no value.
+    /// Returns the contents of a location; an error if the location has no value.
     pub fn slot_at(&self, lvalue: &LValue, span: Span) -> Result<Slot<'a>> {
         match self.scopes.at(lvalue) {
             Some(slot) => Ok(slot.clone()),
@@ -56,7 +56,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The fault "… has no value yet".
+    /// Returns the error "… has no value yet".
     pub fn no_value<T>(&self, span: Span) -> Result<T> {
         let text = self.inputs.sources.snippet(span);
         let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{text}` has no value yet"));
@@ -70,7 +70,7 @@ fn missing_key(dictionary: &Array, key: &str, span: Span) -> Fault {
     Box::new(d.maybe_help(did_you_mean(key, keys)))
 }
 
-/// Returns the fault "expected a string" for a value of another type.
+/// Returns the error "expected a string" for a value of another type.
 pub fn not_text<T>(found: &Value, span: Span) -> Result<T> {
     let message = format!("expected a string, found {}", found.describe());
     Diagnostic::new(codes::WRONG_TYPE, span, message).help("`str(A, 0, 3)` makes text of a number").into()

@@ -1,6 +1,6 @@
 //! Values of a run: scopes, constants, the fast evaluation of expressions, random streams and cached assets.
 //!
-//! Nothing here reads the token stream; what needs it (calls of macros and splines, faults with a call trace) is in
+//! No code of this module reads the token stream. Calls of macros and splines, and errors with a call trace, are in
 //! [`super::eval`].
 
 mod assets;
@@ -36,12 +36,12 @@ pub(super) struct Evaluator<'a> {
     inputs: Inputs<'a>,
     scopes: Scopes<'a>,
     constants: Constants,
-    /// Reasons of names declared `deprecated` that were not used yet.
+    /// Messages of names declared `deprecated` that were not used yet.
     deprecated: FxHashMap<Symbol, &'a str>,
     /// States of the random streams that `seed()` opened, by their numbers.
     random: Vec<u32>,
     assets: Assets,
-    /// An empty list for the arguments of the next macro call, kept for its memory.
+    /// Empty list for the arguments of the next macro call, kept to reuse its allocation.
     spare_arguments: Vec<Option<Slot<'a>>>,
 }
 
@@ -106,7 +106,7 @@ impl<'a> Evaluator<'a> {
         self.scopes.get(symbol).is_some()
     }
 
-    /// The symbol of a word that is also a declared name.
+    /// Returns the symbol of a keyword that the scene also declared as a name.
     pub(super) fn declared_symbol(&self, word: &str) -> Option<Symbol> {
         self.inputs.names.find(word).filter(|symbol| self.is_declared(*symbol))
     }
@@ -116,7 +116,7 @@ impl<'a> Evaluator<'a> {
         !self.is_declared(symbol) && !self.is_constant(symbol)
     }
 
-    /// The declared thing of this name, if it has type `T`.
+    /// Returns the declared object, texture or similar value of this name, if its type is `T`.
     pub(super) fn thing_of<T: Thing>(&self, symbol: Symbol) -> Option<Arc<T>> {
         match self.scopes.get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => downcast(thing),
@@ -124,7 +124,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// A name as [`crate::value::Reader::next`] announces it: a declared thing, or a value.
+    /// Returns a name as [`crate::value::Reader::next`] announces it: as a declared thing or as a value.
     pub(super) fn next_of_name(&self, symbol: Symbol) -> Next {
         match self.scopes.get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
@@ -132,7 +132,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// Adds the step to a loop's counter, which the body may have changed; true if another pass follows.
+    /// Adds the step to a loop's counter, which the body may have changed. Returns true if another pass follows.
     pub(super) fn advance_counter(&mut self, counter: Symbol, last: f64, step: f64, span: Span) -> Result<bool> {
         let Some(Slot::Value(Value::Float(value))) = self.scopes.get(counter) else {
             let name = self.inputs.names.text(counter);
@@ -143,7 +143,7 @@ impl<'a> Evaluator<'a> {
         Ok(is_in_loop(next, last, step))
     }
 
-    /// Records that the use of a name gives a warning.
+    /// Makes the first use of a name report the warning `why`.
     pub(super) fn deprecate(&mut self, symbol: Symbol, why: &'a str) {
         self.deprecated.insert(symbol, why);
     }
@@ -153,29 +153,29 @@ impl<'a> Evaluator<'a> {
         !self.deprecated.is_empty()
     }
 
-    /// The reason why a name is deprecated, at its first use only.
+    /// Returns the reason why a name is deprecated; `None` from the second use on.
     pub(super) fn take_deprecation(&mut self, symbol: Symbol) -> Option<&'a str> {
         self.deprecated.remove(&symbol)
     }
 
-    /// Opens a random stream in this state, and returns its number; the first is 0.
+    /// Opens a random stream with the initial state `state`, and returns the stream's number, from 0.
     pub(super) fn open_random_stream(&mut self, state: u32) -> usize {
         self.random.push(state);
         self.random.len() - 1
     }
 
-    /// The state of a random stream.
+    /// Returns the state of a random stream.
     pub(super) fn random_stream(&mut self, number: f64) -> Option<&mut u32> {
         self.random.get_mut(number as usize).filter(|_| number >= 0.0)
     }
 
-    /// An empty list for the arguments of a macro call.
+    /// Returns an empty list for the arguments of a macro call.
     pub(super) fn argument_list(&mut self) -> Vec<Option<Slot<'a>>> {
         std::mem::take(&mut self.spare_arguments)
     }
 
-    /// Opens the scope of a macro call and binds the parameters to the arguments. `None` leaves an optional parameter
-    /// unbound.
+    /// Opens the scope of a macro call and binds the parameters to the arguments. The argument `None` leaves an
+    /// optional parameter unbound.
     pub(super) fn enter_call(&mut self, parameters: &[(Symbol, bool)], mut arguments: Vec<Option<Slot<'a>>>) {
         self.scopes.enter();
         for ((parameter, _), slot) in parameters.iter().zip(arguments.drain(..)) {
@@ -187,7 +187,7 @@ impl<'a> Evaluator<'a> {
     }
 }
 
-/// True if a `#for` loop with this step makes a pass with the counter at `value`.
+/// True if a `#for` loop with this step and last value runs its body for the counter `value`.
 pub(super) fn is_in_loop(value: f64, last: f64, step: f64) -> bool {
     if step > 0.0 { value <= last + SMALL } else { value >= last - SMALL }
 }

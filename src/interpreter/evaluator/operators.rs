@@ -1,4 +1,4 @@
-//! Operators with POV-Ray's promotions, components and conversions of values.
+//! Operators with POV-Ray's promotions of types, components of values, and conversions of values.
 
 use crate::color::{Color, gray};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -7,8 +7,8 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
-/// Tolerance of comparisons: numbers closer to each other are equal, numbers closer to 0 are false
-/// (quirk: `comparison_tolerance`).
+/// Tolerance of comparisons: numbers closer to each other are equal, and numbers closer to 0 are false (quirk:
+/// `comparison_tolerance`).
 pub const SMALL: f64 = 1e-10;
 
 pub fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
@@ -28,7 +28,7 @@ pub fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
     })
 }
 
-/// The components of a vector or colour, and whether it is a colour.
+/// Returns the components of a vector or colour. The flag is true for a colour.
 pub fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
     match value {
         Value::Vector(v) => Some((*v, false)),
@@ -37,7 +37,7 @@ pub fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
     }
 }
 
-/// The components of a vector or colour; a number has one component.
+/// Returns the components of a vector or colour; a number counts as one component.
 pub fn numbers_of(value: &Value) -> Option<VecN> {
     match value {
         Value::Float(x) => Some(VecN::splat(*x, 1)),
@@ -135,7 +135,7 @@ pub fn component_index(name: &Name) -> Option<usize> {
     })
 }
 
-/// Component of a value, such as `.x`, `.red` or `.gray`.
+/// Returns the component `name` of a value, such as `.x`, `.red` or `.gray`.
 pub fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
     let Some(v) = numbers_of(value) else {
         return Diagnostic::err(codes::WRONG_TYPE, span, format!("{} has no components", value.describe()));
@@ -154,7 +154,7 @@ pub fn component(value: &Value, name: &Name, span: Span) -> Result<Value> {
     Ok(Value::Float(v.c[index]))
 }
 
-/// A vector of two to five components; a fault for any other number.
+/// Returns a vector of two to five components; an error for any other number.
 pub fn vector_value(data: &[f64], span: Span) -> Result<Value> {
     match data.len() {
         2..=5 => Ok(Value::Vector(VecN::from_slice(data))),
@@ -174,7 +174,7 @@ pub fn as_vector(value: &Value, span: Span) -> Result<DVec3> {
     }
 }
 
-/// The number in a value; a fault for any other value.
+/// Returns the number in a value; an error for any other value.
 pub fn as_float(value: &Value, span: Span) -> Result<f64> {
     match value {
         Value::Float(x) => Ok(*x),

@@ -1,5 +1,5 @@
-//! Fast evaluation of expressions that consist of numbers and vectors, have no side effect and give no message.
-//! Most expressions of a script are of this kind.
+//! Fast evaluation of expressions of numbers and vectors, without side effects and messages. Most expressions of a
+//! script are of this kind.
 
 use super::operators::{SMALL, component_index, holds_zero, on_floats, on_vectors};
 use super::{Evaluator, Slot};
@@ -15,11 +15,11 @@ pub enum Quick {
 
 /// Result type of the fast evaluation: a number alone, which is fastest, or a number or vector.
 pub trait QuickValue: Sized {
-    /// True if vectors are possible results; otherwise none is computed.
+    /// True if results can be vectors.
     const VECTORS: bool;
     fn float(x: f64) -> Self;
     fn vector(v: VecN) -> Option<Self>;
-    /// Applies a binary operator; `None` where [`super::combine`] gives a message.
+    /// Applies a binary operator; `None` where [`super::combine`] reports a message.
     fn combined(self, op: Operator, right: Self) -> Option<Self>;
     fn prefixed(self, prefix: Prefix) -> Option<Self>;
 
@@ -140,7 +140,7 @@ impl Evaluator<'_> {
         T::vector(out)
     }
 
-    /// Component such as `V.x`, of a declared vector only: the name could also be that of a dictionary.
+    /// Evaluates a component of a declared vector, such as `V.x`; `None` for other values, such as dictionaries.
     fn quick_component(&self, base: &Expr, name: &Name) -> Option<f64> {
         let ExprKind::Name(symbol) = base.kind else { return None };
         match self.scopes.get(symbol)? {

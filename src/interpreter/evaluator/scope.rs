@@ -1,6 +1,6 @@
-//! Scopes: names and their contents. The scope is dynamic: a macro can use the `#local` names of its caller.
+//! Scopes: names and their contents. Scope is dynamic: a macro can use the `#local` names of its caller.
 //!
-//! Each symbol has its own stack of bindings (shallow binding), so that a lookup is one index.
+//! Each symbol has its own stack of bindings (shallow binding), so that a lookup is one index operation.
 
 use crate::diagnostic::Diagnostic;
 use crate::syntax::ast::{Macro, Symbol};
@@ -13,15 +13,16 @@ pub enum Slot<'a> {
     Value(Value),
     Array(Rc<Array<'a>>),
     Macro(&'a Macro),
-    /// Contents of a name that `#fopen` opened: the number of the file.
+    /// Number of the file that `#fopen` opened under the name.
     File(usize),
-    /// A macro parameter whose argument was a name or an array element: reads and writes go to that location.
+    /// Location to which a macro's parameter refers, if its argument was a name or an array element; reads and writes
+    /// use that location.
     Alias(LValue),
-    /// A declaration that failed; its faults are reported when the name is used.
+    /// Faults of a declaration that failed, reported when the name is used.
     Faulty(Rc<Vec<Diagnostic>>),
 }
 
-/// Index of an element in [`Array::items`], then index of an element of that element, and so on.
+/// Path to an element of nested arrays: its index in [`Array::items`], then the index in that element, and so on.
 type Path = Rc<[usize]>;
 
 /// An assignable location: the binding of a name, or an element of the array that is bound to the name.
@@ -40,14 +41,14 @@ impl LValue {
         self.path.as_deref().unwrap_or_default()
     }
 
-    /// Location of an element of the array at this location, or of an array in it.
+    /// Returns the location of an element of the array at this location; several indices lead into nested arrays.
     pub fn element(&self, indices: &[usize]) -> LValue {
         let path = self.path().iter().chain(indices).copied().collect();
         LValue { path: Some(path), ..self.clone() }
     }
 }
 
-/// An array, such as `array[2][3]`, or a dictionary. An element holds anything that can have a name.
+/// An array, such as `array[2][3]`, or a dictionary. Elements can be anything that can have a name.
 #[derive(Clone, Debug)]
 pub struct Array<'a> {
     /// Number of elements in each dimension of the array.
@@ -64,14 +65,14 @@ impl Array<'_> {
         self.key_index(key).is_some_and(|i| self.items[i].is_some())
     }
 
-    /// Index of the dictionary's element at `key`.
+    /// Returns the index of the dictionary's element at `key`.
     pub fn key_index(&self, key: &str) -> Option<usize> {
         self.keys.iter().flatten().position(|k| **k == *key)
     }
 }
 
 impl<'a> Slot<'a> {
-    /// The element at the end of a path.
+    /// Returns the element at the end of a path through nested arrays.
     pub fn element(&self, path: &[usize]) -> Option<&Slot<'a>> {
         path.iter().try_fold(self, |slot, &i| match slot {
             Slot::Array(array) => array.items.get(i)?.as_ref(),
@@ -80,13 +81,13 @@ impl<'a> Slot<'a> {
     }
 }
 
-/// Maximum number of aliases of aliases that are followed.
+/// Maximum length of a chain of aliases that refer to each other.
 const MAX_ALIASES: usize = 100;
 
 struct Binding<'a> {
     level: u32,
     slot: Slot<'a>,
-    /// Warnings about the declared thing, reported when the name is used.
+    /// Warnings about the declaration, which the first use of the name reports.
     pending: Option<Rc<[Diagnostic]>>,
 }
 
@@ -100,12 +101,12 @@ pub struct Scopes<'a> {
 }
 
 impl<'a> Scopes<'a> {
-    /// Number of the innermost level; 0 is the global level.
+    /// Returns the number of the innermost level; 0 is the global level.
     pub fn level(&self) -> u32 {
         self.levels.len() as u32
     }
 
-    /// Number of the level at which the name of a location is bound.
+    /// Returns the number of the level at which the name of a location is bound.
     pub fn level_of(&self, lvalue: &LValue) -> u32 {
         let binding = self.bindings.get(lvalue.symbol.0 as usize).and_then(|stack| stack.get(lvalue.depth));
         binding.map_or(0, |binding| binding.level)
@@ -145,14 +146,14 @@ impl<'a> Scopes<'a> {
         &mut self.bindings[index]
     }
 
-    /// Location of the innermost binding after following aliases; `None` if an `#undef` has removed the target of an
-    /// alias.
+    /// Returns the location of a name's innermost binding, after following aliases; `None` if `#undef` removed the
+    /// target of an alias.
     pub fn resolve(&self, symbol: Symbol) -> Option<LValue> {
         let (symbol, depth, path) = self.find(symbol)?;
         Some(LValue { symbol, depth, path: path.cloned() })
     }
 
-    /// Location of the innermost binding, as [`Self::resolve`] returns it, without a copy of the path.
+    /// Returns the parts of the location that [`Self::resolve`] returns, without copying the path.
     fn find(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Path>)> {
         let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
         let (mut symbol, mut depth, mut path) = (symbol, depth, None);
@@ -166,7 +167,7 @@ impl<'a> Scopes<'a> {
         None
     }
 
-    /// Binds a parameter at the level that was just entered. Of two parameters with one name the last counts.
+    /// Binds a parameter at the level that was just entered. Of two parameters with one name, the last is bound.
     pub fn bind_parameter(&mut self, symbol: Symbol, slot: Slot<'a>) {
         let level = self.level();
         match self.stack(symbol).last_mut() {
@@ -238,7 +239,7 @@ impl<'a> Scopes<'a> {
         Some(slot)
     }
 
-    /// Warnings that are reported when the name is used.
+    /// Returns the warnings that are reported when the name is used.
     pub fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
         let (symbol, depth, _) = self.find(symbol)?;
         self.bindings[symbol.0 as usize][depth].pending.clone()
@@ -258,7 +259,7 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// Changes the innermost binding of a name, or makes a global one, as `#declare` does.
+    /// Changes the innermost binding of a name, or creates a global one, as `#declare` does.
     pub fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         match self.find(symbol) {
             Some((symbol, depth, None)) => self.rebind(symbol, depth, slot, pending),
@@ -287,7 +288,7 @@ impl<'a> Scopes<'a> {
         (binding.slot, binding.pending) = (slot, non_empty(pending));
     }
 
-    /// Removes the innermost binding of a name, as `#undef` does. Of an alias, only the alias is removed.
+    /// Removes the innermost binding of a name, as `#undef` does. If the name is an alias, its target stays.
     pub fn remove(&mut self, symbol: Symbol) -> bool {
         let Some(binding) = self.stack(symbol).pop() else { return false };
         self.forget(symbol, binding.level);
@@ -306,13 +307,13 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// All names that are bound now.
+    /// Returns all names that are bound at present.
     pub fn names(&self) -> impl Iterator<Item = Symbol> + '_ {
         let bound = |(i, stack): (usize, &Vec<Binding>)| (!stack.is_empty()).then_some(Symbol(i as u32));
         self.bindings.iter().enumerate().filter_map(bound)
     }
 
-    /// Faults of declarations that nothing has used.
+    /// Returns the faults of failed declarations that the scene has not used.
     pub fn unused_faults(&self) -> impl Iterator<Item = &Diagnostic> + '_ {
         self.bindings.iter().flatten().flat_map(|b| faults_of(&b.slot))
     }
@@ -323,7 +324,7 @@ fn non_empty(pending: Vec<Diagnostic>) -> Option<Rc<[Diagnostic]>> {
     if pending.is_empty() { None } else { Some(pending.into()) }
 }
 
-/// Faults of failed declarations in a slot, including those in arrays.
+/// Returns the faults of failed declarations in a slot, including those in arrays.
 fn faults_of<'s>(slot: &'s Slot) -> Box<dyn Iterator<Item = &'s Diagnostic> + 's> {
     match slot {
         Slot::Faulty(faults) => Box::new(faults.iter()),

@@ -1,6 +1,6 @@
 //! Values of `clock`, `frame_number` and the other constants of an animation (manual, "Built-in Variables").
 
-/// The frame of an animation. The default is POV-Ray's without an animation: all values are 0.
+/// Values of the animation's constants for one frame. The default is a picture without animation: all values are 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Timing {
     /// Value of the constant `clock`, the animation's time.

@@ -1,11 +1,12 @@
-//! Tests whether parsed expressions can be evaluated as they are, or must be split into tokens.
+//! Tests whether an expression of the syntax tree can be evaluated as a whole, or must be split into tokens.
 
 use super::{Evaluator, Slot};
 use crate::syntax::ast::*;
 use crate::value::Value;
 
 impl Evaluator<'_> {
-    /// True if an expression must be split: a macro in it gives tokens of its own, or its call is no call.
+    /// True if an expression must be split into tokens, because a macro in it produces tokens, or because what looks
+    /// like a call is none.
     #[inline]
     pub fn must_split(&self, e: &Expr) -> bool {
         e.calls && self.call_must_split(e)
@@ -49,7 +50,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// True if a macro argument is one expression that neither calls a macro nor gives several values.
+    /// True if a macro's argument is one expression that calls no macro and yields one value.
     pub fn is_plain_argument(&self, element: &Element) -> bool {
         let ElementKind::Expr(e) = &element.kind else { return false };
         match &e.kind {
@@ -66,12 +67,12 @@ impl Evaluator<'_> {
         matches!(e.kind, ExprKind::Call(name, _) | ExprKind::Name(name) if self.is_macro(name))
     }
 
-    /// False if the name is a declared thing, so that a `[` after it begins a map's entry and not an index.
+    /// True if a `[` after the name begins an index; false for a declared thing, where it begins a map's entry.
     pub fn takes_index(&self, symbol: Symbol) -> bool {
         !matches!(self.scopes.get(symbol), Some(Slot::Value(Value::Thing(_))))
     }
 
-    /// True if the last operand is the name of a function, spline or macro: its arguments may follow.
+    /// True if the expression ends with the name of a function, spline or macro, so that arguments may follow.
     pub fn ends_with_callable(&self, e: &Expr) -> bool {
         let mut last = e;
         while let ExprKind::Chain(chain) = &last.kind {
@@ -88,7 +89,7 @@ impl Evaluator<'_> {
     }
 }
 
-/// True for a function or a spline.
+/// True if the value is a function or a spline.
 pub fn is_callable(value: &Value) -> bool {
     matches!(value, Value::Thing(thing) if matches!(thing.kind(), "function" | "spline"))
 }

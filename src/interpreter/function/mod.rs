@@ -1,4 +1,4 @@
-//! `function { … }`: compilation to arithmetic. Names are looked up where the function is declared.
+//! Compiles `function { … }` to arithmetic operations. Names are resolved where the function is declared.
 
 mod call;
 mod read;
@@ -72,8 +72,8 @@ impl<'a> Interpreter<'a> {
         Err(self.unexpected_token("the end of the function").into())
     }
 
-    /// Reads the inside of a pigment as the pattern of its brightness. It does not begin with the default pigment
-    /// (quirk: `pigment_function_ignores_default`).
+    /// Reads the contents of a pigment block as a pattern whose value is the pigment's brightness. The default pigment
+    /// is ignored (quirk: `pigment_function_ignores_default`).
     pub(super) fn read_brightness(&mut self) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().texture.clone();
         let pigment = Pigment::read(self, &Pigment::default(), &defaults)?;
@@ -218,7 +218,7 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// Compiles `sum(I, 1, 10, x/I)`: the counter is an additional parameter of the term.
+    /// Compiles `sum(I, 1, 10, x/I)`, where the counter is an additional parameter of the term.
     fn compile_series(&mut self, c: &mut Compiler, product: bool, arguments: &'a [Expr], span: Span) -> Result<Id> {
         let [Expr { kind: ExprKind::Name(counter), .. }, first, last, term] = arguments else {
             let name = if product { "prod" } else { "sum" };
@@ -273,7 +273,7 @@ impl<'a> Interpreter<'a> {
         self.compile_call_of(c, &callee, ids, component, span)
     }
 
-    /// Compiles a call of a function or spline with compiled arguments. The span begins with the name.
+    /// Compiles a call of a function or spline with compiled arguments. The name is at the start of `span`.
     fn compile_call_of(
         &mut self,
         c: &mut Compiler,
@@ -306,7 +306,7 @@ impl<'a> Interpreter<'a> {
         })
     }
 
-    /// The function or spline in a value, its result type and its number of parameters.
+    /// Returns the function or spline in a value, with its result type and number of parameters.
     fn callee(&mut self, callee: &Value, span: Span) -> Result<(Callee, ResultType, usize)> {
         if let Value::Thing(thing) = callee {
             if let Some(f) = downcast::<Function>(thing) {
@@ -326,7 +326,7 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::NOT_CALLABLE, span, format!("`{text}` is neither a macro nor a function"))
     }
 
-    /// The name with which the span of a call begins.
+    /// Returns the name at the start of a call's span.
     fn called_text(&self, span: Span) -> &'a str {
         let text = self.inputs.sources.snippet(span);
         text.split('(').next().unwrap_or(text).trim_end()
@@ -376,7 +376,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// Component of a result that a call selects.
+/// Component of a function's result that a call selects.
 enum Component {
     Of(u8),
     Weighted([f64; 3]),
@@ -391,7 +391,7 @@ impl Compiler {
         Self { graph: Graph::default(), parameters }
     }
 
-    /// A compiler for the term of `sum` and `prod`, with the counter as the last parameter.
+    /// Creates a compiler for the term of `sum` and `prod`, with the counter as the last parameter.
     fn with_counter(&self, counter: Symbol) -> Self {
         let parameters = self.parameters.iter().copied().chain([counter]).collect();
         Self { graph: Graph::default(), parameters }
@@ -448,7 +448,7 @@ fn default_names() -> Box<[Box<str>]> {
     ["x", "y", "z"].map(Box::from).into()
 }
 
-/// The function of `functions.inc` with this number, as in `function { internal(61) }`.
+/// Returns the function of `functions.inc` that `internal(61)` names by its number.
 pub(super) fn internal_function(number: f64, noise: &Arc<AtomicU8>) -> Option<Function> {
     let row = internal::find_internal(number as u32).filter(|_| number >= 0.0)?;
     let mut graph = function::Graph::default();

@@ -1,4 +1,4 @@
-//! Reading of `function (…) { … }`, parsed or token by token.
+//! Reads `function (…) { … }`, parsed or token by token.
 
 use super::token_function::Compiled;
 use super::{Compiler, internal_function};
@@ -12,7 +12,7 @@ use crate::syntax::ast::{Bracket, Expr, ExprKind, Symbol};
 use crate::value::{SizedFunction, Thing};
 use std::sync::Arc;
 
-/// A function, with the width and height in pixels if it is the function of a picture.
+/// A function and, for a height field's function, the width and height of its picture in pixels.
 type PerhapsSized = (Option<[usize; 2]>, Arc<dyn Thing>);
 
 impl<'a> Interpreter<'a> {
@@ -21,7 +21,8 @@ impl<'a> Interpreter<'a> {
         self.read_any_function().map(|(_, function)| function)
     }
 
-    /// Reads a function with the size of its picture, as in `function 200, 100 { … }`; `None` if it has none.
+    /// Reads a function with the size of its picture, as in `function 200, 100 { … }`; `None` for a function without a
+    /// size.
     pub fn read_sized_function(&mut self) -> Result<Option<SizedFunction>> {
         if matches!(self.peek()?, Token::Function(Some(f)) if f.size.is_empty()) {
             return Ok(None);
@@ -75,7 +76,7 @@ impl<'a> Interpreter<'a> {
         Ok((size, function))
     }
 
-    /// Width and height of a function's picture in pixels.
+    /// Returns the width and height of a function's picture, in pixels.
     fn picture_size(&mut self, size: &[(f64, Span)], span: Span) -> Result<Option<[usize; 2]>> {
         let &[(width, at), (height, end)] = size else {
             return match size.len() {
@@ -91,7 +92,7 @@ impl<'a> Interpreter<'a> {
         Ok(Some(size))
     }
 
-    /// Reads the inside of a function's braces.
+    /// Reads the contents of a function's braces.
     fn read_function_body(&mut self, parameters: &[Symbol], span: Span) -> Result<Arc<dyn Thing>> {
         if let Token::Block(name) = self.peek()? {
             return self.read_sampled_function(!parameters.is_empty(), name.word.unwrap_or(""), span);
@@ -117,7 +118,7 @@ impl<'a> Interpreter<'a> {
         compiler.finish(self, span)
     }
 
-    /// Reads `internal(61)` alone: one of the functions in functions.inc.
+    /// Reads a function that consists of `internal(61)` alone, a number of a function in functions.inc.
     fn read_internal_call(&mut self) -> Result<Option<Arc<dyn Thing>>> {
         let token = self.peek()?;
         let mut span = self.stream.next_span();

@@ -8,7 +8,7 @@ use crate::texture::PigmentProgram;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// Number of the scene's noise generator, which may still change.
+/// Number of the scene's noise generator, which may still change during the run.
 pub(super) type SceneNoise = Arc<AtomicU8>;
 
 fn ctx(p: &[f64], noise: &SceneNoise) -> TextureContext {

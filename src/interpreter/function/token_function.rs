@@ -1,4 +1,4 @@
-//! Compilation of functions whose tokens come one by one.
+//! Compiles functions whose tokens come one by one.
 
 use super::{Compiler, series};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -13,7 +13,7 @@ use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
 use crate::value::Value;
 
-/// Operands and operators that are compiled into a user-defined function.
+/// Operands and operators of a user-defined function, which are compiled while they are read.
 pub(super) struct Compiled<'c>(pub(super) &'c mut Compiler);
 
 impl<'a> Operands<'a> for Compiled<'_> {
@@ -46,7 +46,7 @@ impl<'a> Operands<'a> for Compiled<'_> {
 }
 
 impl<'a> Interpreter<'a> {
-    /// Compiles a number, parameter or call without signs.
+    /// Compiles an operand without signs: a number, parameter or call.
     fn compile_primary(&mut self, c: &mut Compiler) -> Result<(Id, Span)> {
         loop {
             let token = self.peek()?;
@@ -107,7 +107,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Compiles the call of a function or spline, whose `(` comes next, with a component after it.
+    /// Compiles the call of a function or spline, from the `(` on, and the component selected after it.
     fn compile_call_by_tokens(&mut self, c: &mut Compiler, callee: &Value, span: Span) -> Result<(Id, Span)> {
         self.open()?;
         let mut ids = vec![];

@@ -1,4 +1,4 @@
-//! Opening and closing of brackets.
+//! Reading of opening and closing brackets.
 
 use crate::diagnostic::{Result, codes};
 use crate::interpreter::Interpreter;
@@ -10,8 +10,8 @@ use crate::syntax::ast::*;
 const MAX_NESTING: usize = 5_000;
 
 impl<'a> Interpreter<'a> {
-    /// Consumes the opening bracket that comes next, with the word before it if it has one. Returns the span of the word
-    /// or the bracket.
+    /// Consumes an opening bracket, which is the next token, and the word before it. Returns the span of the word or
+    /// bracket.
     pub fn open(&mut self) -> Result<Span> {
         let token = self.peek()?;
         let span = self.stream.next_span();
@@ -60,7 +60,7 @@ impl<'a> Interpreter<'a> {
         Ok(name)
     }
 
-    /// Consumes the bracket that closes the innermost open one; any other token is a fault.
+    /// Consumes the bracket that closes the innermost open one; any other token is an error.
     pub fn close(&mut self, expected: &str) -> Result<()> {
         let token = self.peek()?;
         let Some(opened) = self.stream.bracket() else { return Err(self.unexpected_token(expected).into()) };
@@ -75,7 +75,8 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Reads `elements`, the inside of a bracket, to their end. After a fault the stream is as before.
+    /// Reads `elements`, the contents of a bracket, up to their end. After an error, the state of the stream is
+    /// restored.
     pub fn within<T>(
         &mut self,
         elements: &'a [Element],

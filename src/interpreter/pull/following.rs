@@ -7,8 +7,8 @@ use crate::syntax::ast::*;
 use crate::syntax::{begins_with_parenthesis, begins_with_sign};
 
 impl<'a> Interpreter<'a> {
-    /// True if nothing that follows can continue the expression or list that comes next. Nothing runs to find out. Where
-    /// comparisons are allowed (`compares`), a `>` continues a value.
+    /// True if the expression or list that comes next is complete, because no following token can continue it. No
+    /// directive or macro runs for the test. Where comparisons are allowed (`compares`), a `>` continues a value.
     pub fn next_is_complete(&self, compares: bool) -> bool {
         let Some((frame, outer)) = self.stream.frames().split_last() else { return true };
         let Some(element) = frame.next().filter(|_| !self.stream.has_pushed_back()) else { return false };
@@ -26,7 +26,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// True if a value at the end of `frame` ends there.
+    /// True if no token after the end of `frame` can continue the frame's last value.
     fn end_separates<'f>(
         &self,
         mut frame: &'f StackFrame<'a>,
@@ -51,7 +51,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// True if a value ends before the element `next`.
+    /// True if the element `next` can't continue the value before it.
     fn separates(&self, next: &Element, compares: bool) -> bool {
         match &next.kind {
             ElementKind::Semicolon | ElementKind::Comma | ElementKind::Word(_) | ElementKind::Block(_) => true,
@@ -65,8 +65,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The token directly after the value that was just read. `None` after a comma, before a `;` or the end of the file,
-    /// and before a directive or macro call that must wait ([`super::Mode::defers`]).
+    /// Returns the token directly after the value that was just read. `None` after a comma, before a `;` or the end of
+    /// the file, and before a directive or macro call that must wait ([`super::Mode::defers`]).
     pub fn peek_after(&mut self) -> Result<Option<Token<'a>>> {
         loop {
             if self.stream.look_ahead().is_some() {
@@ -99,7 +99,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The token that may continue the value that was just read; [`Token::End`] if [`Self::peek_after`] finds none.
+    /// Returns the token that may continue the value that was just read; [`Token::End`] if [`Self::peek_after`] returns
+    /// none.
     pub fn peek_continuation(&mut self) -> Result<Token<'a>> {
         Ok(self.peek_after()?.unwrap_or(Token::End))
     }

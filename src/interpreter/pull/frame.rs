@@ -1,4 +1,4 @@
-//! Ends of frames: loops begin another pass, scopes end, macros that gave a value run to their end.
+//! Ends of call frames: starts the next pass of a loop, ends a scope, or completes macros that returned a value.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
@@ -7,14 +7,15 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 
 impl Interpreter<'_> {
-    /// Drops the innermost frame, and the scope that it opened.
+    /// Drops the innermost call frame, and ends the scope that belongs to it.
     pub fn pop_frame(&mut self) {
         if self.stream.pop_frame().is_some_and(FrameKind::has_scope) {
             self.evaluator.scopes_mut().leave();
         }
     }
 
-    /// Ends the innermost frame, whose elements are all consumed: a loop begins its next pass, any other frame is dropped.
+    /// Ends the innermost frame, all of whose elements are consumed: a loop begins its next pass, any other frame is
+    /// dropped.
     pub(super) fn end_of_frame(&mut self) -> Result<()> {
         let Some(frame) = self.stream.innermost() else { return Ok(()) };
         let span = frame.span();
@@ -66,7 +67,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Runs the rest of the macros above the first `floor` frames, which gave a declared value.
+    /// Runs the remaining statements of the macros above the first `floor` frames, after these returned the value of a
+    /// declaration.
     pub fn drain(&mut self, floor: usize) -> Result<()> {
         let in_macro = |f: &StackFrame| matches!(f.kind(), FrameKind::Macro(_));
         self.stream.clear_look_ahead();
@@ -93,7 +95,7 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// Drops the innermost frames of macros, branches and split expressions that are spent.
+    /// Drops the innermost frames of macros, branches and split expressions whose elements are all consumed.
     pub fn pop_spent(&mut self) {
         let is_spent = |f: &StackFrame| {
             matches!(f.kind(), FrameKind::Macro(_) | FrameKind::Piece | FrameKind::Branch) && f.is_spent()

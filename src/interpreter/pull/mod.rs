@@ -1,5 +1,5 @@
-//! Pulling tokens: directives run and macro calls expand on the way, so that the reader of a block receives one flat row
-//! of tokens. What the parser kept whole is a single token, unless something that follows may continue it.
+//! Produces the tokens that the readers of blocks receive: runs directives and expands macro calls on the way. A
+//! complete expression or block of the syntax tree is a single token, unless a following token may continue it.
 
 mod bracket;
 mod following;
@@ -31,8 +31,8 @@ impl<'a> Interpreter<'a> {
         result
     }
 
-    /// The next token; directives and macro calls before it have run. Nothing is consumed. Commas and semicolons are
-    /// skipped; [`super::stream::TokenStream::has_comma`] reports the commas.
+    /// Returns the next token without consuming it, after running the directives and macro calls before it. Commas and
+    /// semicolons are skipped; [`super::stream::TokenStream::has_comma`] reports the commas.
     pub(super) fn peek(&mut self) -> Result<Token<'a>> {
         loop {
             if let Some(token) = self.stream.look_ahead() {
@@ -76,13 +76,13 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Runs directives and macro calls, and drops spent frames, until another token comes next.
+    /// Runs directives and macro calls, and drops finished frames, until the next element is a token.
     fn settle(&mut self) -> Result<()> {
         while self.settle_once()? {}
         Ok(())
     }
 
-    /// Runs one directive or macro call, or drops one spent frame; false if nothing of the kind comes next.
+    /// Runs one directive or macro call, or drops one finished frame; returns false if the next element is a token.
     pub(super) fn settle_once(&mut self) -> Result<bool> {
         if self.stream.look_ahead().is_some() {
             return Ok(false);
@@ -129,7 +129,8 @@ impl<'a> Interpreter<'a> {
         self.between_tokens(|me| me.run_directive(directive, span))
     }
 
-    /// Runs a directive, a macro call or a loop's condition. A comma before it separates the tokens around it.
+    /// Runs a directive, a macro call or a loop's condition. A comma before it separates the token before from the
+    /// token after it.
     #[inline]
     fn between_tokens(&mut self, run: impl FnOnce(&mut Self) -> Result<()>) -> Result<()> {
         let comma = self.stream.take_comma();
@@ -139,7 +140,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// False for elements that are always tokens, which are most.
+/// False for elements that are tokens in any case, which are most.
 fn may_settle(element: &Element) -> bool {
     match &element.kind {
         ElementKind::Numbers(_) | ElementKind::Word(_) | ElementKind::Block(_) | ElementKind::Sign(_) => false,

@@ -1,4 +1,4 @@
-//! Tokens of names, words and expressions, whose meaning depends on declarations and on what follows.
+//! Tokens of names, words and expressions, whose kind depends on declarations and on the tokens that follow.
 
 use crate::diagnostic::Result;
 use crate::interpreter::Interpreter;
@@ -8,8 +8,8 @@ use crate::syntax::ast::*;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
-    /// The token of an expression; `None` if the expression was split or a macro was called, so that another token comes
-    /// next.
+    /// Returns the token of an expression; `None` if the expression was split or a macro was called, so that another
+    /// token is next.
     pub(super) fn expr_token(&mut self, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
         match &expr.kind {
             ExprKind::Name(symbol) => self.name_token(*symbol, expr, element),
@@ -39,7 +39,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The token of a name alone: one of durer's own words, the name of an unknown block, an array's element, or a value.
+    /// Returns the token of a name alone: a word that only durer has, the name of an unknown block, an array's element,
+    /// or a value.
     fn name_token(&mut self, symbol: Symbol, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
         if let Some(word) = self.stream.own_word(symbol) {
             return self.word_token(word, false, element).map(Some);
@@ -66,8 +67,9 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// The token of a word: the start of a block, the name of a called function, or the word alone. Where a directive, a
-    /// macro or the end of a body follows, it runs first, because what it gives decides.
+    /// Returns the token of a word: the start of a block, the name of a called function, or the word alone. A
+    /// directive, a macro or the end of a body after the word is processed first, because the kind depends on the token
+    /// after that.
     pub(super) fn word_token(&mut self, word: &'static str, callee: bool, element: &'a Element) -> Result<Token<'a>> {
         let span = element.span;
         let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
@@ -114,7 +116,7 @@ impl<'a> Interpreter<'a> {
         Ok(self.stream.push_back(token, span, before))
     }
 
-    /// Consumes a number and its `;`, if they come next and need no general evaluation.
+    /// Consumes a number and the `;` after it, if both come next and the fast evaluation suffices.
     pub fn number_statement(&mut self) -> Option<f64> {
         let e = self.stream.expression_statement().filter(|e| !e.compares())?;
         let x = self.evaluator.quick_number(e)?;

@@ -1,11 +1,11 @@
-//! Recovery: after a fault, reading resumes behind the statement or bracket that holds it.
+//! Recovery from an error: reading continues after the statement or bracket that contains the error.
 
 use crate::diagnostic::{Diagnostic, Fault};
 use crate::interpreter::Interpreter;
 use crate::interpreter::stream::Checkpoint;
 
 impl Interpreter<'_> {
-    /// Drops the frames that were pushed since the checkpoint, and restores the stream's state there.
+    /// Drops the frames that were pushed since the checkpoint, and restores the checkpoint's state of the stream.
     pub fn unwind(&mut self, checkpoint: Checkpoint) {
         while self.stream.is_above(checkpoint) {
             self.pop_frame();
@@ -27,8 +27,8 @@ impl Interpreter<'_> {
         self.stream.skip_brackets(open);
     }
 
-    /// Adds the call trace to a fault, and skips the statement that holds it. The statement stays if it is inside an
-    /// unclosed bracket, which is then reported instead.
+    /// Adds the call trace to an error, and skips the statement that contains it. Inside an unclosed bracket, nothing
+    /// is skipped, and the bracket is reported instead.
     pub fn skip_fault(&mut self, checkpoint: Checkpoint, fault: Diagnostic) -> Fault {
         let fault = self.stream.with_trace(fault);
         if self.stream.unclosed_bracket().is_none() {

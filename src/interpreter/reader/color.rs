@@ -1,4 +1,4 @@
-//! Reading of colours.
+//! Reads colours.
 
 use super::super::Interpreter;
 use super::super::stream::Token;
@@ -68,14 +68,14 @@ fn finite_component(x: f64) -> f64 {
 
 impl Interpreter<'_> {
     /// Reads the value after `rgb`, `rgbt` and the like. A number fills as many components as the word has letters. The
-    /// fourth component of `rgbt` is the transmit.
+    /// fourth component of `rgbt` is `transmit`.
     fn read_color_value(&mut self, word: &str) -> Result<Color> {
         // POV-Ray allows comparisons without parentheses in colours: `color (A > 1) ? Red : Blue`.
         let (value, span) = self.read_expression(true)?;
         self.as_color(value, word, span)
     }
 
-    /// Reads `filter 0.5` and the like after a colour.
+    /// Reads components such as `filter 0.5` after a colour.
     fn read_color_components(&mut self, color: &mut Color) -> Result<()> {
         while let Token::Word(word) = self.peek_continuation()?
             && is_component(word)
@@ -127,7 +127,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Reads a colour: `color rgb <…>`, `rgb <…>`, `<…>`, `color red 1 green 0.5`, `color Red filter 0.5`.
+    /// Reads a colour, such as `color rgb <…>`, `rgb <…>`, `<…>`, `color red 1 green 0.5` or `color Red filter 0.5`.
     pub(super) fn read_color(&mut self) -> Result<Color> {
         let mut word = match self.peek()? {
             Token::Word(word) if begins_color(word) => {

@@ -1,4 +1,4 @@
-//! Fonts that a scene names.
+//! Finds the fonts that a scene names.
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::font::{self, Font, FontLocation};
@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Interpreter<'_> {
-    /// Finds and parses a font. A name without extension is a TrueType file, or else a family installed on the system.
+    /// Finds and parses a font. A name without an extension is that of a TrueType file or, if no such file exists, of
+    /// an installed family.
     pub(super) fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let place = match self.find_read_file(&full, at)? {
@@ -31,7 +32,7 @@ impl Interpreter<'_> {
         Ok(font)
     }
 
-    /// The installed font of a family: an extension of durer's.
+    /// Returns the installed font of a family, which POV-Ray does not support.
     fn installed_font(&mut self, name: &str) -> Option<FontLocation> {
         if fonts::is_file_name(Path::new(name)) {
             return None;
@@ -45,7 +46,7 @@ impl Interpreter<'_> {
         found
     }
 
-    /// An installed font of this name, or one with a similar design, with a warning.
+    /// Returns an installed font of this name, or one with a similar design together with a warning.
     fn substitute_font(&mut self, name: &str, full: &str, at: Span) -> Option<PathBuf> {
         let search = &self.inputs.options.search.fonts;
         let found = fonts::similar(self.inputs.files, name, search);

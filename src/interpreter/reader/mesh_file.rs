@@ -1,4 +1,4 @@
-//! Mesh files that a scene names, with the files that they name.
+//! Reads mesh files that a scene names, and the pictures that mesh files name.
 
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::image_io::Picture;
@@ -10,7 +10,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 impl Interpreter<'_> {
-    /// Reads the name of a mesh file, and builds its shape with `build`. Each file is read once.
+    /// Reads the name of a mesh file, and builds the shape with `build`. Each file is read once.
     pub(super) fn read_mesh_file(&mut self, build: BuildMesh) -> Result<Arc<dyn Thing>> {
         let (at, name) = (self.span(), self.text()?);
         let Some(path) = self.find_read_file(&name, at)? else {
@@ -56,7 +56,7 @@ impl Interpreter<'_> {
         })
     }
 
-    /// The picture of a material; `None` with a warning if it cannot be read.
+    /// Returns the picture of a mesh's material; `None` with a warning if the picture cannot be read.
     fn material_picture(&mut self, mesh: &Path, name: &str, at: Span) -> Option<Arc<Picture>> {
         let path = mesh.parent().unwrap_or(Path::new("")).join(name);
         let is_open = self.inputs.files.is_file(&path) && self.inputs.files.may_read(&path);

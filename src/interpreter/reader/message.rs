@@ -19,7 +19,7 @@ use crate::value::words::TRANSFORMS;
 use crate::value::{Family, Next, Reader, ValueKind};
 
 impl Interpreter<'_> {
-    /// The error "expected …, found …" about the next token.
+    /// Returns the error "expected …, found …" about the next token.
     pub fn unexpected_token(&mut self, expected: &str) -> Diagnostic {
         let span = self.stream.next_span();
         let found = match self.peek() {
@@ -78,7 +78,7 @@ impl Interpreter<'_> {
         })
     }
 
-    /// The error for a call of a value that is no function, as in `A(2)`.
+    /// Returns the error for a call of a value that is no function, as in `A(2)`.
     pub fn uncallable_value_error(&mut self) -> Option<Diagnostic> {
         let opens = matches!(
             self.peek(),
@@ -99,7 +99,7 @@ impl Interpreter<'_> {
         Some(Diagnostic::new(codes::NOT_CALLABLE, Span::new(lo, lo + name.len()), message))
     }
 
-    /// The syntax error for a token that cannot be at its position.
+    /// Returns the syntax error for a token that is not allowed at its position.
     pub fn syntax_error_at(&self, span: Span) -> Diagnostic {
         let Some((file, range)) = self.inputs.sources.locate(span) else {
             return Diagnostic::new(codes::SYNTAX, span, "this is not allowed here");
@@ -107,7 +107,7 @@ impl Interpreter<'_> {
         fault::explain(self.inputs.sources.text(file), range.start, self.inputs.sources.base(file))
     }
 
-    /// The error for the innermost open bracket where an outer bracket closes or the text ends.
+    /// Returns the error for the innermost open bracket, where an outer bracket closes or the text ends.
     pub fn unclosed_error(&mut self) -> Diagnostic {
         let token = self.peek();
         let here = self.stream.next_span();
@@ -137,7 +137,8 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The error for a vector without `>` whose `<` is at `start`; the next token cannot be part of the vector.
+    /// Returns the error for a vector without `>`, whose `<` is at `start`, after the next token turned out to be no
+    /// part of it.
     pub fn unclosed_vector_error(&mut self, start: Span) -> Diagnostic {
         let here = self.stream.next_span();
         let found = match self.peek() {
@@ -162,7 +163,7 @@ impl Interpreter<'_> {
         Diagnostic::new(codes::EXPECTED, span, format!("expected {expected}, found {found}"))
     }
 
-    /// Fails if no value comes next, and reports which one is missing.
+    /// Returns an error that names the missing value, unless the next token begins a value.
     pub(super) fn at_value(&mut self, wanted: &str) -> Result<()> {
         match self.peek()? {
             Token::Block(_) | Token::Open(Bracket::Square | Bracket::Brace, _) => {
@@ -173,7 +174,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// The error for the next word, which `block` does not take.
+    /// Returns the error for the next word, which the block `block` does not take. `takes` are the block's words.
     pub(super) fn unknown_word_error(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
         let span = self.stream.next_span();
         let word = match self.peek() {
@@ -216,7 +217,7 @@ impl Interpreter<'_> {
         d.maybe_help(near).maybe_help(home).maybe_help(hints::in_block(block, &word).map(String::from))
     }
 
-    /// The error for an undeclared name where a word of the block could be.
+    /// Returns the error for an undeclared name where a word of the block could be.
     fn unknown_name_error(&mut self, symbol: Symbol, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
         let name = self.inputs.names.text(symbol);
         let near = did_you_mean(name, takes.iter().copied());
@@ -233,7 +234,7 @@ impl Interpreter<'_> {
         refused(name, span, block, takes).maybe_help(near).maybe_help(hint)
     }
 
-    /// The error for a word that the block takes, but that is followed by something else than the word needs.
+    /// Returns the error for a word that the block takes, but that is followed by an unsuitable token.
     fn wrong_form_error(&mut self, block: &str, word: &'static str, span: Span, brace: bool) -> Diagnostic {
         let rest =
             self.inputs.sources.locate(span).map_or("", |(file, range)| &self.inputs.sources.text(file)[range.end..]);
@@ -256,7 +257,7 @@ impl Interpreter<'_> {
     }
 }
 
-/// Type of the value after a word, if one of the tables defines it.
+/// Returns the type of the value after a word, if one of the tables defines it.
 fn kind_of(word: &str) -> Option<ValueKind> {
     let tables = [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &POVRAY, &LECTURE];
     let words = tables.into_iter().flat_map(|table| table.words).chain(TRANSFORMS);
@@ -270,7 +271,7 @@ fn opens_block(word: &str) -> bool {
         || kind_of(word) == Some(ValueKind::Block) && word != "matrix"
 }
 
-/// The error for a word that the block does not take.
+/// Returns the error for a word that the block does not take.
 fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
     let message = match block {
         "scene" => format!("`{word}` is not allowed outside of all braces"),
@@ -279,7 +280,7 @@ fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagn
     Diagnostic::new(codes::UNKNOWN_WORD, span, message).help(format!("it takes {}", list(takes)))
 }
 
-/// Description and example of the value after a word that opens no block.
+/// Returns description and example of the value after a word that opens no block.
 fn value_after(word: &str) -> (String, String) {
     let (what, value) = match kind_of(word) {
         _ if word == "matrix" => ("twelve numbers", "<…>"),
@@ -304,7 +305,7 @@ fn block_usage(word: &str) -> String {
     }
 }
 
-/// The block that takes a word; the most likely one of several.
+/// Returns the name of the block that takes a word; of several, the most likely one.
 fn home_of(word: &str) -> Option<&'static str> {
     let homes = [&INTERIOR, &FINISH, &PIGMENT, &POVRAY, &SETTINGS, &LIGHT];
     homes.into_iter().find(|table| table.has_effect(word)).map(|table| table.name)

@@ -1,4 +1,4 @@
-//! The interpreter's implementation of [`Reader`], through which the families of blocks read their words.
+//! The interpreter's implementation of [`Reader`], by which the readers of blocks get their words and values.
 
 mod color;
 mod font;
@@ -331,8 +331,8 @@ impl Reader for Interpreter<'_> {
 }
 
 impl Interpreter<'_> {
-    /// Finds a picture file; `None` if it does not exist. A name without an ending gets one of its format, in small or
-    /// capital letters; without a format, that of png.
+    /// Finds a picture file; `None` if it does not exist. A name without an extension gets the one of the format, in
+    /// small or capital letters; without a format, that of PNG.
     fn find_picture(&mut self, name: &str, at: Span, format: Option<&str>) -> Result<Option<PathBuf>> {
         if name.contains('.') {
             return self.find_read_file(name, at);
@@ -349,7 +349,7 @@ impl Interpreter<'_> {
         self.find_read_file(found.unwrap_or(&names[0]), at)
     }
 
-    /// A picture file, decoded once per run.
+    /// Returns the picture in a file, which is decoded once per run.
     fn picture_at(&mut self, path: PathBuf, at: Span) -> Result<Arc<Picture>> {
         if let Some(picture) = self.evaluator.assets().pictures.get(&path) {
             return Ok(picture.clone());

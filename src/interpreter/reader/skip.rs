@@ -1,4 +1,4 @@
-//! Reading of blocks that durer does not render yet; their contents are kept as plain data.
+//! Reads blocks that durer does not render yet, and keeps their contents as plain data.
 
 use super::super::Interpreter;
 use super::super::evaluator::Slot;
@@ -58,8 +58,8 @@ impl Interpreter<'_> {
         Ok(Unsupported::Block(word, row.into()))
     }
 
-    /// Reads the next token with its contents, and appends it. Directives run and values are evaluated, so that errors
-    /// are found.
+    /// Reads the next token with its contents, and appends it to `row`. Directives run and values are evaluated, so
+    /// that errors in them are reported.
     pub(super) fn read_into(&mut self, row: &mut Vec<Unsupported>) -> Result<()> {
         match self.peek()? {
             Token::Block(name) => {

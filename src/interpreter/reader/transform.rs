@@ -1,4 +1,4 @@
-//! Reading of `translate`, `rotate`, `scale`, `matrix` and `transform { … }`.
+//! Reads `translate`, `rotate`, `scale`, `matrix` and `transform { … }`.
 
 use super::super::Interpreter;
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -17,7 +17,7 @@ impl Thing for TransformThing {
     }
 }
 
-/// Angle in degrees below which a rotation around all axes is likely intended.
+/// Angle in degrees below which `rotate` by a number is likely meant for all axes.
 const A_LITTLE: f64 = 5.0;
 
 impl Interpreter<'_> {
@@ -56,7 +56,8 @@ impl Interpreter<'_> {
         }))
     }
 
-    /// W0407: warns of `rotate 45`. A computed angle, as from `rand`, is likely intended, and so is a macro's argument.
+    /// Reports the warning W0407 for `rotate 45`, which rotates around all axes. Computed angles, as from `rand`, and
+    /// arguments of macros are likely intended.
     fn warn_all_axes(&mut self, angles: DVec3, span: Span) {
         if angles.x.abs() < A_LITTLE || angles.x != angles.y || angles.y != angles.z {
             return;
@@ -76,14 +77,14 @@ impl Interpreter<'_> {
         }
     }
 
-    /// True if an operator follows the number at `span`: split into tokens, `360*rand(S)` begins with a number.
+    /// True if the number at `span` is an operand in the text: `360*rand(S)`, split into tokens, begins with a number.
     fn is_operand(&self, span: Span) -> bool {
         let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
         let rest = self.inputs.sources.text(file).get(range.end..).unwrap_or("");
         rest.trim_start().starts_with(['*', '/', '+', '-', '.'])
     }
 
-    /// Reads the inside of a `transform`.
+    /// Reads the contents of a `transform` block.
     pub fn transform_block(&mut self) -> Result<Transform> {
         let mut all = Transform::IDENTITY;
         loop {
@@ -104,7 +105,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Reads one transform, if one comes next.
+    /// Reads one transform; `None` if the next token begins none.
     pub(super) fn read_transform(&mut self) -> Result<Option<Box<Transform>>> {
         match Reader::next(self)? {
             Next::Word(word @ ("translate" | "rotate" | "scale" | "matrix")) => {

@@ -1,6 +1,6 @@
-//! Hints for words from other tools.
+//! Hints about words of other tools and of other blocks.
 
-/// Hint for a word that is unknown in POV-Ray's language, but known in others.
+/// Returns a hint for a word that POV-Ray's language lacks, but that other tools have.
 pub fn other_tools(word: &str) -> Option<&'static str> {
     Some(match word.to_lowercase().as_str() {
         "cube" | "cuboid" => "a box is `box { <corner>, <opposite corner> }`",
@@ -34,7 +34,7 @@ pub fn other_tools(word: &str) -> Option<&'static str> {
     })
 }
 
-/// Hint for a word that this block calls otherwise, or that another block takes.
+/// Returns a hint for a word that has another name in this block, or that belongs to another block.
 pub fn in_block(block: &str, word: &str) -> Option<&'static str> {
     Some(match (block, word.to_lowercase().as_str()) {
         ("camera", "position" | "pos" | "from" | "origin" | "place") => {

@@ -10,22 +10,22 @@ use std::time::Duration;
 pub const MAX_CALLS: usize = 5_000;
 /// Maximum depth of nested include files.
 pub const MAX_INCLUDES: usize = 100;
-/// Bytes per pixel of a function's picture: four components.
+/// Memory for each pixel of a function's picture, in bytes: four components.
 const PER_POINT: u64 = 16;
-/// Maximum number of pixels of a function's picture if memory is not limited.
+/// Maximum number of pixels of a function's picture, if memory is not limited.
 const MAX_POINTS: u64 = 1 << 26;
 /// Number of steps between two checks of the clock, which cost more than a step.
 const CLOCK_EVERY: u64 = 4096;
-/// Number of steps between two looks at the memory count of a host that counts.
+/// Number of steps between two checks of the memory, on a host where checking is cheap.
 const MEMORY_EVERY: u64 = 16;
-/// Number of bytes of strings between two checks of the clock.
+/// Bytes of created strings between two checks of the clock.
 const TEXT_EVERY: usize = 64 << 20;
 
-/// Work that the interpreter has done so far, which the limits bound.
+/// Work that the interpreter has done so far, which is compared with the limits.
 pub(super) struct Usage {
     /// Number of directives, loop passes and macro calls that the run has executed.
     steps: u64,
-    /// Bytes of strings made since the limits were last checked.
+    /// Bytes of strings that were created since the limits were last checked.
     text_made: usize,
     /// Time on the host's clock when the run began.
     started: Duration,
@@ -37,7 +37,8 @@ impl Usage {
     }
 }
 
-/// Returns the error at `span` of work whose token was cancelled, with the time limit in seconds; `None` if it was not.
+/// Returns the error at `span` for a cancelled run; `None` if `cancel` is not cancelled. `max_time` is the time limit
+/// in seconds.
 pub fn cancellation_error(cancel: &CancelToken, max_time: Option<f64>, span: Span) -> Option<Diagnostic> {
     let (message, help) = match cancel.reason()? {
         CancelReason::Request => ("the run was stopped".into(), "its result is no longer needed"),
@@ -67,7 +68,7 @@ impl Reporter<'_> {
         Ok(())
     }
 
-    /// Counts bytes of strings: a few large strings take as long as many steps.
+    /// Counts the bytes of a created string, because a few large strings take as long as many steps.
     pub fn count_text(&mut self, bytes: usize, span: Span) -> Result<()> {
         self.usage.text_made += bytes;
         if self.usage.text_made < TEXT_EVERY {
@@ -101,7 +102,7 @@ impl Reporter<'_> {
         Ok(())
     }
 
-    /// E0242 if the remaining memory cannot hold a function's picture of this size.
+    /// Returns the error E0242 if the remaining memory cannot hold a function's picture of this size.
     pub fn check_picture(&mut self, [width, height]: [usize; 2], span: Span) -> Result<()> {
         let points = (width as u64).saturating_mul(height as u64);
         let fits = match self.inputs.options.max_memory {
@@ -118,7 +119,7 @@ impl Reporter<'_> {
         self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more")
     }
 
-    /// Ends the run with the error of a limit.
+    /// Returns the error of an exceeded limit, which ends the run.
     pub fn limit<T>(&mut self, code: crate::diagnostic::Code, span: Span, message: String, help: &str) -> Result<T> {
         self.limit_reached = true;
         Diagnostic::new(code, span, message).help(help).into()

@@ -1,4 +1,4 @@
-//! Diagnostics of a run: collection, recovery of their causes, limits.
+//! Diagnostics of a run: collects them, finds the causes of errors, and checks limits.
 
 pub(super) mod hints;
 mod limits;
@@ -14,22 +14,22 @@ pub(super) use limits::{MAX_CALLS, MAX_INCLUDES};
 use mistake::Mistakes;
 use std::collections::BTreeMap;
 
-/// Maximum number of errors that are reported; the others are counted.
+/// Maximum number of errors that are reported; further ones are counted.
 const MAX_ERRORS: usize = 20;
-/// Number of diagnostics above which warnings are dropped.
+/// Maximum number of diagnostics; beyond it, warnings are dropped.
 const MAX_WARNINGS: usize = 500;
-/// Number of faults that end a run, even if all are the same.
+/// Number of errors that end a run, even if all are the same.
 const MAX_FAULTS: usize = 200;
 
 /// Diagnostics and limits of a run.
 pub(super) struct Reporter<'a> {
     inputs: Inputs<'a>,
-    /// Receives the output of `#debug`, `#render` and `#statistics`.
+    /// Function that receives the output of `#debug`, `#render` and `#statistics`.
     output: &'a mut dyn FnMut(&str),
     diagnostics: Vec<Diagnostic>,
-    /// Faults of the parser, reported after those of the run.
+    /// Errors of the parser, which are reported after those of the run.
     deferred: Vec<Diagnostic>,
-    /// Number of faults, including repeated ones.
+    /// Number of errors, including repeated ones.
     fault_count: usize,
     mistakes: Mistakes,
     usage: Usage,
@@ -53,7 +53,7 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// Prints the text of a `#debug`.
+    /// Prints the text of `#debug` and the like.
     pub(super) fn print(&mut self, text: &str) {
         (self.output)(text);
     }
@@ -67,7 +67,7 @@ impl<'a> Reporter<'a> {
         self.diagnostics.iter().filter(|d| d.severity == Severity::Error).count()
     }
 
-    /// Adds a diagnostic, unless it follows from an earlier one or was reported at the same place.
+    /// Adds a diagnostic, unless it follows from an earlier one or its place already has one.
     pub(super) fn report(&mut self, d: Diagnostic) {
         let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
         // The code separates errors from warnings: an error in an unused declaration is reported with severity `Warning`.
@@ -93,18 +93,18 @@ impl<'a> Reporter<'a> {
         self.diagnostics.push(d);
     }
 
-    /// Adds a fault to be reported at the end of the run.
+    /// Adds errors that are reported at the end of the run.
     pub(super) fn defer(&mut self, faults: impl IntoIterator<Item = Diagnostic>) {
         self.deferred.extend(faults);
     }
 
-    /// Counts a fault, even one that was reported before; true if there are too many to continue.
+    /// Counts an error, even one that was reported before. Returns true if there are too many to continue.
     pub(super) fn count_fault(&mut self) -> bool {
         self.fault_count += 1;
         self.fault_count >= MAX_FAULTS
     }
 
-    /// Number of diagnostics so far, for [`Self::take_since`].
+    /// Returns the number of diagnostics so far, for [`Self::take_since`].
     pub(super) fn position(&self) -> usize {
         self.diagnostics.len()
     }
@@ -121,7 +121,8 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// Reports all deferred faults, and errors in declarations that nothing used as warnings.
+    /// Reports all deferred errors. `unused` are the errors in declarations that the scene does not use, reported as
+    /// warnings.
     pub(super) fn finish(&mut self, unused: Vec<Diagnostic>) {
         for d in std::mem::take(&mut self.deferred) {
             self.report(d);
@@ -134,7 +135,7 @@ impl<'a> Reporter<'a> {
         self.complete_diagnostics();
     }
 
-    /// All diagnostics, and the branches that never ran.
+    /// Returns all diagnostics, and the branches that never ran.
     pub(super) fn into_diagnostics(self) -> (Vec<Diagnostic>, Vec<Span>) {
         let unused = self.branches.into_iter().filter(|(_, ran)| !ran).map(|(span, _)| span).collect();
         (self.diagnostics, unused)

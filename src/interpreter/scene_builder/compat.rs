@@ -1,4 +1,4 @@
-//! Differences between language versions. No other module compares versions.
+//! Differences between language versions. Only this module compares versions.
 
 use crate::color::Gamma;
 
@@ -15,7 +15,7 @@ pub fn has_bare_textures(version: u32) -> bool {
     version < 300
 }
 
-/// Number of the noise generator of a scene that sets none.
+/// Returns the number of the noise generator for a scene that sets none.
 pub fn noise_generator(version: u32) -> u8 {
     if version < 350 { 1 } else { 2 }
 }
@@ -28,27 +28,27 @@ pub fn has_srgb_files(version: u32) -> bool {
     version >= 370
 }
 
-/// True if a surface keeps back the colour that its filter absorbs; `version` is that at the end of the scene
-/// (quirk: `opacity_by_version`).
+/// True if a surface with a filter shows of its own light only the share that the filter's colour absorbs. `version` is
+/// in force at the end of the scene (quirk: `opacity_by_version`).
 pub fn has_opacity_by_color(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
-/// True if a sky's pigment transmits the pigments below it by the amount of its filter, whatever its colour, and if the
-/// sky is left out of pictures with alpha; `version` is that at the end of the scene (quirk: `sky_by_share`; manual,
+/// True if a pigment of a sky sphere transmits the pigments below it in proportion to its filter, whatever its colour,
+/// and pictures with alpha omit the sky. `version` is in force at the end of the scene (quirk: `sky_by_share`; manual,
 /// "Sky Sphere").
 pub fn has_sky_by_share(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
-/// True if a picture with alpha leaves out the background whatever its transparency, and any other picture shows it;
-/// `version` is that at the `background` (quirk: `background_before_3_7`).
+/// True if pictures with alpha omit the background, even an opaque one, and all other pictures show it. `version` is in
+/// force at the `background` (quirk: `background_before_3_7`).
 pub fn has_background_by_picture(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
-/// Working gamma of a scene without `assumed_gamma`; `version` is that at the end of the scene. POV-Ray does not
-/// convert scenes that state an older version or none (quirk: `gamma_by_version`).
+/// Returns the working gamma of a scene without `assumed_gamma`. `version` is in force at the end of the scene. POV-Ray
+/// does not convert scenes that state an older version or none (quirk: `gamma_by_version`).
 pub fn gamma_without_setting(version: Option<u32>) -> Gamma {
     match version {
         Some(370..) => Gamma::Power(1.0),

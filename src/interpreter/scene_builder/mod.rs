@@ -45,7 +45,7 @@ impl SceneBuilder {
         }
     }
 
-    /// Sets the language version of the text that follows.
+    /// Sets the language version for the rest of the text.
     pub(super) fn set_version(&mut self, version: u32) {
         self.language.version = version;
         self.language.bare_textures = compat::has_bare_textures(version);
@@ -55,7 +55,7 @@ impl SceneBuilder {
         self.version_stated = true;
     }
 
-    /// The version in force; `None` if the scene has not stated one.
+    /// Returns the language version in force; `None` if the scene has not stated one.
     pub(super) fn stated_version(&self) -> Option<u32> {
         self.version_stated.then_some(self.language.version)
     }
@@ -67,12 +67,12 @@ impl SceneBuilder {
         Language { other_gamma: compat::gamma_without_setting(version), srgb_files, ..self.language }
     }
 
-    /// Number of the scene's noise generator, which may still change.
+    /// Returns the number of the scene's noise generator, which may still change.
     pub(super) fn noise_generator(&self) -> &Arc<AtomicU8> {
         &self.noise_generator
     }
 
-    /// Defaults that `#default` has set for the text that follows.
+    /// Returns the defaults that `#default` has set for the text that follows.
     pub(super) fn defaults(&self) -> &Defaults {
         &self.defaults
     }
@@ -101,12 +101,12 @@ impl SceneBuilder {
         !self.scene.cameras.is_empty()
     }
 
-    /// Sets the camera of `#default`, which holds if the scene has no other one.
+    /// Sets the camera of `#default`, which is used if the scene has no other camera.
     pub(super) fn set_default_camera(&mut self, camera: Camera) {
         self.scene.camera = camera;
     }
 
-    /// Sets the camera; `span` is that of its block.
+    /// Sets the camera; `span` is that of the camera's block.
     pub(super) fn set_camera(&mut self, camera: Camera, span: Span) {
         self.scene.camera = camera;
         self.scene.cameras.push(span);
@@ -134,7 +134,8 @@ impl SceneBuilder {
         self.scene.unsupported.push(block);
     }
 
-    /// Adds an object. One without a texture gets the present default texture, even if it was declared before that.
+    /// Adds an object. An object without a texture gets the present default texture, even if the object was declared
+    /// earlier.
     pub(super) fn add_object(&mut self, mut object: Object) {
         object.default_texture = self.defaults.texture.clone();
         self.scene.objects.push(object);
@@ -145,7 +146,7 @@ impl SceneBuilder {
         self.origins.push(trace);
     }
 
-    /// Settles what depends on the version in force at the end of the text.
+    /// Sets the properties that depend on the language version at the end of the text.
     pub(super) fn finish(&mut self) {
         self.scene.version = self.language.version;
         let version = self.stated_version();

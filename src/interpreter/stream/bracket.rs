@@ -6,28 +6,28 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::{Outline, blame};
 
-/// A bracket of the scene text that is still open.
+/// An opening bracket of the scene's text whose closing bracket was not read yet.
 pub struct OpenBracket {
     /// The word before the open bracket.
     pub word: Option<&'static str>,
     /// Span of the word, or of the bracket if it has none.
     pub span: Span,
-    /// Span of the bracket alone; `None` if the parser found the matching bracket.
+    /// Span of the bracket without the word; `None` if the parser found the matching bracket.
     pub alone: Option<Span>,
     pub bracket: Bracket,
-    /// Keywords that only durer has, inside of the block.
+    /// Keywords of the block that only durer has.
     pub own_words: &'static [&'static str],
     /// Number of frames on the stack where the bracket was opened.
     pub frame_count: usize,
-    /// Reading mode outside of the open bracket.
+    /// Reading mode that is restored after the closing bracket.
     pub mode: Mode,
 }
 
-/// Brackets that were open where a fault was found.
+/// Brackets that were open where an error was found.
 #[derive(Clone, Copy)]
 pub(super) struct Unclosed {
     pub(super) count: usize,
-    /// True if only braces are counted; other brackets inside them are ignored.
+    /// True if only braces are counted, and other brackets are ignored.
     pub(super) braces: bool,
 }
 
@@ -42,7 +42,7 @@ impl<'a> TokenStream<'a> {
         self.open_brackets.len()
     }
 
-    /// Enters the mode inside of brackets, where nothing is deferred, and returns the mode outside.
+    /// Enters the reading mode inside of brackets, where no directive is deferred, and returns the mode outside.
     pub fn stop_deferring(&mut self) -> Mode {
         let outer = self.mode;
         self.mode.defers = false;
@@ -60,14 +60,14 @@ impl<'a> TokenStream<'a> {
         }
     }
 
-    /// Names the innermost bracket after a directive, for messages.
+    /// Gives the innermost bracket the name of a directive, for messages.
     pub fn name_bracket(&mut self, word: &'static str, span: Span) {
         if let Some(bracket) = self.open_brackets.last_mut() {
             (bracket.word, bracket.span) = (Some(word), span);
         }
     }
 
-    /// The name `symbol` as one of durer's own words that the innermost block takes.
+    /// Returns the name as a keyword, if only durer has the keyword and the innermost block takes it.
     pub fn own_word(&self, symbol: Symbol) -> Option<&'static str> {
         let words = self.open_brackets.last()?.own_words;
         if words.is_empty() {
@@ -77,7 +77,7 @@ impl<'a> TokenStream<'a> {
         words.iter().copied().find(|word| *word == name)
     }
 
-    /// True if an expression begins with one of durer's own words: `eye -5*z` parses as a difference.
+    /// True if an expression begins with a keyword that only durer has: `eye -5*z` parses as a difference.
     pub fn begins_with_own_word(&self, e: &Expr) -> bool {
         if self.open_brackets.last().is_none_or(|o| o.own_words.is_empty()) {
             return false;
@@ -94,13 +94,13 @@ impl<'a> TokenStream<'a> {
         }
     }
 
-    /// Records the brackets of a file that the rest of the file does not close.
+    /// Records the brackets of a file that have no closing bracket in the file.
     pub fn add_unclosed(&mut self, ast: &Ast) {
         self.unclosed.extend(ast.unclosed.iter().map(|span| span.lo));
     }
 
-    /// The error for the innermost bracket that the rest of its file does not close. Faults inside the bracket follow
-    /// from this error.
+    /// Returns the error for the innermost open bracket that has no closing bracket in its file. Other errors inside
+    /// the bracket follow from this one.
     pub fn unclosed_bracket(&self) -> Option<Diagnostic> {
         let unclosed = |o: &&OpenBracket| o.alone.is_some_and(|span| self.is_unclosed(span));
         let opened = self.open_brackets.iter().rev().find(unclosed)?;
@@ -108,12 +108,13 @@ impl<'a> TokenStream<'a> {
         Some(self.unclosed_at(opened.alone?, open, close))
     }
 
-    /// True if the rest of the file does not close the bracket at `span`.
+    /// True if the bracket at `span` has no closing bracket in its file.
     pub fn is_unclosed(&self, span: Span) -> bool {
         self.unclosed.contains(&span.lo)
     }
 
-    /// The message "this `{` is not closed" for the bracket at `span`, or for the brace that was meant.
+    /// Returns the error "this `{` is not closed" for the bracket at `span`, or for the brace whose end probably is
+    /// missing.
     pub fn unclosed_at(&self, span: Span, open: &str, close: &str) -> Diagnostic {
         if let Some(d) = self.blamed_brace(span).filter(|_| open == "{") {
             return self.with_trace(d);
@@ -124,8 +125,8 @@ impl<'a> TokenStream<'a> {
         self.with_trace(d)
     }
 
-    /// The brace that was left open, judged by the words of its block and the indentation of the lines. `span` is that of
-    /// a brace which is open where its file ends.
+    /// Returns the error for the brace whose `}` is missing, judged by the words of its block and the indentation.
+    /// `span` is that of a brace that is open at the end of its file.
     fn blamed_brace(&self, span: Span) -> Option<Diagnostic> {
         let (file, _) = self.inputs.sources.locate(span)?;
         blame::open_brace(&Outline::read(self.inputs.sources, file))

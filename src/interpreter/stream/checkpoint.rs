@@ -1,21 +1,21 @@
-//! Checkpoints: where reading resumes after a fault, so that one mistake gives one message.
+//! Checkpoints: states of the token stream to which reading returns after an error.
 
 use super::bracket::Unclosed;
 use super::{Mode, OpenBracket, StackFrame, TokenStream};
 use crate::syntax::ast::*;
 
-/// A state of the token stream to return to.
+/// A saved state of the token stream.
 #[derive(Clone, Copy)]
 pub struct Checkpoint {
     frame_count: usize,
     bracket_count: usize,
-    /// Read position in the innermost frame at the checkpoint.
+    /// Read position in the innermost frame at the time of the checkpoint.
     at: usize,
     mode: Mode,
 }
 
 impl Checkpoint {
-    /// Number of frames at the checkpoint.
+    /// Returns the number of frames at the time of the checkpoint.
     pub fn frame_count(self) -> usize {
         self.frame_count
     }
@@ -59,7 +59,7 @@ impl StackFrame<'_> {
         }
     }
 
-    /// Skips one element, or a bracket with its contents.
+    /// Skips one element, or an opening bracket with the elements up to its partner.
     fn skip_one(&mut self) {
         let opens = matches!(self.elements.get(self.at).map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(_))));
         self.at += 1;
@@ -99,9 +99,10 @@ impl StackFrame<'_> {
     }
 }
 
-/// Checkpoints. Frames above a checkpoint are dropped by `Interpreter::unwind`, because scopes end with them.
+/// Saves and restores checkpoints. `Interpreter::unwind` drops the frames above a checkpoint, because scopes end with
+/// them.
 impl TokenStream<'_> {
-    /// Returns the present state of the token stream, to return to after a fault.
+    /// Saves the present state of the token stream.
     pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint {
             frame_count: self.frames.len(),
@@ -129,7 +130,8 @@ impl TokenStream<'_> {
         (self.look_ahead, self.comma) = (None, false);
     }
 
-    /// Skips the statement that began at the checkpoint, whose frames are restored; `open` is the state before that.
+    /// Skips the statement that began at the checkpoint. `open` are the brackets that were open before the frames were
+    /// restored.
     pub fn skip_statement(&mut self, checkpoint: Checkpoint, open: Open) {
         if let Some(frame) = self.frames.last_mut() {
             frame.skip_statement(checkpoint.at, open.0);
@@ -150,7 +152,7 @@ impl TokenStream<'_> {
         }
     }
 
-    /// Brackets opened since the checkpoint that are tokens of the frame which was the innermost there.
+    /// Returns the brackets opened since the checkpoint in the frame that was innermost then.
     pub fn opened_since(&self, checkpoint: Checkpoint) -> Open {
         let own = |o: &&OpenBracket| o.alone.is_some() && o.frame_count == checkpoint.frame_count;
         let all = self.open_brackets.iter().skip(checkpoint.bracket_count).filter(own);

@@ -10,10 +10,10 @@ pub struct StackFrame<'a> {
     pub(super) elements: &'a [Element],
     /// Index of the frame's next element to read.
     pub(super) at: usize,
-    /// Read position within a literal list: index of the item, and of its first number.
+    /// Read position within a list of literals: index of the item, and index of the item's first number.
     pub(super) item: (usize, usize),
     kind: FrameKind<'a>,
-    /// Span of the whole construct being read: block, call, directive.
+    /// Span of the construct that the frame reads: block, call, directive.
     span: Span,
     /// Closing bracket that follows the frame's last element.
     pub(super) closer: Option<Bracket>,
@@ -26,11 +26,11 @@ pub struct StackFrame<'a> {
 pub enum FrameKind<'a> {
     /// Frame of the outermost file, the scene itself.
     File,
-    /// The inside of a bracket, or the parts of a split expression.
+    /// Frame of the contents of a bracket, or of the parts of a split expression.
     Piece,
     /// Frame of a branch of `#if`, or of an arm of `#switch`.
     Branch,
-    /// Frame of a `#switch`, whose arms lie above; `#break` leaves it.
+    /// Frame of a `#switch`, below the frame of its present arm; `#break` leaves both.
     Switch,
     /// Frame of one pass of `#while`, with its condition.
     While(&'a Head),
@@ -43,7 +43,7 @@ pub enum FrameKind<'a> {
 }
 
 impl FrameKind<'_> {
-    /// True if `#local` names end with the frame.
+    /// True if a scope of `#local` names ends with the frame.
     pub fn has_scope(self) -> bool {
         matches!(self, FrameKind::Macro(_) | FrameKind::Include)
     }
@@ -79,33 +79,33 @@ impl<'a> StackFrame<'a> {
         self.span
     }
 
-    /// The closing bracket that follows the last element.
+    /// Returns the closing bracket that follows the frame's last element.
     pub fn closer(&self) -> Option<Bracket> {
         self.closer
     }
 
-    /// True if a bracket or a comma follows the last element.
+    /// True if a bracket or a comma follows the frame's last element.
     pub fn is_delimited(&self) -> bool {
         self.closer.is_some() || self.comma
     }
 
-    /// Index of the next item in the literal list at the read position.
+    /// Returns the index of the next item in the list of literals at the read position.
     pub fn list_item(&self) -> usize {
         self.item.0
     }
 
-    /// The next item of a literal list at the read position.
+    /// Returns the next item of the list of literals at the read position.
     pub fn list_numbers(&self, list: &'a NumberList) -> &'a [f64] {
         let (i, start) = self.item;
         &list.data[start..start + list.width(i)]
     }
 
-    /// True if the parts of a split expression are all consumed.
+    /// True if the frame holds a split expression whose parts are all consumed.
     pub fn is_spent_piece(&self) -> bool {
         matches!(self.kind, FrameKind::Piece) && self.is_spent()
     }
 
-    /// True if all elements are consumed and no closing bracket follows.
+    /// True if all elements of the frame are consumed and no closing bracket follows.
     pub fn is_spent(&self) -> bool {
         self.closer.is_none() && self.at >= self.elements.len()
     }
@@ -144,12 +144,12 @@ impl<'a> TokenStream<'a> {
         &self.frames
     }
 
-    /// Number of macro calls around the read position.
+    /// Returns the number of macro calls around the read position.
     pub fn call_depth(&self) -> usize {
         self.call_depth
     }
 
-    /// Paths of the included files around the read position, the innermost last.
+    /// Returns the paths of the included files around the read position, the innermost last.
     pub fn include_paths(&self) -> &[PathBuf] {
         &self.include_paths
     }
@@ -160,13 +160,14 @@ impl<'a> TokenStream<'a> {
         self.frames.push(StackFrame::new(elements, kind, span));
     }
 
-    /// Reads these elements next, then a closing bracket if one is given, then a comma if `comma` is set.
+    /// Inserts elements that are read next, then a closing bracket if one is given, then a comma if `comma` is set.
     pub fn push_piece(&mut self, elements: &'a [Element], closer: Option<Bracket>, span: Span, comma: bool) {
         self.look_ahead = None;
         self.frames.push(StackFrame { closer, comma, ..StackFrame::new(elements, FrameKind::Piece, span) });
     }
 
-    /// Reads a macro's body next, then a comma if `comma` is set. Commas among the arguments are forgotten.
+    /// Inserts a macro's body that is read next, then a comma if `comma` is set. Commas among the arguments are
+    /// forgotten.
     pub fn push_call(&mut self, definition: &'a Macro, span: Span, comma: bool) {
         (self.look_ahead, self.comma) = (None, false);
         self.call_depth += 1;
@@ -174,7 +175,7 @@ impl<'a> TokenStream<'a> {
         self.frames.push(StackFrame { comma, ..StackFrame::new(&definition.body, kind, span) });
     }
 
-    /// Reads an included file next; a comma before the directive moves to the end of the file.
+    /// Inserts an included file that is read next. A comma before the directive moves to the end of the file.
     pub fn push_include(&mut self, path: PathBuf, elements: &'a [Element], span: Span) {
         let comma = self.take_comma();
         self.look_ahead = None;

@@ -1,6 +1,6 @@
-//! The state of the token stream: call frames, look-ahead, pushed-back tokens, commas, open brackets, checkpoints.
+//! State of the token stream: call frames, look-ahead, pushed-back tokens, commas, open brackets, checkpoints.
 //!
-//! Nothing here runs a directive or evaluates an expression; [`super::pull`] does both while it fills the look-ahead.
+//! No code of this module runs directives or evaluates expressions; [`super::pull`] does both while it reads tokens.
 
 mod bracket;
 mod checkpoint;
@@ -26,11 +26,11 @@ pub(super) use token::{BlockName, Token};
 /// The state of the token stream.
 pub(super) struct TokenStream<'a> {
     inputs: Inputs<'a>,
-    /// Sources of elements, the innermost last.
+    /// Call frames, the innermost last.
     frames: Vec<StackFrame<'a>>,
-    /// Next token of the stream, whose text is not consumed.
+    /// Next token of the stream, which is not consumed yet.
     look_ahead: Option<Token<'a>>,
-    /// Tokens that precede `look_ahead`, the next one last; their text is consumed.
+    /// Tokens that are read before `look_ahead`, the next one last.
     pushed_back: Vec<PushedBack<'a>>,
     /// True if a comma separates the last token from the next one.
     comma: bool,
@@ -39,7 +39,7 @@ pub(super) struct TokenStream<'a> {
     element: Option<LValue>,
     /// Brackets around the read position, the innermost last.
     open_brackets: Vec<OpenBracket>,
-    /// Global offsets of brackets that the rest of their file does not close.
+    /// Global offsets of brackets that have no closing bracket in their file.
     unclosed: FxHashSet<u32>,
     /// Number of macro frames on the token stream's stack.
     call_depth: usize,
@@ -52,12 +52,12 @@ pub(super) struct TokenStream<'a> {
 /// Mode of reading. `Interpreter::in_mode` changes it and restores it as a whole.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Mode {
-    /// True if directives and macro calls after a value wait until the value has been used: in declarations, array
+    /// True if directives and macro calls after a value run only after the value has been used: in declarations, array
     /// elements, macro arguments and conditions.
     pub(super) defers: bool,
-    /// Number of frames where the declaration or directive being read began; deferred reading leaves none of them.
+    /// Number of frames where the present declaration or directive began; deferred reading leaves none of these.
     pub(super) frame_floor: usize,
-    /// Number of values that are being read inside each other.
+    /// Depth of values that are being read inside each other.
     pub(super) nesting: usize,
 }
 
@@ -95,7 +95,7 @@ impl<'a> TokenStream<'a> {
         self.comma
     }
 
-    /// Clears the comma, and returns it.
+    /// Returns whether a comma comes next, and forgets the comma.
     #[inline]
     pub(super) fn take_comma(&mut self) -> bool {
         std::mem::take(&mut self.comma)
@@ -106,13 +106,13 @@ impl<'a> TokenStream<'a> {
         self.comma = comma;
     }
 
-    /// Sets the comma if `comma` is set.
+    /// Records a comma before the next token, if `comma` is true.
     #[inline]
     pub(super) fn add_comma(&mut self, comma: bool) {
         self.comma |= comma;
     }
 
-    /// The next token if it is known: pushed back, or the look-ahead.
+    /// Returns the next token if it is known: a pushed-back token or the look-ahead.
     #[inline(always)]
     pub(super) fn look_ahead(&self) -> Option<&Token<'a>> {
         match self.pushed_back.last() {
@@ -140,15 +140,15 @@ impl<'a> TokenStream<'a> {
         token
     }
 
-    /// Makes a token the next one, although its text has been consumed. The present comma follows the token, `before`
-    /// precedes it.
+    /// Makes a token the next one, although its text has been consumed. `before` is true if a comma precedes the token;
+    /// the present comma follows it.
     pub(super) fn push_back(&mut self, token: Token<'a>, span: Span, before: bool) -> Token<'a> {
         let comma = std::mem::replace(&mut self.comma, before);
         self.pushed_back.push(PushedBack { token, span, comma });
         token
     }
 
-    /// Location of the array element that the next token, a [`Token::Element`], represents.
+    /// Returns the location of the array element that the next token, a [`Token::Element`], represents.
     pub(super) fn element(&self) -> Option<&LValue> {
         self.element.as_ref()
     }
@@ -161,13 +161,13 @@ impl<'a> TokenStream<'a> {
         self.element.take()
     }
 
-    /// The element at the read position, whatever it is; `None` if a token was pushed back. No directive runs.
+    /// Returns the element at the read position without running directives; `None` if a token was pushed back.
     pub(super) fn next_element(&self) -> Option<&'a Element> {
         let has_pushed_back = !self.pushed_back.is_empty();
         self.frames.last().filter(|_| !has_pushed_back).and_then(StackFrame::next)
     }
 
-    /// Consumes a name that comes next, even if it is a macro's.
+    /// Consumes a name that comes next, even the name of a macro.
     pub(super) fn take_name(&mut self) -> Option<(Symbol, Span)> {
         let element = self.next_element()?;
         let ElementKind::Expr(e) = &element.kind else { return None };
@@ -187,12 +187,12 @@ impl<'a> TokenStream<'a> {
         self.take_name()
     }
 
-    /// Span of a `;` that comes next.
+    /// Returns the span of a `;` that comes next.
     pub(super) fn at_semicolon(&self) -> Option<Span> {
         self.next_element().filter(|element| matches!(element.kind, ElementKind::Semicolon)).map(|element| element.span)
     }
 
-    /// The expression that comes next, if a `;` follows it.
+    /// Returns the expression that comes next, if a `;` follows the expression.
     #[inline]
     pub(super) fn expression_statement(&self) -> Option<&'a Expr> {
         match self.frames.last()?.rest() {
@@ -201,7 +201,7 @@ impl<'a> TokenStream<'a> {
         }
     }
 
-    /// Consumes the two elements that [`Self::expression_statement`] found.
+    /// Consumes the expression and the `;` that [`Self::expression_statement`] found.
     #[inline]
     pub(super) fn skip_expression_statement(&mut self) {
         self.look_ahead = None;
@@ -223,12 +223,12 @@ impl<'a> TokenStream<'a> {
         }
     }
 
-    /// True if a comma follows the element at the read position.
+    /// True if a comma follows the syntax element at the read position.
     pub(super) fn comma_follows_element(&self) -> bool {
         self.pushed_back.is_empty() && self.frames.last().and_then(StackFrame::next).is_some_and(|e| e.comma)
     }
 
-    /// Moves the read position past one element.
+    /// Moves the read position past one syntax element.
     #[inline]
     pub(super) fn skip_element(&mut self) {
         if let Some(frame) = self.frames.last_mut() {
@@ -265,7 +265,7 @@ impl<'a> TokenStream<'a> {
         frame.at += 1;
     }
 
-    /// Consumes the next item of a literal list whose first item is consumed, except the last item.
+    /// Consumes and returns the next item of a list of literals, unless it is the first or the last item of the list.
     pub(super) fn inner_literal(&mut self) -> Option<&'a [f64]> {
         if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
             return None;
@@ -281,8 +281,8 @@ impl<'a> TokenStream<'a> {
         Some(&list.data[start..end])
     }
 
-    /// Consumes up to `most` inner items of a literal list, while each has `width` numbers and `take` accepts them.
-    /// Returns the number of items consumed.
+    /// Consumes up to `most` items of a list of literals, neither the first nor the last one, while each has `width`
+    /// numbers and `take` accepts them. Returns the number of items consumed.
     pub(super) fn inner_literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
         if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
             return 0;
@@ -331,8 +331,8 @@ impl<'a> TokenStream<'a> {
         d
     }
 
-    /// Macro calls and includes around the read position, innermost first; of a deep recursion the first six and the
-    /// last four.
+    /// Returns the macro calls and includes around the read position, innermost first; of a deep recursion the first
+    /// six and the last four.
     pub(super) fn trace(&self) -> Vec<Label> {
         let label = |frame: &StackFrame| match frame.kind() {
             FrameKind::Macro(name) => {

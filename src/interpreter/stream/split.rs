@@ -1,4 +1,4 @@
-//! Splitting of parsed expressions and literal lists into single tokens.
+//! Splits parsed expressions and lists of literals into single tokens.
 
 use super::TokenStream;
 use crate::interpreter::Inputs;
@@ -31,7 +31,7 @@ impl<'a> TokenStream<'a> {
 }
 
 impl<'a> Inputs<'a> {
-    /// Shrinks the spans of operators split from an expression, which reach from operand to operand, to the signs.
+    /// Shrinks the spans of operators that were split from an expression to the operator signs.
     fn with_exact_signs(&self, mut parts: Vec<Element>) -> Vec<Element> {
         for part in parts.iter_mut().filter(|part| matches!(part.kind, ElementKind::Sign(_))) {
             let text = self.sources.snippet(part.span);
@@ -41,19 +41,19 @@ impl<'a> Inputs<'a> {
         parts
     }
 
-    /// An expression as a row of one element, which can be split if needed.
+    /// Returns an expression as a list of one element, which can be split if needed.
     pub fn as_elements(&self, e: &'a Expr) -> &'a [Element] {
         self.parsed.parts_of(e, || vec![Element::new(e.span, ElementKind::Expr(Box::new(e.clone())))])
     }
 
-    /// The text at `span` as single tokens.
+    /// Returns the text at `span` as single tokens.
     pub fn tokens_of(&self, span: Span) -> Vec<Element> {
         let text = self.sources.snippet(span);
         crate::syntax::parse_text(text, span.lo as usize, self.names, Granularity::Tokens).0.elements
     }
 }
 
-/// True if an item of a literal list ends with `element`, and not only a number of a vector.
+/// True if an item of a list of literals ends with `element`; false within a vector.
 fn item_ends(parts: &[Element], element: &Element) -> bool {
     let before = parts.iter().take_while(|e| !std::ptr::eq(*e, element));
     let depth = before.fold(0_i32, |depth, e| match e.kind {

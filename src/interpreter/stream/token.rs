@@ -1,9 +1,9 @@
-//! Tokens, as the readers of blocks and expressions receive them.
+//! Tokens that the readers of blocks and expressions receive.
 
 use crate::source::Span;
 use crate::syntax::ast::*;
 
-/// One token of the stream; an expression or a body that needs no splitting is a single token.
+/// One token of the stream. A complete expression or body that needs no splitting is a single token.
 #[derive(Clone, Copy, Debug)]
 pub enum Token<'a> {
     /// Token that is a keyword without a `{` after it.
@@ -12,15 +12,15 @@ pub enum Token<'a> {
     Callee(&'static str),
     /// Token that is a word with the `{` after it.
     Block(BlockName<'a>),
-    /// An expression without macro calls; nothing that follows continues it.
+    /// Token that is a complete expression without macro calls.
     Expr(&'a Expr),
-    /// An item of a literal list: one number, or a vector of several.
+    /// Token that is an item of a list of literals: one number, or a vector.
     Numbers(&'a [f64]),
     /// Token that is `{`, `[` or `(`, with the elements up to the matching bracket if the parser found it.
     Open(Bracket, Option<&'a [Element]>),
     /// Token that is a function definition `function { … }`; `None` for the word `function` alone.
     Function(Option<&'a Function>),
-    /// An array's element; its indices are evaluated, and [`super::TokenStream::element`] returns the location.
+    /// Token that is an array's element with evaluated indices; [`super::TokenStream::element`] returns its location.
     Element(Span),
     /// Token that is a closing bracket or an operator.
     Sign(Sign),
@@ -35,7 +35,7 @@ pub struct BlockName<'a> {
     pub word: Option<&'static str>,
     /// Span of the word before the `{`.
     pub span: Span,
-    /// The elements between the braces; `None` where the block's tokens come one by one.
+    /// Elements between the braces; `None` where the block's tokens come one by one.
     pub body: Option<&'a [Element]>,
 }
 
@@ -51,7 +51,7 @@ impl Token<'_> {
     }
 }
 
-/// A token that precedes those of the frames; its text is consumed.
+/// A token that is read before the elements of the frames, although its text is consumed.
 pub(super) struct PushedBack<'a> {
     pub(super) token: Token<'a>,
     pub(super) span: Span,

@@ -1,4 +1,4 @@
-//! Calls of which the name and the parentheses come as tokens.
+//! Reads calls whose name and parentheses come as tokens.
 
 use super::joined;
 use crate::diagnostic::Result;
@@ -12,9 +12,9 @@ use crate::value::Value;
 use smallvec::SmallVec;
 
 impl<'a> Interpreter<'a> {
-    /// True if a `(` follows the name of a function. POV-Ray runs directives before it to find out, even where they
-    /// would wait for the end of a value (quirk: `call_runs_directives`). Declarations wait: they cannot give a `(`,
-    /// and may use the name being declared.
+    /// True if a `(` follows the name of a function. POV-Ray runs directives between the name and the `(`, even where
+    /// directives would wait for the end of a value (quirk: `call_runs_directives`). Declarations wait, because they
+    /// cannot produce a `(` and may use the name being declared.
     pub fn call_follows(&mut self) -> Result<bool> {
         let declares = |e: &Directive| matches!(e, Directive::Declare(_) | Directive::DeclarePieces(_));
         let waits =
@@ -45,7 +45,7 @@ impl<'a> Interpreter<'a> {
         Ok((self.builtin_of(word, arguments, span)?, span))
     }
 
-    /// Splits the next expression until its `(` is a token.
+    /// Splits the next expression until its leading `(` is a token by itself.
     pub fn expose_parenthesis(&mut self) -> Result<()> {
         while matches!(self.peek()?, Token::Expr(e) if begins_with_parenthesis(e)) {
             self.stream.split_next();
@@ -62,7 +62,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads the arguments of a function or spline, whose `(` comes next, and calls it.
+    /// Reads the arguments of a function or spline, from the `(` on, and calls it.
     pub(super) fn read_call(&mut self, callee: &Value, span: Span) -> Result<(Value, Span)> {
         self.open()?;
         let value = self.read_arguments_and_call(callee, span)?;

@@ -1,5 +1,5 @@
-//! Expressions whose tokens come one by one, from macros, branches, loops or files. Rules and precedences are those of
-//! parsed expressions.
+//! Reads expressions whose tokens come one by one, from macros, branches, loops or files. Rules and precedences are
+//! those of parsed expressions.
 
 mod call;
 
@@ -39,12 +39,12 @@ pub(super) trait Operands<'a> {
     }
 }
 
-/// Operator precedence below that of all operators.
+/// Precedence below that of all operators, at which an expression begins.
 const LOOSEST: u8 = 0;
 
 impl<'a> Interpreter<'a> {
     /// Reads operands and operators by precedence climbing. With `compares`, comparisons, `&`, `|` and `?` are
-    /// operators, too.
+    /// operators too.
     pub(super) fn climb<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool) -> Result<(O::Value, Span)> {
         if self.stream.mode().nesting >= MAX_NESTED {
             let message = format!("more than {MAX_NESTED} values are read inside each other here");
@@ -81,7 +81,7 @@ impl<'a> Interpreter<'a> {
         Ok((left, span))
     }
 
-    /// The operator that continues the value that was just read.
+    /// Returns the operator that continues the value that was just read.
     fn operator_ahead(&mut self, compares: bool) -> Result<Option<Operator>> {
         loop {
             return Ok(match self.peek_after()? {
@@ -104,8 +104,8 @@ impl<'a> Interpreter<'a> {
         self.read_expression(false)
     }
 
-    /// Reads a value; with `compares`, as in a colour or a condition, `<` after an operand is a comparison and no
-    /// vector.
+    /// Reads a value. With `compares`, as in a colour or a condition, `<` after an operand is a comparison and begins
+    /// no vector.
     pub(super) fn read_expression(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
         let may_be_called = |e: &Expr| self.stream.mode().defers && self.evaluator.ends_with_callable(e);
@@ -176,7 +176,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Splits the next expression until an operand or its sign is a token.
+    /// Splits the next expression until its first operand or sign is a token by itself.
     fn expose_operand(&mut self) -> Result<()> {
         let holds_more = |e: &Expr| matches!(e.kind, ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..));
         while matches!(self.peek()?, Token::Expr(e) if holds_more(e)) {
@@ -219,13 +219,13 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads a vector, whose `<` comes next.
+    /// Reads a vector from its `<` on.
     fn read_vector(&mut self) -> Result<(Value, Span)> {
         let (data, span) = self.read_vector_numbers()?;
         Ok((vector_value(&data, span)?, span))
     }
 
-    /// Reads the components of a vector of any length, whose `<` comes next.
+    /// Reads the components of a vector of any length, from its `<` on.
     pub(super) fn read_vector_numbers(&mut self) -> Result<(Vec<f64>, Span)> {
         let start = self.stream.next_span();
         self.stream.advance();
@@ -261,7 +261,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// True if a sign comes next that can precede an operand.
+    /// True if the next token is a sign that can precede an operand.
     fn at_sign(&mut self) -> bool {
         matches!(
             self.peek(),
@@ -273,7 +273,7 @@ impl<'a> Interpreter<'a> {
 /// Maximum depth of values inside values: parentheses, choices, arguments.
 const MAX_NESTED: usize = 3_000;
 
-/// The span from `from` to `to` if both are in one piece of text; else `from`.
+/// Returns the span from `from` to `to` if both are in one piece of text; else `from`.
 pub(super) fn joined(from: Span, to: Span) -> Span {
     if to.hi >= from.lo && to.hi - from.lo < 1 << 16 { from.to(to) } else { from }
 }
@@ -308,7 +308,7 @@ pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
     Ok(row.0)
 }
 
-/// Evaluates operands and operators. The first operand may have been read already.
+/// Operands and operators that are evaluated while they are read. The first operand may have been read already.
 #[derive(Default)]
 struct Computed(Option<(Value, Span)>);
 

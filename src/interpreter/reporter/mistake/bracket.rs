@@ -1,11 +1,11 @@
-//! Detection of the bracket that causes a later fault.
+//! Finds the bracket that causes an error further down in the text.
 
 use crate::diagnostic::Diagnostic;
 use crate::interpreter::reporter::Reporter;
 use crate::syntax::{Outline, blame};
 
 impl Reporter<'_> {
-    /// The error for a `}` before the fault that ends a block too early; another `}` further down is then surplus.
+    /// Returns the error for a `}` that is before the fault and ends a block too early, so that a later `}` is surplus.
     pub fn closed_early(&mut self, fault: &Diagnostic) -> Option<Diagnostic> {
         let sources = self.inputs.sources;
         let (file, range) = sources.locate(fault.span())?;

@@ -1,17 +1,17 @@
-//! Directives as other languages write them.
+//! Mistakes in directives, mostly habits from other languages.
 
 use super::habit::Habit;
 use super::source_line::{SourceLine, code_of, is_letter, leading_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 
-/// The word after the `#` at the fault, and the rest of the line.
+/// Returns the word after the `#` at the fault, and the rest of the line.
 fn directive_at<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
     let rest = source.after().strip_prefix('#')?.trim_start_matches([' ', '\t']);
     let end = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
     Some(rest.split_at(end))
 }
 
-/// The word after the `#` and the rest of the line, if there is no directive of this name.
+/// Returns the word after the `#` and the rest of the line, if the scene language has no directive of this name.
 fn unknown_at<'t>(source: &SourceLine<'t>, d: &Diagnostic) -> Option<(&'t str, &'t str)> {
     if d.code == codes::UNKNOWN_DIRECTIVE { directive_at(source) } else { None }
 }

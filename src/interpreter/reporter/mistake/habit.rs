@@ -6,14 +6,14 @@ use crate::diagnostic::{Code, Diagnostic, Label, codes};
 use crate::source::Span;
 use std::ops::Range;
 
-/// A recognized common mistake in a scene, with replacements for the texts of its fault.
+/// A recognized common mistake in a scene, with replacements for the texts of the error.
 #[derive(Default)]
 pub(super) struct Habit {
-    /// Code that replaces the code of the mistake's fault.
+    /// Code that replaces the code of the error.
     pub(super) code: Option<Code>,
-    /// Message that replaces the message of the mistake's fault.
+    /// Message that replaces the message of the error.
     pub(super) message: Option<String>,
-    /// Range that replaces the fault's span, in offsets within the file.
+    /// Range that replaces the error's span, in offsets within the file.
     pub(super) range: Option<Range<usize>>,
     /// Text of the help for the recognized mistake.
     pub(super) help: String,
@@ -26,7 +26,7 @@ pub(super) struct Habit {
 }
 
 impl Habit {
-    /// A mistake for which only the help is replaced.
+    /// Creates a mistake that replaces only the error's help.
     pub(super) fn help(text: impl Into<String>) -> Self {
         Self { help: text.into(), ..Self::default() }
     }
@@ -51,7 +51,7 @@ impl Habit {
         self
     }
 
-    /// Applies the mistake to the fault's diagnostic; `base` is the global offset of the file.
+    /// Applies the replacements to the error's diagnostic; `base` is the global offset of the file.
     pub(super) fn apply_to(self, mut d: Diagnostic, base: usize) -> Diagnostic {
         if let Some(range) = self.range {
             d.labels = vec![Label { span: Span::new(base + range.start, base + range.end), text: String::new() }];
@@ -65,7 +65,7 @@ impl Habit {
 
 type Recognise = fn(&SourceLine, &Diagnostic) -> Option<Habit>;
 
-/// Recognizers of common mistakes in order of precedence.
+/// Functions that recognize common mistakes, in order of precedence.
 const HABITS: &[Recognise] = &[
     directive::hex_color,
     directive::define,
@@ -96,7 +96,7 @@ const HABITS: &[Recognise] = &[
     operator::list_in_parentheses,
 ];
 
-/// Codes of faults that such a mistake can cause.
+/// Codes of errors that a common mistake can cause.
 const CODES: &[Code] = &[
     codes::SYNTAX,
     codes::UNKNOWN_DIRECTIVE,
@@ -109,7 +109,7 @@ const CODES: &[Code] = &[
     codes::NOT_CALLABLE,
 ];
 
-/// Recognizes the mistake that caused a fault.
+/// Returns the common mistake that caused an error.
 pub(super) fn find(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     if !CODES.contains(&d.code) {
         return None;

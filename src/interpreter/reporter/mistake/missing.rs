@@ -1,4 +1,5 @@
-//! Names from an include file that is not included: one message for all of them, in the author's own file.
+//! Errors about names from an include file that is not included, merged into one message with a place in the author's
+//! own file.
 
 use crate::diagnostic::{Cause, Diagnostic, Label, Remedy};
 use crate::interpreter::reporter::Reporter;
@@ -6,11 +7,11 @@ use crate::library;
 use crate::source::Span;
 use std::path::Path;
 
-/// Maximum number of further spans that a message shows.
+/// Maximum number of further places that a message shows.
 const MAX_PLACES: usize = 4;
 
 impl Reporter<'_> {
-    /// Merges a fault into a reported one with the same cause, or returns it.
+    /// Merges an error into a reported one with the same cause; returns it if there is none.
     pub(super) fn merge_with_same_cause(&mut self, d: Diagnostic) -> Option<Diagnostic> {
         let Some(cause) = d.cause.as_deref() else { return Some(d) };
         // A warning about an unused declaration can be merged into an error, too.
@@ -25,7 +26,7 @@ impl Reporter<'_> {
         }
     }
 
-    /// Completes a message with all spans of its cause, the author's own first.
+    /// Completes a message with all places of its cause, those in the author's own file first.
     pub(super) fn with_all_places(&self, mut d: Diagnostic) -> Diagnostic {
         let Some(mut cause) = d.cause.take() else { return d };
         cause.uses.sort_by_key(|(_, span)| (self.in_standard_file(*span), span.lo));
@@ -50,7 +51,7 @@ impl Reporter<'_> {
         d
     }
 
-    /// Adds further spans to a message, and the number of those beyond [`MAX_PLACES`].
+    /// Adds further places to a message, and the number of places beyond [`MAX_PLACES`].
     fn add_places(&self, d: &mut Diagnostic, cause: &Cause, name: &str) {
         let file = |span: Span| self.inputs.sources.locate(span).map(|(file, _)| file);
         let mut more = 0;
@@ -69,8 +70,8 @@ impl Reporter<'_> {
         }
     }
 
-    /// Reports that a standard include file needs another one, at the `#include` or macro call in the author's own
-    /// text.
+    /// Returns the error that a standard include file needs another one, with its place at the `#include` or macro call
+    /// in the author's own text.
     fn missing_include_of_include(&self, mut d: Diagnostic, cause: &Cause, missing: &'static str) -> Diagnostic {
         let Some((name, first)) = cause.uses.first() else { return d };
         let inner = self.inputs.sources.locate(*first).map_or("", |(id, _)| self.inputs.sources.name(id));
@@ -108,20 +109,20 @@ impl Reporter<'_> {
         }
     }
 
-    /// True if a standard include file declares the name, perhaps with other capitals.
+    /// True if a standard include file declares the name, in any letter case.
     pub fn is_in_include(&self, name: &str) -> bool {
         self.include_missing_for(name).is_some()
             || name.len() > 4 && library::standard_names().any(|n| n.eq_ignore_ascii_case(name))
     }
 
-    /// Help for the name of an include file's thing outside of all blocks.
+    /// Returns the help for a name that a standard include file declares, used outside of all blocks.
     pub fn include_hint(&self, name: &str) -> Option<String> {
         self.include_missing_for(name).map(|file| {
             format!("`{name}` is declared in `{file}`; it is used inside a block, after `#include \"{file}\"`")
         })
     }
 
-    /// The standard include file that declares a name, unless the file has been read.
+    /// Returns the standard include file that declares a name; `None` if the file has been read.
     pub(super) fn include_missing_for(&self, name: &str) -> Option<&'static str> {
         let file = library::standard_file_of(name)?;
         let read = |(id, _): (crate::source::FileId, &_)| {

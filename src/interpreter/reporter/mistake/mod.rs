@@ -1,6 +1,6 @@
-//! Causes of faults: which mistake was made, which faults follow from others, and which have the same cause.
+//! Finds the causes of errors: a common mistake, an earlier error, or a cause that several errors share.
 //!
-//! All of this runs only after a fault.
+//! This code runs only after an error.
 
 mod bracket;
 mod directive;
@@ -19,29 +19,29 @@ use habit::Habit;
 use rustc_hash::{FxHashMap, FxHashSet};
 use source_line::{SourceLine, leading_name};
 
-/// Consequences of earlier faults: what depends on them is no further fault.
+/// Consequences of earlier errors, by which errors that only follow from these are suppressed.
 #[derive(Default)]
 pub(super) struct Mistakes {
-    /// Names that stay undeclared because of earlier faults.
+    /// Names that stay undeclared because of earlier errors.
     names: FxHashSet<String>,
-    /// Words of the language that were used as names.
+    /// Keywords that the scene used as names.
     words: FxHashSet<String>,
-    /// Include files that were not read, with the files that name them.
+    /// Include files that were not read, each with the file that includes it.
     files: Vec<(String, FileId)>,
     /// True if a directive with a body was not recognized, so that its `#end` is surplus.
     lost_directive: bool,
-    /// Lines that cannot be parsed, as the file and the offset of the line.
+    /// Lines that cannot be parsed: the file and the offset of the line.
     lines: FxHashSet<(FileId, usize)>,
-    /// Spans of errors that are only counted.
+    /// Spans of errors beyond the maximum, which are only counted.
     unreported: FxHashSet<Span>,
-    /// Span of the first error that is only counted.
+    /// Span of the first error beyond the maximum.
     first_unreported: Option<Span>,
-    /// Error about the braces of a file, if one was found.
+    /// Error about the braces of each file; `None` for files without one.
     early: FxHashMap<FileId, Option<Box<Diagnostic>>>,
 }
 
 impl Mistakes {
-    /// Counts an error beyond the maximum number.
+    /// Counts an error beyond the maximum number of reported errors.
     pub(super) fn count_unreported(&mut self, at: Span) {
         self.first_unreported.get_or_insert(at);
         self.unreported.insert(at);
@@ -49,7 +49,7 @@ impl Mistakes {
 }
 
 impl Reporter<'_> {
-    /// Replaces a fault by its cause; `None` if it follows from another fault or is merged into one.
+    /// Replaces an error by its cause; `None` if it follows from another error or is merged into one.
     pub(super) fn with_cause(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
         let Some(source) = SourceLine::of(self.inputs.sources, d.span()) else { return Some(d) };
         let line = (source.file, source.line.start);
@@ -76,14 +76,14 @@ impl Reporter<'_> {
         self.merge_with_same_cause(d)
     }
 
-    /// Records what a mistake leaves undeclared or unread.
+    /// Records the names and files that a common mistake leaves undeclared or unread.
     fn record_habit(&mut self, habit: &Habit, file: FileId) {
         self.mistakes.names.extend(habit.names.iter().cloned());
         self.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
         self.mistakes.lost_directive |= habit.loses_directive;
     }
 
-    /// Records what a fault leaves undeclared or unread.
+    /// Records the names and files that an error leaves undeclared or unread.
     fn record_consequences(&mut self, d: &Diagnostic, source: &SourceLine) {
         let text = self.inputs.sources.snippet(d.span());
         let directive = source.statement().strip_prefix('#').map(str::trim_start).and_then(leading_name);
@@ -104,7 +104,7 @@ impl Reporter<'_> {
         }
     }
 
-    /// True if a fault follows from an earlier one.
+    /// True if an error is a consequence of an earlier one.
     fn is_consequence(&self, d: &Diagnostic, source: &SourceLine) -> bool {
         if d.code == codes::UNMATCHED_CLOSER && self.mistakes.lost_directive && source.after().starts_with("#end") {
             return true;
@@ -116,7 +116,7 @@ impl Reporter<'_> {
         is_value && !self.mistakes.words.is_empty() && source.words().any(|word| self.mistakes.words.contains(word))
     }
 
-    /// True if the name would be declared without the earlier faults.
+    /// True if the name is undeclared only because of earlier errors.
     fn is_left_undone(&self, name: &str, user: FileId) -> bool {
         let gives = |(file, includer): &(String, FileId)| match library::is_standard_include(file) {
             true => library::declares(file, name),
@@ -127,7 +127,7 @@ impl Reporter<'_> {
         self.mistakes.names.contains(name) || self.mistakes.files.iter().any(gives)
     }
 
-    /// Completes the messages at the end of the run, and adds the number of errors that were only counted.
+    /// Completes the messages at the end of the run, and adds the number of errors that were not reported.
     pub fn complete_diagnostics(&mut self) {
         let all = std::mem::take(&mut self.diagnostics);
         self.diagnostics = all.into_iter().map(|d| self.with_all_places(d)).collect();

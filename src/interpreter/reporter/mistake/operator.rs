@@ -1,4 +1,4 @@
-//! Operators, vectors and indices as other languages write them.
+//! Mistakes with operators, vectors and indices, mostly habits from other languages.
 
 use super::habit::Habit;
 use super::source_line::{SourceLine, code_of, is_letter, leading_name, trailing_name, value_text};
@@ -23,7 +23,7 @@ fn trailing_operand(text: &str) -> &str {
     &text[text.trim_end_matches(|c: char| is_letter(c) || c == '.').len()..]
 }
 
-/// Recognizes C's operators `&&`, `||` or `==`.
+/// Recognizes C's operators `&&`, `||` and `==`.
 pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     // The fault is at the second sign.
     let at = source.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;

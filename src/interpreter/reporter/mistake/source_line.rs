@@ -1,9 +1,10 @@
-//! The line of text around a fault.
+//! The line of text around an error.
 
 use crate::source::{FileId, Sources, Span};
 use std::ops::Range;
 
-/// Maximum number of bytes of a line that are examined on each side: a file of a megabyte may be one line.
+/// Maximum number of bytes of a line that are examined on each side of the error, since a file of a megabyte may be one
+/// line.
 const LONG: usize = 500;
 
 /// A span in a text, and the line that holds its start.
@@ -55,38 +56,38 @@ impl<'t> SourceLine<'t> {
         self.text[self.line.clone()].split(|c: char| !is_letter(c)).filter(|word| !word.is_empty())
     }
 
-    /// Range of a part of the text, as offsets in the file.
+    /// Returns the byte range of a part of the line, as offsets in the file.
     pub(super) fn range_of(&self, part: &str) -> Range<usize> {
         let start = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize).min(self.text.len());
         start..(start + part.len()).min(self.text.len())
     }
 }
 
-/// A line without comment and surrounding blanks.
+/// Returns a line without comment and surrounding blanks.
 pub(super) fn code_of(line: &str) -> &str {
     let end = line.find("//").or(line.find("/*")).unwrap_or(line.len());
     line[..end].trim()
 }
 
-/// True for a character that a name may contain.
+/// True if a name may contain the character.
 pub(super) fn is_letter(c: char) -> bool {
     c.is_ascii_alphanumeric() || c == '_'
 }
 
-/// The name at the start of a text, and the text after it.
+/// Splits a text into the name at its start and the text after the name.
 pub(super) fn leading_name(text: &str) -> Option<(&str, &str)> {
     let end = text.find(|c: char| !is_letter(c)).unwrap_or(text.len());
     text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_').then(|| text.split_at(end))
 }
 
-/// The name at the end of a text, and the text before it: `(before, name)`.
+/// Splits a text into the text before the name at its end, and that name.
 pub(super) fn trailing_name(text: &str) -> Option<(&str, &str)> {
     let start = text.trim_end_matches(is_letter).len();
     let (before, name) = text.split_at(start);
     name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_').then_some((before, name))
 }
 
-/// The text of a value up to its `;`, shortened for a help line.
+/// Returns the text of a value up to the `;`, shortened for a help line.
 pub(super) fn value_text(text: &str) -> String {
     let value = code_of(text).trim_end_matches(';').trim();
     match value.char_indices().nth(50) {

@@ -1,11 +1,11 @@
-//! Statements as other languages write them.
+//! Mistakes in statements, mostly habits from other languages.
 
 use super::habit::Habit;
 use super::source_line::{SourceLine, is_letter, leading_name, trailing_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
-/// The name at the start of the line, if it is not a word of the language, and the text after it.
+/// Returns the name at the start of the line, and the text after it; `None` for a keyword.
 fn own_name<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
     leading_name(source.statement())
         .filter(|(name, _)| lookup(name).is_none())

@@ -8,8 +8,8 @@ use crate::source::Span;
 use crate::syntax::word;
 
 impl Reporter<'_> {
-    /// The error for a name that is not declared: names the include file that declares it, or the name that was meant.
-    /// `declared` are the names that are declared now.
+    /// Returns the error for a name that is not declared, with the include file that declares it or the name that was
+    /// probably meant. `declared` are the names that are declared at present.
     pub fn undeclared<'n>(&self, name: &str, span: Span, declared: impl Iterator<Item = &'n str>) -> Diagnostic {
         // Of a call, only the name is marked.
         let named = self.inputs.sources.snippet(span).starts_with(name);
@@ -40,7 +40,7 @@ impl Reporter<'_> {
     }
 }
 
-/// A declared name with nearly the same spelling.
+/// Returns a declared name with nearly the same spelling.
 fn meant_name<'n>(name: &str, declared: impl Iterator<Item = &'n str>) -> Option<String> {
     // A lower-case word of another tool is no misspelling.
     if hints::other_tools(name).is_some() && !name.starts_with(char::is_uppercase) {
@@ -49,7 +49,7 @@ fn meant_name<'n>(name: &str, declared: impl Iterator<Item = &'n str>) -> Option
     nearest(name, declared).map(|found| format!("did you mean `{found}`?"))
 }
 
-/// A word of the language with nearly the same spelling.
+/// Returns a keyword with nearly the same spelling.
 fn meant_word(name: &str) -> Option<String> {
     let words = word::KEYWORDS.iter().chain(word::FUNCTIONS).copied().chain(word::CONSTANTS.iter().map(|c| c.0));
     // Words of the language are in lower case: a capitalized name is a misspelling of one only if nothing else differs.
@@ -58,7 +58,7 @@ fn meant_word(name: &str) -> Option<String> {
         .map(|found| format!("did you mean `{found}`?"))
 }
 
-/// A name of a standard include file with nearly the same spelling.
+/// Returns a name of a standard include file with nearly the same spelling.
 fn meant_include(name: &str) -> Option<String> {
     // Short names resemble too many others.
     let near =
