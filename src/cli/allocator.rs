@@ -1,7 +1,7 @@
-//! The program's memory allocator: the system's, with a count of the bytes in use and a limit.
+//! The program's memory allocator: the system's allocator, with a count of the bytes in use and a limit.
 //!
-//! A scene that needs more than `--max-memory` ends the process with a message before the memory is taken, wherever the
-//! request comes from.
+//! A scene that needs more than `--max-memory` ends the process with a message before the memory is taken, whatever
+//! code requests the memory.
 
 use super::exit::Exit;
 use super::interrupt;
@@ -11,7 +11,8 @@ use std::cell::Cell;
 use std::sync::atomic::{AtomicBool, AtomicIsize, AtomicUsize, Ordering::Relaxed};
 use std::time::Duration;
 
-/// Bytes that a thread allocates or frees before it updates the common count, so that threads rarely touch it.
+/// Number of bytes that a thread allocates or frees before it updates the common count, so that threads rarely access
+/// it.
 const BATCH: isize = 16 << 10;
 
 static USED: AtomicIsize = AtomicIsize::new(0);
@@ -22,21 +23,21 @@ thread_local! {
     static UNCOUNTED: Cell<isize> = const { Cell::new(0) };
 }
 
-/// Allocator that counts.
+/// Global allocator that counts the bytes in use.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Metered;
 
-/// Ends the process as soon as more than `bytes` are in use; `None` for no limit.
+/// Makes the process end as soon as more than `bytes` are in use; `None` for no limit.
 pub fn set_limit(bytes: Option<u64>) {
     LIMIT.store(bytes.and_then(|bytes| usize::try_from(bytes).ok()).unwrap_or(usize::MAX), Relaxed);
 }
 
-/// Number of allocated bytes of the process.
+/// Returns the number of bytes that the process has allocated.
 fn allocated_bytes() -> usize {
     USED.load(Relaxed).max(0) as usize
 }
 
-/// Adds to the count of allocated bytes; `bytes` is negative for memory that is freed.
+/// Adds to the common count of allocated bytes; `bytes` is negative for memory that is freed.
 fn count_allocation(bytes: isize) {
     // A thread that ends has no count any more; what it frees then is negligible.
     let _ = UNCOUNTED.try_with(|uncounted| {
@@ -93,8 +94,8 @@ unsafe impl GlobalAlloc for Metered {
     }
 }
 
-/// The machine, with the memory count of [`Metered`] and a clock whose `now` stands still, so that a resumed render
-/// can be given the `now` of its first run.
+/// The machine as a [`Host`], with the memory count of [`Metered`]. The value of `now` stays fixed, so that a resumed
+/// render can use the `now` of its first run.
 #[derive(Debug)]
 pub struct MeteredHost {
     machine: LocalHost,
@@ -111,7 +112,7 @@ impl Default for MeteredHost {
 }
 
 impl MeteredHost {
-    /// Creates a host with this value of `now`; `None` for the present.
+    /// Creates a host with this value of `now`; `None` for the present time.
     pub fn new(now: Option<Duration>) -> Self {
         let machine = LocalHost::default();
         let now = now.unwrap_or_else(|| machine.since_1970());

@@ -1,14 +1,15 @@
-//! Animations: the frames and the clock of each, by the rules of POV-Ray 3.7 (quirk: `animation_clock`).
+//! Animations: the numbers of the frames and the clock of each, by the rules of POV-Ray 3.7 (quirk: `animation_clock`).
 
 use super::args::values::{Clock, Frames};
 use crate::interpreter::Timing;
 
-/// Frames `first` to `last`, of which `start` to `end` are rendered.
+/// An animation of the frames `first` to `last`, of which `start` to `end` are rendered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Animation {
     /// Number of the animation's first frame, POV-Ray's `Initial_Frame`.
     pub first: u32,
-    /// Number of the last frame, `Final_Frame`; a cyclic animation has one frame more, which `final_frame` includes.
+    /// Number of the animation's last frame, POV-Ray's `Final_Frame`. A cyclic animation has one frame more, which the
+    /// constant `final_frame` includes.
     pub last: u32,
     /// Clock of the animation's first and last frames, `Initial_Clock` and `Final_Clock`.
     pub clock: Clock,
@@ -40,13 +41,14 @@ impl Animation {
         (self.start..=self.end.max(self.start)).step_by(self.step.max(1) as usize)
     }
 
-    /// True if the animation has this frame. Frames after `last` count only up to `end`.
+    /// True if the animation has the frame of this number. Frames after `last` count only up to `end`.
     pub fn has(&self, frame: u32) -> bool {
         (self.first..=self.last.max(self.end)).contains(&frame)
     }
 
-    /// The values of `clock`, `frame_number` and their kin in a frame. The clock has 32 bits, and the other numbers
-    /// have six digits. The clock of an animation of one frame is the initial one (quirk: `animation_clock`).
+    /// Returns the values of `clock`, `frame_number` and the other constants in a frame. The clock has 32 bits, and the
+    /// other numbers have six digits. The clock of an animation of one frame is the initial one (quirk:
+    /// `animation_clock`).
     pub fn timing(&self, frame: u32) -> Timing {
         let (first, last) = (self.clock.first as f32, self.clock.last as f32);
         let range = f64::from(last - first);
@@ -65,7 +67,7 @@ impl Animation {
     }
 }
 
-/// The moment of a single picture, with the value of `--clock`.
+/// Returns the values of the animation's constants for a single picture; `clock` is the value of `--clock`.
 pub fn still(clock: Option<Clock>) -> Timing {
     let value = clock.map_or(0.0, |clock| f64::from(clock.first as f32));
     Timing { clock: value, clock_on: clock.is_some(), ..Timing::default() }

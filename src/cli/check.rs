@@ -1,4 +1,4 @@
-//! `durer check INPUT…`: reads and evaluates scenes without rendering.
+//! The command `durer check INPUT…`: reads and evaluates scenes without rendering.
 
 use super::animation::Animation;
 use super::args::{CheckArgs, CheckFormat, Deny, RenderArgs, Warn};
@@ -77,7 +77,7 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
     Ok(session::verdict(built.limit_reached, &built.diagnostics))
 }
 
-/// The warnings that `--warn` asks for; the scene's own file is the first that was parsed.
+/// Returns the warnings that `--warn` enables. The scene's own file is the first of the parsed files.
 fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagnostic> {
     let asked = |what| args.warn.contains(&what);
     let lints = Lints { unused: asked(Warn::Unused), shadow: asked(Warn::Shadow), portable: asked(Warn::Portable) };

@@ -1,4 +1,4 @@
-//! `durer completions SHELL`: prints a script that completes durer's options.
+//! The command `durer completions SHELL`: prints a script that completes durer's options.
 
 use super::Cli;
 use super::args::CompletionsArgs;

@@ -1,8 +1,7 @@
-//! Confinement of the process by Landlock, a security module of Linux. With `--untrusted`, the process opens only the
-//! files of its command and no network connection, so a fault in a decoder cannot reach anything else.
+//! Confinement of the process by Landlock, a security module of Linux. With `--untrusted`, the process can open only
+//! the files of its command and no network connection, so a fault in a decoder cannot reach anything else.
 //!
-//! The rules for the scene's language are those of [`Sandbox`](crate::source::Sandbox); Landlock is the second line of
-//! defence.
+//! The scene itself is restricted by [`Sandbox`](crate::source::Sandbox); Landlock is the second line of defence.
 
 use super::args::{Command, SceneArgs, environment_is_untrusted, values::Stats};
 use super::console::Console;
@@ -63,15 +62,15 @@ fn file_access(command: &Command) -> Option<FileAccess> {
     }
 }
 
-/// Returns the paths that an input makes readable: a folder itself, or the folder of a scene and the scene, which may be
-/// a pipe such as `/dev/fd/63`.
+/// Returns the paths that an input makes readable: a folder itself, or the folder of a scene. The scene's own path is
+/// added for pipes such as `/dev/fd/63`.
 fn readable(input: &Path) -> Vec<PathBuf> {
     let input = session::named(input);
     let folder = if input.is_dir() { input.clone() } else { parent(&input) };
     vec![folder, input]
 }
 
-/// Returns the folder that a file is written into; the path itself if that is a folder.
+/// Returns the folder that a file is written into; `path` itself if it is a folder.
 fn written_folder(path: &Path) -> PathBuf {
     if path.is_dir() { path.into() } else { parent(path) }
 }
@@ -80,14 +79,14 @@ fn parent(path: &Path) -> PathBuf {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new(".")).into()
 }
 
-/// Restricts the thread by Landlock; false if the kernel does not enforce the rules.
+/// Restricts the thread by Landlock; returns false if the kernel does not enforce the rules.
 #[cfg(target_os = "linux")]
 fn restrict(access: FileAccess) -> bool {
     try_restrict(access).is_ok_and(|status| status != landlock::RulesetStatus::NotEnforced)
 }
 
-/// Restricts the thread by what the kernel's version of Landlock can restrict: files; since Linux 6.7 connections; since
-/// 6.12 signals and sockets without a file.
+/// Restricts the thread as far as the kernel's version of Landlock can: files; since Linux 6.7 connections; since 6.12
+/// signals and sockets without a file.
 #[cfg(target_os = "linux")]
 fn try_restrict(access: FileAccess) -> Result<landlock::RulesetStatus, landlock::RulesetError> {
     use landlock::{ABI, Access, AccessFs, AccessNet, Ruleset, RulesetAttr, RulesetCreatedAttr, Scope};

@@ -1,4 +1,4 @@
-//! Output: messages go to stderr, data to stdout. A closed stream causes no panic.
+//! Output of commands: messages go to stderr, data to stdout. A closed stream causes no panic.
 
 use super::args::{Common, When};
 use super::exit::{Exit, Failure, Result};
@@ -14,7 +14,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Width of messages without a terminal, in columns.
 const WIDTH: usize = 100;
 
-/// Program whose conventions the output follows.
+/// Program whose format of output a command follows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Dialect {
     /// Output of durer's own commands.
@@ -28,11 +28,11 @@ pub enum Dialect {
 #[derive(Clone, Debug)]
 pub struct Console {
     style: draw::Style,
-    /// Number of messages that the console has printed; its clones share the number.
+    /// Number of messages that the console and its clones have printed.
     printed: Arc<Mutex<Count>>,
-    /// True while one of several scenes is processed, whose line gives the number of messages.
+    /// True while one of several scenes is processed. The number of messages is then printed on the scene's line.
     among_several: bool,
-    /// Program whose conventions the output follows.
+    /// Program whose format of output the console follows.
     dialect: Dialect,
     /// True if the command prints errors only.
     pub quiet: bool,
@@ -41,7 +41,7 @@ pub struct Console {
 }
 
 impl Console {
-    /// Creates the output that `--color` and `--quiet` ask for.
+    /// Creates the console for the options `--color` and `--quiet`.
     pub fn new(common: &Common) -> Self {
         let terminal = io::stderr().is_terminal();
         let plain = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty())
@@ -57,22 +57,22 @@ impl Console {
         Self { style, printed: Arc::default(), among_several: false, dialect, quiet: common.quiet, terminal }
     }
 
-    /// Creates the output that is used before the command line is parsed.
+    /// Creates the console that is used before the command line is parsed.
     pub fn plain() -> Self {
         Self::new(&Common { quiet: false, color: When::Auto })
     }
 
-    /// Returns this output in the conventions of a program.
+    /// Returns this console with the output format of a program.
     pub fn with_dialect(self, dialect: Dialect) -> Self {
         Self { dialect, ..self }
     }
 
-    /// The output for one of several scenes, each of which has its own line with the number of messages.
+    /// Returns the console for one of several scenes, each of which has a line with the number of its messages.
     pub fn among_several(&self) -> Self {
         Self { among_several: true, ..self.clone() }
     }
 
-    /// True if another line gives the result of the scene.
+    /// True if the scene is one of several, whose result another line gives.
     pub fn is_among_several(&self) -> bool {
         self.among_several
     }
@@ -107,19 +107,19 @@ impl Console {
         }
     }
 
-    /// True if the output has the lines that programs expect from POV-Ray.
+    /// True if the console prints the lines that programs expect from POV-Ray.
     pub fn has_povray_lines(&self) -> bool {
         self.dialect == Dialect::Povray && !self.terminal && !self.quiet
     }
 
-    /// Writes a line that programs expect from POV-Ray to stderr, on POV-Ray's command line.
+    /// Writes a line that programs expect from POV-Ray to stderr; only for POV-Ray's command line.
     pub fn povray_line(&self, line: &str) {
         if self.has_povray_lines() {
             print_message(line);
         }
     }
 
-    /// Formats diagnostics for a person, errors first, and their number.
+    /// Formats diagnostics for a person, errors first, followed by their number.
     pub fn text(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> String {
         let of = |severity| move |d: &&Diagnostic| d.severity == severity;
         let errors = diagnostics.iter().filter(of(Severity::Error));
@@ -168,7 +168,7 @@ impl Console {
         }
     }
 
-    /// The exit code of a failure, and the text that is to be printed.
+    /// Returns the exit code of a failure, and the text to print.
     pub fn text_of(&self, sources: &Sources, failure: Failure) -> (Exit, String) {
         match failure {
             Failure::Reported(exit) => (exit, String::new()),
@@ -192,7 +192,8 @@ pub fn print_message(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
-/// Fields: `code severity message file line column end{line column} help labels trace`; a missing position is null.
+/// Returns a diagnostic as JSON with the fields `code severity message file line column end{line column} help labels
+/// trace`; a missing position is null.
 fn as_json(sources: &Sources, d: &Diagnostic) -> serde_json::Value {
     let place = sources.place(d.span());
     let place = place.as_ref();

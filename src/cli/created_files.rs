@@ -1,5 +1,5 @@
-//! Memory of the files that scenes created, in one small file in the user's state folder. So a scene that writes data
-//! for its next run, or an animation that rewrites it for each frame, may replace its own files, and no others.
+//! List of the files that scenes created, stored in the user's state folder. A scene that writes data for its next run,
+//! or an animation that rewrites a file for each frame, may therefore replace its own files, and no others.
 
 use crate::source::{CreatedFiles, CreatedInSession};
 use serde::{Deserialize, Serialize};
@@ -8,32 +8,33 @@ use std::fs::{File, Metadata};
 use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
 
-/// Number of files above which those that no longer exist are forgotten.
+/// Number of listed files above which files that no longer exist are removed from the list.
 const MANY: usize = 1000;
 
-/// State of a file when the scene had finished it.
+/// State of a file after a scene has written it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 struct Fingerprint {
     length: u64,
-    /// Nanoseconds since 1970.
+    /// Time of the last write, in nanoseconds since 1970.
     modified: u128,
 }
 
-/// Files by scene, each with its state after the scene had finished; `None` while it writes.
+/// Files by the scene that created them, each with its state after the scene had finished; `None` while the scene
+/// writes it.
 type Created = BTreeMap<PathBuf, BTreeMap<PathBuf, Option<Fingerprint>>>;
 
 /// Files that one scene created, in this run and in earlier ones.
 #[derive(Debug)]
 pub struct CreatedByScene {
     scene: PathBuf,
-    /// The file of the user's state folder; `None` if there is no such folder.
+    /// Path of the list in the user's state folder; `None` without such a folder.
     store: Option<PathBuf>,
     /// Files that this run has created or replaced.
     session: CreatedInSession,
 }
 
 impl CreatedByScene {
-    /// Memory of the scene in the file `scene`.
+    /// Opens the list of created files for the scene in the file `scene`.
     pub fn new(scene: &Path) -> Self {
         let scene = scene.canonicalize().unwrap_or_else(|_| scene.to_path_buf());
         Self {
@@ -43,8 +44,8 @@ impl CreatedByScene {
         }
     }
 
-    /// Changes the scene's files in the store. Programs that run at the same time wait for each other. A store that
-    /// cannot be written stays as it is; a later run of the scene then replaces fewer files.
+    /// Changes the list of the scene's files. Programs that run at the same time wait for each other. If the list
+    /// cannot be written, it stays unchanged, and a later run of the scene may replace fewer files.
     fn update_store(&self, change: impl FnOnce(&mut BTreeMap<PathBuf, Option<Fingerprint>>)) -> Option<()> {
         let store = self.store.as_ref()?;
         std::fs::create_dir_all(store.parent()?).ok()?;
@@ -98,7 +99,7 @@ fn fingerprint(path: &Path) -> Option<Fingerprint> {
     Some(Fingerprint { length: metadata.len(), modified })
 }
 
-/// Folder for the state of programs, where durer's has its place (XDG Base Directory Specification).
+/// Returns the folder in which programs store their state (XDG Base Directory Specification).
 fn state_folder() -> Option<PathBuf> {
     let folder = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
     let base = folder("XDG_STATE_HOME")

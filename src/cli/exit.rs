@@ -1,4 +1,4 @@
-//! Exit codes, and the reasons for which a command ends early.
+//! Exit codes, and failures that end a command early.
 
 use crate::diagnostic::{Code, Fault, codes};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
@@ -28,20 +28,21 @@ pub enum Exit {
     FileSizeLimit = 153,
 }
 
-/// Signal after which a command stores what is done, reports it and ends.
+/// A signal after which a command stores its results, reports the signal and ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Signal {
     /// Number of the signal on Unix.
     pub number: i32,
-    /// Exit code of a command that this signal ends.
+    /// Exit code of a command that ends because of this signal.
     pub exit: Exit,
-    /// Reason of the end, for the message.
+    /// Reason of the signal, for the message.
     pub reason: &'static str,
-    /// True if the signal is left alone in a process that was started with the signal ignored, as by `nohup`.
+    /// True if durer does not handle the signal in a process that was started with the signal ignored, as by `nohup`.
     pub may_be_ignored: bool,
 }
 
-/// All signals that end a command in good order. The exit codes are those of shells: 128 and the signal's number.
+/// All signals after which commands store their results and end. The exit codes are those of shells: 128 plus the
+/// signal's number.
 pub const SIGNALS: &[Signal] = &[
     Signal { number: 1, exit: Exit::HungUp, reason: "the terminal was closed", may_be_ignored: true },
     Signal { number: 2, exit: Exit::Interrupted, reason: "interrupted", may_be_ignored: false },
@@ -57,16 +58,16 @@ pub const SIGNALS: &[Signal] = &[
 /// Number of the signal XFSZ.
 pub const FILE_SIZE_LIMIT: i32 = 25;
 
-/// True if the process ends with POV-Ray's exit codes.
+/// True if the process uses POV-Ray's exit codes.
 static ENDS_LIKE_POVRAY: AtomicBool = AtomicBool::new(false);
 
-/// Lets the process end with POV-Ray's exit codes, for programs that drive POV-Ray.
+/// Makes the process use POV-Ray's exit codes, for programs that start POV-Ray.
 pub fn use_povray_codes() {
     ENDS_LIKE_POVRAY.store(true, Relaxed);
 }
 
 impl Exit {
-    /// Returns the number with which the process ends. POV-Ray has 0 for success, 1 for errors, and 2 for an interruption.
+    /// Returns the number of the exit code. POV-Ray has 0 for success, 1 for errors, and 2 for an interruption.
     pub fn number(self) -> u8 {
         match self {
             _ if !ENDS_LIKE_POVRAY.load(Relaxed) => self as u8,
@@ -76,12 +77,12 @@ impl Exit {
         }
     }
 
-    /// True for the exit code of a command that a signal has ended.
+    /// True for the exit code of a command that a signal ended.
     pub fn is_signal(self) -> bool {
         SIGNALS.iter().any(|signal| signal.exit == self)
     }
 
-    /// The exit code of an error outside of the scene's text.
+    /// Returns the exit code for an error outside of the scene's text.
     pub fn of(code: Code) -> Exit {
         match code {
             codes::FILE_NOT_FOUND | codes::FILE_UNREADABLE | codes::FILE_UNWRITABLE | codes::PICTURE_BROKEN => {
@@ -95,10 +96,10 @@ impl Exit {
     }
 }
 
-/// Reason for which a command ends early.
+/// Failure that ends a command early.
 #[derive(Debug)]
 pub enum Failure {
-    /// A fault that is not reported yet, without a position in a text.
+    /// An error without a position in a text, which is not reported yet.
     Fault(Fault),
     /// An error of the command line, which clap prints.
     Usage(Box<clap::Error>),
@@ -117,7 +118,7 @@ impl From<Fault> for Failure {
     }
 }
 
-/// The error for a contradictory command line, in the form of clap's own errors.
+/// Returns the error for contradictory options, in the form of clap's own errors.
 pub fn usage<T>(message: impl std::fmt::Display) -> Result<T> {
     use clap::CommandFactory;
     let error = super::Cli::command().error(clap::error::ErrorKind::ArgumentConflict, message);

@@ -1,11 +1,11 @@
-//! `durer explain CODE`: explains a message and its remedy.
+//! The command `durer explain CODE`: explains a message and its remedy.
 
 use super::args::ExplainArgs;
 use super::console::Console;
 use super::exit::{Exit, Result, usage};
 use crate::diagnostic::codes::{self, Explanation};
 
-/// Explains one code, or lists all.
+/// Explains one diagnostic code, or lists all codes.
 pub fn run(console: &Console, args: &ExplainArgs) -> Result {
     let Some(wanted) = &args.code else {
         let list: String = codes::ALL.iter().map(|e| format!("{}  {}\n", e.code, e.title)).collect();
@@ -25,8 +25,8 @@ pub fn run(console: &Console, args: &ExplainArgs) -> Result {
     Ok(Exit::Fine)
 }
 
-/// The codes that a text names: `E0203`, or the error and the warning of a number without a letter. Leading zeros are
-/// optional, and so is the surrounding text of a message: `error[E0203]`.
+/// Returns the codes that a text names: `E0203`, or for a number without a letter both the error and the warning.
+/// Leading zeros are optional, and the code may be inside a message: `error[E0203]`.
 fn codes_of(wanted: &str) -> Vec<&'static Explanation> {
     let wanted = wanted.trim();
     let wanted = wanted.split_once('[').map_or(wanted, |(_, code)| code.trim_end_matches([':', ']']));
@@ -37,7 +37,7 @@ fn codes_of(wanted: &str) -> Vec<&'static Explanation> {
     letters.into_iter().filter_map(|letter| codes::find(&format!("{letter}{number:04}"))).collect()
 }
 
-/// The code with the nearest number, preferably of the same letter.
+/// Returns the code with the nearest number, preferably of the same letter.
 fn nearest_code(wanted: &str) -> Option<&'static Explanation> {
     let number = |code: &str| code.trim_matches(|c: char| !c.is_ascii_digit()).parse::<i64>().ok();
     let (letter, wanted) = (wanted.chars().next()?.to_ascii_uppercase(), number(wanted)?);

@@ -1,4 +1,4 @@
-//! `durer fmt [PATH…]`: formats scenes.
+//! The command `durer fmt [PATH…]`: formats scenes.
 
 use super::args::FmtArgs;
 use super::console::Console;
@@ -19,7 +19,7 @@ pub fn run(console: &Console, args: &FmtArgs) -> Result {
     Ok(worst)
 }
 
-/// Replaces folders by their files, sorted by name; no file twice.
+/// Replaces folders by their files, sorted by name, and removes duplicates.
 fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
     let here = [PathBuf::from(".")];
     let mut all = vec![];
@@ -75,13 +75,13 @@ fn bytes(path: &Path, is_stdin: bool) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Reports the faults of a file, and returns the exit code.
+/// Reports the errors of a file, and returns the exit code.
 fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Exit {
     console.report(sources, faults);
     faults.iter().map(|fault| Exit::of(fault.code)).max().unwrap_or(Exit::Scene)
 }
 
-/// The differences in the form of `diff -u`; empty if there are none.
+/// Returns the differences of two texts in the form of `diff -u`; empty for equal texts.
 fn diff(name: &str, old: &str, new: &str) -> String {
     let diff = similar::TextDiff::from_lines(old, new);
     diff.unified_diff().header(name, &format!("{name} (formatted)")).to_string()

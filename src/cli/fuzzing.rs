@@ -1,5 +1,5 @@
-//! Entry points of the fuzzers in `fuzz/` to readers that the public API does not have. Each takes arbitrary input and
-//! must not panic. They exist with the feature `fuzzing` only.
+//! Entry points for the fuzzers in `fuzz/`, to readers that the public API does not have. Each function takes arbitrary
+//! input and must not panic. They exist only with the feature `fuzzing`.
 
 use super::journal::{Journal, identity::Work};
 use super::povray::{self, Translated};
@@ -13,7 +13,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Reads a font file, sets a line of text, takes the outlines of its glyphs, and searches the font by a family's name.
+/// Reads a font file, lays out a line of text, takes the outlines of the glyphs, and searches the font by a family's
+/// name.
 pub fn read_font(bytes: &[u8]) {
     let (files, path) = (Memory::default(), PathBuf::from("font.ttf"));
     files.insert(&path, bytes);
@@ -27,7 +28,7 @@ pub fn read_font(bytes: &[u8]) {
     find_family(&files, "Font Bold Italic", &[path]);
 }
 
-/// Translates an INI file to a command line of durer's, and parses the command line.
+/// Translates an INI file to a durer command line, and parses the command line.
 ///
 /// # Panics
 /// If the span of a diagnostic is not inside the INI file.
@@ -59,7 +60,7 @@ fn parse_translated(translated: Translated, sources: &Sources) {
 /// A valid resume journal, from which damaged ones are made.
 pub struct ValidJournal {
     path: PathBuf,
-    /// Content of the journal: a header and the record of one tile.
+    /// Contents of the journal file: a header and the record of one tile.
     content: Vec<u8>,
     /// Length of the header in bytes.
     header: usize,
@@ -67,11 +68,11 @@ pub struct ValidJournal {
 }
 
 impl ValidJournal {
-    /// The only tile of the journal, and its pixels.
+    /// The only tile of the fuzzers' journal.
     const TILE: Tile = Tile { pass: FINAL_PASS, area: Region { x: 0, y: 0, width: 2, height: 1 } };
     const PIXELS: [[f32; 4]; 2] = [[0.0, 0.25, 0.5, 1.0], [1.0; 4]];
 
-    /// Writes a journal to a folder. `None` if the folder cannot be written to.
+    /// Writes a valid journal to a folder; `None` if the folder cannot be written to.
     pub fn write(folder: &Path) -> Option<Self> {
         let path = folder.join("fuzzed.unfinished");
         let work = Work { options: String::new(), files: ReadFiles::default(), lookups: Lookups::default(), now: None };
@@ -85,7 +86,8 @@ impl ValidJournal {
         Some(Self { path, content, header, work })
     }
 
-    /// Resumes from journals with arbitrary bytes: instead of the whole content, after the header, and after the record.
+    /// Resumes from journals in which arbitrary bytes replace the whole contents, follow the header, or follow the
+    /// record.
     ///
     /// # Panics
     /// If the pixels of the record before the bytes are not those that were written.

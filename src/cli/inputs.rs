@@ -1,4 +1,4 @@
-//! The scenes that a command line names: files, and folders of them.
+//! Scenes that a command line names: files, and folders of scenes.
 
 use super::exit::{Result, usage};
 use super::session;
@@ -9,14 +9,15 @@ use std::path::PathBuf;
 /// Scenes that a command renders or checks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inputs {
-    /// All scenes in the order of the command line, those of a folder sorted by name; none twice.
+    /// All scenes in the order of the command line, without duplicates. Scenes of a folder are sorted by name.
     pub all: Vec<PathBuf>,
-    /// True if several inputs or a folder were named: each scene then gets its own line of output.
+    /// True if the command line names several inputs or a folder, so that each scene gets its own line of output.
     pub several: bool,
 }
 
 impl Inputs {
-    /// Replaces folders by their scenes. A missing file is reported when it is processed.
+    /// Collects the scenes that a command line names, including those in folders. A missing file is reported when it is
+    /// processed.
     pub fn of(named: &[PathBuf]) -> Result<Self> {
         let mut all = Vec::new();
         for input in named {

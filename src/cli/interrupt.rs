@@ -1,7 +1,7 @@
-//! Ends work early: signals such as Ctrl-C, and the time limit of a command.
+//! Early end of work: signals such as Ctrl-C, and the time limit of a command.
 //!
-//! Both cancel the work's [`CancelToken`], which every long loop polls. Work that does not end within [`GRACE`], such
-//! as a decoder of another crate, is ended together with the process.
+//! Both cancel the [`CancelToken`] of the work, which every long loop polls. Work that does not end within [`GRACE`],
+//! such as a decoder of another crate, is ended together with the process.
 
 use super::args::values::Seconds;
 use super::console::print_message;
@@ -12,34 +12,34 @@ use std::sync::{Arc, Condvar, LazyLock, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// Time that cancelled work has to end by itself.
+/// Time within which cancelled work must end by itself.
 const GRACE: Duration = Duration::from_millis(350);
 
-/// Time for the cleanup at the end of the process. With [`GRACE`], less than two seconds.
+/// Maximum time of the cleanup before the process ends. With [`GRACE`], less than two seconds.
 const CLEANUP_TIME: Duration = Duration::from_millis(1500);
 
-/// Time in which a second Ctrl-C counts as the first one. Programs such as `timeout` send a signal twice at once.
+/// Time within which a second Ctrl-C counts as the first one, because programs such as `timeout` send a signal twice at
+/// once.
 const REPEAT: Duration = Duration::from_millis(200);
 
 /// Number of the signal that Ctrl-C sends.
 #[cfg(not(unix))]
 const INTERRUPT: i32 = 2;
 
-/// Number of the first signal that arrived; 0 before.
+/// Number of the first signal that arrived; 0 before a signal.
 static REQUESTED: AtomicUsize = AtomicUsize::new(0);
-/// Number of the signal XFSZ as soon as it has arrived; 0 before. The signal's handler sets it, so that the write that
-/// failed has not returned yet.
+/// Number of the signal XFSZ once it has arrived; 0 before. The signal's handler sets it before the write that failed
+/// returns.
 static FILE_SIZE: LazyLock<Arc<AtomicUsize>> = LazyLock::new(Arc::default);
 static DEFERRED: AtomicBool = AtomicBool::new(false);
-/// True as soon as cancelled work has noticed that it is to end: its last messages and writes then get the time they
-/// need.
+/// True once cancelled work has noticed the cancellation, so that the process waits for its last messages and writes.
 static NOTICED: AtomicBool = AtomicBool::new(false);
 /// Tokens of the work that a signal cancels.
 static TOKENS: Mutex<Vec<CancelToken>> = Mutex::new(vec![]);
-/// Task to do before the process ends in the middle of work, such as writing the journal.
+/// Task to run before the process ends in the middle of work, such as writing the journal.
 static CLEANUP: Mutex<Option<Box<dyn Fn() + Send>>> = Mutex::new(None);
 
-/// Installs the handlers. The second Ctrl-C always ends the program at once.
+/// Installs the handlers of the signals. The second Ctrl-C always ends the program at once.
 pub fn listen() {
     // If a handler cannot be installed, the system's default applies.
     #[cfg(unix)]
@@ -72,8 +72,8 @@ mod unix {
         std::thread::Builder::new().name("signals".into()).spawn(receive_all).map(drop)
     }
 
-    /// Returns the set of the signals that the process ignores, one bit for each. Systems other than Linux do not report the set;
-    /// signals that may be ignored then keep the system's default.
+    /// Returns the set of signals that the process ignores, one bit for each. Only Linux reports the set; elsewhere,
+    /// signals that may be ignored keep the system's default.
     fn ignored_signals() -> u64 {
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let set = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
@@ -81,7 +81,8 @@ mod unix {
     }
 }
 
-/// Ends the work, or at once a program without work that could be stored. `first` is the time of the first signal.
+/// Handles a signal: ends the present work, or the whole program if no work could be stored. `first` is the time of the
+/// first signal.
 fn receive(number: i32, first: &mut Option<Instant>) {
     let Some(signal) = SIGNALS.iter().find(|signal| signal.number == number) else { return };
     if let Some(first) = first {
@@ -104,7 +105,7 @@ fn receive(number: i32, first: &mut Option<Instant>) {
     });
 }
 
-/// Returns the signal that asks the program to end, after it has arrived.
+/// Returns the signal that asked the program to end; `None` before a signal.
 pub fn requested() -> Option<Signal> {
     let number = match REQUESTED.load(SeqCst) {
         0 => FILE_SIZE.load(SeqCst),
@@ -113,16 +114,16 @@ pub fn requested() -> Option<Signal> {
     SIGNALS.iter().find(|signal| signal.number as usize == number).copied()
 }
 
-/// Keeps the process alive until cancelled work, which has noticed its cancellation, has finished properly.
+/// Waits until cancelled work, which has noticed the cancellation, has stored its results and ended.
 pub fn await_cancelled_work() {
     NOTICED.store(true, SeqCst);
 }
 
-/// Task that is done if the process ends in the middle of work while this value exists.
+/// Registration of a task that runs if the process ends in the middle of work; removed when this value is dropped.
 pub struct Cleanup(());
 
 impl Cleanup {
-    /// Sets the task.
+    /// Registers a task that runs if the process ends early.
     pub fn begin(task: impl Fn() + Send + 'static) -> Self {
         *lock(&CLEANUP) = Some(Box::new(task));
         Self(())
@@ -137,8 +138,8 @@ impl Drop for Cleanup {
 
 /// Ends the process in the middle of work, after the cleanup.
 ///
-/// The calling thread may hold any lock, so that cleanup and message are the work of another thread, which gets limited
-/// time.
+/// Another thread runs the cleanup and prints the message within limited time, because the calling thread may hold any
+/// lock.
 pub fn end_process(exit: Exit, message: &str) -> ! {
     let message = message.to_string();
     let (ended, end) = std::sync::mpsc::channel();
@@ -159,11 +160,11 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// While a value of this type exists, signals do not end the program, but are visible in [`requested`].
+/// Guard during whose lifetime signals do not end the program, but are only reported by [`requested`].
 pub struct Deferred(());
 
 impl Deferred {
-    /// Starts to defer the effect of signals.
+    /// Starts to defer the effect of signals until the returned value is dropped.
     pub fn begin() -> Self {
         DEFERRED.store(true, SeqCst);
         Self(())
@@ -176,25 +177,25 @@ impl Drop for Deferred {
     }
 }
 
-/// End of work that does not end by itself after its time limit.
+/// What happens to work that has not ended after its time limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overrun {
-    /// The process ends with [`Exit::Limit`].
+    /// The process ends, with [`Exit::Limit`].
     EndsProcess,
-    /// The work goes on, and its result is discarded.
+    /// The work continues, and its result is discarded.
     Continues,
 }
 
-/// Work that signals and a time limit cancel while this value exists.
+/// Guard during whose lifetime signals and a time limit cancel the work.
 pub struct Deadline {
     token: CancelToken,
-    /// True after the end of the work.
+    /// True once the work has ended; the condition variable announces the change.
     is_done: Arc<(Mutex<bool>, Condvar)>,
     timer: Option<JoinHandle<()>>,
 }
 
 impl Deadline {
-    /// Starts the time limit of work that polls `token`; `None` for no limit.
+    /// Starts the time limit (`None` for no limit) of work that polls `token`.
     pub fn start(limit: Option<Seconds>, token: CancelToken, overrun: Overrun) -> Self {
         NOTICED.store(false, SeqCst);
         lock(&TOKENS).push(token.clone());
@@ -226,7 +227,7 @@ impl Deadline {
         Self { token, is_done, timer }
     }
 
-    /// The token that is cancelled at the end of the time limit.
+    /// Returns the token that is cancelled at the end of the time limit.
     pub fn token(&self) -> &CancelToken {
         &self.token
     }
@@ -246,7 +247,7 @@ impl Drop for Deadline {
     }
 }
 
-/// Sleeps until `end`, or until the work is done; true if the work is done.
+/// Sleeps until `end`, or until the work is done; returns true if the work is done.
 fn sleep_until(end: Instant, (is_done, changed): &(Mutex<bool>, Condvar)) -> bool {
     let mut done = lock(is_done);
     loop {

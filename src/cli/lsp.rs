@@ -1,4 +1,4 @@
-//! `durer lsp`: runs the language server; see [`crate::lsp`].
+//! The command `durer lsp`: runs the language server; see [`crate::lsp`].
 
 use super::args::LspArgs;
 use super::console::print_message;
@@ -9,7 +9,7 @@ use crate::source::Disk;
 use std::io::IsTerminal;
 use std::path::Path;
 
-/// Serves an editor over standard input and output until it disconnects.
+/// Serves an editor over standard input and output until the editor disconnects.
 pub fn run(args: &LspArgs) -> Result {
     if std::io::stdin().is_terminal() {
         print_message(

@@ -6,7 +6,7 @@ use crate::render::{self, Region};
 use crate::source::Span;
 use std::path::Path;
 
-/// Largest number of pixels, which would take years.
+/// Maximum number of pixels of a picture; more would take years.
 const MAX_PIXELS: u128 = 1 << 36;
 
 /// Refuses a picture with more than [`MAX_PIXELS`] (E0006).
@@ -49,8 +49,8 @@ pub fn check_memory(size: Size, part: Option<Region>, bytes_per_pixel: usize, li
     }
 }
 
-/// The memory limit without `--max-memory`: most of what is free, so that a runaway scene ends with a message before
-/// the system kills the process.
+/// Returns the memory limit without `--max-memory`: most of the free memory, so that a runaway scene ends with a
+/// message before the system kills the process.
 pub fn default_limit() -> Option<u64> {
     let most = available().map(|free| free / 10 * 9);
     // A growing list is copied: in a limited address space the old and the new copy both count.
@@ -58,8 +58,8 @@ pub fn default_limit() -> Option<u64> {
     most.into_iter().chain(limited).min()
 }
 
-/// The limit at which the process ends wherever it is: above that of the interpreter, whose messages name a place.
-/// Without `--max-memory`, most of the free memory.
+/// Returns the limit at which the process ends wherever it is. It is above the interpreter's limit, whose messages have
+/// a place. Without `--max-memory`, most of the free memory.
 pub fn hard_limit(limit: Option<u64>) -> Option<u64> {
     limit.map(|bytes| bytes.saturating_add(HARD_LIMIT_MARGIN)).or_else(|| available().map(|free| free / 20 * 19))
 }
@@ -67,7 +67,7 @@ pub fn hard_limit(limit: Option<u64>) -> Option<u64> {
 /// Bytes above `--max-memory` at which the process ends.
 const HARD_LIMIT_MARGIN: u64 = 32 << 20;
 
-/// Bytes of address space that `ulimit -v` leaves; `None` without such a limit.
+/// Returns the address space that `ulimit -v` leaves, in bytes; `None` without such a limit.
 fn address_space() -> Option<u64> {
     let limits = std::fs::read_to_string("/proc/self/limits").ok()?;
     let line = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
@@ -75,7 +75,8 @@ fn address_space() -> Option<u64> {
     Some(limit.saturating_sub(kilobytes("/proc/self/status", "VmSize:")?))
 }
 
-/// Free memory in bytes, of the machine and of the process's control groups; `None` if the system does not report it.
+/// Returns the free memory of the machine and of the process's control groups, in bytes; `None` if the system does not
+/// report it.
 fn available() -> Option<u64> {
     let groups = std::fs::read_to_string("/proc/self/cgroup").unwrap_or_default();
     let in_groups = groups.lines().filter_map(|line| line.strip_prefix("0::")).flat_map(|group| {
@@ -92,7 +93,7 @@ fn available() -> Option<u64> {
     limits.chain(kilobytes("/proc/meminfo", "MemAvailable:")).min()
 }
 
-/// Largest memory of this process so far, in bytes; `None` if the system does not report it.
+/// Returns the largest memory of this process so far, in bytes; `None` if the system does not report it.
 pub fn peak() -> Option<u64> {
     kilobytes("/proc/self/status", "VmHWM:")
 }

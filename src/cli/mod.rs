@@ -1,4 +1,4 @@
-//! The command line: a file or a folder for each command. Only this module prints and ends the program.
+//! The command line, with a file or a folder for each command. Only this module prints and ends the program.
 
 mod allocator;
 mod animation;
@@ -48,13 +48,13 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 use std::sync::LazyLock;
 
-/// clap's description of the command line, computed once.
+/// Returns clap's description of the command line, which is computed once.
 fn commands() -> &'static clap::Command {
     static COMMAND: LazyLock<clap::Command> = LazyLock::new(Cli::command);
     &COMMAND
 }
 
-/// Runs the program. The first of `words` is the name of the program.
+/// Runs the program with the words of its command line, the first of which is the program's name.
 pub fn main(words: Vec<OsString>) -> ExitCode {
     interrupt::listen();
     let exit = crate::on_big_stack(|| {
@@ -70,8 +70,8 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
     ExitCode::from(exit.number())
 }
 
-/// Parses the command line, after a translation of POV-Ray's options into durer's own, and sets up the console. The
-/// context holds what durer's options cannot express.
+/// Parses the command line after translating POV-Ray's options, and configures the console. The returned context holds
+/// settings for which durer has no option.
 fn parse(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Context)> {
     unknown::check(&words)?;
     if povray::asks_version(&words) {

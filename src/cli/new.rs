@@ -1,4 +1,4 @@
-//! `durer new NAME`: creates a scene to start with.
+//! The command `durer new NAME`: creates a simple scene to start with.
 
 use super::args::NewArgs;
 use super::console::Console;
@@ -12,7 +12,7 @@ use std::path::PathBuf;
 /// Text of the new scene that `durer new` writes; POV-Ray reads it, too.
 pub const STARTER: &str = include_str!("starter.scene");
 
-/// Writes the scene; an existing file is not overwritten.
+/// Writes the new scene; an existing file is not overwritten.
 pub fn run(console: &Console, args: &NewArgs) -> Result {
     let path = path(args)?;
     let name = path.display();
@@ -32,7 +32,7 @@ pub fn run(console: &Console, args: &NewArgs) -> Result {
     Ok(Exit::Fine)
 }
 
-/// The file's name, with `.scene` appended unless it has the ending of a scene.
+/// Returns the path of the new scene, with `.scene` appended unless it has a scene's extension.
 fn path(args: &NewArgs) -> Result<PathBuf> {
     let path = &args.name;
     let Some(name) = path.file_name().filter(|_| !path.to_string_lossy().ends_with(['/', '\\'])) else {

@@ -1,4 +1,4 @@
-//! Merges the command line with the INI file that it names: the command line has precedence.
+//! Merges the options of the command line with those of the INI file that it names. The command line has precedence.
 
 use super::Cli;
 use super::animation::Animation;
@@ -11,7 +11,7 @@ use crate::source::{Sources, Span};
 use clap::Parser;
 use std::path::{Path, PathBuf};
 
-/// Arguments of one scene, and what only an INI file or POV-Ray's options can add to them.
+/// Options for one scene, and settings that only an INI file or POV-Ray's options can state.
 #[derive(Clone, Debug)]
 pub struct Invocation {
     /// Path of the scene, or of the INI file that names the scene.
@@ -33,8 +33,8 @@ pub struct IniFile {
     pub warnings: Vec<Diagnostic>,
 }
 
-/// Reads the INI file `input`; `None` if `input` is not an INI file. `scene` holds the options of the command line. With
-/// `all`, the warnings include options without effect.
+/// Reads the INI file `input`; `None` if `input` is not an INI file. `scene` holds the options of the command line.
+/// With `all`, the warnings include options without effect.
 ///
 /// # Errors
 /// The errors and warnings of a broken INI file.
@@ -70,17 +70,17 @@ pub fn read_ini(
 }
 
 impl Invocation {
-    /// The command line's arguments for one of its inputs.
+    /// Creates the invocation for one of the inputs on the command line.
     pub fn new(input: &Path, args: RenderArgs, animation: Option<Animation>) -> Self {
         Self { input: input.to_path_buf(), args, animation, exact_name: false }
     }
 
-    /// The command line's arguments for a command that writes no picture.
+    /// Creates the invocation of a command that reads a scene and writes no picture.
     pub fn of_scene(input: &Path, scene: &SceneArgs, animation: Option<Animation>) -> Self {
         Self::new(input, RenderArgs { scene: scene.clone(), ..RenderArgs::default() }, animation)
     }
 
-    /// Merges with the INI file that `input` is, if it is one; reports its faults.
+    /// Merges with the INI file `input`, if the input is one, and reports errors of the file.
     pub fn with_ini(self, console: &Console, sources: &Sources) -> Result<(Console, Self)> {
         let ini = match read_ini(sources, &self.input, &self.args.scene, !self.args.warn.is_empty()) {
             Ok(None) => return Ok((console.clone(), self)),
@@ -93,7 +93,7 @@ impl Invocation {
         Ok((console, self.over(ini)))
     }
 
-    /// Merges the command line with an INI file's settings.
+    /// Adds an INI file's settings where the command line states none.
     pub fn over(self, ini: IniFile) -> Self {
         let Invocation { input, args, animation, .. } = ini.invocation;
         let animation = animation.or(self.animation);
@@ -106,7 +106,7 @@ impl Invocation {
     }
 }
 
-/// Reports faults, and returns the exit code of the first error.
+/// Reports errors and warnings, and returns a failure with the exit code of the first error.
 pub fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Failure {
     console.report(sources, faults);
     let first = faults.iter().find(|d| d.severity == Severity::Error);
@@ -114,7 +114,7 @@ pub fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Fa
 }
 
 impl RenderArgs {
-    /// Merges these arguments with the INI file's, which apply where these are absent.
+    /// Fills in the INI file's options where these options are absent.
     fn over(self, ini: RenderArgs) -> RenderArgs {
         RenderArgs {
             inputs: ini.inputs,

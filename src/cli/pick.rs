@@ -1,4 +1,4 @@
-//! `durer pick INPUT X,Y`: the object that one pixel shows, and the text that describes it.
+//! The command `durer pick INPUT X,Y`: describes the object that one pixel shows, and the text that created the object.
 
 use super::animation::Animation;
 use super::args::values::Size;
@@ -45,7 +45,7 @@ struct PickedObject<'a> {
     trace: Vec<Step>,
 }
 
-/// A position in a text, for programs.
+/// A position in a text, as JSON output gives it.
 #[derive(Serialize, Clone, PartialEq)]
 pub(super) struct Position {
     pub file: String,
@@ -66,7 +66,7 @@ struct Step {
     place: Option<Position>,
 }
 
-/// Prints the object that the pixel shows. `animation` comes from POV-Ray's options.
+/// Prints the object that a pixel shows. `animation` comes from POV-Ray's options.
 pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> Result {
     let invocation = Invocation::of_scene(&session::named(&args.input), &args.scene, animation);
     let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
@@ -109,7 +109,7 @@ fn describe_pixel(
     Ok(pixel.in_words(picked.as_ref(), origin))
 }
 
-/// The text for a pixel of a finished picture, where its colour is `color`.
+/// Describes a pixel of a finished picture for a person; `color` is the pixel's colour.
 #[cfg(feature = "watch")]
 pub(super) fn words(sources: &Sources, picked: Option<&Picked>, color: [f64; 3]) -> String {
     PixelReport { sources, built: None, color }.in_words(picked, None)
@@ -124,7 +124,7 @@ fn color_of(world: &World, drawing: &render::Options, x: usize, y: usize) -> [f6
     [r, g, b]
 }
 
-/// The number of the outermost object that is visible in a pixel. A World does not contain the outermost objects, so a
+/// Returns the number of the outermost object that a pixel shows. A World does not contain the outermost objects, so a
 /// bisection over subsets of them renders the pixel until one object is left.
 fn origin_of(built: &Built, drawing: &render::Options, (x, y): (usize, usize), picked: &Picked) -> Option<usize> {
     let scene = built.scene.as_ref()?;
@@ -151,16 +151,16 @@ fn outside(args: &PickArgs, size: Size) -> crate::diagnostic::Result<Exit> {
     Diagnostic::new(codes::OUTSIDE_PICTURE, Span::NONE, text).help(help).into()
 }
 
-/// Description of one pixel in the output of `durer pick`.
+/// Data for the description of one pixel in `durer pick`.
 struct PixelReport<'a> {
     sources: &'a Sources,
-    /// The Scene with the origins of its objects.
+    /// Built scene with the origins of its objects, if it was built with them.
     built: Option<&'a Built>,
     color: [f64; 3],
 }
 
 impl PixelReport<'_> {
-    /// The position of the outermost object; `None` if the picked object has the same position.
+    /// Returns the position of the outermost object; `None` if the picked object has the same position.
     fn placed(&self, picked: &Picked, origin: Option<usize>) -> Option<Place> {
         let object = self.built?.scene.as_ref()?.objects.get(origin?)?;
         self.sources.place(object.source).filter(|_| object.source != picked.source)
@@ -204,15 +204,15 @@ impl PixelReport<'_> {
     }
 }
 
-/// The colour in the notation of painting programs: `#ff8000`.
+/// Returns a colour in the notation of painting programs: `#ff8000`.
 fn on_screen(color: [f64; 3]) -> String {
     let byte = |x: f64| (transfer::srgb_encode(x.clamp(0.0, 1.0)) * 255.0).round() as u8;
     let [r, g, b] = color.map(byte);
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Formats numbers with six digits of the largest (or of `scale`, if that is larger) and the same number of decimal
-/// places for the others, whose further digits are noise.
+/// Formats numbers with the decimal places that six digits of the largest one need (or of `scale`, if that is larger),
+/// since further digits are noise.
 fn list(numbers: &[f64], scale: f64) -> String {
     let largest = numbers.iter().fold(scale.abs(), |most, x| most.max(x.abs()));
     if !largest.is_finite() || largest == 0.0 {

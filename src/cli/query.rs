@@ -1,4 +1,4 @@
-//! `durer query INPUT`: lists the contents of a scene, with positions in the text and sizes in the world.
+//! The command `durer query INPUT`: lists the contents of a scene, with positions in the text and sizes in the world.
 
 use super::args::QueryArgs;
 use super::console::Console;
@@ -72,7 +72,7 @@ struct TextureRow {
     first: Option<Position>,
 }
 
-/// Prints the contents of the scene.
+/// Prints the contents of a scene.
 pub fn run(console: &Console, args: &QueryArgs) -> Result {
     let invocation = Invocation::of_scene(&session::named(&args.input), &args.scene, None);
     let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
@@ -186,7 +186,7 @@ fn row_of_texture(texture: &Texture, first: Option<Position>) -> TextureRow {
     TextureRow { pigment: pigment.unwrap_or_default(), layers: texture.layers.len(), objects: 0, first }
 }
 
-/// The innermost word of a serialized item of the language: `granite` of `{"field": {"granite": …}}`.
+/// Returns the innermost word of a serialized item of the language: `granite` of `{"field": {"granite": …}}`.
 fn name_of(thing: &impl Serialize) -> String {
     let mut value = serde_json::to_value(thing).unwrap_or_default();
     let mut name = String::new();
@@ -203,12 +203,12 @@ fn name_of(thing: &impl Serialize) -> String {
     name
 }
 
-/// The bounding box of an object's surfaces, or the box of `max_extent` where the World has none.
+/// Returns the bounding box of an object's surfaces, or the box of `max_extent` for an object that the World lacks.
 fn pov_bounds(object: &Object) -> Aabb {
     Probe::new(object).map_or_else(|_| object.pov_bounds(), |probe| probe.bounds())
 }
 
-/// Distance beyond which an object is infinite.
+/// Distance from the origin beyond which an object counts as infinite, in world units.
 const FAR: f64 = 1e9;
 
 fn is_finite(pov_bounds: &Aabb) -> bool {
@@ -266,7 +266,7 @@ fn objects_in_words(same: &[ObjectRow]) -> String {
     format!("{count}{}{shapes}, {pov_bounds}, {}", first.word, numbers("texture", range))
 }
 
-/// Describes textures that one position in the text created; the first one has this number.
+/// Describes textures that one position in the text created; `number` is that of the first one.
 fn textures_in_words(same: &[TextureRow], number: usize) -> String {
     let first = &same[0];
     let layers = if first.layers > 1 { format!(", {} layers", first.layers) } else { String::new() };

@@ -1,4 +1,4 @@
-//! Steps that several commands share: find, read and evaluate a scene, and report its messages.
+//! Steps that several commands share: finds, reads and evaluates a scene, and reports its messages.
 
 use super::allocator::{self, MeteredHost};
 use super::animation::{self, Animation};
@@ -24,7 +24,8 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The file that an input names: `scene` may mean `scene.pov`, as in POV-Ray, or a file with another ending of a scene.
+/// Returns the file that an input names: `scene` may stand for `scene.pov`, as in POV-Ray, or for a file with another
+/// extension of a scene.
 pub fn named(input: &Path) -> PathBuf {
     let endings = ["pov", "scene", "ini"].into_iter();
     let mut others = endings.map(|ending| PathBuf::from(format!("{}.{ending}", input.display())));
@@ -32,7 +33,7 @@ pub fn named(input: &Path) -> PathBuf {
     found.unwrap_or_else(|| input.to_path_buf())
 }
 
-/// Checks that the input exists. Called first, so that a mistyped name is reported before anything else.
+/// Checks that the input file exists. Called first, so that a mistyped name is reported before anything else.
 pub fn check_input(input: &Path) -> Result<()> {
     if input == Path::new("-") || input.is_file() {
         return Ok(());
@@ -44,7 +45,7 @@ pub fn check_input(input: &Path) -> Result<()> {
     }
 }
 
-/// Reads the scene; `-` is standard input.
+/// Reads the scene's text; `-` is standard input.
 pub fn open(sources: &Sources, input: &Path) -> Result<FileId> {
     if input != Path::new("-") {
         // A pipe that the user names is read, as in `durer render <(program)`; one that a scene names is not.
@@ -61,7 +62,7 @@ pub fn open(sources: &Sources, input: &Path) -> Result<FileId> {
     }
 }
 
-/// Reads the scene, and reports the fault if that fails.
+/// Reads the scene's text, and reports the error if reading fails.
 pub fn open_or_report(console: &Console, sources: &Sources, input: &Path) -> Result<FileId> {
     open(sources, input).map_err(|failure| match failure {
         Failure::Fault(fault) => {
@@ -72,7 +73,7 @@ pub fn open_or_report(console: &Console, sources: &Sources, input: &Path) -> Res
     })
 }
 
-/// The moment of a single picture: `--frame` of the animation, or its first frame.
+/// Returns the animation's constants for a single picture: frame `--frame`, or the first frame.
 pub fn timing(args: &SceneArgs, animation: Option<&Animation>) -> Result<Timing> {
     match (animation, args.frame) {
         (Some(animation), Some(frame)) if !animation.has(frame) => usage(format!(
@@ -89,7 +90,7 @@ pub fn timing(args: &SceneArgs, animation: Option<&Animation>) -> Result<Timing>
     }
 }
 
-/// The options of text → World for a scene.
+/// Returns the interpreter's options for a scene.
 pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interpreter::Options {
     let folder = input.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let size = args.size();
@@ -125,7 +126,7 @@ pub fn reading_options(args: &SceneArgs, input: &Path, timing: Timing) -> interp
     }
 }
 
-/// Ends the process if it needs more than `--max-memory`, or by default more than is free.
+/// Makes the process end if it needs more than `--max-memory`, or by default more than the free memory.
 pub fn enforce_memory_limit(limit: Option<Bytes>) {
     allocator::set_limit(memory::hard_limit(limit.map(|bytes| bytes.0)));
 }
@@ -135,7 +136,7 @@ pub const DEFAULT_THRESHOLD: f64 = 0.3;
 /// Default of the option `--quality`.
 const DEFAULT_QUALITY: u8 = 9;
 
-/// The options of World → picture, for the whole picture.
+/// Returns the renderer's options for the whole picture.
 pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, timing: Timing) -> render::Options {
     let Size { width, height } = scene.size();
     render::Options {
@@ -166,7 +167,7 @@ fn sampling(look: &LookArgs) -> Sampling {
     }
 }
 
-/// Lets a scene create files below the current folder, and write in those of `--allow-write`.
+/// Allows a scene to create files below the current folder, and to write below the folders of `--allow-write`.
 pub fn allow_writing(options: &mut interpreter::Options, args: &SceneArgs, input: &Path) {
     if args.is_untrusted() {
         return;
@@ -177,7 +178,7 @@ pub fn allow_writing(options: &mut interpreter::Options, args: &SceneArgs, input
     options.sandbox.write = WritePolicy::Below(allowed.chain([folder(Path::new("."), false)]).collect());
 }
 
-/// Returns a line about the files that a scene wrote to memory alone; `None` if there are none.
+/// Returns a line about the files that a scene wrote to memory; `None` if there are none.
 pub fn note_of_writes(built: &Built) -> Option<String> {
     let [first, rest @ ..] = &built.written_in_memory[..] else { return None };
     let others = match rest.len() {
@@ -203,7 +204,7 @@ pub fn within_limits<T>(args: &SceneArgs, work: impl FnOnce() -> Result<T>) -> R
     }
 }
 
-/// Text → World. The scene's own output goes to stderr.
+/// Reads a scene's text and builds the World. The output of `#debug` goes to stderr.
 pub fn build(
     console: &Console,
     parsed: &ParsedFiles,
@@ -222,7 +223,7 @@ pub fn build(
     built
 }
 
-/// Returns the exit code of a run of the interpreter.
+/// Returns the exit code for the result of the interpreter.
 pub fn verdict(limit_reached: bool, diagnostics: &[Diagnostic]) -> Exit {
     if limit_reached {
         Exit::Limit

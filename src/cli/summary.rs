@@ -1,4 +1,4 @@
-//! Results of several scenes, in the same form for `render`, `check` and `test`.
+//! Result lines of several scenes, in the same form for `render`, `check` and `test`.
 
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, SIGNALS};
@@ -33,7 +33,7 @@ impl Word {
     }
 }
 
-/// Number of messages, displayed as `2 errors, 1 warning`.
+/// Number of errors and warnings, displayed as `2 errors, 1 warning`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Count {
     /// Number of messages of [`Severity::Error`].
@@ -75,13 +75,13 @@ impl Display for Count {
     }
 }
 
-/// The line of one scene, `FAIL  a.scene  2 errors`, with its line ending.
+/// Returns the result line of one scene, `FAIL  a.scene  2 errors`, with its line ending.
 pub fn line(word: Word, scene: impl Display, text: &str) -> String {
     let gap = if text.is_empty() { "" } else { "  " };
     format!("{:4}  {scene}{gap}{text}\n", word.text())
 }
 
-/// The last line, `12 ok, 1 FAIL; 2 errors, 1 warning`, with its line ending.
+/// Returns the last line, `12 ok, 1 FAIL; 2 errors, 1 warning`, with its line ending.
 pub fn total(words: &[Word], messages: Count) -> String {
     let count = |wanted: Word| (words.iter().filter(|word| **word == wanted).count(), wanted.text());
     let parts = [Word::Ok, Word::Fail, Word::New].map(count);
@@ -90,8 +90,8 @@ pub fn total(words: &[Word], messages: Count) -> String {
     format!("{}{gap}{messages}\n", parts.collect::<Vec<_>>().join(", "))
 }
 
-/// Processes several scenes, and prints a line for each. `work` returns the exit code of a scene, and a text for the
-/// line of a scene without errors.
+/// Processes several scenes, and prints a result line for each. `work` returns the exit code of a scene, and a text for
+/// the line of a scene without errors.
 pub fn each(
     console: &Console,
     inputs: &[PathBuf],
@@ -120,7 +120,8 @@ pub fn each(
     Ok(worst(exits))
 }
 
-/// The exit code of all scenes together: an error of a scene has the highest rank, a different picture the lowest.
+/// Returns the exit code of all scenes together. An error of a scene has the highest rank, a different picture the
+/// lowest.
 pub fn worst(exits: impl IntoIterator<Item = Exit> + Clone) -> Exit {
     let signals = SIGNALS.iter().map(|signal| signal.exit);
     let order = signals.chain([Exit::Scene, Exit::File, Exit::Limit, Exit::Usage, Exit::Snapshot]);

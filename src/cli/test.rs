@@ -1,4 +1,4 @@
-//! `durer test [PATH…]`: renders each scene that has a snapshot, and compares.
+//! The command `durer test [PATH…]`: renders each scene that has a snapshot, and compares the pictures.
 
 use super::args::values::Size;
 use super::args::{LookArgs, MessageFormat, SceneArgs, TestArgs};
@@ -30,12 +30,12 @@ struct Header {
     look: LookArgs,
 }
 
-/// Options of all scenes of a test.
+/// Options that apply to all tested scenes.
 #[derive(Clone, Debug, Default)]
 pub struct Setting {
     /// Folders of the test's include path, from the option `-I`.
     pub include: Vec<PathBuf>,
-    /// Number of threads; 0 for one for each processor.
+    /// Number of threads; 0 for one per processor.
     pub threads: usize,
 }
 
@@ -46,9 +46,9 @@ pub struct Outcome {
     pub exit: Exit,
     /// Difference of the scene's picture from its snapshot; `None` unless both exist.
     pub comparison: Option<Comparison>,
-    /// Description of the scene's test result in one line.
+    /// Description of the test's result in one line.
     pub text: String,
-    /// Errors and warnings as text for a person.
+    /// Errors and warnings of the scene, as text for a person.
     pub messages: String,
     /// Snapshot that the scene's picture is compared with.
     pub expected: Option<Frame>,
@@ -207,7 +207,7 @@ fn word(outcome: &Outcome) -> Word {
     }
 }
 
-/// The command that accepts the rendered picture as the snapshot; `None` if they do not differ.
+/// Returns the command that accepts the rendered picture as the snapshot; `None` if the pictures do not differ.
 fn acceptance(args: &TestArgs, case: &Case, outcome: &Outcome) -> Option<String> {
     let differs = outcome.exit == Exit::Snapshot && outcome.rendered.is_some();
     let folders = args.include.iter().flat_map(|folder| ["-I".to_string(), quoted(folder)]);
@@ -227,7 +227,7 @@ fn line(case: &Case, outcome: &Outcome, accept: Option<&str>) -> String {
     summary::line(word(outcome), case.scene.display(), &outcome.text) + &accept
 }
 
-/// The result of one scene as JSON; the numbers are null without a comparison.
+/// Returns the result of one scene as JSON; the numbers are null without a comparison.
 fn as_json(case: &Case, outcome: &Outcome, accept: Option<&str>) -> serde_json::Value {
     let numbers = outcome.comparison;
     json!({
@@ -245,7 +245,7 @@ fn as_json(case: &Case, outcome: &Outcome, accept: Option<&str>) -> serde_json::
     })
 }
 
-/// Writes the page of `--report`, and returns its path.
+/// Writes the HTML page of `--report`, and returns its path.
 fn write_report(args: &TestArgs, folder: &Path, outcomes: &[(Case, Outcome)]) -> Result<PathBuf> {
     let entries: Vec<_> = outcomes.iter().map(|(case, outcome)| entry(args, case, outcome)).collect();
     std::fs::create_dir_all(folder).map_err(|e| Box::new(file::unwritable(&Disk, folder, &e)))?;

@@ -1,4 +1,4 @@
-//! The message about a command that does not exist.
+//! The error about a command that does not exist.
 
 use super::exit::Failure;
 use super::povray::{first_word, is_ini};
@@ -8,7 +8,7 @@ use clap::CommandFactory;
 use std::ffi::OsString;
 use std::path::Path;
 
-/// Names that other programs give to commands of durer.
+/// Names of commands in other programs, each with durer's command for the same purpose.
 const OTHERS: &[(&str, &str)] = &[
     ("draw", "render"),
     ("run", "render"),
@@ -42,7 +42,7 @@ const OTHERS: &[(&str, &str)] = &[
     ("complete", "completions"),
 ];
 
-/// Refuses a first word that looks like a command but is neither a command nor a file.
+/// Returns an error if the first word looks like a command but is neither a command nor a file.
 pub fn check(words: &[OsString]) -> Result<(), Failure> {
     let Some((at, word)) = first_word(words) else { return Ok(()) };
     let command = commands();

@@ -1,4 +1,4 @@
-//! Values of options that are one of a few words.
+//! Values of command-line options that are one of a few words.
 
 use clap::ValueEnum;
 

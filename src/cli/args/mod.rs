@@ -1,4 +1,4 @@
-//! The options of the command line, in the form that clap reads. Every option that is accepted has an effect.
+//! Options of the command line, in the form that clap reads.
 
 mod choices;
 mod untrusted;
@@ -22,17 +22,17 @@ Exit codes: 0 success, 1 error in the scene, 2 error in the command line, 3 a sn
 
 `durer scene.pov` and POV-Ray's own options work too: durer +Iscene.pov +W640 +H480 +A0.3";
 
-/// Headings of the options in `--help`.
+/// Headings that group the options in `--help`.
 pub mod heading {
-    /// Moment and content of the picture.
+    /// Heading of options about the time and content of the picture.
     pub const SCENE: &str = "Scene";
-    /// Size, quality and destination of the picture.
+    /// Heading of options about size, quality and destination of the picture.
     pub const PICTURE: &str = "Picture";
-    /// Files that the scene may access.
+    /// Heading of options about the files that the scene may access.
     pub const FILES: &str = "Files";
-    /// Limits of time and memory.
+    /// Heading of options that limit time and memory.
     pub const LIMITS: &str = "Limits";
-    /// Messages and reports beside the picture.
+    /// Heading of options about messages and reports.
     pub const OUTPUT: &str = "Output";
 }
 use heading::{FILES, LIMITS, OUTPUT, PICTURE, SCENE};
@@ -406,7 +406,7 @@ pub struct CompletionsArgs {
 }
 
 impl SceneArgs {
-    /// Width and height of the picture.
+    /// Returns the width and height of the picture.
     pub fn size(&self) -> Size {
         self.size.unwrap_or_default()
     }

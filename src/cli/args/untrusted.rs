@@ -1,4 +1,4 @@
-//! `--untrusted`: limits that apply unless others are given.
+//! Limits that `--untrusted` sets unless other limits are given.
 
 use super::SceneArgs;
 use super::values::{Bytes, Seconds};
@@ -16,17 +16,17 @@ pub fn environment_is_untrusted() -> bool {
 }
 
 impl SceneArgs {
-    /// True with `--untrusted`, and if the environment variable `DURER_UNTRUSTED` is neither empty nor `0`.
+    /// True for `--untrusted`, and if the environment variable `DURER_UNTRUSTED` is neither empty nor `0`.
     pub fn is_untrusted(&self) -> bool {
         self.untrusted || environment_is_untrusted()
     }
 
-    /// Time limit of the scene; `None` for no limit.
+    /// Returns the time limit of the scene; `None` for no limit.
     pub fn time_limit(&self) -> Option<Seconds> {
         self.max_time.or_else(|| self.is_untrusted().then_some(MAX_TIME))
     }
 
-    /// Memory limit of the process; `None` for that of the machine.
+    /// Returns the memory limit of the process; `None` for the limit of the machine.
     pub fn memory_limit(&self) -> Option<Bytes> {
         self.max_memory.or_else(|| self.is_untrusted().then_some(MAX_MEMORY))
     }

@@ -1,4 +1,4 @@
-//! Values of options, each with its own syntax.
+//! Values of command-line options that have a syntax of their own.
 
 use crate::value::parse_value;
 use std::path::PathBuf;
@@ -7,9 +7,9 @@ use std::str::FromStr;
 /// Size of a picture: `640x480`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
-    /// Pixels across.
+    /// Width in pixels.
     pub width: usize,
-    /// Pixels down.
+    /// Height in pixels.
     pub height: usize,
 }
 
@@ -78,7 +78,7 @@ impl FromStr for Command {
 }
 
 impl Command {
-    /// Fills in a position. Without `{file}`, the file becomes the last argument.
+    /// Returns the command for a position in a file. Without `{file}`, the file becomes the last argument.
     #[cfg(feature = "watch")]
     pub fn at(&self, file: &str, line: usize, column: usize) -> Vec<String> {
         let put = |word: &String| {
@@ -90,7 +90,7 @@ impl Command {
     }
 }
 
-/// A number from 0 to 1.
+/// Option value that is a number from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Share(pub f64);
 
@@ -132,7 +132,7 @@ impl FromStr for FileGamma {
     }
 }
 
-/// A region of the picture, `X,Y,W,H`, in pixels from the top left.
+/// Region of the picture, `X,Y,W,H`, in pixels from the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part(pub crate::render::Region);
 
@@ -150,12 +150,12 @@ impl FromStr for Part {
     }
 }
 
-/// A pixel, `X,Y`, counted from the top left; it may be outside of the picture.
+/// Position of a pixel, `X,Y`, counted from the top left, which may be outside of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pixel {
-    /// Columns from the left.
+    /// Column of the pixel, from the left.
     pub x: i64,
-    /// Rows from the top.
+    /// Row of the pixel, from the top.
     pub y: i64,
 }
 
@@ -206,9 +206,9 @@ impl FromStr for Frames {
 /// Value of `clock`: `X`, or `A..B` for the first and the last frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock {
-    /// Value in the first frame.
+    /// Value of `clock` in the first frame.
     pub first: f64,
-    /// Value in the last frame.
+    /// Value of `clock` in the last frame.
     pub last: f64,
 }
 
@@ -228,7 +228,7 @@ impl FromStr for Clock {
 /// Declaration `NAME=VALUE`, where the value is a number, text in quotes, a vector or a colour.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declare {
-    /// The identifier.
+    /// Declared identifier.
     pub name: String,
     /// Value as it was typed.
     pub value: String,
@@ -290,9 +290,9 @@ impl FromStr for Seconds {
 /// Destination of `--stats`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Stats {
-    /// Standard output.
+    /// JSON on standard output.
     Json,
-    /// A file.
+    /// JSON in a file.
     File(PathBuf),
 }
 

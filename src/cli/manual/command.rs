@@ -1,4 +1,4 @@
-//! Pages about the command line and the codes of messages.
+//! Manual pages about the command line and the diagnostic codes.
 
 use super::{code, table};
 use crate::cli::commands;

@@ -1,4 +1,4 @@
-//! Pages about directives, functions and constants.
+//! Manual pages about directives, functions and constants.
 
 use super::{code, table};
 use crate::function::numeric;

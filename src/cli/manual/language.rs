@@ -1,4 +1,4 @@
-//! Pages about blocks and their words.
+//! Manual pages about blocks and their words.
 
 use super::{code, kind, list, section, table, word_table};
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
@@ -138,11 +138,11 @@ pub(super) fn pigments() -> String {
         )
 }
 
-/// Section about a pattern without own values.
+/// Section of the manual about the pattern `average`, which has no values of its own.
 const AVERAGE: &str = "## average\n\n`average`: all entries of a `pigment_map`, `normal_map` or `texture_map` at once. Their \
                        numbers are weights; one that is left out is 1, but before a colour it must be there.\n\n";
 
-/// Sections about `image_map` and its kin.
+/// Returns the sections about `image_map` and related blocks.
 fn pictures() -> String {
     let formats = list(bitmap::FORMATS);
     let all = word_table(bitmap::WORDS, &[]);

@@ -80,7 +80,7 @@ fn kind(kind: ValueKind) -> &'static str {
     }
 }
 
-/// Formats a table of words; those in `own` are marked as durer's own.
+/// Formats a table of words; those in `own` are marked as words that only durer has.
 fn word_table(words: &[WordSpec], own: &[&str]) -> String {
     let row = |w: &WordSpec| {
         let mark = if own.contains(&w.name) { " *(durer's own)*" } else { "" };
@@ -89,7 +89,7 @@ fn word_table(words: &[WordSpec], own: &[&str]) -> String {
     table(["word", "takes", "default", ""], words.iter().map(row))
 }
 
-/// Formats the section about a block.
+/// Formats the section about a block. Words in `own` are marked as words that only durer has.
 fn section(block: &Spec, title: &str, own: &[&str]) -> String {
     let mut text = format!("## {title}\n\n{}.\n\n{}", sentence(block.summary), word_table(block.words, own));
     if block.has_transforms {

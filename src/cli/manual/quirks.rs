@@ -1,4 +1,4 @@
-//! Page about POV-Ray's quirks.
+//! Manual page about POV-Ray's quirks.
 
 use crate::quirks::{Quirk, Status, TOPICS, Topic};
 

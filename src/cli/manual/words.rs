@@ -1,4 +1,4 @@
-//! Index of all words of the language, with the blocks that take them.
+//! Manual page with an index of all words of the language, and the blocks that take them.
 
 use super::{code, list, table};
 use crate::pattern::{Modifiers, TurbulenceParams, bitmap};

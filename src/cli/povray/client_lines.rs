@@ -1,17 +1,17 @@
-//! Lines that programs look for in the standard error of POV-Ray: on POV-Ray's command line, durer prints them between
-//! its own messages. They are printed only if standard error is not a terminal, since people do not need them.
+//! Lines that programs look for in the standard error of POV-Ray. On POV-Ray's command line, durer prints them between
+//! its own messages, unless standard error is a terminal.
 
 use crate::cli::exit::Exit;
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::source::Sources;
 
-/// First line of the output. Programs read the version from the digits after `POV-Ray `.
+/// First line of the output for POV-Ray's clients, which read the version from the digits after `POV-Ray `.
 pub const BANNER: &str = concat!("POV-Ray 3.7 compatible (durer ", env!("CARGO_PKG_VERSION"), ")\n");
 
-/// Line before a scene is read.
+/// Line that is printed before a scene is read.
 pub const PARSING: &str = "==== [Parsing...] ==========================================================\n";
 
-/// Line before a picture is rendered.
+/// Line that is printed before a picture is rendered.
 pub const RENDERING: &str = "==== [Rendering...] ========================================================\n";
 
 /// Returns the progress of a rendering. As in POV-Ray, the next progress overwrites the line.
@@ -42,7 +42,7 @@ pub fn fault(sources: &Sources, diagnostic: &Diagnostic) -> String {
     }
 }
 
-/// Last line of the output.
+/// Returns the last line of the output.
 pub fn ending(exit: Exit) -> &'static str {
     match exit {
         Exit::Fine => "POV-Ray finished\n",

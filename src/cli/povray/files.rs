@@ -5,13 +5,13 @@ use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::source::{Sources, Span, read_text};
 use std::path::{Path, PathBuf};
 
-/// Largest nesting depth of INI files.
+/// Maximum nesting depth of INI files.
 const MAX_NESTED: usize = 20;
 
 /// Stack of the INI files that are being read.
 pub struct Files<'s> {
     sources: &'s Sources,
-    /// Files with their sections, innermost last.
+    /// INI files with their sections, the innermost last.
     open: Vec<(PathBuf, Option<String>)>,
     /// True if INI files may name only scenes and INI files below the folder of the outermost INI file.
     untrusted: bool,
@@ -42,7 +42,7 @@ impl<'s> Files<'s> {
         Diagnostic::new(codes::FORBIDDEN_FILE, span, text).help("name the scene on the command line").into()
     }
 
-    /// Reads `file.ini` or `file.ini[section]`, named at `span`.
+    /// Reads an INI file, `file.ini` or `file.ini[section]`, named at `span`.
     pub fn open(&mut self, word: &str, span: Span) -> Result<Ini> {
         let (name, section) = ini::split_section(word);
         let path = self.located(&with_ini(name), Path::is_file);
@@ -66,23 +66,23 @@ impl<'s> Files<'s> {
         Ok(ini::parse(self.sources.text(file), self.sources.base(file), section))
     }
 
-    /// [`is_ini`], also for files beside the INI file that contains the word.
+    /// True if a word names an INI file, also one that is beside the INI file with the word.
     pub fn is_ini(&self, word: &str) -> bool {
         let exists = |word: &str| self.located(word, Path::is_file).is_file();
         is_ini(word) || Path::new(word).extension().is_none() && !exists(word) && exists(&with_ini(word))
     }
 
-    /// Removes the innermost file after its end.
+    /// Removes the innermost INI file after its end.
     pub fn close(&mut self) {
         self.open.pop();
     }
 
-    /// Finds a scene in the current folder, as POV-Ray does, or else beside the INI file that names it.
+    /// Returns the path of a scene in the current folder, as in POV-Ray, or else beside the INI file that names it.
     pub fn scene(&self, name: &str) -> String {
         self.located(name, |path| path.is_file() || has_with_ending(path)).display().to_string()
     }
 
-    /// Finds a folder in the current folder, or else beside the INI file that names it.
+    /// Returns the path of a folder in the current folder, or else beside the INI file that names it.
     pub fn folder(&self, name: &str) -> String {
         self.located(name, Path::is_dir).display().to_string()
     }
@@ -95,7 +95,7 @@ impl<'s> Files<'s> {
     }
 }
 
-/// The path relative to the current folder, if it is below that folder.
+/// Returns the path relative to the current folder, if it is below that folder.
 fn shortened(path: &Path) -> PathBuf {
     let here = std::env::current_dir().and_then(|here| here.canonicalize()).unwrap_or_default();
     path.strip_prefix(here).map_or(path.to_path_buf(), Path::to_path_buf)

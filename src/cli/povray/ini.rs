@@ -14,14 +14,14 @@ use crate::diagnostic::{Diagnostic, codes, did_you_mean};
 use crate::source::Span;
 use std::ops::Range;
 
-/// A switch, a setting or a file name, without the quotes around its value.
+/// A word of an INI file: a switch, a setting or a file name, without the quotes around its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Word {
     /// Text of the word as on a command line.
     pub text: String,
     /// Position of the word in the INI file.
     pub span: Span,
-    /// Position of the value after `=`; of the whole word without `=`.
+    /// Position of the value after `=`; for a word without `=`, of the whole word.
     pub value: Span,
 }
 
@@ -34,7 +34,8 @@ pub struct Ini {
     pub faults: Vec<Diagnostic>,
 }
 
-/// Parses a text whose first byte has the global offset `base`: the part before the first label, and `section`.
+/// Parses an INI file whose first byte has the global offset `base`: the part before the first label, and the part
+/// `section`.
 pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
     let mut reader = Reader { text, base, out: Ini::default() };
     let mut wanted = true;
@@ -77,7 +78,7 @@ pub fn split_section(word: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// The ranges of all lines, which end with CR, LF or CRLF.
+/// Returns the byte ranges of all lines, which end with CR, LF or CRLF.
 fn lines(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
     let mut start = 0;
     text.split(['\n', '\r']).map(move |line| {
@@ -148,7 +149,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The end of a word: the next space or comment outside of quotes and brackets.
+    /// Returns the end of a word: the next space or comment outside of quotes and brackets.
     fn word_end(&self, start: usize, line_end: usize) -> usize {
         let (mut quote, mut bracket) = (None, false);
         for (i, c) in self.text[start..line_end].char_indices() {

@@ -1,11 +1,11 @@
-//! Rules for the files that an INI file names. The person who starts durer may not have written the INI file.
+//! Rules for the files that an INI file names. The INI file may come from another person than the one who starts durer.
 
 use super::{Origin, Translation, table::Row};
 use crate::diagnostic::{Diagnostic, codes};
 use std::path::{Component, Path};
 
 impl Translation<'_> {
-    /// Checks a setting of an INI file that names files or folders. Returns true if the setting is ignored, with a
+    /// Checks a setting of an INI file that names files or folders. Returns true if the setting is ignored with a
     /// warning, because the INI file is untrusted.
     ///
     /// # Errors

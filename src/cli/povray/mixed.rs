@@ -1,4 +1,4 @@
-//! Decides whether a command line is durer's or POV-Ray's, and translates POV-Ray options after a command: `durer
+//! Decides whether a command line is durer's or POV-Ray's, and translates POV-Ray options after a command, as in `durer
 //! render a.scene +W32`.
 
 use super::own::Own;
@@ -13,7 +13,7 @@ use std::path::Path;
 pub enum Form {
     /// Command line with durer's own options only.
     Durer,
-    /// A command of durer, the word with this index, with POV-Ray options after it.
+    /// A command of durer followed by POV-Ray options; the number is the index of the command's word.
     Mixed(usize),
     /// Command line of POV-Ray options without a durer command.
     Povray,
@@ -36,7 +36,7 @@ pub fn form(words: &[OsString]) -> Form {
     }
 }
 
-/// The first word after the options of all commands, and its index.
+/// Returns the first word after the options that all commands have, and its index.
 pub fn first_word(words: &[OsString]) -> Option<(usize, String)> {
     let mut at = 1;
     loop {
@@ -59,7 +59,8 @@ fn is_mixing(command: &Command) -> bool {
     ["render", "check", "pick"].contains(&command.get_name())
 }
 
-/// True if the command has this long option. `check` and `pick` write no picture and lack the options for pictures.
+/// True if the command has this long option. The commands `check` and `pick` write no picture and lack the options for
+/// pictures.
 pub fn is_taken(command: &str, word: &str) -> bool {
     let all = commands();
     let name = word.split('=').next().and_then(|word| word.strip_prefix("--"));
@@ -67,7 +68,7 @@ pub fn is_taken(command: &str, word: &str) -> bool {
     name.is_none() || own.chain(all.get_arguments()).any(|a| a.get_long() == name)
 }
 
-/// The words after a command, each with a flag that is true for POV-Ray options.
+/// Splits the words after a command into options, each with a flag that is true for POV-Ray options.
 fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, bool)> {
     let global = commands();
     let arguments: Vec<_> = command.get_arguments().chain(global.get_arguments()).collect();
@@ -89,7 +90,7 @@ fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, boo
     out
 }
 
-/// True for a switch and for `Name=Value`, unless a file has this name.
+/// True for a POV-Ray switch and for `Name=Value`, unless a file has this name.
 fn is_theirs(text: &str) -> bool {
     if Path::new(text).exists() {
         return false;

@@ -1,6 +1,6 @@
 //! Translates POV-Ray's command line into durer's own: `durer +Iscene.pov +W640 +H480 +A0.3` becomes `durer render
 //! --aa=0.3 --size=640x480 -- scene.pov`. As in POV-Ray, anti-aliasing is off without `+A`, INI files may appear
-//! between other words, and the later of two contradicting words is valid.
+//! between other words, and the later of two contradicting words counts.
 
 pub mod client_lines;
 mod files;
@@ -33,7 +33,7 @@ use table::{Effect, ROWS, Row, Takes};
 pub struct Translated {
     /// Command line in durer's own options.
     pub words: Vec<OsString>,
-    /// Animation that POV-Ray's options describe and durer's cannot express.
+    /// Animation that POV-Ray's options describe and durer's options cannot express.
     pub animation: Option<Animation>,
     /// Errors, and warnings about ignored options, with positions in the INI files of [`Sources`].
     pub diagnostics: Vec<Diagnostic>,
@@ -43,7 +43,7 @@ pub struct Translated {
     pub is_povray_line: bool,
 }
 
-/// Translates a command line. A command line of durer's own is returned unchanged.
+/// Translates a command line of POV-Ray. A command line of durer is returned unchanged.
 pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     if let [program, word] = &words[..]
         && ["-?", "+?", "-H", "+H", "-HELP"].iter().any(|help| word.eq_ignore_ascii_case(help))
@@ -70,19 +70,19 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     }
 }
 
-/// True for a command line that asks for the version as one asks POV-Ray. Programs that call durer by the name `povray`
-/// ask by `--version`, too.
+/// True for a command line that asks POV-Ray for its version. Programs that call durer by the name `povray` also ask by
+/// `--version`.
 pub fn asks_version(words: &[OsString]) -> bool {
     let [program, word] = words else { return false };
     let is_named_povray = || Path::new(program).file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case("povray"));
     ["-version", "--V"].iter().any(|version| word == version) || word == "--version" && is_named_povray()
 }
 
-/// Option of POV-Ray's command line that keeps durer from reading the user's INI file.
+/// Option on POV-Ray's command line that prevents durer from reading the user's INI file.
 const NO_INI: &str = "--no-ini";
 
-/// Returns the INI file that POV-Ray reads before its command line: that of the environment variable `POVINI`, else
-/// `povray.ini` in the current folder, else the one in the user's home folder, or `None`.
+/// Returns the INI file that POV-Ray reads before its command line: the file in the environment variable `POVINI`, else
+/// `povray.ini` in the current folder, else the one in the user's home folder.
 fn user_ini() -> Option<PathBuf> {
     let in_home = |home| Path::new(&home).join(".povray/3.7/povray.ini");
     let candidates = [
@@ -93,8 +93,8 @@ fn user_ini() -> Option<PathBuf> {
     candidates.into_iter().flatten().find(|path| path.is_file())
 }
 
-/// Translates an INI file into a command line. An untrusted INI file names scenes and INI files below its folder alone,
-/// and opens no folders.
+/// Translates an INI file into a command line. An untrusted INI file may name only scenes and INI files below its
+/// folder, and no folders.
 pub fn translate_ini(sources: &Sources, name: &Path, untrusted: bool) -> Translated {
     let mut translation = Translation::new(sources, untrusted);
     translation.ini(&name.to_string_lossy(), Origin::default());
@@ -108,10 +108,10 @@ pub fn translate_ini(sources: &Sources, name: &Path, untrusted: bool) -> Transla
 
 struct Translation<'s> {
     settings: Settings,
-    /// Scenes that are named on the command line without a switch. All of them are rendered, unless there are POV-Ray
-    /// options: POV-Ray renders the last scene only.
+    /// Scenes that the command line names without a switch. All are rendered, unless there are POV-Ray options: POV-Ray
+    /// renders the last scene only.
     scenes: Vec<OsString>,
-    /// Options of durer in their order.
+    /// Options of durer, in the order of the command line.
     options: Vec<Own>,
     /// Name of the durer command, if the command line names one.
     command: Option<String>,
@@ -122,7 +122,7 @@ struct Translation<'s> {
     files: Files<'s>,
 }
 
-/// Positions of a word in an INI file; none for a word of the command line.
+/// Positions of a word in an INI file; no position for a word of the command line.
 #[derive(Clone, Copy, Debug, Default)]
 struct Origin {
     word: Span,
@@ -144,7 +144,7 @@ impl<'s> Translation<'s> {
         }
     }
 
-    /// Translates the words of POV-Ray's command line after the first, and before them an INI file.
+    /// Translates the words of POV-Ray's command line after the program's name, and before them the INI file `ini`.
     fn of_line(sources: &'s Sources, words: &[OsString], untrusted: bool, ini: Option<&Path>) -> Self {
         let mut translation = Self::new(sources, untrusted);
         ini.iter().for_each(|ini| translation.ini(&ini.to_string_lossy(), Origin::default()));
@@ -155,7 +155,7 @@ impl<'s> Translation<'s> {
         translation
     }
 
-    /// Translates a word of the command line, which may be an option of durer's whose value is the next word.
+    /// Translates a word of the command line, which may be a durer option whose value is the next word.
     fn word<'a>(&mut self, word: &'a OsString, rest: &mut Peekable<impl Iterator<Item = &'a OsString>>) {
         let text = word.to_string_lossy().into_owned();
         match own::option(&text, rest.peek().map(|next| next.to_string_lossy()).as_deref()) {
@@ -199,7 +199,7 @@ impl<'s> Translation<'s> {
         self.faults.extend(done.err());
     }
 
-    /// Sets the scene, unless a later word names another one.
+    /// Sets the scene to render, unless a later word names another one.
     fn set_input(&mut self, name: &str, origin: Origin) -> Result<(), Diagnostic> {
         let scene = self.files.scene(name);
         self.files.check_named(Path::new(&with_ending(scene.clone())), origin.value).map_err(|fault| *fault)?;
@@ -314,7 +314,7 @@ impl<'s> Translation<'s> {
         Translated { words, animation, diagnostics: self.faults, idle: self.idle, is_povray_line }
     }
 
-    /// All options in durer's form; with `plain`, anti-aliasing is off unless `+A` turns it on.
+    /// Returns all options in durer's form. With `plain`, anti-aliasing is off unless `+A` turns it on.
     fn option_words(&mut self, plain: bool) -> Vec<OsString> {
         let options = own::last_of_each(std::mem::take(&mut self.options));
         let is_named = |name: &str| options.iter().any(|o| o.name == name);
@@ -329,7 +329,7 @@ impl<'s> Translation<'s> {
     }
 }
 
-/// Checks a value here, where its position is known; the parser of durer's options does not know it.
+/// Checks an option's value while its position is known, which durer's own parser of options does not receive.
 fn check_value(option: &str, value: &str) -> Result<(), String> {
     match option {
         "--declare" => value.parse::<super::args::values::Declare>().map(drop),
@@ -342,7 +342,8 @@ pub fn ini_names() -> impl Iterator<Item = &'static str> {
     ROWS.iter().map(|row| row.ini).filter(|ini| !ini.is_empty())
 }
 
-/// Finds the row with the longest switch that the word begins with and that takes the rest of the word as its value.
+/// Finds the option with the longest switch that the word begins with, and returns the option and the rest of the word
+/// as its value.
 fn find_switch(word: &str) -> Option<(&'static Row, &str)> {
     // Try exact numbers first: `+H12abc` is a number, too, but `+HRx` is a misspelt `+HR`.
     switch_with(word, |value| value.parse::<f64>().is_ok())
@@ -375,7 +376,7 @@ fn without_quotes(value: &str) -> &str {
     }
 }
 
-/// Reads `on`, `true`, `yes` and `1`, or `off`, `false`, `no` and `0`.
+/// Parses a switch value: true for `on`, `true`, `yes` and `1`, false for `off`, `false`, `no` and `0`.
 fn truth(value: &str) -> Option<bool> {
     let is = |words: [&str; 4]| words.iter().any(|w| w.eq_ignore_ascii_case(value));
     match () {

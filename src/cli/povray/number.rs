@@ -1,14 +1,14 @@
-//! Numbers in options, which POV-Ray reads as far as they are valid, and ignores the rest: `Height=693.0412871` is 693
+//! Parses numbers in options as POV-Ray does, which ignores the rest after a valid number: `Height=693.0412871` is 693
 //! (quirk: `option_numbers`).
 
-/// Reads a whole number: an optional sign and digits at the start. `12.7`, `12abc`, `1,5` and `1e2` end at the first
+/// Parses a whole number: an optional sign and digits at the start. `12.7`, `12abc`, `1,5` and `1e2` end at the first
 /// character that is no digit; `abc` and `.5` are no whole numbers.
 pub fn whole(text: &str) -> Option<f64> {
     let end = sign(text) + digits(&text[sign(text)..]);
     text[..end].parse().ok()
 }
 
-/// Reads a number at the start of a text: `0.5x` is 0.5, `1e` is 1.
+/// Parses the number at the start of a text: `0.5x` is 0.5, `1e` is 1.
 pub fn real(text: &str) -> Option<f64> {
     let start = sign(text);
     let before = start + digits(&text[start..]);

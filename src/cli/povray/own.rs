@@ -1,4 +1,4 @@
-//! Options of durer among those of POV-Ray.
+//! Options of durer on a command line with POV-Ray options.
 
 use super::find_switch;
 use super::table::Takes;
@@ -21,7 +21,8 @@ impl Own {
     }
 }
 
-/// Removes earlier occurrences of options that POV-Ray accepts twice, such as `+Q3` in an INI file and `+Q9` after it.
+/// Removes all but the last occurrence of options that POV-Ray accepts twice, such as `+Q3` in an INI file and `+Q9`
+/// after it.
 pub fn last_of_each(options: Vec<Own>) -> Vec<Own> {
     const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--header", "--quiet", "--no-output", "--language"];
     let names: Vec<_> = options.iter().map(|o| o.name.clone()).collect();
@@ -30,8 +31,8 @@ pub fn last_of_each(options: Vec<Own>) -> Vec<Own> {
 }
 
 /// Recognizes an option of `durer render`; returns its long name, and true if its value is the next word. A short
-/// option is durer's if it has no attached value but POV-Ray's option of the same letter needs one; `-j` if a number
-/// follows, since POV-Ray's `-J` has no value.
+/// option counts as durer's if it has no attached value but POV-Ray's option of the same letter needs one, and `-j` if
+/// a number follows, since POV-Ray's `-J` has no value.
 pub fn option(text: &str, next: Option<&str>) -> Option<(String, bool)> {
     let command = commands();
     let render = command.find_subcommand("render")?;

@@ -1,4 +1,4 @@
-//! Options of durer that POV-Ray splits into several: assembled when all words are read.
+//! Options of durer that POV-Ray splits into several options, which are combined after all words are read.
 
 use super::number;
 use crate::cli::animation::Animation;
@@ -6,7 +6,7 @@ use crate::cli::args::values::{Clock, FileGamma, Size};
 use crate::image_io::Format;
 use std::path::{Path, PathBuf};
 
-/// Settings that were read so far.
+/// Values of POV-Ray's options that were read so far.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     pub input: Option<String>,
@@ -21,7 +21,7 @@ pub struct Settings {
     pub depth: Option<u8>,
     /// True for grayscale, which always has 16 bits (manual, "HF_Gray_16").
     pub gray: bool,
-    /// True to store transparency (`+UA`), if the format has it.
+    /// True to write an alpha channel, where the format can hold one.
     pub alpha: bool,
     pub width: Option<usize>,
     pub height: Option<usize>,
@@ -103,7 +103,7 @@ impl Settings {
         self.set(|p| p.sampling_depth = Some(depth.clamp(1.0, 9.0) as u32))
     }
 
-    /// Sets the jitter; 0 and negative numbers turn it off (manual).
+    /// Sets the jitter of anti-aliasing; 0 and negative numbers turn it off (manual).
     pub fn jitter(&mut self, text: &str, on: bool) -> Checked {
         self.jitters = Some(on);
         if text.is_empty() { Ok(()) } else { self.number(text, |p, x| p.jitter = x.clamp(0.0, 1.0)) }
@@ -115,7 +115,7 @@ impl Settings {
         self.set(|p| p.antialias_gamma = Some(gamma))
     }
 
-    /// Sets the file type: a letter and optional bits per channel, `N16`.
+    /// Sets the type of the picture file: a letter and optional bits per channel, such as `N16`.
     pub fn file_type(&mut self, text: &str) -> Checked {
         let mut letters = text.chars();
         let letter = letters.next().map(|c| c.to_ascii_uppercase());
@@ -169,7 +169,7 @@ impl Settings {
         self.set(|p| p.dither_method = Some(method))
     }
 
-    /// The options of durer; with `plain`, anti-aliasing is off unless it was turned on.
+    /// Returns the settings as options of durer. With `plain`, anti-aliasing is off unless it was turned on.
     pub fn options(&self, plain: bool) -> Vec<String> {
         let mut out = Vec::new();
         let mut put = |name: &str, value: String| out.push(format!("{name}={value}"));
@@ -221,8 +221,8 @@ impl Settings {
         out
     }
 
-    /// The output file on POV-Ray's own command line: beside the scene without `+O`, and always with the ending of the
-    /// format.
+    /// Returns the output file on POV-Ray's own command line: beside the scene without `+O`, and always with the
+    /// extension of the format.
     fn povray_output_name(&self) -> Option<String> {
         let ending = self.format.unwrap_or("png");
         let Some(name) = self.output.as_ref().filter(|name| !name.is_empty()) else {
@@ -238,7 +238,7 @@ impl Settings {
         Some(format!("{}.{ending}", name.trim_end_matches('.')))
     }
 
-    /// The output file. An ending that is no picture format belongs to the name, as in POV-Ray.
+    /// Returns the output file. An extension that is no picture format is a part of the name, as in POV-Ray.
     fn output_name(&self) -> Option<String> {
         let name = self.output.clone().filter(|name| !name.is_empty())?;
         let path = Path::new(&name);
@@ -249,13 +249,13 @@ impl Settings {
         Some(format!("{}.{}", name.trim_end_matches('.'), self.format.unwrap_or("png")))
     }
 
-    /// True if the path has the ending of the chosen format, or of any format if none was chosen.
+    /// True if the path has the extension of the chosen format, or of any format if none was chosen.
     fn has_ending(&self, path: &Path) -> bool {
         let found = Format::from_path(path).ok();
         found.is_some() && self.format.is_none_or(|format| Format::from_name(format) == found)
     }
 
-    /// The frames and their clock; `None` for a single picture.
+    /// Returns the animation that the options describe; `None` for a single picture.
     pub fn animation(&self) -> Option<Animation> {
         // quirk: animation_of_one_frame
         let (first, last) = match (self.initial_frame, self.final_frame) {
@@ -285,7 +285,7 @@ fn is_special(path: &Path) -> bool {
     path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
-/// The first pixel and the number of pixels along one side of the region (quirk: `region_bounds`).
+/// Returns the first pixel and the number of pixels along one side of the region (quirk: `region_bounds`).
 fn extent(start: Option<f64>, end: Option<f64>, side: usize) -> (usize, usize) {
     let from = match start {
         Some(x) if x > 1.0 => x - 1.0,

@@ -2,7 +2,7 @@
 
 use super::settings::Settings;
 
-/// One option in all its spellings, in any letter case.
+/// One option of POV-Ray in all its spellings, whose letter case is ignored.
 pub struct Row {
     /// Switch after `+` or `-`; empty if the option has only an INI name.
     pub switch: &'static str,
@@ -34,19 +34,20 @@ pub enum Takes {
 /// Effect of a POV-Ray option on durer's settings.
 #[derive(Clone, Copy)]
 pub enum Effect {
-    /// Effect: none, because durer always does this, or because the option changes no pixel.
+    /// No effect, because durer always does so, or because the option changes no pixel.
     Same,
     /// Effect: sets the durer option of this name to the same value.
     Option(&'static str),
     /// Effect: sets the durer option of this name, which has no value.
     Flag(&'static str),
-    /// A part of an option that is assembled at the end; the function returns the fault of a value.
+    /// Effect: sets a part of a durer option that is combined at the end. The function returns an error for a wrong
+    /// value.
     Part(fn(&mut Settings, &str) -> Result<(), String>),
     /// Effect: a warning that durer lacks the feature, for this reason.
     Lacks(&'static str),
-    /// A warning with `--warn options` only: durer lacks the feature, but the picture is right.
+    /// Effect: a warning with `--warn options` that durer lacks the feature, which changes no pixel.
     Idle(&'static str),
-    /// An option of durer with a whole number between two limits.
+    /// Effect: sets the durer option of this name to a whole number between two limits.
     Whole(&'static str, u16, u16),
 }
 
@@ -57,7 +58,7 @@ const fn row(switch: &'static str, ini: &'static str, takes: Takes, on: Effect, 
     Row { switch, ini, takes, on, off }
 }
 
-/// A row whose `-` has the same effect as its `+`.
+/// Creates the table row of an option for which `-` has the same effect as `+`.
 const fn both(switch: &'static str, ini: &'static str, takes: Takes, on: Effect) -> Row {
     Row { switch, ini, takes, on, off: on }
 }

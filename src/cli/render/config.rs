@@ -1,5 +1,5 @@
-//! Configuration of one scene's pictures, resolved once from the command line and the INI file. Nothing below changes
-//! it.
+//! Configuration of one scene's pictures, computed once from the command line and the INI file. Functions below do not
+//! change it.
 
 use super::target::Target;
 use crate::advice::Circumstances;
@@ -25,9 +25,9 @@ pub struct Config {
     pub input: PathBuf,
     /// Pictures that `durer render` renders of the scene.
     pub pictures: Pictures,
-    /// Destination of the picture; in an animation without the frame's number.
+    /// Destination of the picture; in an animation, without the frame's number.
     pub target: Target,
-    /// Prints a stage instead of rendering.
+    /// Stage that is printed in place of rendering.
     pub dump: Option<Dump>,
     /// True if an unfinished rendering is continued.
     pub resume: bool,
@@ -41,11 +41,11 @@ pub struct Config {
     pub progress: When,
     /// Destination of the render's times and counters.
     pub stats: Option<Stats>,
-    /// Token of a caller that goes on after the run; `None` if the process ends with the run.
+    /// Token of a caller that continues after the run; `None` if the process ends with the run.
     pub cancel: Option<CancelToken>,
     /// True if the picture belongs to an animation.
     is_animated: bool,
-    /// Options of all frames; each frame adds its moment.
+    /// Options of the interpreter for all frames, without the values of the clock.
     reading: interpreter::Options,
     drawing: render::Options,
 }
@@ -59,7 +59,7 @@ pub enum Pictures {
 }
 
 impl Config {
-    /// Checks the arguments in an order that reports a mistyped input first, and everything else before hours of work.
+    /// Checks the arguments before hours of work, a mistyped input first, and creates the configuration.
     pub fn resolve(invocation: Invocation, cancel: Option<CancelToken>) -> Result<Self> {
         let Invocation { input, args, animation, exact_name } = invocation;
         session::check_input(&input)?;
@@ -111,12 +111,12 @@ impl Config {
         })
     }
 
-    /// Options for text → World at a moment.
+    /// Returns the interpreter's options for a frame.
     pub fn reading(&self, timing: Timing) -> interpreter::Options {
         interpreter::Options { timing, ..self.reading.clone() }
     }
 
-    /// Options for World → picture at a moment.
+    /// Returns the renderer's options for a frame.
     pub fn drawing(&self, timing: Timing) -> render::Options {
         render::Options { frame: timing.frame, ..self.drawing.clone() }
     }
@@ -126,13 +126,13 @@ impl Config {
         (self.drawing.width, self.drawing.height)
     }
 
-    /// Circumstances that determine the advice about a finished picture.
+    /// Returns the circumstances that determine the advice about a finished picture.
     pub fn circumstances(&self, incomplete: bool, black: bool) -> Circumstances {
         Circumstances { one_of_many: self.is_animated, incomplete, black }
     }
 }
 
-/// The animation that `--frames` and the INI file ask for.
+/// Returns the animation that `--frames` and the INI file describe.
 fn animation_of(args: &RenderArgs, animation: Option<Animation>) -> Result<Option<Animation>> {
     Ok(match (args.frames, animation) {
         (Some(frames), Some(animation)) if !animation.has(frames.first) || !animation.has(frames.last) => {
@@ -166,7 +166,7 @@ fn check_region(args: &RenderArgs) -> crate::diagnostic::Result<()> {
     Diagnostic::err(codes::OUTSIDE_PICTURE, Span::NONE, text)
 }
 
-/// The destination of the picture; an error if the picture does not fit into memory.
+/// Returns the destination of the picture; an error if the picture does not fit into memory.
 fn checked_target(input: &std::path::Path, args: &RenderArgs) -> Result<Target> {
     if args.dump.is_none() {
         memory::check_size(args.scene.size())?;
@@ -182,7 +182,7 @@ fn checked_target(input: &std::path::Path, args: &RenderArgs) -> Result<Target> 
     Ok(target)
 }
 
-/// Refuses output that standard output can't take.
+/// Refuses several kinds of pictures and files that cannot be written to standard output.
 fn check_stdout(input: &std::path::Path, args: &RenderArgs, target: &Target, is_animated: bool) -> Result<()> {
     if !target.is_stdout() || args.dump.is_some() && args.output.is_none() {
         return Ok(());

@@ -1,4 +1,4 @@
-//! `--deps FILE`: the files that were read for the pictures, for make and other programs.
+//! The option `--deps FILE`: lists the files that were read for the pictures, for make and other programs.
 
 use crate::cli::console::Console;
 use crate::cli::exit::Result;
@@ -7,8 +7,8 @@ use crate::source::{Disk, Files, ReadFiles};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// Writes the files `read` as dependencies of the pictures: as JSON if the name of the file ends in `.json`, else as a
-/// rule for make.
+/// Writes the files `read` as dependencies of the pictures: as JSON if the name of the output file ends in `.json`,
+/// else as a rule for make.
 pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFiles) -> Result<()> {
     let mut files: Vec<PathBuf> = read.keys().filter(|path| path.is_file()).cloned().map(plain).collect();
     files.sort();
@@ -20,7 +20,7 @@ pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFile
     Disk.write(to, &text).map_err(|error| Box::new(file::unwritable(&Disk, to, &error)).into())
 }
 
-/// Removes a leading `./`, which no rule for the file would contain.
+/// Removes a leading `./` of a path, which rules for the file do not contain.
 fn plain(path: PathBuf) -> PathBuf {
     path.strip_prefix("./").map(Path::to_path_buf).unwrap_or(path)
 }
@@ -31,7 +31,7 @@ fn as_json(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
     format!("{text:#}\n").into_bytes()
 }
 
-/// A rule without commands, and an empty rule for each file, so that make does not fail if the file is gone.
+/// Returns a make rule without commands, and an empty rule for each file, so that make does not fail if a file is gone.
 fn as_rule(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
     let mut text = vec![];
     for (i, picture) in pictures.iter().enumerate() {

@@ -1,10 +1,11 @@
-//! `--dump`: a Scene or a World as JSON for people: one item a line, and positions as `file:line:column`.
+//! The option `--dump`: prints a Scene or a World as JSON for people, with one item per line and positions as
+//! `file:line:column`.
 
 use crate::source::{Sources, Span};
 use serde::Serialize;
 use serde_json::Value;
 
-/// Longest item that is written on one line, in bytes.
+/// Maximum length of an item that is written on one line, in bytes.
 const WIDTH: usize = 100;
 
 /// Formats a stage as JSON, with a line ending at the end.
@@ -72,7 +73,7 @@ fn block<T>(
     out.push(close);
 }
 
-/// Formats a value on one line; a text longer than `room` bytes is incomplete.
+/// Formats a value on one line. A text longer than `room` bytes is incomplete.
 fn brief(value: &Value, room: usize) -> String {
     let mut out = String::new();
     brief_to(value, room, &mut out);

@@ -33,13 +33,13 @@ pub struct Job<'a> {
     console: &'a Console,
     sources: &'a Sources,
     config: &'a Config,
-    /// Files that are read once for all pictures: the scene, and INI files that the command line was read from.
+    /// Files that are read once for all pictures: the scene, and INI files that contributed to the command line.
     common_files: ReadFiles,
-    /// Host of the current picture, with its value of `now`.
+    /// Clock and memory meter of the current picture, with the fixed value of `now`.
     host: Arc<MeteredHost>,
     parsed: ParsedFiles,
     file: FileId,
-    /// Results of all scenes of the command.
+    /// Results of the command's scenes so far.
     done: &'a mut Done,
     /// Pictures of this scene that were written.
     written: Vec<PathBuf>,
@@ -92,7 +92,7 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Names of the files that were written, and the time they took.
+    /// Returns the names of the written files, and the time that they took.
     pub fn summary(&self) -> String {
         let time = format!("({:.1} s)", self.start.elapsed().as_secs_f64());
         match &self.written[..] {
@@ -102,8 +102,8 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Text → Scene → World, with this value of `now`, or the present. Warnings that an earlier frame has reported are
-    /// removed.
+    /// Reads the scene's text and builds Scene and World for a frame. `now` is the value of the constant, or `None` for
+    /// the present. Warnings that an earlier frame has reported are removed.
     fn build(&mut self, timing: Timing, cancel: &CancelToken, now: Option<Duration>) -> Built {
         self.console.povray_line(client_lines::PARSING);
         self.sources.begin_run();
@@ -129,8 +129,7 @@ impl<'a> Job<'a> {
         self.reported.extend(advice);
     }
 
-    /// Text → Scene → World. A scene that continues the work of a journal gets the value of `now` with which the work
-    /// began.
+    /// Builds a frame. A render that continues a journal gets the value of `now` with which the journal began.
     fn build_as_begun(&mut self, timing: Timing, cancel: &CancelToken, journal: Option<&Journal>) -> Built {
         let begun = journal.filter(|_| self.config.resume).and_then(Journal::begun);
         let options = self.options(timing);
@@ -142,27 +141,27 @@ impl<'a> Job<'a> {
         if now.is_some() && is_other { self.build(timing, cancel, None) } else { built }
     }
 
-    /// Locks the journal of a picture; none unless the picture goes to a regular file. A run that its caller stops has no
-    /// journal: the caller starts the next run of the picture while a stopped one still ends.
+    /// Locks the journal of a picture; `None` unless the picture goes to a regular file. A run that its caller can
+    /// cancel has no journal, because the caller starts the next run of the picture while the cancelled one still ends.
     fn lock(&self, target: &Target) -> Result<Option<Arc<Journal>>> {
         let file = target.file().filter(|_| self.config.dump.is_none() && self.config.cancel.is_none());
         let picture = file.filter(|path| path.is_file() || !path.exists());
         Ok(picture.map(journal::lock).transpose()?.map(Arc::new))
     }
 
-    /// Options that affect the picture at a moment, before its encoding.
+    /// Returns the options that affect the picture of a frame before its encoding, as text.
     fn options(&self, timing: Timing) -> String {
         identity::options(&self.config.reading(timing), &self.config.drawing(timing))
     }
 
-    /// Identity of the work for a picture, after its scene has been built.
+    /// Returns the identity of a picture's render, after its scene has been built.
     fn work(&self, timing: Timing) -> Work {
         let mut files = self.common_files.clone();
         files.extend(self.sources.read_files());
         Work { options: self.options(timing), files, lookups: self.sources.lookups(), now: self.host.used_now() }
     }
 
-    /// Renders a frame of an animation, unless it is finished.
+    /// Renders a frame of an animation, unless the frame is already finished.
     fn render_frame(&mut self, finished: Option<&FinishedFrames>, target: &Target, timing: Timing) -> Result {
         let (Some(finished), Some(picture)) = (finished, target.file()) else {
             return self.render(target, timing, None);
@@ -246,7 +245,7 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Renders one picture, from text to file.
+    /// Renders one picture, from the scene's text to the picture file.
     fn render(&mut self, target: &Target, timing: Timing, finished: Option<&FinishedFrames>) -> Result {
         let (console, config, start) = (self.console, self.config, Instant::now());
         if config.dump.is_none() {
@@ -301,7 +300,7 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Returns what happens to a journal when the process ends in the middle of work.
+/// Returns a function that stores the journal when the process ends early.
 fn end_journal(journal: Arc<Journal>, quiet: bool) -> impl Fn() + Send {
     move || {
         if let Some(note) = journal::unfinished_note(&journal).filter(|_| !quiet) {

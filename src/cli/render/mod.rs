@@ -1,4 +1,4 @@
-//! `durer render INPUT…`: renders scenes into picture files.
+//! The command `durer render INPUT…`: renders scenes into picture files.
 
 mod config;
 mod deps;
@@ -27,14 +27,14 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use target::{Target, is_folder};
 
-/// Inputs of a run beside its arguments.
+/// Inputs of a render that its command-line arguments do not contain.
 #[derive(Default)]
 pub struct Context {
     /// Animation that POV-Ray's options request.
     pub animation: Option<Animation>,
-    /// INI files that the command line was read from.
+    /// INI files that contributed to the command line.
     pub ini_files: ReadFiles,
-    /// Token of a caller that goes on after the run: if the caller cancels the run, no message is printed. `None` if the
+    /// Token of a caller that continues after the run, and that gets no message when it cancels the run. `None` if the
     /// process ends with the run.
     pub cancel: Option<CancelToken>,
 }
@@ -49,8 +49,8 @@ struct Done {
     files: LookedUpFiles,
 }
 
-/// Renders each scene: one picture, or one for each frame. Returns also the files that were looked up for them, even
-/// after a failure.
+/// Renders each scene: one picture, or one for each frame. Also returns the files that were looked up, even after a
+/// failure.
 pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, LookedUpFiles) {
     let files = LookedUpFiles { read: context.ini_files.clone(), ..LookedUpFiles::default() };
     let mut done = Done { files, ..Done::default() };
@@ -79,7 +79,7 @@ fn render_all(console: &Console, args: &RenderArgs, context: &Context, done: &mu
     summary::each(console, &inputs.all, print, |console, input| render_scene(console, args, context, input, done))
 }
 
-/// Checks that several pictures get a file each.
+/// Checks that several pictures go to different files.
 fn check_several(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
     if let Some(picture) = inputs.iter().find(|input| Format::from_path(input).is_ok()) {
         let picture = picture.display();
@@ -117,7 +117,7 @@ fn check_names(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
     Ok(())
 }
 
-/// Renders one scene; returns also a short text about the files that were written.
+/// Renders one scene, and returns the exit code and a short text about the files that were written.
 fn render_scene(
     console: &Console,
     args: &RenderArgs,

@@ -1,4 +1,4 @@
-//! Follows the rendering of a picture: progress, journal, Ctrl-C and `--max-time`.
+//! Callbacks of a render: progress, journal, Ctrl-C and `--max-time`.
 
 use crate::cli::console::print_message;
 use crate::cli::exit::{Exit, Failure, Result};
@@ -13,12 +13,12 @@ use crate::source::Span;
 use crate::world::World;
 use std::sync::Arc;
 
-/// Shows progress, stores tiles, and stops on Ctrl-C, on request and after the time limit.
+/// Watches a render: shows progress, stores tiles, and stops on Ctrl-C, on cancellation and after the time limit.
 pub struct Monitor {
     progress: Progress,
     /// Token that ends the rendering.
     cancel: CancelToken,
-    /// True if somebody else than the user or a limit ends the rendering, who wants no message.
+    /// True if another program part than the user or a limit can end the rendering, without a message.
     pub is_silent: bool,
     /// Journal of the picture's finished tiles.
     pub journal: Option<Arc<Journal>>,
@@ -49,12 +49,12 @@ impl Watch for Monitor {
 }
 
 impl Monitor {
-    /// Follows a rendering that `cancel` ends.
+    /// Creates the monitor of a render that `cancel` ends.
     pub fn new(progress: Progress, cancel: CancelToken) -> Self {
         Self { progress, cancel, is_silent: false, journal: None }
     }
 
-    /// Renders a World into rows, unless the rendering is stopped.
+    /// Renders a World and passes the rows to `rows`, unless the render is stopped.
     pub fn render_rows(&self, world: &World, options: &render::Options, rows: &mut dyn Rows) -> Result<RayCounts> {
         if self.cancelled() {
             return Err(self.reason());
@@ -67,7 +67,7 @@ impl Monitor {
         })
     }
 
-    /// Renders a World into memory, unless the rendering is stopped.
+    /// Renders a World into memory, unless the render is stopped.
     pub fn render(&self, world: &World, options: &render::Options) -> Result<Frame> {
         let mut frame = Frame { width: options.width, height: options.height, pixels: vec![] };
         frame.pixels.reserve_exact(options.width * options.height);

@@ -1,4 +1,4 @@
-//! Writes the rows of a picture to its file as they are rendered.
+//! Writes the rows of a picture to its file while the picture is rendered.
 
 use crate::diagnostic::{self, Diagnostic};
 use crate::image_io::{EncodeError, Encoder, Encoding, Format, Rows};
@@ -6,7 +6,7 @@ use crate::source::Draft;
 use std::io;
 use std::time::{Duration, Instant};
 
-/// Linear light that an 8-bit file stores as 0.
+/// Maximum linear light that an 8-bit file stores as 0.
 const BLACK: f32 = 1.5e-4;
 
 /// Encoder of a picture's rows into a draft file.
@@ -28,7 +28,7 @@ pub struct Written {
 }
 
 impl<'d> PictureWriter<'d> {
-    /// Starts a picture of `width` by `height` pixels; `unwritable` makes the message for a write error.
+    /// Starts a picture of `width` by `height` pixels; `unwritable` creates the message for a write error.
     pub fn new(
         draft: Option<&'d mut Draft>,
         (width, height): (usize, usize),

@@ -1,4 +1,4 @@
-//! Progress of the rendering; the only file that uses indicatif.
+//! Display of the rendering's progress. Only this file uses indicatif.
 
 use crate::cli::args::When;
 use crate::cli::console::{Console, print_message};
@@ -20,12 +20,13 @@ pub enum Progress {
         /// Tenths of the progress that are printed so far.
         printed: AtomicUsize,
     },
-    /// Progress display for programs that drive POV-Ray: a line at each percent, with the percents printed so far.
+    /// Progress display for programs that start POV-Ray: a line at each percent; the number is the last printed
+    /// percentage.
     PovrayLines(AtomicUsize),
 }
 
 impl Progress {
-    /// The display that `--progress` asks for; the bar is labelled with the scene's `name`.
+    /// Creates the display that `--progress` selects; a bar is labelled with the scene's `name`.
     pub fn new(when: When, console: &Console, name: &str) -> Self {
         match when {
             When::Always if console.has_povray_lines() => Self::PovrayLines(AtomicUsize::new(0)),

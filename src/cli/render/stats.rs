@@ -1,4 +1,4 @@
-//! `--stats`: times, numbers of rays and memory of each picture.
+//! The option `--stats`: times, numbers of rays and memory of each picture.
 
 use crate::cli::args::values::Stats;
 use crate::cli::console::Console;
@@ -37,7 +37,7 @@ struct Times {
 }
 
 impl Report {
-    /// Creates a report; `times` are those of parsing, building, tracing, encoding, and all together.
+    /// Creates a report; `times` are the durations of parsing, building, tracing, encoding, and their sum.
     pub fn new(times: [Duration; 5], rays: RayCounts, options: &render::Options) -> Self {
         let [parse, build, trace, encode, total] = times.map(|t| t.as_secs_f64());
         let processors = || std::thread::available_parallelism().map_or(1, usize::from);

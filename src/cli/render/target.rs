@@ -28,8 +28,8 @@ enum Location {
 }
 
 impl Target {
-    /// The destination that `-o`, `--format` and `--bit-depth` describe. A format that can't hold the picture is an
-    /// error now, not after hours.
+    /// Creates the destination that `-o`, `--format` and `--bit-depth` describe. A format that can't hold the picture
+    /// is an error now, not after hours.
     pub fn new(input: &Path, args: &RenderArgs) -> Result<Self> {
         let named = args.format.as_deref().and_then(Format::from_name);
         let location = match &args.output {
@@ -89,7 +89,7 @@ impl Target {
         }
     }
 
-    /// Checks whether the destination takes several pictures. Only ppm files may follow one another on standard output.
+    /// Checks that the destination takes several pictures. On standard output, only ppm files may follow one another.
     pub fn check_many(&self) -> Result<()> {
         match (&self.location, self.encoding.format) {
             (Location::Stdout, format) if format != Format::Ppm => usage(format!(
@@ -100,13 +100,13 @@ impl Target {
         }
     }
 
-    /// True if the file's name has a pattern such as `%03d` for the frame's number.
+    /// True if the file's name contains a pattern such as `%03d` for the frame's number.
     pub fn has_pattern(&self) -> bool {
         self.file().and_then(Path::file_name).is_some_and(|name| pattern(&name.to_string_lossy()).is_some())
     }
 
-    /// The destination of one frame: `%03d` in the name is replaced by the number with at least three digits. Without
-    /// such a pattern, the number with `digits` digits precedes the ending.
+    /// Returns the destination of one frame. `%03d` in the name is replaced by the frame number with at least three
+    /// digits. Without a pattern, the number with `digits` digits precedes the extension.
     pub fn numbered(&self, frame: u32, digits: usize) -> Self {
         let Location::File(path) = &self.location else {
             return self.clone();
@@ -126,7 +126,7 @@ impl Target {
         Self { location: Location::File(path.with_file_name(name)), encoding: self.encoding }
     }
 
-    /// Checks whether the file can be written (E0004).
+    /// Checks that the picture's file can be written (E0004).
     pub fn check(&self) -> Result<()> {
         match &self.location {
             Location::File(path) => {
@@ -137,7 +137,7 @@ impl Target {
         }
     }
 
-    /// Starts the file; `None` if the picture has no destination.
+    /// Starts the picture's file; `None` if the picture has no destination.
     pub fn draft(&self) -> Result<Option<Draft>> {
         Ok(match &self.location {
             Location::Nowhere => None,
@@ -146,14 +146,14 @@ impl Target {
         })
     }
 
-    /// Starts a picture of `width` by `height` pixels in a draft.
+    /// Creates the writer of a picture of `width` by `height` pixels into a draft.
     pub fn writer<'d>(&'d self, draft: Option<&'d mut Draft>, size: (usize, usize)) -> Result<PictureWriter<'d>> {
         let path = self.file().unwrap_or(Path::new("standard output"));
         let unwritable = |e: &std::io::Error| file::unwritable(&Disk, path, e);
         Ok(PictureWriter::new(draft, size, &self.encoding, unwritable)?)
     }
 
-    /// Puts the finished file in its place, and returns its path.
+    /// Gives the finished file its name, and returns its path.
     pub fn commit(&self, console: &Console, draft: Option<Draft>) -> Result<Option<&Path>> {
         match (&self.location, draft) {
             (Location::Stdout, Some(draft)) => console.data(draft.into_bytes()).map(|()| None),
@@ -165,12 +165,12 @@ impl Target {
         }
     }
 
-    /// Returns a text that names all options of the encoding, which change the file but not the pixels.
+    /// Returns a text with all options of the encoding, which change the file but not the pixels.
     pub fn encoding_options(&self) -> String {
         format!(" {:?}", self.encoding)
     }
 
-    /// Bytes of memory that each pixel occupies until the file is finished.
+    /// Returns the memory that each pixel occupies until the file is finished, in bytes.
     pub fn kept_bytes(&self) -> usize {
         if self.location == Location::Nowhere { 0 } else { self.encoding.buffered_bytes_per_pixel() }
     }
@@ -214,7 +214,8 @@ fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {
     }
 }
 
-/// True if the picture has transparent pixels; those outside of `--region` are, unless `--outside black` fills them.
+/// True if the picture has transparent pixels. Pixels outside of `--region` are transparent, unless `--outside black`
+/// fills them.
 fn keeps_alpha(look: &LookArgs, args: &RenderArgs) -> bool {
     look.alpha || args.region.is_some() && args.outside != Some(Outside::Black)
 }
@@ -223,7 +224,7 @@ fn is_same(a: &Path, b: &Path) -> bool {
     a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
 }
 
-/// Finds `%d` or `%03d` in a name, as in C and ffmpeg; returns its range and the number of digits.
+/// Finds `%d` or `%03d` in a name, as in C and ffmpeg; returns its byte range and the number of digits.
 fn pattern(name: &str) -> Option<(Range<usize>, usize)> {
     name.match_indices('%').find_map(|(at, _)| {
         let digits = name[at + 1..].bytes().take_while(u8::is_ascii_digit).count();
@@ -238,7 +239,7 @@ pub fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.as_os_str().to_string_lossy().ends_with(std::path::is_separator)
 }
 
-/// The name of `input` without its folder, with the ending of `format`.
+/// Returns the default output file: the name of `input` without its folder, with the extension of `format`.
 fn default_name(input: &Path, format: Option<Format>) -> PathBuf {
     let stem =
         if input == Path::new("-") { Path::new("stdin").as_os_str() } else { input.file_stem().unwrap_or_default() };
