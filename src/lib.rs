@@ -324,7 +324,7 @@ fn lower_outcome(
         written_in_memory,
     } = outcome;
     if let Some(scene) = &scene {
-        diagnostics.extend(advice::of_scene(scene, sources));
+        diagnostics.extend(advice::scene_warnings(scene, sources));
     }
     advice::keep_own(&mut diagnostics, sources, file);
     let start = options.host.elapsed();

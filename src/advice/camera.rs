@@ -13,7 +13,7 @@ use crate::world::World;
 const UNEVEN: f64 = 0.02;
 
 /// Returns the warning about a scene with several cameras.
-pub(super) fn of_scene(scene: &Scene) -> Option<Diagnostic> {
+pub(super) fn several_cameras_warning(scene: &Scene) -> Option<Diagnostic> {
     several(&scene.cameras)
 }
 
@@ -28,7 +28,7 @@ fn several(cameras: &[Span]) -> Option<Diagnostic> {
 
 /// Returns the warning about a camera that looks along `sky`, which is mostly intended, for example in a view from
 /// above.
-pub(super) fn along_sky(scene: &Scene) -> Option<Diagnostic> {
+pub(super) fn view_along_sky_warning(scene: &Scene) -> Option<Diagnostic> {
     let Camera::Povray(camera) = &scene.camera else { return None };
     let ahead = (camera.look_at? - camera.location).try_normalize()?;
     let sky = camera.sky.try_normalize()?;
@@ -44,7 +44,7 @@ pub(super) fn along_sky(scene: &Scene) -> Option<Diagnostic> {
 }
 
 /// Returns the warning about a picture whose pixels are not square.
-pub(super) fn stretched(world: &World, options: &render::Options) -> Option<Diagnostic> {
+pub(super) fn uneven_pixels_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let view = world.eye.view(options.width, options.height);
     // Projections without a window are distorted by their nature.
     let window = view.flat_window()?;
@@ -81,7 +81,7 @@ mod tests {
     fn looking(location: DVec3, look_at: DVec3, sky: DVec3) -> bool {
         let camera = PovrayCamera { location, look_at: Some(look_at), sky, ..PovrayCamera::default() };
         let scene = Scene { camera: Camera::Povray(camera), ..Scene::default() };
-        along_sky(&scene).is_some()
+        view_along_sky_warning(&scene).is_some()
     }
 
     #[test]

@@ -22,7 +22,7 @@ const FEW: usize = 6;
 /// Number of test rays along each side of an object's box in the second test, if all rays of the first test miss.
 const MANY: usize = 90;
 
-pub(super) fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
+pub(super) fn csg_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     let mut groups = Groups::default();
     scene.objects.iter().for_each(|object| groups.gather(object));
     let mut out = vec![];
@@ -34,8 +34,8 @@ pub(super) fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
         if parts.len() < 2 {
             let counts = parts.is_empty() || !joins;
             out.extend(few_parts(first, parts, sources).filter(|_| counts));
-        } else if !joins && copies.iter().all(|copy| is_nothing(copy)) {
-            out.push(nothing_left(first, op, parts));
+        } else if !joins && copies.iter().all(|copy| is_probably_empty(copy)) {
+            out.push(empty_csg_warning(first, op, parts));
         }
         if out.len() >= MAX_WARNINGS {
             break;
@@ -45,7 +45,7 @@ pub(super) fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
 }
 
 /// Returns warnings about unions of one object, which are harmless.
-pub(super) fn doubtful(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
+pub(super) fn single_part_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     let mut groups = Groups::default();
     scene.objects.iter().for_each(|object| groups.gather(object));
     let joins = |object: &Object| matches!(op(object), Some(CsgOp::Union | CsgOp::Merge));
@@ -149,7 +149,7 @@ fn is_plain_block(source: Span, sources: &Sources) -> bool {
 }
 
 /// True if test rays hit no surface of the object, so that it is probably empty.
-fn is_nothing(object: &Object) -> bool {
+fn is_probably_empty(object: &Object) -> bool {
     if object.weight().shapes() > MAX_SHAPES {
         return false;
     }
@@ -179,7 +179,7 @@ fn is_missed(probe: &Probe, bounds: &Aabb, across: usize) -> bool {
     })
 }
 
-fn nothing_left(object: &Object, op: CsgOp, parts: &[Object]) -> Diagnostic {
+fn empty_csg_warning(object: &Object, op: CsgOp, parts: &[Object]) -> Diagnostic {
     let word = object.word;
     let first = usize::from(op == CsgOp::Difference);
     let without = |i: usize| {
@@ -190,15 +190,17 @@ fn nothing_left(object: &Object, op: CsgOp, parts: &[Object]) -> Diagnostic {
         object
     };
     // A part is guilty if the object without it is not empty.
-    let guilty: Vec<&Object> =
-        (first..parts.len().min(20)).filter(|&i| !is_nothing(&without(i))).filter_map(|i| parts.get(i)).collect();
+    let guilty: Vec<&Object> = (first..parts.len().min(20))
+        .filter(|&i| !is_probably_empty(&without(i)))
+        .filter_map(|i| parts.get(i))
+        .collect();
     let d = Diagnostic::new(codes::NOTHING_LEFT, object.source, format!("nothing is left of this `{word}`"));
     if op == CsgOp::Difference {
         let help = "make the subtracted object smaller, or move it";
         return match guilty[..] {
-            [] => blamed(d, parts.get(first..).unwrap_or_default(), "this and others remove it").help(help),
+            [] => with_part_labels(d, parts.get(first..).unwrap_or_default(), "this and others remove it").help(help),
             [part] => d.also(part.source, "this removes all of it").help(help),
-            _ => blamed(d, guilty, "this and others remove it").help(help),
+            _ => with_part_labels(d, guilty, "this and others remove it").help(help),
         };
     }
     match (guilty.iter().find(|part| part.word == "plane"), &guilty[..]) {
@@ -208,12 +210,12 @@ fn nothing_left(object: &Object, op: CsgOp, parts: &[Object]) -> Diagnostic {
         (None, [part]) => {
             d.also(part.source, "this has no point in common with the others").help("move it to where the others are")
         }
-        _ => blamed(d, parts, "one of its parts")
+        _ => with_part_labels(d, parts, "one of its parts")
             .help("its parts have no point in common: move them together, or join them with `union`"),
     }
 }
 
 /// Adds labels for the first three parts to a warning.
-fn blamed<'a>(d: Diagnostic, parts: impl IntoIterator<Item = &'a Object>, label: &str) -> Diagnostic {
+fn with_part_labels<'a>(d: Diagnostic, parts: impl IntoIterator<Item = &'a Object>, label: &str) -> Diagnostic {
     parts.into_iter().take(3).fold(d, |d, part| d.also(part.source, label))
 }

@@ -1,6 +1,6 @@
 //! The warning about a picture that is black although it shows objects.
 
-use super::{first_named, named, unseen};
+use super::{first_shape_name, hit_shape_name, unseen};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::DVec3;
 use crate::render;
@@ -8,7 +8,7 @@ use crate::source::Span;
 use crate::world::{LayerColor, World};
 
 /// Returns the warning that explains a black picture.
-pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
+pub(super) fn black_picture_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     if world.geometry.is_empty() {
         return None;
     }
@@ -26,10 +26,10 @@ fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
     if world.lights.iter().all(|light| light.emitter.color.max_element() <= 0.0) {
         return (Span::NONE, "all of its lights are black".into(), emitter());
     }
-    if let Some(found) = in_the_dark(world) {
+    if let Some(found) = enclosed_lights(world) {
         return found;
     }
-    if let Some(found) = all_black(world, options) {
+    if let Some(found) = black_objects(world, options) {
         return found;
     }
     let help = "move a `light_source` so that it illuminates the visible objects".to_string();
@@ -37,10 +37,10 @@ fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
 }
 
 /// Returns the reason, span and remedy if all lights are inside of opaque objects.
-fn in_the_dark(world: &World) -> Option<(Span, String, String)> {
+fn enclosed_lights(world: &World) -> Option<(Span, String, String)> {
     let mut first = None;
     for light in &world.lights {
-        let around = holder(world, light.emitter.location)?;
+        let around = enclosing_object(world, light.emitter.location)?;
         first.get_or_insert(around);
     }
     let (word, source) = first?;
@@ -48,19 +48,19 @@ fn in_the_dark(world: &World) -> Option<(Span, String, String)> {
     Some((source, format!("the light is inside of this `{word}`"), help))
 }
 
-fn holder(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
+fn enclosing_object(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
     let mut found = None;
     world.geometry.containing(p, &mut |item| {
         let casts = world.objects.get(item.object() as usize).is_some_and(|o| o.opaque && o.shadow);
         if casts && found.is_none() {
-            found = first_named(world, item);
+            found = first_shape_name(world, item);
         }
     });
     found
 }
 
 /// Returns the reason, span and remedy if all visible objects are black.
-fn all_black(world: &World, options: &render::Options) -> Option<(Span, String, String)> {
+fn black_objects(world: &World, options: &render::Options) -> Option<(Span, String, String)> {
     let mut first = None;
     for found in unseen::sample(world, options) {
         let material = world.parts.get(found.part() as usize)?.outside.material;
@@ -69,7 +69,7 @@ fn all_black(world: &World, options: &render::Options) -> Option<(Span, String, 
         if !layers.all(|layer| layer.choice.is_none() && black(&layer.pigment)) {
             return None;
         }
-        first.get_or_insert(named(world, &found));
+        first.get_or_insert(hit_shape_name(world, &found));
     }
     let (word, source) = first?;
     let help = "`pigment { rgb <1, 0.5, 0> }`; an object without a pigment is black".to_string();

@@ -19,13 +19,13 @@ use crate::world::{Intersection, PlacedSolid, World};
 use std::path::Path;
 
 /// Returns warnings about a scene before it is rendered.
-pub fn of_scene(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
-    camera::of_scene(scene).into_iter().chain(csg::of_scene(scene, sources)).collect()
+pub fn scene_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
+    camera::several_cameras_warning(scene).into_iter().chain(csg::csg_warnings(scene, sources)).collect()
 }
 
 /// Returns warnings about text that is unusual but mostly intended, for `--warn doubtful`.
 pub fn doubtful(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
-    camera::along_sky(scene).into_iter().chain(csg::doubtful(scene, sources)).collect()
+    camera::view_along_sky_warning(scene).into_iter().chain(csg::single_part_warnings(scene, sources)).collect()
 }
 
 /// Removes warnings about other authors' files, such as the standard includes, from the diagnostics of a run.
@@ -56,23 +56,23 @@ pub struct Circumstances {
 }
 
 /// Returns warnings about a rendered picture.
-pub fn of_picture(world: &World, options: &render::Options, circumstances: Circumstances) -> Vec<Diagnostic> {
+pub fn picture_warnings(world: &World, options: &render::Options, circumstances: Circumstances) -> Vec<Diagnostic> {
     let mut out = vec![];
     if options.width.min(options.height) < TINY {
         return out;
     }
     if !circumstances.incomplete {
-        out.extend(camera::stretched(world, options));
+        out.extend(camera::uneven_pixels_warning(world, options));
     }
     // A region of a picture may be empty.
     if options.region.is_some() {
         return out;
     }
-    out.extend(overlap::of_picture(world, options));
+    out.extend(overlap::coincidence_warnings(world, options));
     if !circumstances.incomplete && !circumstances.one_of_many {
         out.extend(
-            unseen::of_picture(world, options)
-                .or_else(|| circumstances.black.then(|| dark::of_picture(world, options)).flatten()),
+            unseen::unseen_warning(world, options)
+                .or_else(|| circumstances.black.then(|| dark::black_picture_warning(world, options)).flatten()),
         );
     }
     out
@@ -84,17 +84,17 @@ pub fn is_incomplete(diagnostics: &[Diagnostic]) -> bool {
 }
 
 /// True if the object with this index is visible to the camera.
-fn shows(world: &World, object: u32) -> bool {
+fn is_visible_to_camera(world: &World, object: u32) -> bool {
     world.objects.get(object as usize).is_some_and(|o| o.image)
 }
 
 /// Returns the word and the span of an object's first shape.
-fn first_named(world: &World, item: PlacedSolid) -> Option<(&'static str, Span)> {
+fn first_shape_name(world: &World, item: PlacedSolid) -> Option<(&'static str, Span)> {
     item.first_shape().map(|(word, part)| (word, source_of(world, part)))
 }
 
 /// Returns the word and the span of a hit shape.
-fn named(world: &World, found: &Intersection) -> (&'static str, Span) {
+fn hit_shape_name(world: &World, found: &Intersection) -> (&'static str, Span) {
     (found.leaf.shape.spec().name, source_of(world, found.part()))
 }
 
@@ -103,13 +103,13 @@ fn source_of(world: &World, part: u32) -> Span {
 }
 
 /// Formats a vector in the syntax of scenes with a suitable number of digits.
-fn typed(p: crate::math::DVec3) -> String {
+fn in_scene_syntax(p: crate::math::DVec3) -> String {
     let short = |x: f64| format_decimal(x, if x.abs() >= 100.0 { 0 } else { 2 });
     format!("<{}, {}, {}>", short(p.x), short(p.y), short(p.z))
 }
 
 /// True if the bounds of an object are finite and not empty.
-fn is_somewhere(item: &PlacedSolid) -> bool {
+fn has_finite_box(item: &PlacedSolid) -> bool {
     let bounds = item.bounds();
     !bounds.is_empty() && bounds.is_finite()
 }

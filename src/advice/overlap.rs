@@ -3,7 +3,7 @@
 //!
 //! Only visible surfaces count: the contact of a box and its floor is hidden.
 
-use super::shows;
+use super::is_visible_to_camera;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{DVec3, Range, Ray};
 use crate::render;
@@ -30,7 +30,7 @@ enum Coincidence {
     Skin,
 }
 
-pub(super) fn of_picture(world: &World, options: &render::Options) -> Vec<Diagnostic> {
+pub(super) fn coincidence_warnings(world: &World, options: &render::Options) -> Vec<Diagnostic> {
     let mut pairs: FxHashMap<(u32, u32), u32> = FxHashMap::default();
     let mut out: Vec<Diagnostic> = vec![];
     for ray in rays(world, options) {
@@ -67,14 +67,14 @@ fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> +
 /// Returns the pairs of surfaces that coincide at the first hit of a ray, the smaller index first.
 fn coincidences(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
     let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
-    let Some(seen) = world.geometry.closest(ray, range, |id| shows(world, id)) else { return vec![] };
+    let Some(seen) = world.geometry.closest(ray, range, |id| is_visible_to_camera(world, id)) else { return vec![] };
     let near = TOLERANCE * (1.0 + seen.t());
     let around = Range { min: seen.t() - near, max: seen.t() + near };
     let normal = seen.surface(ray).normal;
     let mut out = vec![];
     world.geometry.shapes_at(ray, around, &mut |item, other| {
         if other.part() != seen.part()
-            && shows(world, item.object())
+            && is_visible_to_camera(world, item.object())
             && let Some(kind) = kind_of(world, ray, &item, &seen, &other, normal)
         {
             let (a, b) = (seen.part().min(other.part()), seen.part().max(other.part()));

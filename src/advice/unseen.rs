@@ -1,6 +1,6 @@
 //! Warnings about pictures that show only the background, or only the inside of the object around the camera.
 
-use super::{first_named, is_somewhere, named, shows, typed};
+use super::{first_shape_name, has_finite_box, hit_shape_name, in_scene_syntax, is_visible_to_camera};
 use crate::camera::Projection;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{Aabb, DMat3, DVec3, Range, Ray};
@@ -14,7 +14,7 @@ const SAMPLES: usize = 200;
 /// Offset of a pixel's centre from the pixel's top left corner.
 const CENTRE: f64 = 0.5;
 
-pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Diagnostic> {
+pub(super) fn unseen_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let (eye, at_eye) = (world.eye.frame.origin, around(world, world.eye.frame.origin));
     // Rays of some cameras have their own origins.
     let is_around = |ray: &Ray, object: &u32| match ray.origin == eye {
@@ -33,10 +33,10 @@ pub(super) fn of_picture(world: &World, options: &render::Options) -> Option<Dia
     match inside {
         // A single object is the subject of the picture.
         Some(_) if world.geometry.items().all(|item| at_eye.contains(&item.object())) => None,
-        Some(found) => Some(from_inside(world, &found)),
+        Some(found) => Some(camera_inside_warning(world, &found)),
         // A scene without objects and lights is no picture.
         None if world.geometry.is_empty() && world.lights.is_empty() => None,
-        None => Some(nothing_seen(world, options)),
+        None => Some(nothing_visible_warning(world, options)),
     }
 }
 
@@ -66,7 +66,7 @@ fn gcd(a: usize, b: usize) -> usize {
 
 fn closest<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
     let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
-    world.geometry.closest(ray, range, |id| shows(world, id))
+    world.geometry.closest(ray, range, |id| is_visible_to_camera(world, id))
 }
 
 /// Returns the indices of the opaque objects that contain the camera.
@@ -80,8 +80,8 @@ fn around(world: &World, eye: DVec3) -> FxHashSet<u32> {
     out
 }
 
-fn from_inside(world: &World, found: &Intersection) -> Diagnostic {
-    let (word, source) = named(world, found);
+fn camera_inside_warning(world: &World, found: &Intersection) -> Diagnostic {
+    let (word, source) = hit_shape_name(world, found);
     let (message, help) = if word == "plane" {
         let message = "the camera is behind this `plane` and shows only its back";
         (message.to_string(), "move `location` to the side that the plane's normal points to".to_string())
@@ -92,22 +92,23 @@ fn from_inside(world: &World, found: &Intersection) -> Diagnostic {
     Diagnostic::new(codes::CAMERA_INSIDE, source, message).also(world.camera_source, "the camera").help(help)
 }
 
-fn nothing_seen(world: &World, options: &render::Options) -> Diagnostic {
+fn nothing_visible_warning(world: &World, options: &render::Options) -> Diagnostic {
     let message = "the picture shows nothing but the background";
-    let items: Vec<PlacedSolid> = world.geometry.items().filter(|item| shows(world, item.object())).collect();
+    let items: Vec<PlacedSolid> =
+        world.geometry.items().filter(|item| is_visible_to_camera(world, item.object())).collect();
     let eye = world.eye.frame.origin;
     let distance = |item: &PlacedSolid| item.bounds().min.max(eye).min(item.bounds().max).distance(eye);
-    let finite = items.iter().filter(|item| is_somewhere(item));
+    let finite = items.iter().filter(|item| has_finite_box(item));
     let nearest = finite.min_by(|a, b| distance(a).total_cmp(&distance(b)));
     if let Some(item) = nearest
-        && let Some((word, source)) = first_named(world, *item)
+        && let Some((word, source)) = first_shape_name(world, *item)
     {
         let seen = Visibility::of(world, options, &item.bounds());
         let label = format!("the nearest object, this `{word}`, is {}", seen.description());
         let d = Diagnostic::new(codes::NOTHING_SEEN, source, message).label(label);
         return d.also(world.camera_source, "seen from here").help(seen.help(world, &item.bounds()));
     }
-    match items.iter().find_map(|item| first_named(world, *item)) {
+    match items.iter().find_map(|item| first_shape_name(world, *item)) {
         Some((word, source)) => Diagnostic::new(codes::NOTHING_SEEN, source, message)
             .label(format!("no ray from the camera hits this `{word}`"))
             .also(world.camera_source, "seen from here")
@@ -174,9 +175,9 @@ impl Visibility {
         match (self, &world.eye.projection) {
             (Visibility::Small(_), _) => "move the camera closer, or make the object larger with `scale`".into(),
             (_, Projection::Lecture { .. }) => {
-                format!("`center {}` in the camera turns the camera to it", typed(bounds.center()))
+                format!("`center {}` in the camera turns the camera to it", in_scene_syntax(bounds.center()))
             }
-            _ => format!("`look_at {}` in the camera turns the camera to it", typed(bounds.center())),
+            _ => format!("`look_at {}` in the camera turns the camera to it", in_scene_syntax(bounds.center())),
         }
     }
 }

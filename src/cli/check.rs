@@ -37,7 +37,7 @@ pub fn run(console: &Console, args: &CheckArgs, animation: Option<Animation>) ->
 
 fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, input: &Path) -> Result {
     let sources = Sources::default();
-    let invocation = Invocation::of_scene(input, &args.scene, animation.clone());
+    let invocation = Invocation::without_picture(input, &args.scene, animation.clone());
     let invocation = match overlay::read_ini(&sources, input, &args.scene, args.warn.contains(&Warn::Options)) {
         Ok(None) => invocation,
         Ok(Some(ini)) => {

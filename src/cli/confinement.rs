@@ -27,7 +27,7 @@ pub fn confine(console: &Console, command: &Command) {
 
 /// Returns the files of an untrusted command; `None` if the command is trusted.
 fn file_access(command: &Command) -> Option<FileAccess> {
-    let of_scene = |scene: &SceneArgs, inputs: &[PathBuf]| {
+    let scene_access = |scene: &SceneArgs, inputs: &[PathBuf]| {
         let mut access = FileAccess::default();
         access.read.extend(inputs.iter().flat_map(|input| readable(input)));
         access.read.extend(scene.include.iter().chain(&scene.allow_read).cloned());
@@ -35,7 +35,7 @@ fn file_access(command: &Command) -> Option<FileAccess> {
     };
     match command {
         Command::Render(args) => {
-            let mut access = of_scene(&args.scene, &args.inputs)?;
+            let mut access = scene_access(&args.scene, &args.inputs)?;
             let stats = match &args.stats {
                 Some(Stats::File(path)) => Some(path),
                 _ => None,
@@ -47,9 +47,9 @@ fn file_access(command: &Command) -> Option<FileAccess> {
             }
             Some(access)
         }
-        Command::Check(args) => of_scene(&args.scene, &args.inputs),
-        Command::Pick(args) => of_scene(&args.scene, std::slice::from_ref(&args.input)),
-        Command::Query(args) => of_scene(&args.scene, std::slice::from_ref(&args.input)),
+        Command::Check(args) => scene_access(&args.scene, &args.inputs),
+        Command::Pick(args) => scene_access(&args.scene, std::slice::from_ref(&args.input)),
+        Command::Query(args) => scene_access(&args.scene, std::slice::from_ref(&args.input)),
         Command::Test(args) => {
             let here = [PathBuf::from(".")];
             let paths = if args.paths.is_empty() { &here[..] } else { &args.paths };

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 pub fn run(console: &Console, args: &FmtArgs) -> Result {
     let mut worst = Exit::Fine;
     for path in files(&args.paths)? {
-        worst = worst.max(one(console, args, &path)?);
+        worst = worst.max(format_file(console, args, &path)?);
     }
     Ok(worst)
 }
@@ -43,7 +43,7 @@ fn files(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
     Ok(all)
 }
 
-fn one(console: &Console, args: &FmtArgs, path: &Path) -> Result {
+fn format_file(console: &Console, args: &FmtArgs, path: &Path) -> Result {
     let is_stdin = path.as_os_str() == "-";
     let name = if is_stdin { "<stdin>".to_string() } else { path.display().to_string() };
     let sources = Sources::default();

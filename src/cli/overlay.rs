@@ -76,7 +76,7 @@ impl Invocation {
     }
 
     /// Creates the invocation of a command that reads a scene and writes no picture.
-    pub fn of_scene(input: &Path, scene: &SceneArgs, animation: Option<Animation>) -> Self {
+    pub fn without_picture(input: &Path, scene: &SceneArgs, animation: Option<Animation>) -> Self {
         Self::new(input, RenderArgs { scene: scene.clone(), ..RenderArgs::default() }, animation)
     }
 

@@ -68,7 +68,7 @@ struct Step {
 
 /// Prints the object that a pixel shows. `animation` comes from POV-Ray's options.
 pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> Result {
-    let invocation = Invocation::of_scene(&session::named(&args.input), &args.scene, animation);
+    let invocation = Invocation::without_picture(&session::named(&args.input), &args.scene, animation);
     let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
     let size = merged.scene.size();
     let inside = |at: i64, side: usize| usize::try_from(at).ok().filter(|&at| at < side);
@@ -96,7 +96,7 @@ fn describe_pixel(
     let options = session::reading_options(scene, input, timing);
     let options = interpreter::Options { record_origins: true, ..options };
     let mut built = session::build(console, &ParsedFiles::default(), sources, file, &options, Keep::Both);
-    let world = session::settle(console, sources, &mut built)?;
+    let world = session::report_and_take_world(console, sources, &mut built)?;
     let drawing = render::Options { frame: timing.frame, ..render::Options::new(size.width, size.height) };
     let pixel = PixelReport { sources, color: color_of(&world, &drawing, x, y), built: Some(&built) };
     let picked = render::pick(&world, &drawing, x, y);

@@ -74,7 +74,7 @@ struct TextureRow {
 
 /// Prints the contents of a scene.
 pub fn run(console: &Console, args: &QueryArgs) -> Result {
-    let invocation = Invocation::of_scene(&session::named(&args.input), &args.scene, None);
+    let invocation = Invocation::without_picture(&session::named(&args.input), &args.scene, None);
     let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
     let scene = merged.scene;
     session::check_input(&input)?;
@@ -84,7 +84,7 @@ pub fn run(console: &Console, args: &QueryArgs) -> Result {
         let file = session::open_or_report(console, &sources, &input)?;
         let options = session::reading_options(&scene, &input, timing);
         let mut built = session::build(console, &ParsedFiles::default(), &sources, file, &options, Keep::Both);
-        let world = session::settle(console, &sources, &mut built)?;
+        let world = session::report_and_take_world(console, &sources, &mut built)?;
         Ok(contents(&built, &world, &sources))
     })?;
     if args.json {

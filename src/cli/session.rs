@@ -179,7 +179,7 @@ pub fn allow_writing(options: &mut interpreter::Options, args: &SceneArgs, input
 }
 
 /// Returns a line about the files that a scene wrote to memory; `None` if there are none.
-pub fn note_of_writes(built: &Built) -> Option<String> {
+pub fn memory_writes_line(built: &Built) -> Option<String> {
     let [first, rest @ ..] = &built.written_in_memory[..] else { return None };
     let others = match rest.len() {
         0 => String::new(),
@@ -219,7 +219,7 @@ pub fn build(
             print_message(text);
         }
     });
-    note_of_writes(&built).iter().for_each(|note| console.info(note));
+    memory_writes_line(&built).iter().for_each(|note| console.info(note));
     built
 }
 
@@ -235,7 +235,7 @@ pub fn verdict(limit_reached: bool, diagnostics: &[Diagnostic]) -> Exit {
 }
 
 /// Reports the messages of a run, and returns the World if there is no error.
-pub fn settle(console: &Console, sources: &Sources, built: &mut Built) -> Result<World> {
+pub fn report_and_take_world(console: &Console, sources: &Sources, built: &mut Built) -> Result<World> {
     console.report(sources, &built.diagnostics);
     match (verdict(built.limit_reached, &built.diagnostics), built.world.take()) {
         (Exit::Fine, Some(world)) => Ok(world),

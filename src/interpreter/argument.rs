@@ -11,12 +11,12 @@ use crate::value::Value;
 
 /// Argument of a macro call or function call, with its span in the source.
 pub(super) struct Argument<'a> {
-    pub(super) given: Given<'a>,
+    pub(super) given: ArgumentForm<'a>,
     pub(super) span: Span,
 }
 
 /// Contents of an argument in a macro or function call, by the form in which the scene wrote it.
-pub(super) enum Given<'a> {
+pub(super) enum ArgumentForm<'a> {
     /// Argument that is a name alone, which need not be declared.
     Name(Symbol),
     /// An array element that is passed as an argument, by its location.
@@ -29,11 +29,11 @@ impl<'a> Interpreter<'a> {
     /// Returns the argument that a parsed expression represents.
     pub(super) fn whole_argument(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
         let given = match &e.kind {
-            ExprKind::Name(symbol) => Given::Name(*symbol),
-            ExprKind::Index(base, indices) => Given::LValue(self.element_lvalue(base, indices)?),
+            ExprKind::Name(symbol) => ArgumentForm::Name(*symbol),
+            ExprKind::Index(base, indices) => ArgumentForm::LValue(self.element_lvalue(base, indices)?),
             _ => match self.dictionary_lvalue(e)? {
-                Some(lvalue) => Given::LValue(lvalue),
-                None => Given::Slot(Slot::Value(self.evaluate(e)?)),
+                Some(lvalue) => ArgumentForm::LValue(lvalue),
+                None => ArgumentForm::Slot(Slot::Value(self.evaluate(e)?)),
             },
         };
         Ok(Argument { given, span: e.span })
@@ -58,10 +58,10 @@ impl<'a> Interpreter<'a> {
                 }
                 match slot {
                     _ if ends && depth == self.stream.call_depth() => {
-                        Ok(Argument { given: Given::Name(*symbol), span })
+                        Ok(Argument { given: ArgumentForm::Name(*symbol), span })
                     }
-                    Some(_) if ends && lasting => Ok(Argument { given: Given::Name(*symbol), span }),
-                    Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
+                    Some(_) if ends && lasting => Ok(Argument { given: ArgumentForm::Name(*symbol), span }),
+                    Some(slot) if ends => Ok(Argument { given: ArgumentForm::Slot(slot), span }),
                     Some(slot) => self.continue_argument(slot, span),
                     None => {
                         let value = self.evaluate_name(*symbol, span)?;
@@ -78,22 +78,23 @@ impl<'a> Interpreter<'a> {
                 let ends = self.value_ends()?;
                 match slot {
                     _ if ends && depth == self.stream.call_depth() => {
-                        Ok(Argument { given: Given::LValue(lvalue), span })
+                        Ok(Argument { given: ArgumentForm::LValue(lvalue), span })
                     }
-                    Some(slot) if ends => Ok(Argument { given: Given::Slot(slot), span }),
+                    Some(slot) if ends => Ok(Argument { given: ArgumentForm::Slot(slot), span }),
                     Some(slot) => self.continue_argument(slot, span),
-                    None => {
-                        self.evaluator.slot_at(&lvalue, span).map(|slot| Argument { given: Given::Slot(slot), span })
-                    }
+                    None => self
+                        .evaluator
+                        .slot_at(&lvalue, span)
+                        .map(|slot| Argument { given: ArgumentForm::Slot(slot), span }),
                 }
             }
             Token::Block(_) | Token::Function(_) => {
                 let slot = self.read_rvalue()?;
-                Ok(Argument { given: Given::Slot(slot), span })
+                Ok(Argument { given: ArgumentForm::Slot(slot), span })
             }
             _ => {
                 let (value, span) = self.read_expression(true)?;
-                Ok(Argument { given: Given::Slot(Slot::Value(value)), span })
+                Ok(Argument { given: ArgumentForm::Slot(Slot::Value(value)), span })
             }
         }
     }
@@ -101,7 +102,7 @@ impl<'a> Interpreter<'a> {
     fn continue_argument(&mut self, first: Slot<'a>, span: Span) -> Result<Argument<'a>> {
         let first = self.slot_value(first, span)?;
         let (value, span) = self.continue_value(first, span)?;
-        Ok(Argument { given: Given::Slot(Slot::Value(value)), span })
+        Ok(Argument { given: ArgumentForm::Slot(Slot::Value(value)), span })
     }
 
     /// True if no following token continues the value that was just read.
@@ -119,19 +120,19 @@ impl<'a> Interpreter<'a> {
     /// Returns the contents of an argument that is a name, an element or a value.
     pub(super) fn argument_slot(&mut self, argument: &Argument<'a>) -> Result<Slot<'a>> {
         match &argument.given {
-            Given::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
+            ArgumentForm::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
                 Some(slot) => Ok(slot.clone()),
                 None => self.evaluate_name(*symbol, argument.span).map(Slot::Value),
             },
-            Given::LValue(lvalue) => self.evaluator.slot_at(lvalue, argument.span),
-            Given::Slot(slot) => Ok(slot.clone()),
+            ArgumentForm::LValue(lvalue) => self.evaluator.slot_at(lvalue, argument.span),
+            ArgumentForm::Slot(slot) => Ok(slot.clone()),
         }
     }
 
     pub(super) fn argument_value(&mut self, argument: &Argument<'a>) -> Result<Value> {
         match &argument.given {
-            Given::Name(symbol) => self.evaluate_name(*symbol, argument.span),
-            Given::Slot(Slot::Value(value)) => Ok(value.clone()),
+            ArgumentForm::Name(symbol) => self.evaluate_name(*symbol, argument.span),
+            ArgumentForm::Slot(Slot::Value(value)) => Ok(value.clone()),
             _ => {
                 let slot = self.argument_slot(argument)?;
                 self.slot_value(slot, argument.span)
@@ -159,9 +160,9 @@ impl<'a> Interpreter<'a> {
     /// True if the argument is a value, or a name or array element that has one.
     pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
         match &argument.given {
-            Given::Name(symbol) => self.evaluator.is_declared(*symbol),
-            Given::LValue(lvalue) => self.evaluator.scopes().at(lvalue).is_some(),
-            Given::Slot(_) => false,
+            ArgumentForm::Name(symbol) => self.evaluator.is_declared(*symbol),
+            ArgumentForm::LValue(lvalue) => self.evaluator.scopes().at(lvalue).is_some(),
+            ArgumentForm::Slot(_) => false,
         }
     }
 }

@@ -5,7 +5,7 @@ use super::argument::Argument;
 use super::evaluator::as_float;
 use super::evaluator::{Array, LValue, Slot};
 use super::stream::{StackFrame, Token};
-use super::token_expr::joined;
+use super::token_expr::joined_span;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, ElementKind, Expr, ExprKind, Sign, Symbol};
@@ -64,7 +64,7 @@ impl<'a> Interpreter<'a> {
         let mut size = None;
         if !self.peek()?.ends() {
             let (value, span) = self.read_value()?;
-            size = Some(self.size_of(as_float(&value, span)?, joined(at, span))?);
+            size = Some(self.size_of(as_float(&value, span)?, joined_span(at, span))?);
         }
         if !self.peek()?.ends() {
             return Diagnostic::err(codes::WRONG_COUNT, at, "each dimension of an array has one size in `[ ]`");
@@ -189,7 +189,7 @@ impl<'a> Interpreter<'a> {
         if indices.is_empty() {
             return Ok(self.stream.push_back(Token::Expr(name), span, before));
         }
-        let whole = indices.last().map_or(span, |(_, at)| joined(span, Span { hi: at.hi + 1, ..*at }));
+        let whole = indices.last().map_or(span, |(_, at)| joined_span(span, Span { hi: at.hi + 1, ..*at }));
         let lvalue = self.lvalue_at(symbol, span, &indices, false)?;
         self.stream.set_element(lvalue);
         Ok(self.stream.push_back(Token::Element(whole), whole, before))

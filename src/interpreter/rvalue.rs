@@ -61,7 +61,7 @@ impl<'a> Interpreter<'a> {
             }
             Token::Word(_) if self.is_at_color()? => self.read_plain_value(),
             _ => match Reader::next(self)? {
-                Next::Block(word) => self.read_thing_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
+                Next::Block(word) => self.read_declarable_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
                 _ => Err(self.unexpected_token("a value").into()),
             },
         }
@@ -85,7 +85,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads a block that can be declared, such as `texture { … }`.
-    fn read_thing_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
+    fn read_declarable_block(&mut self, word: &'static str) -> Result<Arc<dyn Thing>> {
         let defaults = self.builder.defaults().clone();
         if word == "spline" {
             return Ok(self.read_spline()?);

@@ -10,7 +10,7 @@ use serde::Serialize;
 use std::sync::{Arc, LazyLock};
 
 /// Identity transform, shared by the textures of all objects that were not transformed.
-static STILL: LazyLock<Arc<Transform>> = LazyLock::new(Arc::default);
+static IDENTITY: LazyLock<Arc<Transform>> = LazyLock::new(Arc::default);
 
 /// A texture on an object.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -25,7 +25,7 @@ pub struct Painted {
 impl Painted {
     /// Sets a texture on an object that already has the transform `before`.
     pub fn new(texture: Arc<Texture>, before: &Transform) -> Self {
-        Self { texture, moved: (!before.is_identity()).then(|| STILL.clone()) }
+        Self { texture, moved: (!before.is_identity()).then(|| IDENTITY.clone()) }
     }
 
     /// Appends a transform of the object, which also transforms the texture.
@@ -71,7 +71,7 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
 }
 
 /// A texture without layers.
-fn nothing() -> Arc<Texture> {
+fn without_layers() -> Arc<Texture> {
     Arc::new(Texture { layers: vec![] })
 }
 
@@ -108,12 +108,12 @@ pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<A
             }
             Next::Block("texture") | Next::Thing("texture") => {
                 let layers = read_layers(r, defaults)?.layers;
-                Arc::make_mut(out.texture.get_or_insert_with(nothing)).layers.extend(layers);
+                Arc::make_mut(out.texture.get_or_insert_with(without_layers)).layers.extend(layers);
             }
             Next::Block("interior_texture") => {
                 r.take_token()?;
                 let layers = Texture::read(r, &defaults.texture)?.layers;
-                Arc::make_mut(out.interior_texture.get_or_insert_with(nothing)).layers.extend(layers);
+                Arc::make_mut(out.interior_texture.get_or_insert_with(without_layers)).layers.extend(layers);
                 r.leave_block()?;
             }
             Next::Block("interior") => {

@@ -274,7 +274,7 @@ impl Operator {
     }
 
     /// Returns the binary operator with the spelling `text`.
-    pub fn of(text: &str) -> Option<Self> {
+    pub fn from_text(text: &str) -> Option<Self> {
         use Operator::*;
         let all = [Add, Sub, Mul, Div, Less, LessEqual, Greater, GreaterEqual, Equal, NotEqual, And, Or];
         all.into_iter().find(|op| op.text() == text)

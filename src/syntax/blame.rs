@@ -25,7 +25,7 @@ fn is_outdented(closer: &Line, opener: &Line) -> bool {
 }
 
 /// Evidence that a block should have ended earlier.
-enum Sign<'o> {
+enum Evidence<'o> {
     /// A nested block that the outer block can't contain.
     Inner(&'o Pair),
     /// The token index of a `}` whose indentation matches an outer block.
@@ -33,15 +33,15 @@ enum Sign<'o> {
 }
 
 /// Returns the error for the opening brace that most probably lacks its `}`; `None` without evidence.
-pub fn open_brace(outline: &Outline) -> Option<Diagnostic> {
+pub fn unclosed_brace_error(outline: &Outline) -> Option<Diagnostic> {
     // Match each `}` with the last `{`, also across the bodies of directives.
     let mut stack: Vec<(&Pair, Line)> = vec![];
     let mut blamed = None;
     for (token, line, opened) in braces(outline) {
         if let Some(inner) = opened {
             let outer = stack.last().map(|(outer, _)| *outer).filter(|_| blamed.is_none() && line.is_first);
-            if let Some(outer) = outer.filter(|outer| !can_hold(outline.head(outer), outline.head(inner))) {
-                blamed = Some((outer, Sign::Inner(inner)));
+            if let Some(outer) = outer.filter(|outer| !can_contain(outline.head(outer), outline.head(inner))) {
+                blamed = Some((outer, Evidence::Inner(inner)));
             }
             stack.push((inner, line));
         } else if let Some((own, begin)) = stack.pop()
@@ -49,20 +49,20 @@ pub fn open_brace(outline: &Outline) -> Option<Diagnostic> {
             && is_outdented(&line, &begin)
             && let Some((outer, _)) = stack.iter().rev().find(|(_, outer)| outer.indent == line.indent)
         {
-            blamed = Some((own, Sign::Closer(outer, token)));
+            blamed = Some((own, Evidence::Closer(outer, token)));
         }
     }
-    let (own, sign) = blamed.filter(|_| !stack.is_empty())?;
+    let (own, evidence) = blamed.filter(|_| !stack.is_empty())?;
     let word = outline.head(own);
     let message = format!("the `{{` of this `{word}` is not closed");
     let d = Diagnostic::new(codes::UNCLOSED, outline.token_span(own.opener), message);
-    Some(match sign {
-        Sign::Inner(inner) => {
+    Some(match evidence {
+        Evidence::Inner(inner) => {
             let name = outline.head(inner);
             d.also(outline.span(&inner.head), format!("a `{word}` can't hold a `{name}`"))
                 .help(format!("add `}}` before `{name}`"))
         }
-        Sign::Closer(outer, closer) => {
+        Evidence::Closer(outer, closer) => {
             let ends = format!("by its indentation, this ends the `{}`", outline.head(outer));
             d.also(outline.token_span(closer), ends).help("add `}` before that line")
         }
@@ -70,7 +70,7 @@ pub fn open_brace(outline: &Outline) -> Option<Diagnostic> {
 }
 
 /// Returns the error for a `}` that ends a block too early, so that a later `}` closes nothing.
-pub fn early_brace(outline: &Outline) -> Option<Diagnostic> {
+pub fn early_brace_error(outline: &Outline) -> Option<Diagnostic> {
     let (mut stack, mut early): (Vec<(&Pair, Line)>, _) = (vec![], None);
     for (closer, line, opened) in braces(outline) {
         if let Some(pair) = opened {
@@ -99,13 +99,13 @@ pub fn early_brace(outline: &Outline) -> Option<Diagnostic> {
 
 /// Returns the errors for directives without `#end`: the directive that most probably lacks its `#end`, or without
 /// evidence the innermost three.
-pub(super) fn open_directives(outline: &Outline) -> Vec<Diagnostic> {
+pub(super) fn unclosed_directive_errors(outline: &Outline) -> Vec<Diagnostic> {
     let open: Vec<_> = directives(outline).filter(|pair| pair.closer.is_none()).collect();
     let Some(outermost) = open.first() else { return vec![] };
-    if let Some(d) = other_end(outline, outermost).or_else(|| outdented_end(outline)) {
+    if let Some(d) = foreign_end_error(outline, outermost).or_else(|| outdented_end_error(outline)) {
         return vec![d];
     }
-    let unclosed = |pair: &&Pair| unclosed_directive(outline, pair).help("add `#end` where it should end");
+    let unclosed = |pair: &&Pair| unclosed_directive_error(outline, pair).help("add `#end` where it should end");
     open.iter().rev().take(3).map(unclosed).collect()
 }
 
@@ -114,13 +114,13 @@ fn directives(outline: &Outline) -> impl Iterator<Item = &Pair> {
     outline.pairs.iter().filter(|pair| pair.bracket == b'#')
 }
 
-fn unclosed_directive(outline: &Outline, pair: &Pair) -> Diagnostic {
+fn unclosed_directive_error(outline: &Outline, pair: &Pair) -> Diagnostic {
     let message = format!("this `{}` is not closed", outline.word(pair.opener));
     Diagnostic::new(codes::UNCLOSED, outline.token_span(pair.opener), message)
 }
 
 /// Returns the error for the first `#endif` or similar word after an open directive.
-fn other_end(outline: &Outline, open: &Pair) -> Option<Diagnostic> {
+fn foreign_end_error(outline: &Outline, open: &Pair) -> Option<Diagnostic> {
     let end = outline.tokens[open.opener..].iter().find(|token| is_other_end(outline.directive(token)))?;
     let message = format!("there is no directive `#{}`", outline.directive(end));
     let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, outline.span(&end.range), message);
@@ -129,7 +129,7 @@ fn other_end(outline: &Outline, open: &Pair) -> Option<Diagnostic> {
 }
 
 /// Returns the error for an inner directive whose `#end` is indented like an outer directive's.
-fn outdented_end(outline: &Outline) -> Option<Diagnostic> {
+fn outdented_end_error(outline: &Outline) -> Option<Diagnostic> {
     let line = |token: usize| outline.line_at(outline.tokens[token].range.start);
     let is_wrong = |pair: &&Pair| {
         let Some(end) = pair.closer.map(line).filter(|end| is_outdented(end, &line(pair.opener))) else { return false };
@@ -138,11 +138,11 @@ fn outdented_end(outline: &Outline) -> Option<Diagnostic> {
     };
     let wrong = directives(outline).filter(is_wrong).min_by_key(|pair| pair.closer)?;
     let help = "add `#end` where it should end: by the indentation, the next one belongs further out";
-    Some(unclosed_directive(outline, wrong).help(help))
+    Some(unclosed_directive_error(outline, wrong).help(help))
 }
 
 /// False if a block of the name `outer` certainly can't contain a block of the name `inner` directly.
-fn can_hold(outer: &str, inner: &str) -> bool {
+fn can_contain(outer: &str, inner: &str) -> bool {
     if word::lookup(inner).is_none() {
         return true;
     }
@@ -178,7 +178,7 @@ mod tests {
     }
 
     fn blamed(text: &str) -> Option<usize> {
-        open_brace(&outline(text)).map(|d| d.span().lo as usize)
+        unclosed_brace_error(&outline(text)).map(|d| d.span().lo as usize)
     }
 
     #[test]
@@ -193,12 +193,12 @@ mod tests {
         let text = "union {\n  Thing {\n    x\n}\n";
         assert_eq!(blamed(text), text.find("{\n    x"));
         let text = "#if (1)\n  #if (2)\n    #declare A = 1;\n#end\n";
-        assert_eq!(outdented_end(&outline(text)).map(|d| (d.span().lo, d.span().hi)), Some((10, 13)));
+        assert_eq!(outdented_end_error(&outline(text)).map(|d| (d.span().lo, d.span().hi)), Some((10, 13)));
     }
 
     #[test]
     fn an_early_end_is_found() {
         let text = "sphere {\n  0, 1\n  pigment { rgb 1 } }\n  finish { phong 1 }\n}\n";
-        assert_eq!(early_brace(&outline(text)).map(|d| d.span().lo as usize), text.find("} }").map(|i| i + 2));
+        assert_eq!(early_brace_error(&outline(text)).map(|d| d.span().lo as usize), text.find("} }").map(|i| i + 2));
     }
 }

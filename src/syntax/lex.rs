@@ -82,7 +82,7 @@ struct Lexer<'t> {
 }
 
 /// True for characters that the lexer ignores: no-break spaces, byte-order marks, DEL.
-pub fn is_nothing(c: char) -> bool {
+pub fn is_ignored_char(c: char) -> bool {
     matches!(c, '\u{A0}' | '\u{FEFF}' | '\u{7F}')
 }
 
@@ -360,7 +360,7 @@ impl Lexer<'_> {
 
     fn directive(&mut self) {
         let rest = &self.text[self.at + 1..];
-        let start = self.text.len() - rest.trim_start_matches(|c| matches!(c, ' ' | '\t') || is_nothing(c)).len();
+        let start = self.text.len() - rest.trim_start_matches(|c| matches!(c, ' ' | '\t') || is_ignored_char(c)).len();
         let end = self.word_end(start);
         let word = &self.text[start..end];
         if word.is_empty() {
@@ -431,7 +431,7 @@ impl Lexer<'_> {
             let end = line[len..].find(['\'', '”', '’']).map(|i| len + i);
             len = end.map_or(len, |i| i + line[i..].chars().next().map_or(0, char::len_utf8));
         }
-        if is_nothing(c) {
+        if is_ignored_char(c) {
             self.at += len;
         } else {
             self.push(class::LOOSE, len, 0);

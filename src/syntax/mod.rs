@@ -19,7 +19,7 @@ pub mod word;
 
 pub use build::{SignRow, begins_with_parenthesis, begins_with_sign, pieces, unescape};
 pub use class::{continues, opens, structural_directives};
-pub use lex::is_nothing;
+pub use lex::is_ignored_char;
 pub use names::Names;
 pub use outline::Outline;
 pub use parse::{Granularity, parse, parse_text, tokens_of};

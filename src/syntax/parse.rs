@@ -88,7 +88,7 @@ fn with_faults(mut lexed: Lexed, text: &str, base: usize) -> (Tokens, Vec<Diagno
     let unended = lexed.unended;
     let tokens = Tokens::new(lexed, base);
     if unended > 0 && faults.len() < MAX_FAULTS {
-        faults.extend(blame::open_directives(&Outline::new(text, &tokens)));
+        faults.extend(blame::unclosed_directive_errors(&Outline::new(text, &tokens)));
     }
     faults.truncate(MAX_FAULTS);
     (tokens, faults)

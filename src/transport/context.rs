@@ -64,7 +64,7 @@ pub struct FrameContext<'w> {
 impl<'w> FrameContext<'w> {
     /// Creates the context of a frame, and finds the interiors that contain the camera.
     pub fn new(world: &'w World, quality: Quality, camera: CameraOrigin, frame: u32, keeps_alpha: bool) -> Self {
-        let tracks_interiors = world.asks_inside();
+        let tracks_interiors = world.needs_interior_lists();
         let around = |origin| interiors_around(world, origin);
         let camera_interiors = camera.origin.filter(|_| tracks_interiors).map_or_else(Interiors::new, around);
         Self { world, quality, camera, frame, keeps_alpha, camera_interiors, tracks_interiors }

@@ -77,7 +77,7 @@ impl Interface {
     }
 
     /// True if the boundary refracts a ray.
-    pub fn bends(&self) -> bool {
+    pub fn refracts(&self) -> bool {
         self.n1 != self.n2
     }
 
@@ -114,7 +114,7 @@ impl Interface {
     /// Returns the direction beyond the boundary by Snell's law, length 1; `None` for total internal reflection. The
     /// side of `normal` does not matter (quirk: `bumps_from_behind`).
     pub fn refract(&self, dir: DVec3, normal: DVec3) -> Option<DVec3> {
-        if !self.bends() {
+        if !self.refracts() {
             return Some(dir);
         }
         let eta = self.n1 / self.n2;

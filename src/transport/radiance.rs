@@ -121,6 +121,6 @@ impl<'w> Tracer<'w> {
             true => ViewKind::Alpha,
             false => ViewKind::Opaque,
         };
-        world.sky.toward(state.ray.dir, view, !self.context.quality.pigments, world.noise, world.waves)
+        world.sky.light_from(state.ray.dir, view, !self.context.quality.pigments, world.noise, world.waves)
     }
 }

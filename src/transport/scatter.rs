@@ -195,7 +195,7 @@ impl Tracer<'_> {
                 next.transparency = state.transparency * path.transparency;
                 next.has_transmitted = true;
                 // A ray that is not bent stays on its level (quirk: `straight_ray_keeps_level`).
-                next.level += u32::from(interface.bends());
+                next.level += u32::from(interface.refracts());
                 if self.context.tracks_interiors {
                     interface.cross(&mut next.inside, shading.part.interior);
                 }

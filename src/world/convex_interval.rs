@@ -134,7 +134,14 @@ impl<'a> Gathered<'a> {
 
     /// Finds the interval of child `i`, and returns the range. If only hits inside the child count (`only_inside`),
     /// shrinks the range to the interval.
-    pub(super) fn look(&mut self, i: usize, child: &SolidNode, ray: &Ray, range: Range, only_inside: bool) -> Range {
+    pub(super) fn set_interval(
+        &mut self,
+        i: usize,
+        child: &SolidNode,
+        ray: &Ray,
+        range: Range,
+        only_inside: bool,
+    ) -> Range {
         self.range = self.range.intersection(range);
         if let SolidKind::Leaf(leaf) = child.kind()
             && child.is_whole()

@@ -37,9 +37,9 @@ pub struct Blocker(usize);
 /// A solid with the instance that it belongs to.
 #[derive(Clone, Copy, Debug)]
 pub struct PlacedSolid<'a> {
-    /// The solid, in the space of the instance `copied` if there is one.
+    /// The solid, in the space of the instance `instance` if there is one.
     node: &'a SolidNode,
-    copied: Option<&'a Instance>,
+    instance: Option<&'a Instance>,
 }
 
 /// Collects objects before the hierarchy is built.
@@ -70,8 +70,8 @@ impl GeometryBuilder {
     }
 
     /// Adds an instance, whose box must satisfy [`bvh::fits_single_precision`].
-    pub fn add_copied(&mut self, copied: Instance) {
-        self.finite.push(Item::Instance(copied));
+    pub fn add_instance(&mut self, instance: Instance) {
+        self.finite.push(Item::Instance(instance));
     }
 }
 
@@ -109,14 +109,14 @@ impl Geometry {
     /// Returns all objects, in no particular order.
     pub fn items(&self) -> impl Iterator<Item = PlacedSolid<'_>> {
         self.items.iter().flat_map(|item| {
-            let (solid, copied) = match item {
-                Item::Solid(node) => (Some(PlacedSolid { node, copied: None }), None),
-                Item::Instance(copied) => (None, Some(copied)),
+            let (solid, instance) = match item {
+                Item::Solid(node) => (Some(PlacedSolid { node, instance: None }), None),
+                Item::Instance(instance) => (None, Some(instance)),
             };
             // (The shared geometry of an instance contains no instances.)
-            let shared = copied
-                .into_iter()
-                .flat_map(|copied| copied.shared().solids().map(|node| PlacedSolid { node, copied: Some(copied) }));
+            let shared = instance.into_iter().flat_map(|instance| {
+                instance.shared().solids().map(|node| PlacedSolid { node, instance: Some(instance) })
+            });
             solid.into_iter().chain(shared)
         })
     }
@@ -151,7 +151,7 @@ impl Geometry {
             let item = &self.items[i];
             if accept(item.object())
                 && let Some(found) = item.closest(ray, Range { max, ..range })
-                && finite.is_none_or(|best| found.goes_before(&best))
+                && finite.is_none_or(|best| found.wins_against(&best))
             {
                 finite = Some(found);
                 return ControlFlow::Continue(found.t().next_up());
@@ -182,7 +182,7 @@ impl Geometry {
             *before = Some(Blocker(i));
             return true;
         }
-        self.meet(ray, range, |i, range| {
+        self.each_intersected(ray, range, |i, range| {
             if meets(&self.items[i], range) {
                 *before = Some(Blocker(i));
                 return ControlFlow::Break(());
@@ -202,7 +202,7 @@ impl Geometry {
     ) -> ControlFlow<()> {
         let mut flow = ControlFlow::Continue(());
         let mut list = Intersections::new();
-        self.meet(ray, range, |i, range| {
+        self.each_intersected(ray, range, |i, range| {
             let item = &self.items[i];
             if accept(item.object()) {
                 list.clear();
@@ -217,14 +217,16 @@ impl Geometry {
     /// Calls `visit` with each hit in the range on any shape, and with the object that contains the shape, even if the
     /// hit is not on the object's surface.
     pub fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(PlacedSolid<'a>, Intersection<'a>)) {
-        self.meet(ray, range, |i, range| {
+        self.each_intersected(ray, range, |i, range| {
             match &self.items[i] {
                 Item::Solid(node) => {
-                    node.shapes_at(ray, range, &mut |found| visit(PlacedSolid { node, copied: None }, found));
+                    node.shapes_at(ray, range, &mut |found| visit(PlacedSolid { node, instance: None }, found));
                 }
-                Item::Instance(copied) => copied.shared().shapes_at(&copied.local(ray), range, &mut |part, found| {
-                    visit(PlacedSolid { copied: Some(copied), ..part }, copied.own(found));
-                }),
+                Item::Instance(instance) => {
+                    instance.shared().shapes_at(&instance.local(ray), range, &mut |part, found| {
+                        visit(PlacedSolid { instance: Some(instance), ..part }, instance.own(found));
+                    })
+                }
             }
             ControlFlow::Continue(range.max)
         });
@@ -233,10 +235,10 @@ impl Geometry {
     /// Calls `visit` with each object that contains the point, in no particular order.
     pub fn containing<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
         let mut ask = |item: &'a Item| match item {
-            Item::Solid(node) if node.inside(p) => visit(PlacedSolid { node, copied: None }),
+            Item::Solid(node) if node.inside(p) => visit(PlacedSolid { node, instance: None }),
             Item::Solid(_) => {}
-            Item::Instance(copied) => copied.shared().containing(copied.local_point(p), &mut |part| {
-                visit(PlacedSolid { copied: Some(copied), ..part });
+            Item::Instance(instance) => instance.shared().containing(instance.local_point(p), &mut |part| {
+                visit(PlacedSolid { instance: Some(instance), ..part });
             }),
         };
         self.items[self.finite..].iter().for_each(&mut ask);
@@ -252,7 +254,7 @@ impl Geometry {
     /// Calls `visit` with each object that contains a camera at the point (quirk: `camera_inside_box`).
     pub fn containing_camera<'a>(&'a self, p: DVec3, visit: &mut dyn FnMut(PlacedSolid<'a>)) {
         self.containing(p, &mut |solid| {
-            if !solid.node.is_unbounded() || solid.copied.is_some() || solid.node.camera_bounds().contains(p) {
+            if !solid.node.is_unbounded() || solid.instance.is_some() || solid.node.camera_bounds().contains(p) {
                 visit(solid);
             }
         });
@@ -261,7 +263,7 @@ impl Geometry {
     /// Calls `visit` with the index of each object whose box the ray intersects. `visit` returns the distance up to
     /// which further hits count.
     #[inline]
-    fn meet(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> ControlFlow<(), f64>) {
+    fn each_intersected(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> ControlFlow<(), f64>) {
         let mut max = range.max;
         for i in self.finite..self.items.len() {
             match visit(i, Range { max, ..range }) {
@@ -278,14 +280,14 @@ impl Item {
     fn object(&self) -> u32 {
         match self {
             Self::Solid(node) => node.object,
-            Self::Instance(copied) => copied.object(),
+            Self::Instance(instance) => instance.object(),
         }
     }
 
     fn bounds(&self) -> Aabb {
         match self {
             Self::Solid(node) => node.bounds(),
-            Self::Instance(copied) => copied.bounds(),
+            Self::Instance(instance) => instance.bounds(),
         }
     }
 
@@ -297,21 +299,21 @@ impl Item {
     fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         match self {
             Self::Solid(node) => node.closest(ray, range),
-            Self::Instance(copied) => copied.closest(ray, range),
+            Self::Instance(instance) => instance.closest(ray, range),
         }
     }
 
     fn any(&self, ray: &Ray, range: Range) -> bool {
         match self {
             Self::Solid(node) => node.any(ray, range),
-            Self::Instance(copied) => copied.shared().any(&copied.local(ray), range, |_| true),
+            Self::Instance(instance) => instance.shared().any(&instance.local(ray), range, |_| true),
         }
     }
 
     fn hits<'a>(&'a self, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         match self {
             Self::Solid(node) => node.hits(ray, range, out),
-            Self::Instance(copied) => copied.hits(ray, range, out),
+            Self::Instance(instance) => instance.hits(ray, range, out),
         }
     }
 }
@@ -319,7 +321,7 @@ impl Item {
 impl<'a> PlacedSolid<'a> {
     /// Returns the object's index in [`super::World::objects`].
     pub fn object(&self) -> u32 {
-        self.copied.map_or(self.node.object, |copied| copied.object_of(self.node))
+        self.instance.map_or(self.node.object, |instance| instance.object_of(self.node))
     }
 
     /// Returns the solid, in world space or, for an instance, in the instance's space.
@@ -329,18 +331,18 @@ impl<'a> PlacedSolid<'a> {
 
     /// Returns a box around all hits, in world space.
     pub fn bounds(&self) -> Aabb {
-        self.copied.map_or_else(|| self.node.bounds(), |copied| copied.bounds_of(self.node))
+        self.instance.map_or_else(|| self.node.bounds(), |instance| instance.bounds_of(self.node))
     }
 
     /// True if the point is inside the solid.
     pub fn inside(&self, p: DVec3) -> bool {
-        self.node.inside(self.copied.map_or(p, |copied| copied.local_point(p)))
+        self.node.inside(self.instance.map_or(p, |instance| instance.local_point(p)))
     }
 
     /// Returns the name of the solid's first shape, and the shape's index in [`super::World::parts`].
     pub fn first_shape(&self) -> Option<(&'static str, u32)> {
         let leaf = first_leaf(self.node)?;
-        Some((leaf.shape.spec().name, self.copied.map_or(leaf.id, |copied| copied.part_of(leaf))))
+        Some((leaf.shape.spec().name, self.instance.map_or(leaf.id, |instance| instance.part_of(leaf))))
     }
 }
 

@@ -64,7 +64,7 @@ impl Instance {
 
     /// Converts a hit on the shared shapes to a hit on this instance.
     pub fn own<'a>(&'a self, found: Intersection<'a>) -> Intersection<'a> {
-        Intersection { object: self.first_object + found.object, copied: Some(self), ..found }
+        Intersection { object: self.first_object + found.object, instance: Some(self), ..found }
     }
 
     /// Returns the closest hit in the range.

@@ -31,7 +31,7 @@ pub struct Intersection<'a> {
     /// Number of the hit object, [`super::SolidNode::object`] of the outermost node.
     pub object: u32,
     /// Instance that contains the hit shape.
-    pub(super) copied: Option<&'a Instance>,
+    pub(super) instance: Option<&'a Instance>,
 }
 
 /// Hits on the shapes of a solid.
@@ -142,7 +142,7 @@ pub(super) fn place(transform: &SharedDefault<Transform>) -> Option<Arc<Transfor
 impl<'a> Intersection<'a> {
     /// Creates the hit on a shape of the object with the number `object`.
     pub(super) fn new(hit: Hit, leaf: &'a Leaf, object: u32) -> Self {
-        Self { hit, leaf, object, copied: None }
+        Self { hit, leaf, object, instance: None }
     }
 }
 
@@ -154,11 +154,11 @@ impl Intersection<'_> {
 
     /// Returns the index of the hit shape's properties in [`super::World::parts`].
     pub fn part(&self) -> u32 {
-        self.copied.map_or(self.leaf.id, |copied| copied.part_of(self.leaf))
+        self.instance.map_or(self.leaf.id, |instance| instance.part_of(self.leaf))
     }
 
     /// True if this hit wins against `other`: closer, or at the same point on an object that was declared earlier.
-    pub(super) fn goes_before(&self, other: &Intersection) -> bool {
+    pub(super) fn wins_against(&self, other: &Intersection) -> bool {
         self.hit.t < other.hit.t || (self.hit.t == other.hit.t && self.part() < other.part())
     }
 
@@ -187,10 +187,10 @@ impl Intersection<'_> {
     /// normals by M⁻ᵀ).
     pub fn surface(&self, ray: &Ray) -> Surface {
         let Leaf { shape, place, inverse, .. } = self.leaf;
-        let local = self.copied.map_or(*ray, |copied| copied.local(ray));
+        let local = self.instance.map_or(*ray, |instance| instance.local(ray));
         let object_point = self.leaf.local(&local).at(self.hit.t);
         let normal = shape.normal(object_point, &self.hit);
-        let around = self.copied.and_then(Instance::place);
+        let around = self.instance.and_then(Instance::place);
         let places = [place.as_deref(), around].into_iter().flatten();
         let (point, normal) =
             places.fold((object_point, normal), |(p, n), m| (m.transform_point(p), m.transform_normal(n)));

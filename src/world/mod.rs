@@ -198,7 +198,7 @@ pub struct LightSource {
 
 impl World {
     /// True if rays must keep a list of the interiors that contain them.
-    pub fn asks_inside(&self) -> bool {
+    pub fn needs_interior_lists(&self) -> bool {
         self.bends || self.colors_light || !self.fogs.is_empty() || !self.rainbows.is_empty()
     }
 }

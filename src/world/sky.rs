@@ -53,8 +53,8 @@ impl Sky {
     }
 
     /// Returns the light from a direction of length 1, and the transmittance for what is behind the picture.
-    pub fn toward(&self, dir: DVec3, beholder: ViewKind, quick: bool, noise: NoiseGenerator, waves: usize) -> Segment {
-        let behind = self.background.segment_for_view(beholder);
+    pub fn light_from(&self, dir: DVec3, view: ViewKind, quick: bool, noise: NoiseGenerator, waves: usize) -> Segment {
+        let behind = self.background.segment_for_view(view);
         if self.layers.is_empty() {
             return behind;
         }
@@ -107,7 +107,7 @@ mod tests {
             ..Scene::default()
         };
         scene.settings.sky_by_share = by_share;
-        Sky::new(&scene).toward(DVec3::Y, ViewKind::Opaque, false, NoiseGenerator::default(), 10).radiance
+        Sky::new(&scene).light_from(DVec3::Y, ViewKind::Opaque, false, NoiseGenerator::default(), 10).radiance
     }
 
     #[test]

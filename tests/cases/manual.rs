@@ -376,7 +376,7 @@ fn of_picture(world: &durer::world::World) -> Result<Vec<Diagnostic>, Failed> {
     let (frame, _) = render::render(world, &drawing, &render::Unwatched).map_err(|e| format!("{e:?}"))?;
     let black = frame.rgba8().iter().all(|[r, g, b, _]| *r == 0 && *g == 0 && *b == 0);
     let circumstances = durer::advice::Circumstances { one_of_many: false, incomplete: false, black };
-    Ok(durer::advice::of_picture(world, &drawing, circumstances))
+    Ok(durer::advice::picture_warnings(world, &drawing, circumstances))
 }
 
 /// A picture equals the stored one, which is stored when the manual is updated.

@@ -6,7 +6,7 @@ use crate::cli::povray::table::{Effect, ROWS, Row, Takes};
 use crate::diagnostic::codes::ALL;
 use clap::Arg;
 
-pub(super) fn options() -> String {
+pub(super) fn options_page() -> String {
     let command = commands();
     let global = command.get_arguments().filter(|a| a.is_global_set()).map(option_row);
     let mut text = format!("## For every command\n\n{}", table(["option", ""], global));
@@ -96,7 +96,7 @@ fn effect(effect: &Effect) -> String {
     }
 }
 
-pub(super) fn codes() -> String {
+pub(super) fn codes_page() -> String {
     let intro = "Every message has a code. `durer explain E0203` prints what stands here. `E…` is an error, `W…` a warning.\n\n";
     let each = ALL.iter().map(|e| format!("## {}: {}\n\n{}\n\n", e.code, e.title, e.text));
     intro.to_string() + each.collect::<String>().trim_end() + "\n"

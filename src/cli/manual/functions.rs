@@ -6,7 +6,7 @@ use crate::interpreter;
 use crate::interpreter::directives::TABLE;
 use crate::syntax::word::CONSTANTS;
 
-pub(super) fn directives() -> String {
+pub(super) fn directives_page() -> String {
     let intro = "A directive may stand anywhere between two things. All examples run.\n\n";
     let each = TABLE.iter().map(|entry| {
         let names = entry.names.iter().map(|name| format!("#{name}")).collect::<Vec<_>>().join(", ");
@@ -16,7 +16,7 @@ pub(super) fn directives() -> String {
     intro.to_string() + &each.collect::<String>()
 }
 
-pub(super) fn functions() -> String {
+pub(super) fn functions_page() -> String {
     let numbers = numeric::TABLE.iter().map(|row| {
         let usage = match row.kernel {
             numeric::Kernel::One(_) => "A",
@@ -36,7 +36,7 @@ pub(super) fn functions() -> String {
     )
 }
 
-pub(super) fn constants() -> String {
+pub(super) fn constants_page() -> String {
     let intro = "Names that durer sets. No scene can declare them anew.\n\n";
     intro.to_string() + &table(["name", "is"], CONSTANTS.iter().map(|(name, what)| [code(name), what.to_string()]))
 }

@@ -8,12 +8,12 @@ use crate::value::words::TRANSFORMS;
 use crate::value::{Family, Spec};
 use crate::{atmosphere, camera, interpreter, light, scene, texture};
 
-pub(super) fn scene() -> String {
+pub(super) fn scene_page() -> String {
     let shapes = list(Shape::SPECS.iter().map(|s| s.name));
     section(&interpreter::STATEMENTS, "Outside of all braces", &[]) + &format!("[Shapes](shapes.md): {shapes}.\n")
 }
 
-pub(super) fn shapes() -> String {
+pub(super) fn shapes_page() -> String {
     let intro = "Behind what is listed here, every shape takes what [any object](objects.md) takes.\n\n";
     let each = Shape::SPECS.iter().map(|spec| shape_section(spec)).collect::<String>();
     intro.to_string() + &each
@@ -32,7 +32,7 @@ fn shape_section(spec: &Spec) -> String {
     text
 }
 
-pub(super) fn objects() -> String {
+pub(super) fn objects_page() -> String {
     let moves = word_table(TRANSFORMS, &[]);
     let intro = "`union`, `merge`, `intersection` and `difference` take objects, `object` takes one, and a shape what \
                  [its own page](shapes.md) says; then each takes these words.\n\n";
@@ -44,7 +44,7 @@ pub(super) fn objects() -> String {
         + &section(&scene::OBJECT_RADIOSITY, "radiosity", &[])
 }
 
-pub(super) fn cameras() -> String {
+pub(super) fn cameras_page() -> String {
     let kinds = camera::words::KINDS.iter().map(|kind| {
         // Shapes and patterns have these names, too.
         let more = if matches!(kind.name, "cylinder" | "spherical") { " camera" } else { "" };
@@ -71,7 +71,7 @@ pub(super) fn cameras() -> String {
         + &section(&camera::words::LECTURE, "durer's own camera", contextual("camera"))
 }
 
-pub(super) fn lights() -> String {
+pub(super) fn lights_page() -> String {
     let kinds = [
         (
             "spotlight",
@@ -100,7 +100,7 @@ pub(super) fn lights() -> String {
     section(&light::words::LIGHT, "light_source", &[]) + &kinds + &section(&scene::LIGHT_GROUP, "light_group", &[])
 }
 
-pub(super) fn atmosphere() -> String {
+pub(super) fn atmosphere_page() -> String {
     let fog = "Of several fogs each covers what lies behind it. It is not in what is not `hollow`, and not seen with `--quality 8` and \
                less. Light on its way to a surface goes through it freely, but for lights with `media_attenuation on`.\n\n";
     section(&atmosphere::SKY_SPHERE, "sky_sphere", &[])
@@ -109,7 +109,7 @@ pub(super) fn atmosphere() -> String {
         + &section(&atmosphere::RAINBOW, "rainbow", &[])
 }
 
-pub(super) fn colors() -> String {
+pub(super) fn colors_page() -> String {
     let words = word_table(interpreter::COLOR_WORDS, &[]);
     format!(
         "A colour has five numbers: red, green, blue, filter and transmit. A number in a vector's place stands for all of \
@@ -117,7 +117,7 @@ pub(super) fn colors() -> String {
     )
 }
 
-pub(super) fn pigments() -> String {
+pub(super) fn pigments_page() -> String {
     let modifiers = word_table(Modifiers::WORDS, &[])
         + "And what stirs the point that the pattern is asked about:\n\n"
         + &word_table(TurbulenceParams::WORDS, &[]);
@@ -164,14 +164,14 @@ fn pattern_section(spec: &Spec) -> String {
     text
 }
 
-pub(super) fn finishes() -> String {
+pub(super) fn finishes_page() -> String {
     use crate::medium::INTERIOR;
     use texture::words::{FINISH, IRID, NORMAL, REFLECTION, TEXTURE};
     let blocks = [&TEXTURE, &NORMAL, &FINISH, &REFLECTION, &IRID, &INTERIOR];
     blocks.map(|block| section(block, block.name, &[])).concat()
 }
 
-pub(super) fn settings() -> String {
+pub(super) fn settings_page() -> String {
     section(&scene::words::SETTINGS, "global_settings", &[])
         + "Without `assumed_gamma`, durer does what POV-Ray does for the file's `#version`. Write \
            `global_settings { assumed_gamma 1 }` into every new scene.\n"

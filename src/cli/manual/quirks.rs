@@ -5,7 +5,7 @@ use crate::quirks::{Quirk, Status, TOPICS, Topic};
 const INTRODUCTION: &str = "POV-Ray's manual does not describe everything that scenes rely on. This page lists behaviour of POV-Ray 3.7 that \
      was found by running it. durer does the same, except where an entry says that it differs on purpose.";
 
-pub(super) fn page() -> String {
+pub(super) fn quirks_page() -> String {
     INTRODUCTION.to_string() + "\n\n" + TOPICS.iter().map(topic).collect::<String>().trim_end() + "\n"
 }
 

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 type Index = BTreeMap<&'static str, Vec<String>>;
 
-pub(super) fn index() -> String {
+pub(super) fn words_page() -> String {
     let mut index = Index::new();
     blocks(&mut index);
     values(&mut index);

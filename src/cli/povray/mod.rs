@@ -180,12 +180,12 @@ impl<'s> Translation<'s> {
         let done = if let Some(rest) = switch {
             self.any_switch = true;
             find_switch(rest)
-                .ok_or_else(|| unknown(text, origin))
+                .ok_or_else(|| unknown_option_error(text, origin))
                 .and_then(|(row, value)| self.apply(row, text, value, text.starts_with('+'), origin))
         } else if let Some((name, value)) = setting {
             self.any_switch = true;
             let row = ROWS.iter().find(|row| !row.ini.is_empty() && row.ini.eq_ignore_ascii_case(name));
-            row.ok_or_else(|| unknown(text, origin)).and_then(|row| self.setting(row, text, value, origin))
+            row.ok_or_else(|| unknown_option_error(text, origin)).and_then(|row| self.setting(row, text, value, origin))
         } else if self.files.is_ini(text) {
             self.any_switch = true;
             self.ini(text, origin);
@@ -212,14 +212,14 @@ impl<'s> Translation<'s> {
 
     fn setting(&mut self, row: &'static Row, text: &str, value: &str, origin: Origin) -> Result<(), Diagnostic> {
         let value = without_quotes(value);
-        match (row.takes, truth(value)) {
+        match (row.takes, switch_value(value)) {
             // POV-Ray itself writes `All_File=`.
             (Takes::Text | Takes::MaybeText, _) if value.is_empty() => Ok(()),
             (Takes::Number | Takes::Text, _) => self.apply(row, text, value, true, origin),
             (_, Some(on)) => self.apply(row, text, "", on, origin),
-            (Takes::Nothing, None) => Err(wrong(text, "it needs `on` or `off`", origin)),
+            (Takes::Nothing, None) => Err(wrong_value_error(text, "it needs `on` or `off`", origin)),
             (Takes::MaybeNumber, None) if number::real(value).is_none() => {
-                Err(wrong(text, "it needs `on`, `off` or a number", origin))
+                Err(wrong_value_error(text, "it needs `on`, `off` or a number", origin))
             }
             _ => self.apply(row, text, value, true, origin),
         }
@@ -232,7 +232,7 @@ impl<'s> Translation<'s> {
             _ => None,
         };
         if let Some(needs) = needs {
-            return Err(wrong(text, &format!("it needs {needs}"), origin));
+            return Err(wrong_value_error(text, &format!("it needs {needs}"), origin));
         }
         if self.is_refused_in_ini(row, text, value, origin)? {
             return Ok(());
@@ -244,7 +244,7 @@ impl<'s> Translation<'s> {
                 Ok(())
             }
             Effect::Option(name) => {
-                check_value(name, value).map_err(|reason| wrong(text, &reason, origin))?;
+                check_value(name, value).map_err(|reason| wrong_value_error(text, &reason, origin))?;
                 let value = match name {
                     "--include" => self.files.folder(value),
                     "--language" => number::real(value).unwrap_or_default().clamp(1.0, 100.0).to_string(),
@@ -254,7 +254,8 @@ impl<'s> Translation<'s> {
                 Ok(())
             }
             Effect::Whole(name, least, largest) => {
-                let n = number::whole(value).ok_or_else(|| wrong(text, "it needs a whole number", origin))?;
+                let n =
+                    number::whole(value).ok_or_else(|| wrong_value_error(text, "it needs a whole number", origin))?;
                 let n = n.clamp(f64::from(least), f64::from(largest));
                 self.options.push(Own::of(format!("{name}={n}")));
                 Ok(())
@@ -265,7 +266,9 @@ impl<'s> Translation<'s> {
                 Ok(())
             }
             Effect::Part(_) if row.ini == "Input_File_Name" => self.set_input(value, origin),
-            Effect::Part(set) => set(&mut self.settings, value).map_err(|reason| wrong(text, &reason, origin)),
+            Effect::Part(set) => {
+                set(&mut self.settings, value).map_err(|reason| wrong_value_error(text, &reason, origin))
+            }
             Effect::Lacks(reason) => {
                 let message = format!("`{text}` has no effect: {reason}");
                 self.faults.push(Diagnostic::new(codes::OPTION_IGNORED, origin.word, message));
@@ -377,7 +380,7 @@ fn without_quotes(value: &str) -> &str {
 }
 
 /// Parses a switch value: true for `on`, `true`, `yes` and `1`, false for `off`, `false`, `no` and `0`.
-fn truth(value: &str) -> Option<bool> {
+fn switch_value(value: &str) -> Option<bool> {
     let is = |words: [&str; 4]| words.iter().any(|w| w.eq_ignore_ascii_case(value));
     match () {
         () if is(["on", "true", "yes", "1"]) => Some(true),
@@ -386,11 +389,11 @@ fn truth(value: &str) -> Option<bool> {
     }
 }
 
-fn wrong(text: &str, reason: &str, origin: Origin) -> Diagnostic {
+fn wrong_value_error(text: &str, reason: &str, origin: Origin) -> Diagnostic {
     Diagnostic::new(codes::UNKNOWN_OPTION, origin.value, format!("`{text}` is invalid: {reason}"))
 }
 
-fn unknown(text: &str, origin: Origin) -> Diagnostic {
+fn unknown_option_error(text: &str, origin: Origin) -> Diagnostic {
     let (name, value) = text.split_once('=').map_or((text, ""), |(name, value)| (name, value));
     let near =
         nearest(name.trim_start_matches(['+', '-']), ini_names()).map(|ini| format!("did you mean `{ini}={value}`?"));

@@ -182,7 +182,7 @@ fn checked_target(input: &std::path::Path, args: &RenderArgs) -> Result<Target> 
     Ok(target)
 }
 
-/// Refuses several kinds of pictures and files that cannot be written to standard output.
+/// Checks that standard output can take the picture, beside the other output of the command.
 fn check_stdout(input: &std::path::Path, args: &RenderArgs, target: &Target, is_animated: bool) -> Result<()> {
     if !target.is_stdout() || args.dump.is_some() && args.output.is_none() {
         return Ok(());

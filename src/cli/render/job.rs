@@ -123,7 +123,7 @@ impl<'a> Job<'a> {
         if self.console.quiet {
             return;
         }
-        let mut advice = advice::of_picture(world, &self.config.drawing(timing), circumstances);
+        let mut advice = advice::picture_warnings(world, &self.config.drawing(timing), circumstances);
         advice.retain(|d| !self.reported.contains(d));
         self.console.report(self.sources, &advice);
         self.reported.extend(advice);
@@ -269,7 +269,7 @@ impl<'a> Job<'a> {
             return Ok(Exit::Fine);
         }
         let is_incomplete = advice::is_incomplete(&built.diagnostics);
-        let world = session::settle(console, self.sources, &mut built)?;
+        let world = session::report_and_take_world(console, self.sources, &mut built)?;
         match config.dump {
             Some(Dump::Scene) => return self.dump(&built.scene),
             Some(Dump::World) => return self.dump(&world),

@@ -122,7 +122,7 @@ fn try_read(
     let _deadline = Deadline::start(args.scene.time_limit(), cancel.clone(), Overrun::Continues);
     let built = crate::build_with(&ParsedFiles::default(), sources, file, &options, Keep::World, &mut print);
     out.times = [built.parse_time, built.build_time];
-    out.log.push_str(&session::note_of_writes(&built).unwrap_or_default());
+    out.log.push_str(&session::memory_writes_line(&built).unwrap_or_default());
     messages.extend(built.diagnostics);
     Ok((messages, built.world.map(|world| (world, input, args, timing))))
 }

@@ -6,7 +6,7 @@ use super::atoms::flag::*;
 use super::atoms::{Atom, Atoms, Item};
 use crate::source::Span;
 use crate::syntax::ast::*;
-use crate::syntax::{Piece, Tokens, is_nothing};
+use crate::syntax::{Piece, Tokens, is_ignored_char};
 
 /// Length of a list of numbers, in bytes, above which each vector is one atom.
 const LONG_LIST: usize = 100_000;
@@ -108,7 +108,7 @@ impl<'a> Gatherer<'a> {
     /// Adds the characters without meaning between two tokens, so that they stay in the text.
     fn between(&mut self, end: usize) {
         let text = self.text;
-        let skipped = |c: char| c <= ' ' || is_nothing(c);
+        let skipped = |c: char| c <= ' ' || is_ignored_char(c);
         while let Some(from) = text[self.at..end].find(|c| !skipped(c)).map(|i| self.at + i) {
             let to = text[from..end].find(skipped).map_or(end, |i| from + i);
             self.push(from, to, 0);

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::interpreter::argument::{Argument, Given};
+use crate::interpreter::argument::{Argument, ArgumentForm};
 use crate::interpreter::evaluator::Slot;
 use crate::math::DVec3;
 use crate::scene::Object;
@@ -47,16 +47,16 @@ impl<'a> Interpreter<'a> {
     /// Assigns a value to a name or an array's element.
     fn set_result(&mut self, target: &Argument<'a>, value: Value) -> Result<()> {
         match &target.given {
-            Given::Name(symbol) if self.evaluator.is_declared(*symbol) => {
+            ArgumentForm::Name(symbol) if self.evaluator.is_declared(*symbol) => {
                 self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![]);
                 Ok(())
             }
-            Given::LValue(lvalue) => {
+            ArgumentForm::LValue(lvalue) => {
                 self.evaluator.scopes_mut().set_element(lvalue, Some(Slot::Value(value)));
                 Ok(())
             }
-            Given::Name(symbol) => self.evaluate_name(*symbol, target.span).map(drop),
-            Given::Slot(_) => Diagnostic::new(codes::WRONG_TYPE, target.span, "the normal is given to a name")
+            ArgumentForm::Name(symbol) => self.evaluate_name(*symbol, target.span).map(drop),
+            ArgumentForm::Slot(_) => Diagnostic::new(codes::WRONG_TYPE, target.span, "the normal is given to a name")
                 .help("`#declare N = <0, 0, 0>; #declare P = trace(Thing, From, Direction, N);`")
                 .into(),
         }

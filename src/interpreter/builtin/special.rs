@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::interpreter::argument::{Argument, Given};
+use crate::interpreter::argument::{Argument, ArgumentForm};
 use crate::source::Span;
 use crate::value::Value;
 use std::ops::RangeInclusive;
@@ -107,7 +107,7 @@ pub(super) const TABLE: &[Special] = &[
 impl<'a> Interpreter<'a> {
     fn is_defined(&mut self, argument: &Argument<'a>, span: Span) -> Result<Value> {
         match argument.given {
-            Given::Slot(_) => Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name"),
+            ArgumentForm::Slot(_) => Diagnostic::err(codes::WRONG_TYPE, span, "`defined` takes a name"),
             _ => Ok(Value::Float(f64::from(self.is_argument_defined(argument)))),
         }
     }

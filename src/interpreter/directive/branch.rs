@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::interpreter::argument::Given;
+use crate::interpreter::argument::ArgumentForm;
 use crate::interpreter::evaluator::SMALL;
 use crate::interpreter::evaluator::Slot;
 use crate::interpreter::evaluator::{as_float, is_in_loop};
@@ -30,7 +30,7 @@ impl<'a> Interpreter<'a> {
     }
 
     fn read_number_within(&mut self, elements: &'a [Element], span: Span) -> Result<f64> {
-        let number = self.within(elements, Bracket::Paren, span, |me| {
+        let number = self.read_contents(elements, Bracket::Paren, span, |me| {
             let (value, at) = me.read_expression(true)?;
             as_float(&value, at)
         });
@@ -92,7 +92,7 @@ impl<'a> Interpreter<'a> {
     fn head_is_declared(&mut self, head: &'a Head, span: Span) -> Result<bool> {
         match head {
             Head::Whole(e) => self.is_declared(e),
-            Head::Pieces(Some(elements)) => self.within(elements, Bracket::Paren, span, |me| {
+            Head::Pieces(Some(elements)) => self.read_contents(elements, Bracket::Paren, span, |me| {
                 // The name may be a macro's, which is not called here.
                 match me.stream.take_closed_name() {
                     Some((symbol, _)) => Ok(me.evaluator.is_declared(symbol)),
@@ -102,7 +102,7 @@ impl<'a> Interpreter<'a> {
                             argument => argument?,
                         };
                         match argument.given {
-                            Given::Slot(_) => {
+                            ArgumentForm::Slot(_) => {
                                 Diagnostic::err(codes::WRONG_TYPE, argument.span, "`#ifdef` takes a name")
                             }
                             _ => Ok(me.is_argument_defined(&argument)),
@@ -167,7 +167,7 @@ impl<'a> Interpreter<'a> {
                 (*counter, [first, last, step], at)
             }
             ForHead::Pieces(Some(elements)) => {
-                self.within(elements, Bracket::Paren, span, |me| me.read_for_head(span))?
+                self.read_contents(elements, Bracket::Paren, span, |me| me.read_for_head(span))?
             }
             ForHead::Pieces(None) => return Err(self.syntax_error_at(span).into()),
         };
@@ -211,7 +211,8 @@ impl<'a> Interpreter<'a> {
                 When::Case(Head::Pieces(None)) => (self.read_head_in_body(&arm.body, arm.span)? - value).abs() < SMALL,
                 When::Case(head) => (self.evaluate_head(head, arm.span)? - value).abs() < SMALL,
                 When::Range(Some(elements)) => {
-                    let [low, high] = self.within(elements, Bracket::Paren, arm.span, |me| me.read_two_numbers())?;
+                    let [low, high] =
+                        self.read_contents(elements, Bracket::Paren, arm.span, |me| me.read_two_numbers())?;
                     value >= low - SMALL && value <= high + SMALL
                 }
                 When::Range(None) => return Err(self.syntax_error_at(arm.span).into()),

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::interpreter::argument::Given;
+use crate::interpreter::argument::ArgumentForm;
 use crate::interpreter::evaluator::{LValue, Slot};
 use crate::interpreter::stream::{StackFrame, Token};
 use crate::source::Span;
@@ -192,7 +192,7 @@ impl<'a> Interpreter<'a> {
         let first = self.reporter.position();
         let checkpoint = self.stream.checkpoint();
         let floor = checkpoint.frame_count();
-        let read = |me: &mut Self| me.read_rvalue().and_then(|slot| me.drain(floor).map(|()| slot));
+        let read = |me: &mut Self| me.read_rvalue().and_then(|slot| me.finish_macros(floor).map(|()| slot));
         let value = self.in_mode(|mode| mode.frame_floor = floor, read);
         if value.is_ok() && self.stream.next_element().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
             self.stream.advance();
@@ -253,7 +253,7 @@ impl<'a> Interpreter<'a> {
     /// Reads the values `(1, 2)` of `#declare (A, B) = (1, 2);` (3.8). All values are computed before the first name is
     /// assigned, so that `(A, B) = (B, A)` swaps them.
     fn read_values_in_parentheses(&mut self, wanted: usize) -> Result<Vec<Slot<'a>>> {
-        self.expose_parenthesis()?;
+        self.split_to_parenthesis()?;
         let Token::Open(Bracket::Paren, _) = self.peek()? else {
             return Err(self.unexpected_token("as many values in parentheses").into());
         };
@@ -296,9 +296,9 @@ impl<'a> Interpreter<'a> {
             argument => argument?,
         };
         match argument.given {
-            Given::Name(symbol) => drop(self.evaluator.scopes_mut().remove(symbol)),
-            Given::LValue(lvalue) => self.evaluator.scopes_mut().set_element(&lvalue, None),
-            Given::Slot(_) => {}
+            ArgumentForm::Name(symbol) => drop(self.evaluator.scopes_mut().remove(symbol)),
+            ArgumentForm::LValue(lvalue) => self.evaluator.scopes_mut().set_element(&lvalue, None),
+            ArgumentForm::Slot(_) => {}
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 use super::data::{Binary, data_bytes, data_value, skip_blanks};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::interpreter::argument::Given;
+use crate::interpreter::argument::ArgumentForm;
 use crate::interpreter::evaluator::Slot;
 use crate::interpreter::stream::Token;
 use crate::source::{FileId, Files, Span, WriteMode};
@@ -189,7 +189,7 @@ impl<'a> Interpreter<'a> {
                 continue;
             }
             let value = self.next_value(index, span);
-            if let (Err(_), Given::Name(symbol)) = (&value, &target.given) {
+            if let (Err(_), ArgumentForm::Name(symbol)) = (&value, &target.given) {
                 self.evaluator.scopes_mut().set_global(*symbol, Slot::Faulty(Rc::default()), vec![]);
             }
             let Some((value, follows)) = value? else {
@@ -197,9 +197,11 @@ impl<'a> Interpreter<'a> {
                 continue;
             };
             match &target.given {
-                Given::Name(symbol) => self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![]),
-                Given::LValue(place) => self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value))),
-                Given::Slot(_) => {
+                ArgumentForm::Name(symbol) => {
+                    self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![])
+                }
+                ArgumentForm::LValue(place) => self.evaluator.scopes_mut().set_element(place, Some(Slot::Value(value))),
+                ArgumentForm::Slot(_) => {
                     return Diagnostic::err(codes::EXPECTED, target.span, "expected a name for what is read");
                 }
             }

@@ -2,11 +2,11 @@
 
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
-use crate::interpreter::argument::Given;
+use crate::interpreter::argument::ArgumentForm;
 use crate::interpreter::evaluator::{LValue, Slot};
 use crate::interpreter::reporter::MAX_CALLS;
 use crate::interpreter::stream::Token;
-use crate::interpreter::token_expr::joined;
+use crate::interpreter::token_expr::joined_span;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::Value;
@@ -30,7 +30,7 @@ impl<'a> Interpreter<'a> {
         self.check_depth(name, span)?;
         let slots = match self.plain_arguments(definition, arguments)? {
             Some(slots) => slots,
-            None => self.within(arguments, Bracket::Paren, span, |me| me.read_arguments(definition, span))?,
+            None => self.read_contents(arguments, Bracket::Paren, span, |me| me.read_arguments(definition, span))?,
         };
         self.enter_macro(definition, slots, span, comma);
         Ok(())
@@ -40,7 +40,7 @@ impl<'a> Interpreter<'a> {
     pub fn call_macro_by_tokens(&mut self, name: Symbol, span: Span) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
-        self.expose_parenthesis()?;
+        self.split_to_parenthesis()?;
         if !matches!(self.peek()?, Token::Open(Bracket::Paren, _)) {
             let name = self.inputs.names.text(name);
             let d = Diagnostic::new(codes::EXPECTED_VALUE, span, format!("`{name}` is a macro"));
@@ -62,7 +62,7 @@ impl<'a> Interpreter<'a> {
             }
         };
         let comma = self.stream.take_comma();
-        self.enter_macro(definition, slots, joined(span, end), comma);
+        self.enter_macro(definition, slots, joined_span(span, end), comma);
         Ok(())
     }
 
@@ -137,7 +137,11 @@ impl<'a> Interpreter<'a> {
                 return Diagnostic::new(
                     codes::WRONG_COUNT,
                     span,
-                    format!("macro `{name}` takes {}, but only {} given", counted(wanted), are(slots.len())),
+                    format!(
+                        "macro `{name}` takes {}, but only {} given",
+                        arguments_text(wanted),
+                        number_are_text(slots.len())
+                    ),
                 )
                 .also(definition.span, "defined here")
                 .help(format!("the argument for `{parameter}` is missing"))
@@ -153,7 +157,7 @@ impl<'a> Interpreter<'a> {
             return Err(self.unexpected_token("`)`").into());
         }
         if !next.ends() {
-            let message = format!("macro `{name}` takes {}, but more are given", counted(wanted));
+            let message = format!("macro `{name}` takes {}, but more are given", arguments_text(wanted));
             return Diagnostic::new(codes::WRONG_COUNT, self.stream.next_span(), message)
                 .also(definition.span, "defined here")
                 .into();
@@ -174,7 +178,7 @@ impl<'a> Interpreter<'a> {
         let lasting = lvalue.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= level);
         let argument = self.in_mode(|mode| mode.defers = true, Self::read_argument)?;
         match argument.given {
-            Given::Name(symbol) if let Some(own) = lasting => {
+            ArgumentForm::Name(symbol) if let Some(own) = lasting => {
                 let next = match self.peek()? {
                     Token::Expr(next) if !self.stream.has_comma() => first_name(next),
                     _ => None,
@@ -183,9 +187,9 @@ impl<'a> Interpreter<'a> {
                 let referenced = referenced.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= level);
                 Ok(Slot::Alias(referenced.unwrap_or(own)))
             }
-            Given::LValue(lvalue) => self.evaluator.slot_at(&lvalue, argument.span).map(|_| Slot::Alias(lvalue)),
-            Given::Slot(slot) => Ok(slot),
-            Given::Name(_) => self.argument_slot(&argument),
+            ArgumentForm::LValue(lvalue) => self.evaluator.slot_at(&lvalue, argument.span).map(|_| Slot::Alias(lvalue)),
+            ArgumentForm::Slot(slot) => Ok(slot),
+            ArgumentForm::Name(_) => self.argument_slot(&argument),
         }
     }
 }
@@ -200,10 +204,10 @@ fn first_name(e: &Expr) -> Option<Symbol> {
     }
 }
 
-fn counted(n: usize) -> String {
+fn arguments_text(n: usize) -> String {
     if n == 1 { "one argument".into() } else { format!("{n} arguments") }
 }
 
-fn are(n: usize) -> String {
+fn number_are_text(n: usize) -> String {
     if n == 1 { "one is".into() } else { format!("{n} are") }
 }

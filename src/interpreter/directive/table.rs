@@ -66,32 +66,32 @@ pub const TABLE: &[DirectiveSpec] = &[
     entry(
         &["local"],
         "#local Name = value;",
-        "the same, but the name ends with the macro or file it stands in",
+        "the same, but the name ends with the macro or file around the directive",
         "#macro Ring(R)\n  #local Thin = R / 10;\n  torus { R, Thin }\n#end\nRing(1)",
     ),
     entry(&["undef"], "#undef Name", "forgets a name", "#declare A = 1;\n#undef A").runs(|me, _, span| me.run_undef(span)),
     entry(
         &["if", "elseif", "else", "end"],
         "#if (condition) … #elseif (condition) … #else … #end",
-        "reads the part whose condition holds; 0 is false",
+        "reads the branch whose condition is true; 0 is false",
         "#declare A = 3;\n#if (A > 2)\n  sphere { 0, A }\n#else\n  box { 0, A }\n#end",
     ),
     entry(
         &["ifdef", "ifndef"],
         "#ifdef (Name) … #else … #end",
-        "is there something of this name? `#ifndef` asks the opposite",
+        "reads the branch if the name is declared; `#ifndef` if it is not",
         "#ifndef (Quick)\n  #declare Quick = no;\n#end",
     ),
     entry(
         &["while"],
         "#while (condition) … #end",
-        "reads its body again as long as the condition holds",
+        "repeats the body while the condition is true",
         "#declare I = 0;\n#while (I < 3)\n  sphere { I * x, 0.4 }\n  #declare I = I + 1;\n#end",
     ),
     entry(
         &["for"],
         "#for (Name, from, to [, step]) … #end",
-        "counts, the last number among them",
+        "repeats the body while the name counts from the first to the last number",
         "#for (I, 0, 10, 2)\n  sphere { I * x, 0.4 }\n#end",
     ),
     entry(
@@ -103,13 +103,13 @@ pub const TABLE: &[DirectiveSpec] = &[
     entry(
         &["switch", "case", "range"],
         "#switch (value) #case (number) … #break #range (low, high) … #break #else … #end",
-        "goes on at the first case that fits, up to the next `#break`",
+        "reads from the first matching case on, up to the next `#break`",
         "#declare N = 5;\n#switch (N)\n  #case (0) sphere { 0, 1 } #break\n  #range (1, 9) box { 0, 1 } #break\n  #else torus { 1, 0.2 }\n#end",
     ),
     entry(
         &["macro"],
         "#macro Name(A, B, …) … #end",
-        "a piece of scene with parameters; `Name(1, 2)` puts it where it stands",
+        "declares a piece of scene with parameters; `Name(1, 2)` inserts it",
         "#macro Pill(A, B, R)\n  sphere { A, R } sphere { B, R } cylinder { A, B, R }\n#end\nunion { Pill(0, 2*y, 0.5) }",
     ),
     entry(&["include"], "#include \"name\"", "reads another file here", "#include \"stage.inc\"").runs(|me, _, span| me.run_include(span)),
@@ -117,7 +117,7 @@ pub const TABLE: &[DirectiveSpec] = &[
     entry(
         &["default"],
         "#default { texture, pigment, finish or camera }",
-        "what all objects that follow look like where they don't say",
+        "sets defaults for the objects that follow",
         "#default { finish { ambient 0 specular 0.3 } }",
     ).runs(|me, _, span| me.run_default(span)),
     entry(
@@ -147,13 +147,13 @@ pub const TABLE: &[DirectiveSpec] = &[
     entry(
         &["write"],
         "#write (Name, value, …)",
-        "writes values; texts are written without quotes, so put in commas and quotes yourself. `uint8`, `uint16le`, `uint16be`, `sint8`, `sint16le`, `sint16be`, `sint32le` or `sint32be` before a value writes it as a whole number of so many bits",
+        "writes values; strings are written without quotes, so write commas and quotes yourself. `uint8`, `uint16le`, `uint16be`, `sint8`, `sint16le`, `sint16be`, `sint32le` or `sint32be` before a value writes it as an integer of this many bits",
         "#fopen F \"manual_write.tmp\" write\n#write (F, 1, \",\", <1, 2, 3>, \"\\n\")\n#fclose F",
     ).runs(|me, _, span| me.run_write(span)),
     entry(
         &["read"],
         "#read (Name, A, B, …)",
-        "declares A, B … to be the next values in the file; at its end the name `Name` is forgotten",
+        "declares A, B … as the next values in the file; at the end of the file, the name `Name` is undeclared",
         "#fopen F \"manual_read.tmp\" write\n#write (F, \"1, 2, 3\")\n#fclose F\n#fopen F \"manual_read.tmp\" read\n#while (defined(F))\n  #read (F, A)\n#end",
     ).runs(|me, _, span| me.run_read(span)),
     entry(&["fclose"], "#fclose Name", "closes the file", "#fopen F \"manual_fclose.tmp\" write\n#fclose F").runs(|me, _, span| me.run_fclose(span)),

@@ -23,7 +23,7 @@ impl<'a> Interpreter<'a> {
         let numbers = self.evaluate_numbers(arguments)?;
         let name = Span { hi: span.lo + self.inputs.names.text(name).len() as u32, ..span };
         self.check_arity(name, numbers.len(), function.arity())?;
-        Ok(answer(&function, &numbers))
+        Ok(result_value(&function, &numbers))
     }
 
     /// Calls a function or spline that is an array's element.
@@ -35,7 +35,7 @@ impl<'a> Interpreter<'a> {
             if let Some(function) = downcast::<Function>(thing) {
                 let numbers = self.evaluate_numbers(arguments)?;
                 if numbers.len() == function.arity() {
-                    return Ok(answer(&function, &numbers));
+                    return Ok(result_value(&function, &numbers));
                 }
                 let message = format!("this function takes {} arguments, found {}", function.arity(), numbers.len());
                 return Diagnostic::err(codes::WRONG_COUNT, span, message);
@@ -46,7 +46,7 @@ impl<'a> Interpreter<'a> {
 
     /// Calls a spline: `S(0.5)` or `S(0.5, cubic_spline)`.
     fn call_spline(&mut self, spline: &Spline, arguments: &'a [Element], span: Span) -> Result<Value> {
-        self.within(arguments, Bracket::Paren, span, |me| me.read_spline_arguments(spline))
+        self.read_contents(arguments, Bracket::Paren, span, |me| me.read_spline_arguments(spline))
     }
 
     fn read_spline_arguments(&mut self, spline: &Spline) -> Result<Value> {
@@ -77,14 +77,14 @@ impl<'a> Interpreter<'a> {
                     numbers.push(as_float(&value, at)?);
                 }
                 self.check_arity(span, numbers.len(), function.arity())?;
-                return Ok(answer(&function, &numbers));
+                return Ok(result_value(&function, &numbers));
             }
         }
         Diagnostic::err(codes::NOT_CALLABLE, span, format!("{} can't be called", callee.describe()))
     }
 }
 
-fn answer(function: &Function, numbers: &[f64]) -> Value {
+fn result_value(function: &Function, numbers: &[f64]) -> Value {
     let c = function.call(numbers);
     match function.result_type() {
         ResultType::Number => Value::Float(c[0]),

@@ -6,14 +6,14 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::evaluator::as_float;
 use crate::interpreter::stream::Token;
-use crate::interpreter::token_expr::joined;
+use crate::interpreter::token_expr::joined_span;
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Symbol};
 use crate::value::{SizedFunction, Thing};
 use std::sync::Arc;
 
 /// A function and, for a height field's function, the width and height of its picture in pixels.
-type PerhapsSized = (Option<[usize; 2]>, Arc<dyn Thing>);
+type FunctionAndSize = (Option<[usize; 2]>, Arc<dyn Thing>);
 
 impl<'a> Interpreter<'a> {
     /// Reads a user-defined function from the scene and compiles it.
@@ -36,21 +36,22 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn read_any_function(&mut self) -> Result<PerhapsSized> {
+    fn read_any_function(&mut self) -> Result<FunctionAndSize> {
         let token = self.peek()?;
         let span = self.stream.next_span();
         self.stream.advance();
         let Token::Function(Some(f)) = token else { return self.read_function_by_tokens(span) };
         let size = f.size.iter().map(|e| self.evaluate_number(e).map(|n| (n, e.span))).collect::<Result<Vec<_>>>()?;
         let size = self.picture_size(&size, span)?;
-        let function = self.within(&f.body, Bracket::Brace, span, |me| me.read_function_body(&f.parameters, span))?;
+        let function =
+            self.read_contents(&f.body, Bracket::Brace, span, |me| me.read_function_body(&f.parameters, span))?;
         Ok((size, function))
     }
 
     /// Reads a function token by token; the word `function` has been consumed.
-    fn read_function_by_tokens(&mut self, span: Span) -> Result<PerhapsSized> {
+    fn read_function_by_tokens(&mut self, span: Span) -> Result<FunctionAndSize> {
         let (mut parameters, mut size) = (vec![], vec![]);
-        self.expose_parenthesis()?;
+        self.split_to_parenthesis()?;
         if let Token::Open(Bracket::Paren, _) = self.peek()? {
             self.open()?;
             while !self.peek()?.ends() {
@@ -88,7 +89,7 @@ impl<'a> Interpreter<'a> {
             };
         };
         let size = [self.picture_side(width, at)?, self.picture_side(height, end)?];
-        self.reporter.check_picture(size, joined(at, end))?;
+        self.reporter.check_picture(size, joined_span(at, end))?;
         Ok(Some(size))
     }
 
@@ -134,7 +135,7 @@ impl<'a> Interpreter<'a> {
                 self.stream.advance();
                 self.expect_paren("internal")?;
                 let (value, at) = self.read_value()?;
-                span = joined(span, self.stream.next_span());
+                span = joined_span(span, self.stream.next_span());
                 self.close("`)`")?;
                 as_float(&value, at)?
             }

@@ -77,7 +77,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads `elements`, the contents of a bracket, up to their end. After an error, the state of the stream is
     /// restored.
-    pub fn within<T>(
+    pub fn read_contents<T>(
         &mut self,
         elements: &'a [Element],
         bracket: Bracket,

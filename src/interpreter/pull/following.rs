@@ -91,7 +91,7 @@ impl<'a> Interpreter<'a> {
                 },
                 None if matches!(frame.kind(), FrameKind::File) => return Ok(None),
                 _ => {
-                    if !self.settle_once()? {
+                    if !self.run_or_drop_once()? {
                         return self.peek().map(Some);
                     }
                 }

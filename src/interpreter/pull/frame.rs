@@ -69,7 +69,7 @@ impl Interpreter<'_> {
 
     /// Runs the remaining statements of the macros above the first `floor` frames, after these returned the value of a
     /// declaration.
-    pub fn drain(&mut self, floor: usize) -> Result<()> {
+    pub fn finish_macros(&mut self, floor: usize) -> Result<()> {
         let in_macro = |f: &StackFrame| matches!(f.kind(), FrameKind::Macro(_));
         self.stream.clear_look_ahead();
         while self.stream.frames().iter().skip(floor).any(in_macro) {

@@ -44,7 +44,7 @@ impl<'a> Interpreter<'a> {
                 continue;
             }
             let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
-            if frame.next().is_none_or(may_settle) && self.settle_once()? {
+            if frame.next().is_none_or(may_run_or_drop) && self.run_or_drop_once()? {
                 continue;
             }
             let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
@@ -77,13 +77,13 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs directives and macro calls, and drops finished frames, until the next element is a token.
-    fn settle(&mut self) -> Result<()> {
-        while self.settle_once()? {}
+    fn run_to_token(&mut self) -> Result<()> {
+        while self.run_or_drop_once()? {}
         Ok(())
     }
 
     /// Runs one directive or macro call, or drops one finished frame; returns false if the next element is a token.
-    pub(super) fn settle_once(&mut self) -> Result<bool> {
+    pub(super) fn run_or_drop_once(&mut self) -> Result<bool> {
         if self.stream.look_ahead().is_some() {
             return Ok(false);
         }
@@ -141,7 +141,7 @@ impl<'a> Interpreter<'a> {
 }
 
 /// False for elements that are tokens in any case, which are most.
-fn may_settle(element: &Element) -> bool {
+fn may_run_or_drop(element: &Element) -> bool {
     match &element.kind {
         ElementKind::Numbers(_) | ElementKind::Word(_) | ElementKind::Block(_) | ElementKind::Sign(_) => false,
         ElementKind::Expr(e) => e.calls || matches!(e.kind, ExprKind::Name(_)),

@@ -97,7 +97,7 @@ impl<'a> Interpreter<'a> {
         }
         self.stream.skip_element();
         let before = self.stream.take_comma();
-        self.settle()?;
+        self.run_to_token()?;
         let (brace, paren) = match self.stream.look_ahead() {
             Some(token) => {
                 (matches!(token, Token::Open(Bracket::Brace, _)), matches!(token, Token::Open(Bracket::Paren, _)))

@@ -164,7 +164,7 @@ impl Interpreter<'_> {
     }
 
     /// Returns an error that names the missing value, unless the next token begins a value.
-    pub(super) fn at_value(&mut self, wanted: &str) -> Result<()> {
+    pub(super) fn expect_value(&mut self, wanted: &str) -> Result<()> {
         match self.peek()? {
             Token::Block(_) | Token::Open(Bracket::Square | Bracket::Brace, _) => {
                 Err(self.unexpected_token(wanted).into())
@@ -206,14 +206,15 @@ impl Interpreter<'_> {
                 return if d.code == codes::EXPECTED { d.help(format!("it takes {}", list(takes))) } else { d };
             }
         };
-        let d = refused(&word, span, block, takes);
+        let d = refused_word_error(&word, span, block, takes);
         let near = did_you_mean(&word, takes.iter().copied());
         if let Some(spec) = Shape::spec_of(block).filter(|spec| spec.params.iter().any(|p| p.name == word)) {
             let help = format!("it is written `{}`, and takes {}", spec.block_usage(), list(takes));
             return d.help(help);
         }
-        let home =
-            home_of(&word).filter(|home| *home != block).map(|home| format!("it belongs in `{home} {{ {word} … }}`"));
+        let home = block_taking(&word)
+            .filter(|home| *home != block)
+            .map(|home| format!("it belongs in `{home} {{ {word} … }}`"));
         d.maybe_help(near).maybe_help(home).maybe_help(hints::in_block(block, &word).map(String::from))
     }
 
@@ -231,7 +232,7 @@ impl Interpreter<'_> {
         let declared = self.evaluator.scopes().names().map(|s| self.inputs.names.text(s));
         let near = did_you_mean(name, takes.iter().copied().chain(declared));
         let hint = hints::in_block(block, name).or_else(|| hints::other_tools(name)).map(String::from);
-        refused(name, span, block, takes).maybe_help(near).maybe_help(hint)
+        refused_word_error(name, span, block, takes).maybe_help(near).maybe_help(hint)
     }
 
     /// Returns the error for a word that the block takes, but that is followed by an unsuitable token.
@@ -272,7 +273,7 @@ fn opens_block(word: &str) -> bool {
 }
 
 /// Returns the error for a word that the block does not take.
-fn refused(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
+fn refused_word_error(word: &str, span: Span, block: &str, takes: &[&'static str]) -> Diagnostic {
     let message = match block {
         "scene" => format!("`{word}` is not allowed outside of all braces"),
         _ => format!("`{word}` is not something a `{block}` takes"),
@@ -306,7 +307,7 @@ fn block_usage(word: &str) -> String {
 }
 
 /// Returns the name of the block that takes a word; of several, the most likely one.
-fn home_of(word: &str) -> Option<&'static str> {
+fn block_taking(word: &str) -> Option<&'static str> {
     let homes = [&INTERIOR, &FINISH, &PIGMENT, &POVRAY, &SETTINGS, &LIGHT];
     homes.into_iter().find(|table| table.has_effect(word)).map(|table| table.name)
 }

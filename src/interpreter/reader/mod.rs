@@ -143,7 +143,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn float(&mut self) -> Result<f64> {
-        self.at_value("a number")?;
+        self.expect_value("a number")?;
         let (value, span) = self.read_value()?;
         let x = as_float(&value, span)?;
         if x.is_finite() { Ok(x) } else { Diagnostic::err(codes::NOT_FINITE, span, format!("this number is {x}")) }
@@ -154,7 +154,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn vector(&mut self) -> Result<DVec3> {
-        self.at_value("a vector")?;
+        self.expect_value("a vector")?;
         let (value, span) = self.read_value()?;
         finite(as_vector(&value, span)?, span)
     }
@@ -203,7 +203,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn read_literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
-        self.stream.inner_literals(width, most, take)
+        self.stream.take_middle_items(width, most, take)
     }
 
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {

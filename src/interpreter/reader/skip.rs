@@ -71,7 +71,7 @@ impl Interpreter<'_> {
                 self.stream.advance();
                 Unsupported::push_numbers(row, data);
                 // Items inside a literal list cannot be continued by what follows the list.
-                while let Some(data) = self.stream.inner_literal() {
+                while let Some(data) = self.stream.take_middle_item() {
                     Unsupported::push_numbers(row, data);
                 }
             }

@@ -18,7 +18,7 @@ impl Thing for TransformThing {
 }
 
 /// Angle in degrees below which `rotate` by a number is likely meant for all axes.
-const A_LITTLE: f64 = 5.0;
+const LARGEST_ANGLE_FOR_ALL_AXES: f64 = 5.0;
 
 impl Interpreter<'_> {
     /// Reads the arguments of `translate`, `rotate`, `scale` or `matrix`, whose word has been consumed.
@@ -59,7 +59,7 @@ impl Interpreter<'_> {
     /// Reports the warning W0407 for `rotate 45`, which rotates around all axes. Computed angles, as from `rand`, and
     /// arguments of macros are likely intended.
     fn warn_all_axes(&mut self, angles: DVec3, span: Span) {
-        if angles.x.abs() < A_LITTLE || angles.x != angles.y || angles.y != angles.z {
+        if angles.x.abs() < LARGEST_ANGLE_FOR_ALL_AXES || angles.x != angles.y || angles.y != angles.z {
             return;
         }
         // A pattern may be rotated around any axis, to look less regular.

@@ -129,6 +129,6 @@ impl<'a> TokenStream<'a> {
     /// `span` is that of a brace that is open at the end of its file.
     fn blamed_brace(&self, span: Span) -> Option<Diagnostic> {
         let (file, _) = self.inputs.sources.locate(span)?;
-        blame::open_brace(&Outline::read(self.inputs.sources, file))
+        blame::unclosed_brace_error(&Outline::read(self.inputs.sources, file))
     }
 }

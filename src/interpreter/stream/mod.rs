@@ -266,7 +266,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Consumes and returns the next item of a list of literals, unless it is the first or the last item of the list.
-    pub(super) fn inner_literal(&mut self) -> Option<&'a [f64]> {
+    pub(super) fn take_middle_item(&mut self) -> Option<&'a [f64]> {
         if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
             return None;
         }
@@ -283,7 +283,12 @@ impl<'a> TokenStream<'a> {
 
     /// Consumes up to `most` items of a list of literals, neither the first nor the last one, while each has `width`
     /// numbers and `take` accepts them. Returns the number of items consumed.
-    pub(super) fn inner_literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
+    pub(super) fn take_middle_items(
+        &mut self,
+        width: usize,
+        most: usize,
+        take: &mut dyn FnMut(&[f64]) -> bool,
+    ) -> usize {
         if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
             return 0;
         }

@@ -1,6 +1,6 @@
 //! Reads calls whose name and parentheses come as tokens.
 
-use super::joined;
+use super::joined_span;
 use crate::diagnostic::Result;
 use crate::interpreter::argument::Argument;
 use crate::interpreter::stream::Token;
@@ -21,7 +21,7 @@ impl<'a> Interpreter<'a> {
             matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
         let next = self.in_mode(|mode| mode.defers = waits, Self::peek_after);
         if matches!(next?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
-            self.expose_parenthesis()?;
+            self.split_to_parenthesis()?;
         }
         Ok(matches!(self.peek_after()?, Some(Token::Open(Bracket::Paren, _))))
     }
@@ -41,12 +41,12 @@ impl<'a> Interpreter<'a> {
         }
         let end = self.stream.next_span();
         self.close("`)`")?;
-        let span = joined(span, end);
+        let span = joined_span(span, end);
         Ok((self.builtin_of(word, arguments, span)?, span))
     }
 
     /// Splits the next expression until its leading `(` is a token by itself.
-    pub fn expose_parenthesis(&mut self) -> Result<()> {
+    pub fn split_to_parenthesis(&mut self) -> Result<()> {
         while matches!(self.peek()?, Token::Expr(e) if begins_with_parenthesis(e)) {
             self.stream.split_next();
         }
@@ -55,7 +55,7 @@ impl<'a> Interpreter<'a> {
 
     /// Consumes the `(` after the name of a function.
     pub fn expect_paren(&mut self, word: &str) -> Result<()> {
-        self.expose_parenthesis()?;
+        self.split_to_parenthesis()?;
         match self.peek()? {
             Token::Open(Bracket::Paren, _) => self.open().map(drop),
             _ => Err(self.unexpected_token(&format!("`(` after `{word}`")).into()),
@@ -68,6 +68,6 @@ impl<'a> Interpreter<'a> {
         let value = self.read_arguments_and_call(callee, span)?;
         let end = self.stream.next_span();
         self.close("`)`")?;
-        Ok((value, joined(span, end)))
+        Ok((value, joined_span(span, end)))
     }
 }

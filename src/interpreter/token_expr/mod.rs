@@ -71,12 +71,12 @@ impl<'a> Interpreter<'a> {
             }
             let (right, right_span) = self.climb_from(operands, compares, strength + 1)?;
             left = operands.combine(self, op, (left, span), (right, right_span))?;
-            span = joined(span, right_span);
+            span = joined_span(span, right_span);
         }
         if least == LOOSEST && compares && matches!(self.peek_after()?, Some(Token::Sign(Sign::Question))) {
             self.stream.advance();
             let (value, end) = operands.choose(self, (left, span))?;
-            return Ok((value, joined(span, end)));
+            return Ok((value, joined_span(span, end)));
         }
         Ok((left, span))
     }
@@ -133,7 +133,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads a number, vector, string, name or call without signs.
     pub(super) fn read_primary(&mut self) -> Result<(Value, Span)> {
-        self.expose_operand()?;
+        self.split_to_operand()?;
         let token = self.peek()?;
         let span = self.stream.next_span();
         match token {
@@ -160,7 +160,7 @@ impl<'a> Interpreter<'a> {
                 }
                 let end = self.stream.next_span();
                 self.close("`)`")?;
-                Ok((value, joined(span, end)))
+                Ok((value, joined_span(span, end)))
             }
             Token::Callee(word) => self.read_builtin_call(word, span),
             Token::Word(word) if super::reader::begins_color(word) => {
@@ -177,7 +177,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Splits the next expression until its first operand or sign is a token by itself.
-    fn expose_operand(&mut self) -> Result<()> {
+    fn split_to_operand(&mut self) -> Result<()> {
         let holds_more = |e: &Expr| matches!(e.kind, ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..));
         while matches!(self.peek()?, Token::Expr(e) if holds_more(e)) {
             self.stream.split_next();
@@ -193,7 +193,7 @@ impl<'a> Interpreter<'a> {
                     self.stream.advance();
                     let name = self.component_name()?;
                     value = component(&value, &name, span)?;
-                    span = joined(span, name.span);
+                    span = joined_span(span, name.span);
                 }
                 _ if is_callable(&value) && self.call_follows()? => {
                     (value, span) = self.read_call(&value, span)?;
@@ -205,7 +205,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the word after a `.`.
     pub(super) fn component_name(&mut self) -> Result<Name> {
-        self.expose_operand()?;
+        self.split_to_operand()?;
         let token = self.peek()?;
         let span = self.stream.next_span();
         let text = self.inputs.sources.snippet(span);
@@ -232,7 +232,7 @@ impl<'a> Interpreter<'a> {
         let mut data = vec![];
         let end = self.in_mode(|mode| mode.defers = false, |me| me.read_vector_to_end(start, &mut data))?;
         self.stream.advance();
-        Ok((data, joined(start, end)))
+        Ok((data, joined_span(start, end)))
     }
 
     /// Reads the components of the vector whose `<` is at `start`, up to its `>`; returns the span of the `>`.
@@ -274,7 +274,7 @@ impl<'a> Interpreter<'a> {
 const MAX_NESTED: usize = 3_000;
 
 /// Returns the span from `from` to `to` if both are in one piece of text; else `from`.
-pub(super) fn joined(from: Span, to: Span) -> Span {
+pub(super) fn joined_span(from: Span, to: Span) -> Span {
     if to.hi >= from.lo && to.hi - from.lo < 1 << 16 { from.to(to) } else { from }
 }
 
@@ -293,7 +293,7 @@ fn numbers_value(data: &[f64], span: Span) -> Result<Value> {
 pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
     let mut typed = vec![];
     loop {
-        me.expose_operand()?;
+        me.split_to_operand()?;
         let prefix = match me.peek()? {
             Token::Sign(Sign::Operator(Operator::Sub)) => Prefix::Minus,
             Token::Sign(Sign::Operator(Operator::Add)) => Prefix::Plus,
@@ -324,7 +324,7 @@ impl<'a> Operands<'a> for Computed {
         let (mut value, mut span) = me.postfix(first)?;
         for (prefix, at) in signs {
             value = apply_prefix(prefix, value, span)?;
-            span = joined(at, span);
+            span = joined_span(at, span);
         }
         Ok((value, span))
     }

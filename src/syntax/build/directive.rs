@@ -1,7 +1,7 @@
 //! Builds the syntax tree's nodes of directives.
 
 use super::expr::unescape;
-use super::{Builder, In, name_of};
+use super::{Builder, Context, name_of};
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::class;
@@ -10,18 +10,18 @@ use crate::syntax::word;
 use pest::iterators::Pair;
 
 impl Builder<'_> {
-    pub(super) fn directive(&self, pair: Pair<Rule>, place: In) -> Directive {
+    pub(super) fn directive(&self, pair: Pair<Rule>, context: Context) -> Directive {
         match pair.as_rule() {
-            Rule::conditional => Directive::If(self.branches_of(pair, place)),
+            Rule::conditional => Directive::If(self.branches_of(pair, context)),
             Rule::while_loop => {
-                let (head, body) = self.head_and_body(pair, place);
+                let (head, body) = self.head_and_body(pair, context);
                 Directive::While(self.head(head), body)
             }
             Rule::for_loop => {
-                let (head, body) = self.head_and_body(pair, place);
+                let (head, body) = self.head_and_body(pair, context);
                 Directive::For(For { head: self.for_head(head), body })
             }
-            Rule::switch => self.switch(pair, place),
+            Rule::switch => self.switch(pair, context),
             Rule::macro_definition => self.macro_definition(pair),
             _ => Directive::Plain(Symbol(self.token(&pair).data)),
         }
@@ -30,15 +30,15 @@ impl Builder<'_> {
     /// Builds the contents of the parentheses after a directive's word.
     fn head(&self, head: Option<Pair<Rule>>) -> Head {
         let Some(head) = head else { return Head::Pieces(None) };
-        let whole = if self.single { None } else { self.only_expr(head.clone(), In::Script) };
+        let whole = if self.single { None } else { self.expr_in_brackets(head.clone(), Context::Script) };
         match whole {
             Some(e) => Head::Whole(e),
-            None => Head::Pieces(Some(self.elements(head, In::Script))),
+            None => Head::Pieces(Some(self.elements(head, Context::Script))),
         }
     }
 
     fn for_head(&self, head: Option<Pair<Rule>>) -> ForHead {
-        let elements = head.map(|head| self.elements(head, In::Script));
+        let elements = head.map(|head| self.elements(head, Context::Script));
         if let (Some([counter, range @ ..]), false) = (elements.as_deref(), self.single)
             && let (Some(symbol), true) = (name_of(counter), counter.comma)
             && (2..=3).contains(&range.len())
@@ -56,12 +56,12 @@ impl Builder<'_> {
         ForHead::Pieces(elements)
     }
 
-    fn head_and_body<'i>(&self, pair: Pair<'i, Rule>, place: In) -> (Option<Pair<'i, Rule>>, Box<[Element]>) {
+    fn head_and_body<'i>(&self, pair: Pair<'i, Rule>, context: Context) -> (Option<Pair<'i, Rule>>, Box<[Element]>) {
         let (mut head, mut body) = (None, Box::default());
         for part in pair.into_inner() {
             match part.as_rule() {
                 Rule::head => head = Some(part),
-                _ => body = self.elements(part, place),
+                _ => body = self.elements(part, context),
             }
         }
         (head, body)
@@ -100,7 +100,7 @@ impl Builder<'_> {
         let symbol = self.symbol(&pair);
         let index = |part: Pair<Rule>| match part.as_rule() {
             // (A call there may be a macro's.)
-            Rule::index => Some(self.only_expr(part, In::Script).filter(|e| !e.calls)),
+            Rule::index => Some(self.expr_in_brackets(part, Context::Script).filter(|e| !e.calls)),
             // `D.Key` is `D["Key"]`.
             Rule::dot => {
                 let token = self.tokens[part.as_span().start() + 1];
@@ -114,7 +114,7 @@ impl Builder<'_> {
     }
 
     /// Builds the branches of an `#if` directive. Each branch extends from its directive's word to the next one.
-    fn branches_of(&self, pair: Pair<Rule>, place: In) -> Box<[Branch]> {
+    fn branches_of(&self, pair: Pair<Rule>, context: Context) -> Box<[Branch]> {
         let (kind, mut branches, mut head) = (self.text_of(&pair), vec![], None);
         let kind = kind[1..].trim_start().to_string();
         let mut start = pair.as_span().start();
@@ -124,7 +124,7 @@ impl Builder<'_> {
                 Rule::head => head = Some(part),
                 Rule::otherwise => {
                     let span = self.tokens_span(start, end);
-                    let body = part.into_inner().next().map_or(Box::default(), |b| self.elements(b, place));
+                    let body = part.into_inner().next().map_or(Box::default(), |b| self.elements(b, context));
                     branches.push(Branch { span, condition: Condition::Always, body });
                     start = end;
                 }
@@ -136,7 +136,7 @@ impl Builder<'_> {
                         _ => Condition::True(given),
                     };
                     let span = self.tokens_span(start, end);
-                    branches.push(Branch { span, condition, body: self.elements(part, place) });
+                    branches.push(Branch { span, condition, body: self.elements(part, context) });
                     start = end;
                 }
             }
@@ -148,17 +148,17 @@ impl Builder<'_> {
         self.token_span(self.tokens[start]).to(self.token_span(self.tokens[end.max(start + 1) - 1]))
     }
 
-    fn switch(&self, pair: Pair<Rule>, place: In) -> Directive {
+    fn switch(&self, pair: Pair<Rule>, context: Context) -> Directive {
         let (mut value, mut arms) = (None, vec![]);
         for part in pair.into_inner() {
             let (rule, span) = (part.as_rule(), self.span(&part));
             match rule {
                 Rule::head => value = Some(part),
                 Rule::case | Rule::range | Rule::otherwise => {
-                    let (head, body) = self.head_and_body(part, place);
+                    let (head, body) = self.head_and_body(part, context);
                     let when = match rule {
                         Rule::case => When::Case(self.head(head)),
-                        Rule::range => When::Range(head.map(|head| self.elements(head, In::Script))),
+                        Rule::range => When::Range(head.map(|head| self.elements(head, Context::Script))),
                         _ => When::Otherwise,
                     };
                     arms.push(Arm { span, when, body });
@@ -179,13 +179,13 @@ impl Builder<'_> {
         for part in pair.into_inner() {
             match part.as_rule() {
                 Rule::head => head = Some(part),
-                _ => body = self.elements(part, In::Script),
+                _ => body = self.elements(part, Context::Script),
             }
         }
         let mut fault = None;
         let mut parameters = vec![];
         let mut optional = false;
-        for element in head.map_or(Box::default(), |head| self.elements(head, In::Script)) {
+        for element in head.map_or(Box::default(), |head| self.elements(head, Context::Script)) {
             match name_of(&element) {
                 // `optional A`
                 Some(symbol) if self.names.text(symbol) == "optional" && !optional && !element.comma => optional = true,
@@ -197,13 +197,13 @@ impl Builder<'_> {
         if optional {
             parameters.push((self.names.intern("optional"), false));
         }
-        let (symbol, place) = match name {
+        let (symbol, context) = match name {
             Some(name) => (self.names.intern(self.token_text(name)), self.token_span(name)),
             None => {
                 fault = Some(span.end());
                 (self.names.intern(""), span)
             }
         };
-        Directive::Macro(Macro { name: symbol, span: place, fault, parameters: parameters.into(), body })
+        Directive::Macro(Macro { name: symbol, span: context, fault, parameters: parameters.into(), body })
     }
 }

@@ -1,6 +1,6 @@
 //! Builds the syntax tree's nodes of expressions.
 
-use super::{Builder, In, known_word};
+use super::{Builder, Context, known_word};
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::class;
@@ -12,11 +12,11 @@ use std::ops::Range;
 impl Builder<'_> {
     /// Builds an expression; `None` if it is incomplete or contains a directive. Directives are looked for first,
     /// because building their bodies repeatedly would be slow.
-    pub(super) fn whole_expr(&self, pair: &Pair<Rule>, place: In) -> Option<Expr> {
+    pub(super) fn complete_expr(&self, pair: &Pair<Rule>, context: Context) -> Option<Expr> {
         if self.holds_directive(&super::range(pair)) && !self.is_whole(pair) {
             return None;
         }
-        self.expr(pair.clone(), place)
+        self.expr(pair.clone(), context)
     }
 
     /// Returns true if a token of the range is a directive.
@@ -40,41 +40,42 @@ impl Builder<'_> {
 
     /// Builds an expression of terms, operators and an optional `? :`; `None` if a bracket in it contains anything but
     /// expressions.
-    pub(super) fn expr(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
-        let precedence = if place == In::Function { Operator::precedence_in_functions } else { Operator::precedence };
+    pub(super) fn expr(&self, pair: Pair<Rule>, context: Context) -> Option<Expr> {
+        let precedence =
+            if context == Context::Function { Operator::precedence_in_functions } else { Operator::precedence };
         let span = self.span(&pair);
         let mut inner = pair.into_inner();
-        let first = self.term(inner.next()?, place)?;
+        let first = self.term(inner.next()?, context)?;
         let (mut rest, mut choice) = (vec![], None);
         while let Some(part) = inner.next() {
             match part.as_rule() {
                 Rule::operator => {
-                    let op = Operator::of(self.text_of(&part))?;
-                    rest.push((op, self.term(inner.next()?, place)?));
+                    let op = Operator::from_text(self.text_of(&part))?;
+                    rest.push((op, self.term(inner.next()?, context)?));
                 }
                 _ => choice = Some(part),
             }
         }
         let condition = climb(first, rest, precedence);
         let Some(choice) = choice else { return Some(condition) };
-        let [yes, no] = self.branches(choice, place)?;
+        let [yes, no] = self.branches(choice, context)?;
         let calls = condition.calls || yes.calls || no.calls;
         Some(Expr { span, calls, kind: ExprKind::Choice(Box::new([condition, yes, no])) })
     }
 
     /// Builds both branches of a conditional expression from `? yes : no`.
-    fn branches(&self, choice: Pair<Rule>, place: In) -> Option<[Expr; 2]> {
+    fn branches(&self, choice: Pair<Rule>, context: Context) -> Option<[Expr; 2]> {
         let range = super::range(&choice);
         let mut parts: Vec<Pair<Rule>> = choice.into_inner().collect();
         let no = parts.pop().filter(|p| p.as_rule() == Rule::expr && p.as_span().end() == range.end)?;
         let yes = parts.pop().filter(|p| p.as_rule() == Rule::expr && parts.is_empty())?;
         // There is nothing else beside the two signs.
         let whole = yes.as_span().start() == range.start + 1 && yes.as_span().end() + 1 == no.as_span().start();
-        if whole { Some([self.expr(yes, place)?, self.expr(no, place)?]) } else { None }
+        if whole { Some([self.expr(yes, context)?, self.expr(no, context)?]) } else { None }
     }
 
     /// Builds a term: signs, an operand, members and indices.
-    fn term(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
+    fn term(&self, pair: Pair<Rule>, context: Context) -> Option<Expr> {
         let mut prefixes = vec![];
         let mut value: Option<Expr> = None;
         let mut parts = pair.into_inner().peekable();
@@ -90,14 +91,14 @@ impl Builder<'_> {
                     while let Some(next) = parts.next_if(|p| p.as_rule() == Rule::index) {
                         all.push(next);
                     }
-                    Some(self.index(base, all, place)?)
+                    Some(self.index(base, all, context)?)
                 }
                 (Rule::arguments, Some(base)) => {
                     let span = base.span.to(self.span(&part));
-                    let kind = ExprKind::Apply(Box::new(base), self.elements(part, place));
+                    let kind = ExprKind::Apply(Box::new(base), self.elements(part, context));
                     Some(Expr { span, calls: true, kind })
                 }
-                _ => Some(self.primary(part, place)?),
+                _ => Some(self.primary(part, context)?),
             };
         }
         let mut value = value?;
@@ -133,9 +134,10 @@ impl Builder<'_> {
     }
 
     /// Builds the index `[i]` after an array or after another index.
-    fn index(&self, array: Expr, pairs: Vec<Pair<Rule>>, place: In) -> Option<Expr> {
+    fn index(&self, array: Expr, pairs: Vec<Pair<Rule>>, context: Context) -> Option<Expr> {
         let span = pairs.last().map_or(array.span, |last| array.span.to(self.span(last)));
-        let indices: Box<[Expr]> = pairs.into_iter().map(|p| self.only_expr(p, place)).collect::<Option<_>>()?;
+        let indices: Box<[Expr]> =
+            pairs.into_iter().map(|p| self.expr_in_brackets(p, context)).collect::<Option<_>>()?;
         if indices.iter().any(Expr::compares) {
             return None;
         }
@@ -144,16 +146,16 @@ impl Builder<'_> {
     }
 
     /// Builds the expression between two brackets; `None` if the brackets contain anything else.
-    pub(super) fn only_expr(&self, brackets: Pair<Rule>, place: In) -> Option<Expr> {
+    pub(super) fn expr_in_brackets(&self, brackets: Pair<Rule>, context: Context) -> Option<Expr> {
         let range = super::range(&brackets);
         let mut inner = brackets.into_inner();
         let only = inner.next().filter(|p| p.as_rule() == Rule::expr)?;
         let own = super::range(&only);
         let alone = own.start == range.start + 1 && own.end + 1 == range.end;
-        if alone { self.expr(only, place) } else { None }
+        if alone { self.expr(only, context) } else { None }
     }
 
-    fn primary(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
+    fn primary(&self, pair: Pair<Rule>, context: Context) -> Option<Expr> {
         let span = self.span(&pair);
         let plain = |kind| Some(Expr { span, calls: false, kind });
         match pair.as_rule() {
@@ -161,21 +163,21 @@ impl Builder<'_> {
             Rule::LITERAL => plain(ExprKind::Literal(self.list(self.token(&pair)).data)),
             Rule::STRING => plain(ExprKind::Text(unescape(self.text_of(&pair)))),
             Rule::name => plain(ExprKind::Name(Symbol(self.token(&pair).data))),
-            Rule::vector => self.vector(pair, place),
+            Rule::vector => self.vector(pair, context),
             Rule::paren => {
-                let inner = self.only_expr(pair, place)?;
+                let inner = self.expr_in_brackets(pair, context)?;
                 Some(Expr { span, calls: inner.calls, kind: ExprKind::Paren(Box::new(inner)) })
             }
             Rule::call => {
                 let symbol = Symbol(self.token(&pair).data);
-                Some(Expr { span, calls: true, kind: ExprKind::Call(symbol, self.elements(pair, place)) })
+                Some(Expr { span, calls: true, kind: ExprKind::Call(symbol, self.elements(pair, context)) })
             }
-            _ => self.builtin(pair, place),
+            _ => self.builtin(pair, context),
         }
     }
 
     /// Builds a call of a built-in function, whose arguments have commas between them.
-    fn builtin(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
+    fn builtin(&self, pair: Pair<Rule>, context: Context) -> Option<Expr> {
         let (span, name) = (self.span(&pair), word::by_number(self.token(&pair).data));
         let mut arguments = vec![];
         let mut at = pair.as_span().start() + 2;
@@ -188,9 +190,9 @@ impl Builder<'_> {
             }
             at = own.end;
             arguments.push(match part.as_rule() {
-                Rule::expr => self.expr(part, place)?,
+                Rule::expr => self.expr(part, context)?,
                 Rule::block => {
-                    let kind = ExprKind::Block(Box::new(self.block(part, place)));
+                    let kind = ExprKind::Block(Box::new(self.block(part, context)));
                     Expr { span: at_span, calls: true, kind }
                 }
                 _ => return None,
@@ -203,13 +205,13 @@ impl Builder<'_> {
         Some(Expr { span, calls, kind: ExprKind::Builtin(name, arguments.into_boxed_slice()) })
     }
 
-    fn vector(&self, pair: Pair<Rule>, place: In) -> Option<Expr> {
+    fn vector(&self, pair: Pair<Rule>, context: Context) -> Option<Expr> {
         let span = self.span(&pair);
         if pair.clone().into_inner().any(|part| part.as_rule() != Rule::expr) {
             return None;
         }
         let mut data = vec![];
-        let parts = self.elements(pair, place);
+        let parts = self.elements(pair, context);
         let mut calls = false;
         for part in &parts {
             let ElementKind::Expr(e) = &part.kind else { return None };

@@ -37,7 +37,7 @@ const SMALL: usize = 24;
 
 /// Context in which an expression of the syntax tree is built.
 #[derive(Clone, Copy, PartialEq)]
-enum In {
+enum Context {
     Script,
     /// Context of an expression between the braces of a `function`.
     Function,
@@ -54,7 +54,7 @@ impl<'n> Builder<'n> {
     /// Appends the elements of a whole piece of text to `out`.
     pub(super) fn piece(&self, chunk: Pair<Rule>, out: &mut Vec<Element>) {
         let range = range(&chunk);
-        self.elements_into(chunk.into_inner(), range, In::Script, out);
+        self.elements_into(chunk.into_inner(), range, Context::Script, out);
     }
 
     /// Returns the first token of a parser's pair.
@@ -83,33 +83,33 @@ impl<'n> Builder<'n> {
 
     /// Appends the elements in a range of tokens to `out`. A comma between two elements becomes a flag of the first
     /// one.
-    fn elements_into(&self, pairs: Pairs<Rule>, range: Range<usize>, place: In, out: &mut Vec<Element>) {
+    fn elements_into(&self, pairs: Pairs<Rule>, range: Range<usize>, context: Context, out: &mut Vec<Element>) {
         let (first, mut at) = (out.len(), range.start);
         for pair in pairs.filter(|p| p.as_rule() != Rule::EOI) {
             let own = self::range(&pair);
             self.commas(at..own.start, first, out);
             at = own.end;
-            self.element(pair, place, out);
+            self.element(pair, context, out);
         }
         self.commas(at..range.end, first, out);
     }
 
     /// Builds the elements between the brackets of a pair, or in a directive's body.
-    fn elements(&self, pair: Pair<Rule>, place: In) -> Box<[Element]> {
+    fn elements(&self, pair: Pair<Rule>, context: Context) -> Box<[Element]> {
         let mut out = vec![];
-        self.inner_into(pair, place, &mut out);
+        self.inner_into(pair, context, &mut out);
         out.into_boxed_slice()
     }
 
     /// Appends the elements of a pair that ends with a bracket, without the tokens before the first element.
-    fn inner_into(&self, pair: Pair<Rule>, place: In, out: &mut Vec<Element>) {
+    fn inner_into(&self, pair: Pair<Rule>, context: Context, out: &mut Vec<Element>) {
         let mut range = range(&pair);
         match pair.as_rule() {
             Rule::body => {}
             Rule::block | Rule::call | Rule::builtin => range = range.start + 2..range.end - 1,
             _ => range = range.start + 1..range.end - 1,
         }
-        self.elements_into(pair.into_inner(), range, place, out);
+        self.elements_into(pair.into_inner(), range, context, out);
     }
 
     /// Handles the tokens between two elements, all of which are commas.
@@ -137,7 +137,7 @@ impl<'n> Builder<'n> {
         Span::new(self.base + token.start as usize, self.base + token.end as usize)
     }
 
-    fn element(&self, pair: Pair<Rule>, place: In, out: &mut Vec<Element>) {
+    fn element(&self, pair: Pair<Rule>, context: Context, out: &mut Vec<Element>) {
         let span = self.span(&pair);
         let kind = match pair.as_rule() {
             Rule::SEMICOLON => ElementKind::Semicolon,
@@ -146,21 +146,21 @@ impl<'n> Builder<'n> {
                 Some(declare) => ElementKind::Directive(Box::new(Directive::Declare(declare))),
                 None => return self.declare_pieces(pair, out),
             },
-            rule if is_directive(rule) => ElementKind::Directive(Box::new(self.directive(pair, place))),
-            _ if self.single => return self.flatten(pair, place, out),
+            rule if is_directive(rule) => ElementKind::Directive(Box::new(self.directive(pair, context))),
+            _ if self.single => return self.flatten(pair, context, out),
             Rule::NUMBERS => ElementKind::Numbers(Box::new(self.list(self.token(&pair)))),
-            Rule::expr => match self.whole_expr(&pair, place) {
+            Rule::expr => match self.complete_expr(&pair, context) {
                 Some(e) => ElementKind::Expr(Box::new(e)),
-                None => return self.flatten(pair, place, out),
+                None => return self.flatten(pair, context, out),
             },
-            Rule::block => ElementKind::Block(Box::new(self.block(pair, place))),
-            Rule::group => ElementKind::Group(Box::new(Group { body: self.elements(pair, place) })),
-            Rule::entry => ElementKind::Entry(Box::new(Group { body: self.elements(pair, place) })),
+            Rule::block => ElementKind::Block(Box::new(self.block(pair, context))),
+            Rule::group => ElementKind::Group(Box::new(Group { body: self.elements(pair, context) })),
+            Rule::entry => ElementKind::Entry(Box::new(Group { body: self.elements(pair, context) })),
             Rule::function => match self.function(pair.clone()) {
                 Some(function) => ElementKind::Function(Box::new(function)),
-                None => return self.flatten(pair, place, out),
+                None => return self.flatten(pair, context, out),
             },
-            _ => return self.flatten(pair, place, out),
+            _ => return self.flatten(pair, context, out),
         };
         out.push(Element::new(span, kind));
     }
@@ -176,14 +176,14 @@ impl<'n> Builder<'n> {
             let within = range(&inner);
             self.singles(at..within.start, first, out);
             at = within.end;
-            self.flatten(inner, In::Script, out);
+            self.flatten(inner, Context::Script, out);
         }
         self.singles(at..own.end, first, out);
     }
 
     /// Makes each token an element, except for directives and for complete elements between brackets.
-    fn flatten(&self, pair: Pair<Rule>, place: In, out: &mut Vec<Element>) {
-        let place = if pair.as_rule() == Rule::function { In::Function } else { place };
+    fn flatten(&self, pair: Pair<Rule>, context: Context, out: &mut Vec<Element>) {
+        let context = if pair.as_rule() == Rule::function { Context::Function } else { context };
         let (first, own) = (out.len(), range(&pair));
         let mut at = own.start;
         for inner in pair.into_inner() {
@@ -191,10 +191,10 @@ impl<'n> Builder<'n> {
             self.singles(at..within.start, first, out);
             at = within.end;
             match inner.as_rule() {
-                Rule::block | Rule::group | Rule::function => self.element(inner, place, out),
-                rule if is_directive(rule) => self.element(inner, place, out),
-                Rule::expr if own.len() <= SMALL || self.holds_directive(&own) => self.element(inner, place, out),
-                _ => self.flatten(inner, place, out),
+                Rule::block | Rule::group | Rule::function => self.element(inner, context, out),
+                rule if is_directive(rule) => self.element(inner, context, out),
+                Rule::expr if own.len() <= SMALL || self.holds_directive(&own) => self.element(inner, context, out),
+                _ => self.flatten(inner, context, out),
             }
         }
         self.singles(at..own.end, first, out);
@@ -229,9 +229,9 @@ impl<'n> Builder<'n> {
         }
     }
 
-    fn block(&self, pair: Pair<Rule>, place: In) -> Block {
+    fn block(&self, pair: Pair<Rule>, context: Context) -> Block {
         let name = self.name(&pair);
-        Block { name, body: self.elements(pair, place) }
+        Block { name, body: self.elements(pair, context) }
     }
 
     /// Returns the word at the start of a parser's pair, as a keyword if it is one.
@@ -250,11 +250,11 @@ impl<'n> Builder<'n> {
         for part in pair.into_inner() {
             match part.as_rule() {
                 Rule::head => {
-                    let names = self.elements(part, In::Script);
+                    let names = self.elements(part, Context::Script);
                     parameters = names.iter().map(name_of).collect::<Option<_>>()?;
                 }
-                Rule::expr => size.push(self.expr(part, In::Script)?),
-                Rule::body => body = self.elements(part, In::Function),
+                Rule::expr => size.push(self.expr(part, Context::Script)?),
+                Rule::body => body = self.elements(part, Context::Function),
                 _ => {}
             }
         }
@@ -300,6 +300,6 @@ fn sign(text: &str) -> Sign {
         "." => Sign::Dot,
         "?" => Sign::Question,
         ":" => Sign::Colon,
-        _ => Operator::of(text).map_or(Sign::Other, Sign::Operator),
+        _ => Operator::from_text(text).map_or(Sign::Other, Sign::Operator),
     }
 }

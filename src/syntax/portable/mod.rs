@@ -21,7 +21,7 @@ pub(super) fn lint_portability(own: &Outline, all: &[Outline]) -> Vec<Diagnostic
     let declared = Declared::new(own, all);
     let mut check = Check { outline: own, declared: &declared, directive: None, addition: None, out: vec![] };
     for at in 0..own.tokens.len() {
-        check.judge(at);
+        check.apply_rules(at);
         if class::is_directive(own.class(at)) {
             check.directive = Some(at);
         }

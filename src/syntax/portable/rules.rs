@@ -8,17 +8,17 @@ use crate::syntax::word::{self, GROUPS, SHAPES};
 
 /// Blocks in which POV-Ray accepts no comma before a keyword and none before the `}`.
 #[rustfmt::skip]
-const STRICT: &[&str] = &[
+const VALUE_BLOCKS: &[&str] = &[
     "sphere", "box", "cylinder", "cone", "torus", "plane", "triangle", "smooth_triangle", "polygon", "prism", "lathe",
     "superellipsoid", "quadric", "text", "isosurface", "sphere_sweep", "blob", "mesh", "object", "finish", "camera",
     "global_settings", "light_source", "interior",
 ];
 /// Blocks of objects in which POV-Ray accepts no comma at all.
-const JOINING: &[&str] = &["union", "merge", "intersection", "difference"];
+const CSG_BLOCKS: &[&str] = &["union", "merge", "intersection", "difference"];
 /// Blocks with lists of blocks, in which POV-Ray accepts no comma between two blocks.
-const ROWS: &[&str] = &["mesh", "blob", "sky_sphere"];
+const LIST_BLOCKS: &[&str] = &["mesh", "blob", "sky_sphere"];
 /// Blocks of maps, in which POV-Ray accepts no comma between the entries.
-const MAPS: &[&str] =
+const MAP_BLOCKS: &[&str] =
     &["color_map", "colour_map", "pigment_map", "normal_map", "texture_map", "slope_map", "density_map"];
 /// Keywords of objects, cameras and lights that can't begin an operand, so that a comma before them is wrong.
 #[rustfmt::skip]
@@ -33,33 +33,33 @@ const MODIFIERS: &[&str] = &[
 ];
 
 /// Blocks of patterns, in which POV-Ray accepts no comma before the words [`MODIFIERS`], except after a pattern's list.
-const PAINTS: &[&str] = &["pigment", "normal", "texture"];
+const PATTERN_BLOCKS: &[&str] = &["pigment", "normal", "texture"];
 #[rustfmt::skip]
-const PAINT_WORDS: &[&str] = &[
+const PATTERN_WORDS: &[&str] = &[
     "color_map", "colour_map", "pigment_map", "normal_map", "slope_map", "texture_map", "frequency", "phase",
     "turbulence", "octaves", "omega", "lambda", "ramp_wave", "sine_wave", "triangle_wave", "scallop_wave", "cubic_wave",
     "poly_wave", "quick_color", "quick_colour", "warp", "bump_size",
 ];
 /// Patterns that take a list, after whose last entry POV-Ray accepts a comma.
-const LISTS: &[&str] = &["checker", "hexagon", "brick", "square", "triangular", "cubic", "object", "tiles"];
+const LIST_PATTERNS: &[&str] = &["checker", "hexagon", "brick", "square", "triangular", "cubic", "object", "tiles"];
 
 impl Check<'_> {
     /// Applies all rules of the lint to the token of the index `at`.
-    pub(super) fn judge(&mut self, at: usize) {
+    pub(super) fn apply_rules(&mut self, at: usize) {
         match self.outline.class(at) {
-            class::COMMA => self.comma(at),
-            class::SEMICOLON => self.semicolon(at),
-            class::VECTOR | class::NUMBER => self.bare_value(at),
-            class::DECLARE => self.declaration(at),
-            class::NAME => self.name(at),
-            class::KEYWORD | class::HEAD if self.outline.word(at) == "array" => self.array_without_size(at),
-            class::STRING if at > 0 && self.outline.word(at - 1) == "ttf" => self.font(at),
-            class::KEYWORD => self.addition(at),
+            class::COMMA => self.check_comma(at),
+            class::SEMICOLON => self.check_semicolon(at),
+            class::VECTOR | class::NUMBER => self.check_bare_value(at),
+            class::DECLARE => self.check_declaration(at),
+            class::NAME => self.check_name(at),
+            class::KEYWORD | class::HEAD if self.outline.word(at) == "array" => self.check_array_size(at),
+            class::STRING if at > 0 && self.outline.word(at - 1) == "ttf" => self.check_font(at),
+            class::KEYWORD => self.check_durer_word(at),
             _ => {}
         }
     }
 
-    fn comma(&mut self, at: usize) {
+    fn check_comma(&mut self, at: usize) {
         let mut brackets = self.brackets(at);
         let Some(open) = brackets.next() else {
             // Between statements; the context of a macro's body is unknown.
@@ -88,10 +88,10 @@ impl Check<'_> {
             return;
         }
         let modifies = is_keyword(self.outline, at + 1) && MODIFIERS.contains(&self.outline.word(at + 1));
-        let in_row = ROWS.contains(&block) && self.outline.before(at) == class::BRACE_END;
-        if PAINTS.contains(&block) {
+        let in_row = LIST_BLOCKS.contains(&block) && self.outline.before(at) == class::BRACE_END;
+        if PATTERN_BLOCKS.contains(&block) {
             let begins =
-                is_keyword(self.outline, at + 1) && (modifies || PAINT_WORDS.contains(&self.outline.word(at + 1)));
+                is_keyword(self.outline, at + 1) && (modifies || PATTERN_WORDS.contains(&self.outline.word(at + 1)));
             // A macro that is called before it may contain a list.
             let listed = self.outline.before(at) == class::PAREN_END || self.has_list(at);
             if (begins || next == class::BRACE_END) && !listed {
@@ -99,12 +99,12 @@ impl Check<'_> {
             }
             return;
         }
-        let (what, wrong) = if JOINING.contains(&block) || MAPS.contains(&block) || in_row {
+        let (what, wrong) = if CSG_BLOCKS.contains(&block) || MAP_BLOCKS.contains(&block) || in_row {
             ("here", true)
-        } else if STRICT.contains(&block) && next == class::BRACE_END {
+        } else if VALUE_BLOCKS.contains(&block) && next == class::BRACE_END {
             ("at the end of a block", true)
         } else {
-            ("here", STRICT.contains(&block) && modifies)
+            ("here", VALUE_BLOCKS.contains(&block) && modifies)
         };
         if wrong {
             self.report(at, format!("in `{block} {{ … }}`, POV-Ray accepts no comma {what}"), "leave it out");
@@ -114,17 +114,20 @@ impl Check<'_> {
     /// True if the open block has a pattern with a list before this token.
     fn has_list(&self, at: usize) -> bool {
         let start = self.brackets(at).next().map_or(0, |open| open.opener);
-        (start..at).any(|i| self.outline.class(i) == class::NAME || LISTS.contains(&self.outline.word(i)))
+        (start..at).any(|i| self.outline.class(i) == class::NAME || LIST_PATTERNS.contains(&self.outline.word(i)))
     }
 
-    fn semicolon(&mut self, at: usize) {
+    fn check_semicolon(&mut self, at: usize) {
         match self.brackets(at).next() {
             // `#end;`
             None if self.outline.before(at) == class::END && self.begins_statement(at - 1) => {
                 self.report(at, "POV-Ray accepts no `;` after `#end`".into(), "leave it out");
             }
             // `M();`, where M's last word is none that a `;` may follow
-            None if self.outline.before(at) == class::PAREN_END && !self.in_macro(at) && self.calls_objects(at) => {
+            None if self.outline.before(at) == class::PAREN_END
+                && !self.in_macro(at)
+                && self.ends_call_of_object_macro(at) =>
+            {
                 let message = "POV-Ray accepts no `;` after this macro, which ends with a block";
                 self.report(at, message.into(), "leave it out");
             }
@@ -143,7 +146,7 @@ impl Check<'_> {
             }
             // After a directive in the same brackets, the `;` may belong to the directive.
             Some(open) if self.directive < Some(open.opener) => {
-                if let Some(block) = self.block(at).filter(|block| STRICT.contains(block)) {
+                if let Some(block) = self.block(at).filter(|block| VALUE_BLOCKS.contains(block)) {
                     self.report(at, format!("in `{block} {{ … }}`, POV-Ray accepts no `;`"), "leave it out");
                 }
             }
@@ -160,7 +163,7 @@ impl Check<'_> {
     }
 
     /// True if the token before this index ends a call of a macro that produces an object, where a statement may begin.
-    fn calls_objects(&self, at: usize) -> bool {
+    fn ends_call_of_object_macro(&self, at: usize) -> bool {
         let Some(name) = self.outline.closed_by(at - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
         };
@@ -183,7 +186,7 @@ impl Check<'_> {
     }
 
     /// Checks for a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
-    fn bare_value(&mut self, at: usize) {
+    fn check_bare_value(&mut self, at: usize) {
         let is_vector = self.outline.class(at) == class::VECTOR;
         if self.begins_pigment(at) || is_vector && self.is_map_entry(at) {
             let what = if is_vector { "vector" } else { "number" };
@@ -208,13 +211,13 @@ impl Check<'_> {
     }
 
     /// Checks for an array without a size, `array { 1, 2 }`.
-    fn array_without_size(&mut self, at: usize) {
+    fn check_array_size(&mut self, at: usize) {
         if self.outline.class(at + 1) == class::BRACE {
             self.report(at, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");
         }
     }
 
-    fn declaration(&mut self, at: usize) {
+    fn check_declaration(&mut self, at: usize) {
         if self.outline.class(at + 1) == class::PAREN {
             let message = "POV-Ray 3.7 declares one name at a time";
             return self.report(at + 1, message.into(), "write a `#declare` for each name");
@@ -247,14 +250,14 @@ impl Check<'_> {
         }
     }
 
-    fn name(&mut self, at: usize) {
+    fn check_name(&mut self, at: usize) {
         let next = self.outline.class(at + 1);
         let calls = matches!(next, class::PAREN | class::BRACKET | class::EQUAL | class::DOT);
         let before = self.outline.before(at);
         let said =
             matches!(before, class::EQUAL | class::COMMA | class::PLUS | class::MINUS | class::TIMES | class::OVER);
         if calls || said || is_directive(before) {
-            return self.addition(at);
+            return self.check_durer_word(at);
         }
         let is_color = self.begins_pigment(at) || self.is_map_entry(at);
         let block = self.block(at).unwrap_or("");
@@ -270,12 +273,12 @@ impl Check<'_> {
                 let message = format!("`{name}` is a vector, and POV-Ray accepts no vector for a colour here");
                 self.report(at, message, format!("write `rgb {name}`"));
             }
-            _ => self.addition(at),
+            _ => self.check_durer_word(at),
         }
     }
 
     /// Reports a word that only durer has.
-    fn addition(&mut self, at: usize) {
+    fn check_durer_word(&mut self, at: usize) {
         let (Some(block), Some(open)) = (self.block(at), self.brackets(at).next()) else { return };
         let name = self.outline.word(at);
         let own = word::contextual(block).contains(&name);
@@ -293,7 +296,7 @@ impl Check<'_> {
     }
 
     /// Reports a font that is given by its family name. (The name of a font file usually has no blanks, or an ending.)
-    fn font(&mut self, at: usize) {
+    fn check_font(&mut self, at: usize) {
         if self.outline.word(at).contains(' ') && !self.outline.word(at).contains('.') {
             let help = "`ttf \"file.ttf\"` is what both know";
             self.report(at, "only durer finds fonts by the names of their families".into(), help);

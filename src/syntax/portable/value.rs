@@ -5,9 +5,9 @@ use crate::syntax::class;
 use crate::syntax::outline::Outline;
 
 /// Functions that return strings; POV-Ray needs no `;` after them.
-const TEXTS: &[&str] = &["chr", "concat", "datetime", "str", "strlwr", "strupr", "substr", "vstr"];
+const STRING_FUNCTIONS: &[&str] = &["chr", "concat", "datetime", "str", "strlwr", "strupr", "substr", "vstr"];
 /// Keywords that begin a colour.
-const COLORS: &[&str] = &[
+const COLOR_WORDS: &[&str] = &[
     "color", "colour", "rgb", "rgbf", "rgbt", "rgbft", "srgb", "srgbf", "srgbt", "srgbft", "red", "green", "blue",
     "filter", "transmit",
 ];
@@ -33,14 +33,14 @@ pub(super) fn end(outline: &Outline, at: usize) -> Option<usize> {
 }
 
 fn is_color(outline: &Outline, at: usize) -> bool {
-    is_keyword(outline, at) && COLORS.contains(&outline.word(at))
+    is_keyword(outline, at) && COLOR_WORDS.contains(&outline.word(at))
 }
 
 fn operand(outline: &Outline, at: usize) -> Option<usize> {
     match outline.class(at) {
         class::NUMBER => Some(at + 1),
         class::PAREN | class::VECTOR => after_partner(outline, at),
-        class::BUILTIN if TEXTS.contains(&outline.word(at)) => None,
+        class::BUILTIN if STRING_FUNCTIONS.contains(&outline.word(at)) => None,
         class::BUILTIN if outline.class(at + 1) == class::PAREN => after_partner(outline, at + 1),
         // `rgb` and its value.
         _ if is_color(outline, at) => {

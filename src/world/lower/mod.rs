@@ -75,13 +75,13 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
             };
             let number = node.is_dissolved().then_some(node.object);
             match lowering.copied(&object, &node, before)? {
-                Some(copied) => builder.add_copied(copied),
+                Some(copied) => builder.add_instance(copied),
                 None => lowering.add_views(node, before.objects, &mut builder),
             }
-            lowering.forget_dissolved(number);
+            lowering.free_number_of_split(number);
         }
         drop(object);
-        lowering.forget_spent();
+        lowering.drop_unused();
     }
     let lit_by = lowering.lit_by();
     let noise = scene.settings.noise_generator.unwrap_or_default();
@@ -172,19 +172,19 @@ struct Group {
 
 impl Lowering {
     /// Creates the state before any object is lowered; `ambient_light` is the scene's factor of `ambient`.
-    fn under(ambient_light: Rgb) -> Self {
+    fn with_ambient_light(ambient_light: Rgb) -> Self {
         let photons = vec![PhotonSettings::default()];
-        Self { shared: Shared::under(ambient_light), photons, ..Self::default() }
+        Self { shared: Shared::with_ambient_light(ambient_light), photons, ..Self::default() }
     }
 
     /// Drops shared textures that no object uses any more.
-    fn forget_spent(&mut self) {
-        self.textures.forget_spent();
-        self.shared.forget_spent();
+    fn drop_unused(&mut self) {
+        self.textures.drop_unused();
+        self.shared.drop_unused();
     }
 
     /// Frees the number of an object that was split into its parts, for the next object.
-    fn forget_dissolved(&mut self, number: Option<u32>) {
+    fn free_number_of_split(&mut self, number: Option<u32>) {
         if number.is_some_and(|number| number as usize + 1 == self.objects.len()) {
             self.objects.pop();
         }

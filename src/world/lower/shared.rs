@@ -17,14 +17,14 @@ pub(super) struct Shared {
 
 impl Shared {
     /// Creates an empty table; `ambient_light` is the scene's factor of `ambient`.
-    pub fn under(ambient_light: Rgb) -> Self {
+    pub fn with_ambient_light(ambient_light: Rgb) -> Self {
         Self { ambient_light, ..Self::default() }
     }
 
     /// Drops finishes and normals that no object uses any more.
-    pub fn forget_spent(&mut self) {
-        self.finishes.forget_spent();
-        self.normals.forget_spent();
+    pub fn drop_unused(&mut self) {
+        self.finishes.drop_unused();
+        self.normals.drop_unused();
     }
 }
 
@@ -61,7 +61,7 @@ impl<T, U> Lowered<T, U> {
         lowered
     }
 
-    pub fn forget_spent(&mut self) {
+    pub fn drop_unused(&mut self) {
         for address in self.fresh.drain(..) {
             if self.known.get(&address).is_some_and(|(thing, _)| Arc::strong_count(thing) == 1) {
                 self.known.remove(&address);

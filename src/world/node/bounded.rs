@@ -40,7 +40,7 @@ impl SolidNode {
 
     /// True if the ray intersects every bound or starts inside it, so that it can hit the node.
     #[inline]
-    pub(super) fn is_met(&self, ray: &Ray) -> bool {
+    pub(super) fn can_be_hit(&self, ray: &Ray) -> bool {
         self.bounds_before()
             .iter()
             .all(|bound| bound.inside(ray.origin) || bound.closest(ray, Range::FORWARD).is_some())

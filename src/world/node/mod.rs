@@ -129,9 +129,9 @@ impl SolidNode {
     /// Returns the view of the solid without the parts of unions and merges that are `hidden`. Hidden parts remove no
     /// others from view, but still belong to the inside of the solid (quirk: `no_image_in_union`). `None` if nothing is
     /// hidden.
-    pub fn seen(&self, hidden: &dyn Fn(&SolidKind, u32) -> bool) -> Option<Self> {
+    pub fn without_hidden(&self, hidden: &dyn Fn(&SolidKind, u32) -> bool) -> Option<Self> {
         let children = self.children();
-        let seen: Vec<Option<Self>> = children.iter().map(|c| c.seen(hidden)).collect();
+        let seen: Vec<Option<Self>> = children.iter().map(|c| c.without_hidden(hidden)).collect();
         let joins = matches!(self.kind, SolidKind::Union(_) | SolidKind::Merge(_));
         let shows = |part: &SolidNode| !joins || !hidden(&self.kind, part.object);
         if children.iter().all(shows) && seen.iter().all(Option::is_none) {
@@ -223,7 +223,7 @@ impl SolidNode {
 
     /// Appends every hit in the range to `out`. `part` is true for a part of a CSG object; see [`Kernel::hits_in_csg`].
     pub(super) fn hits_as<'a>(&'a self, part: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
-        if !self.is_met(ray) {
+        if !self.can_be_hit(ray) {
             return;
         }
         let first = out.len();
@@ -289,14 +289,14 @@ impl SolidNode {
     /// True if the ray has any hit in the range.
     pub fn any(&self, ray: &Ray, range: Range) -> bool {
         match &self.kind {
-            SolidKind::Leaf(leaf) if self.clip().is_empty() => self.is_met(ray) && leaf.any(ray, range),
+            SolidKind::Leaf(leaf) if self.clip().is_empty() => self.can_be_hit(ray) && leaf.any(ray, range),
             _ => self.closest_of_many(ray, range).is_some(),
         }
     }
 
     /// Returns the closest hit of a composite solid.
     fn closest_of_many<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        if !self.is_met(ray) {
+        if !self.can_be_hit(ray) {
             return None;
         }
         match &self.kind {
@@ -330,7 +330,7 @@ impl SolidNode {
     fn closest_of_all<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut best: Option<Intersection> = None;
         self.each_child(ray, range, |_, child, range| match child.closest(ray, range) {
-            Some(found) if best.is_none_or(|best| found.goes_before(&best)) => {
+            Some(found) if best.is_none_or(|best| found.wins_against(&best)) => {
                 best = Some(found);
                 Range { max: found.t().next_up(), ..range }
             }
@@ -367,7 +367,7 @@ impl SolidNode {
         let mut met: SmallVec<[u32; 16]> = SmallVec::new();
         self.each_child(ray, range, |i, child, range| {
             met.push(i as u32);
-            all.look(i, child, ray, range, only_inside)
+            all.set_interval(i, child, ray, range, only_inside)
         });
         met.iter().for_each(|&i| all.add(i as usize, &children[i as usize], ray));
     }

@@ -44,7 +44,7 @@ fn bytes() -> Vec<Case> {
 
 fn syntax() -> Vec<Case> {
     vec![
-        case("open_brace", "sphere { 0, 1", 1, &["E0101", "a.scene:1:8"]),
+        case("unclosed_brace_error", "sphere { 0, 1", 1, &["E0101", "a.scene:1:8"]),
         case("open_string", "#debug \"never ends\n\n", 1, &["E0101", "a.scene:1:8"]),
         case("open_string_escape", "#debug \"\\", 1, &["E0101", "a.scene:1:8"]),
         case("open_comment", "/* never /* ends */\n", 1, &["E0101", "a.scene:1:1"]),

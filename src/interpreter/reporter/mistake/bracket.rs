@@ -9,7 +9,7 @@ impl Reporter<'_> {
     pub fn closed_early(&mut self, fault: &Diagnostic) -> Option<Diagnostic> {
         let sources = self.inputs.sources;
         let (file, range) = sources.locate(fault.span())?;
-        let look = || blame::early_brace(&Outline::read(sources, file)).map(Box::new);
+        let look = || blame::early_brace_error(&Outline::read(sources, file)).map(Box::new);
         let d = self.mistakes.early.entry(file).or_insert_with(look).as_deref()?.clone();
         let (_, early) = self.inputs.sources.locate(d.span())?;
         (early.start <= range.start).then_some(d)

@@ -110,14 +110,14 @@ impl Reporter<'_> {
             return true;
         }
         if let Some(cause) = &d.cause {
-            return cause.uses.iter().all(|(name, _)| self.is_left_undone(name, source.file));
+            return cause.uses.iter().all(|(name, _)| self.is_undeclared_by_error(name, source.file));
         }
         let is_value = matches!(d.code, codes::EXPECTED | codes::EXPECTED_VALUE | codes::UNKNOWN_WORD);
         is_value && !self.mistakes.words.is_empty() && source.words().any(|word| self.mistakes.words.contains(word))
     }
 
     /// True if the name is undeclared only because of earlier errors.
-    fn is_left_undone(&self, name: &str, user: FileId) -> bool {
+    fn is_undeclared_by_error(&self, name: &str, user: FileId) -> bool {
         let gives = |(file, includer): &(String, FileId)| match library::is_standard_include(file) {
             true => library::declares(file, name),
             // The contents of the author's own missing file are unknown: it may declare any name in the file that
