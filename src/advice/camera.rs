@@ -26,8 +26,7 @@ fn several(cameras: &[Span]) -> Option<Diagnostic> {
     Some(d.also(*last, "this one is used").help("put the others into comments, or choose one with `#if`"))
 }
 
-/// Returns the warning about a camera that looks along `sky`, which is mostly intended, for example in a view from
-/// above.
+/// Returns the warning about a camera that looks along `sky`, which is mostly intended, as in a view from above.
 pub(super) fn view_along_sky_warning(scene: &Scene) -> Option<Diagnostic> {
     let Camera::Povray(camera) = &scene.camera else { return None };
     let ahead = (camera.look_at? - camera.location).try_normalize()?;

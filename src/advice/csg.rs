@@ -10,17 +10,16 @@ use std::sync::Arc;
 
 /// Maximum number of shapes in an object that is examined.
 const MAX_SHAPES: u32 = 300;
-/// Maximum number of objects from one position of the text that are examined. If one of them is not empty, the text is
-/// right.
+/// Maximum number of examined objects from one position of the text. If one is not empty, the text is right.
 const MAX_COPIES: usize = 8;
 /// Largest number of positions of the text that are examined.
 const MAX_POSITIONS: usize = 400;
 /// Largest number of warnings about CSG objects.
 const MAX_WARNINGS: usize = 5;
 /// Number of test rays along each side of an object's box in the first test.
-const FEW: usize = 6;
+const FEW_RAYS: usize = 6;
 /// Number of test rays along each side of an object's box in the second test, if all rays of the first test miss.
-const MANY: usize = 90;
+const MANY_RAYS: usize = 90;
 
 pub(super) fn csg_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     let mut groups = Groups::default();
@@ -150,7 +149,7 @@ fn is_plain_block(source: Span, sources: &Sources) -> bool {
 
 /// True if test rays hit no surface of the object, so that it is probably empty.
 fn is_probably_empty(object: &Object) -> bool {
-    if object.weight().shapes() > MAX_SHAPES {
+    if object.weight().n_shapes() > MAX_SHAPES {
         return false;
     }
     // Lowering reports singular transforms.
@@ -159,7 +158,7 @@ fn is_probably_empty(object: &Object) -> bool {
     if bounds.is_empty() {
         return true;
     }
-    bounds.is_finite() && is_missed(&probe, &bounds, FEW) && is_missed(&probe, &bounds, MANY)
+    bounds.is_finite() && is_missed(&probe, &bounds, FEW_RAYS) && is_missed(&probe, &bounds, MANY_RAYS)
 }
 
 /// True if all rays along the axes, a grid of `across` by `across` through each side of the box, miss the object.

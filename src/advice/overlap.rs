@@ -51,8 +51,7 @@ pub(super) fn coincidence_warnings(world: &World, options: &render::Options) -> 
     out
 }
 
-/// Returns test rays all over the picture. They avoid the centres of pixels, where objects with round numbers have
-/// their edges.
+/// Returns test rays all over the picture, beside the centres of pixels, where objects often have edges.
 fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> + use<> {
     let (width, height) = (options.width as f64, options.height as f64);
     let view = world.eye.view(options.width, options.height);

@@ -11,8 +11,7 @@ use std::cell::Cell;
 use std::sync::atomic::{AtomicBool, AtomicIsize, AtomicUsize, Ordering::Relaxed};
 use std::time::Duration;
 
-/// Number of bytes that a thread allocates or frees before it updates the common count, so that threads rarely access
-/// it.
+/// Number of bytes that a thread allocates or frees before it updates the common count, which should be rare.
 const BATCH: isize = 16 << 10;
 
 static USED: AtomicIsize = AtomicIsize::new(0);

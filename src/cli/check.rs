@@ -25,12 +25,12 @@ pub fn run(console: &Console, args: &CheckArgs, animation: Option<Animation>) ->
         let exit = check(console, args, &animation, input)?;
         // A program reads the exit code; a person would see no output.
         if human && console.terminal && exit == Exit::Fine {
-            console.info(&summary::line(Word::Ok, input.display(), &console.take_count().to_string()));
+            console.info(&summary::scene_line(Word::Ok, input.display(), &console.take_count().to_string()));
         }
         return Ok(exit);
     }
     let print = |line: &str| if human && !console.quiet { console.data(line) } else { Ok(()) };
-    summary::each(console, &inputs.all, print, |console, input| {
+    summary::process_each(console, &inputs.all, print, |console, input| {
         Ok((check(console, args, &animation, input)?, String::new()))
     })
 }
@@ -74,7 +74,7 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);
     }
     report(console, args, &sources, &built.diagnostics)?;
-    Ok(session::verdict(built.limit_reached, &built.diagnostics))
+    Ok(session::exit_code_of_run(built.limit_reached, &built.diagnostics))
 }
 
 /// Returns the warnings that `--warn` enables. The scene's own file is the first of the parsed files.

@@ -125,7 +125,8 @@ impl Console {
         let errors = diagnostics.iter().filter(of(Severity::Error));
         let warnings = diagnostics.iter().filter(of(Severity::Warning)).filter(|_| !self.quiet);
         let wanted: Vec<_> = errors.chain(warnings).collect();
-        let povray_line = |d| if self.has_povray_lines() { client_lines::fault(sources, d) } else { String::new() };
+        let povray_line =
+            |d| if self.has_povray_lines() { client_lines::fault_line(sources, d) } else { String::new() };
         let mut text: String =
             wanted.iter().map(|d| povray_line(d) + &draw::render(d, sources, self.style) + "\n").collect();
         let count = Count::of(wanted.iter().copied());

@@ -19,8 +19,7 @@ struct Fingerprint {
     modified: u128,
 }
 
-/// Files by the scene that created them, each with its state after the scene had finished; `None` while the scene
-/// writes it.
+/// Files by the scene that created them, each with its final state; `None` while the scene writes the file.
 type Created = BTreeMap<PathBuf, BTreeMap<PathBuf, Option<Fingerprint>>>;
 
 /// Files that one scene created, in this run and in earlier ones.

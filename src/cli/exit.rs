@@ -41,8 +41,7 @@ pub struct Signal {
     pub may_be_ignored: bool,
 }
 
-/// All signals after which commands store their results and end. The exit codes are those of shells: 128 plus the
-/// signal's number.
+/// All signals after which commands store their results and end, with the exit codes of shells: 128 plus the number.
 pub const SIGNALS: &[Signal] = &[
     Signal { number: 1, exit: Exit::HungUp, reason: "the terminal was closed", may_be_ignored: true },
     Signal { number: 2, exit: Exit::Interrupted, reason: "interrupted", may_be_ignored: false },

@@ -13,8 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Reads a font file, lays out a line of text, takes the outlines of the glyphs, and searches the font by a family's
-/// name.
+/// Reads a font file, lays out a line of text, takes the glyphs' outlines, and searches the font by a family's name.
 pub fn read_font(bytes: &[u8]) {
     let (files, path) = (Memory::default(), PathBuf::from("font.ttf"));
     files.insert(&path, bytes);

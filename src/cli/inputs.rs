@@ -16,8 +16,7 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// Collects the scenes that a command line names, including those in folders. A missing file is reported when it is
-    /// processed.
+    /// Collects the scenes that a command line names, also those in folders. Missing files are reported later.
     pub fn of(named: &[PathBuf]) -> Result<Self> {
         let mut all = Vec::new();
         for input in named {

@@ -18,9 +18,8 @@ const GRACE: Duration = Duration::from_millis(350);
 /// Maximum time of the cleanup before the process ends. With [`GRACE`], less than two seconds.
 const CLEANUP_TIME: Duration = Duration::from_millis(1500);
 
-/// Time within which a second Ctrl-C counts as the first one, because programs such as `timeout` send a signal twice at
-/// once.
-const REPEAT: Duration = Duration::from_millis(200);
+/// Time within which a second Ctrl-C is ignored, because programs such as `timeout` send a signal twice at once.
+const REPEAT_INTERVAL: Duration = Duration::from_millis(200);
 
 /// Number of the signal that Ctrl-C sends.
 #[cfg(not(unix))]
@@ -28,8 +27,7 @@ const INTERRUPT: i32 = 2;
 
 /// Number of the first signal that arrived; 0 before a signal.
 static REQUESTED: AtomicUsize = AtomicUsize::new(0);
-/// Number of the signal XFSZ once it has arrived; 0 before. The signal's handler sets it before the write that failed
-/// returns.
+/// Number of the signal XFSZ once it has arrived; 0 before. The handler sets it before the failed write returns.
 static FILE_SIZE: LazyLock<Arc<AtomicUsize>> = LazyLock::new(Arc::default);
 static DEFERRED: AtomicBool = AtomicBool::new(false);
 /// True once cancelled work has noticed the cancellation, so that the process waits for its last messages and writes.
@@ -81,12 +79,11 @@ mod unix {
     }
 }
 
-/// Handles a signal: ends the present work, or the whole program if no work could be stored. `first` is the time of the
-/// first signal.
+/// Handles a signal: ends the work, or the program if no work can be stored. `first` is the time of the first signal.
 fn receive(number: i32, first: &mut Option<Instant>) {
     let Some(signal) = SIGNALS.iter().find(|signal| signal.number == number) else { return };
     if let Some(first) = first {
-        if signal.exit == Exit::Interrupted && first.elapsed() > REPEAT {
+        if signal.exit == Exit::Interrupted && first.elapsed() > REPEAT_INTERVAL {
             std::process::exit(Exit::Interrupted.number().into());
         }
         return;
@@ -138,8 +135,7 @@ impl Drop for Cleanup {
 
 /// Ends the process in the middle of work, after the cleanup.
 ///
-/// Another thread runs the cleanup and prints the message within limited time, because the calling thread may hold any
-/// lock.
+/// Another thread runs the cleanup and prints the message in limited time, since the calling thread may hold any lock.
 pub fn end_process(exit: Exit, message: &str) -> ! {
     let message = message.to_string();
     let (ended, end) = std::sync::mpsc::channel();
@@ -177,7 +173,7 @@ impl Drop for Deferred {
     }
 }
 
-/// What happens to work that has not ended after its time limit.
+/// Treatment of work that has not ended after its time limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overrun {
     /// The process ends, with [`Exit::Limit`].

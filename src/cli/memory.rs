@@ -40,7 +40,7 @@ pub fn check_memory(size: Size, part: Option<Region>, bytes_per_pixel: usize, li
         if needed > u128::from(limit) {
             return fault(format!("`--max-memory` allows {}", in_words(limit.into())));
         }
-    } else if let Some(free) = available().filter(|&free| needed > u128::from(free)) {
+    } else if let Some(free) = free_memory().filter(|&free| needed > u128::from(free)) {
         return fault(format!("{} are free", in_words(free.into())));
     }
     match usize::try_from(needed).map(|bytes| Vec::<u8>::new().try_reserve_exact(bytes)) {
@@ -52,7 +52,7 @@ pub fn check_memory(size: Size, part: Option<Region>, bytes_per_pixel: usize, li
 /// Returns the memory limit without `--max-memory`: most of the free memory, so that a runaway scene ends with a
 /// message before the system kills the process.
 pub fn default_limit() -> Option<u64> {
-    let most = available().map(|free| free / 10 * 9);
+    let most = free_memory().map(|free| free / 10 * 9);
     // A growing list is copied: in a limited address space the old and the new copy both count.
     let limited = address_space().map(|free| free / 3);
     most.into_iter().chain(limited).min()
@@ -61,7 +61,7 @@ pub fn default_limit() -> Option<u64> {
 /// Returns the limit at which the process ends wherever it is. It is above the interpreter's limit, whose messages have
 /// a place. Without `--max-memory`, most of the free memory.
 pub fn hard_limit(limit: Option<u64>) -> Option<u64> {
-    limit.map(|bytes| bytes.saturating_add(HARD_LIMIT_MARGIN)).or_else(|| available().map(|free| free / 20 * 19))
+    limit.map(|bytes| bytes.saturating_add(HARD_LIMIT_MARGIN)).or_else(|| free_memory().map(|free| free / 20 * 19))
 }
 
 /// Bytes above `--max-memory` at which the process ends.
@@ -75,9 +75,8 @@ fn address_space() -> Option<u64> {
     Some(limit.saturating_sub(kilobytes("/proc/self/status", "VmSize:")?))
 }
 
-/// Returns the free memory of the machine and of the process's control groups, in bytes; `None` if the system does not
-/// report it.
-fn available() -> Option<u64> {
+/// Returns the free memory of the machine and the process's control groups, in bytes; `None` if it is not reported.
+fn free_memory() -> Option<u64> {
     let groups = std::fs::read_to_string("/proc/self/cgroup").unwrap_or_default();
     let in_groups = groups.lines().filter_map(|line| line.strip_prefix("0::")).flat_map(|group| {
         Path::new("/sys/fs/cgroup")
@@ -94,7 +93,7 @@ fn available() -> Option<u64> {
 }
 
 /// Returns the largest memory of this process so far, in bytes; `None` if the system does not report it.
-pub fn peak() -> Option<u64> {
+pub fn peak_memory() -> Option<u64> {
     kilobytes("/proc/self/status", "VmHWM:")
 }
 

@@ -64,7 +64,7 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
             Err(failure) => Err(failure),
         };
         let exit = exit.unwrap_or_else(|failure| console.print_failure(failure));
-        console.povray_line(client_lines::ending(exit));
+        console.povray_line(client_lines::ending_line(exit));
         exit
     });
     ExitCode::from(exit.number())

@@ -118,7 +118,7 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
         out.objects.push(ObjectRow {
             source,
             word: object.word,
-            shapes: object.weight().shapes(),
+            shapes: object.weight().n_shapes(),
             pov_bounds: corners,
             infinite: is_infinite,
             texture: number,

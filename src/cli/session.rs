@@ -24,8 +24,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Returns the file that an input names: `scene` may stand for `scene.pov`, as in POV-Ray, or for a file with another
-/// extension of a scene.
+/// Returns the file that an input names: `scene` may mean `scene.pov`, or a file with another scene extension.
 pub fn named(input: &Path) -> PathBuf {
     let endings = ["pov", "scene", "ini"].into_iter();
     let mut others = endings.map(|ending| PathBuf::from(format!("{}.{ending}", input.display())));
@@ -224,7 +223,7 @@ pub fn build(
 }
 
 /// Returns the exit code for the result of the interpreter.
-pub fn verdict(limit_reached: bool, diagnostics: &[Diagnostic]) -> Exit {
+pub fn exit_code_of_run(limit_reached: bool, diagnostics: &[Diagnostic]) -> Exit {
     if limit_reached {
         Exit::Limit
     } else if diagnostics.iter().any(|d| d.severity == Severity::Error) {
@@ -237,7 +236,7 @@ pub fn verdict(limit_reached: bool, diagnostics: &[Diagnostic]) -> Exit {
 /// Reports the messages of a run, and returns the World if there is no error.
 pub fn report_and_take_world(console: &Console, sources: &Sources, built: &mut Built) -> Result<World> {
     console.report(sources, &built.diagnostics);
-    match (verdict(built.limit_reached, &built.diagnostics), built.world.take()) {
+    match (exit_code_of_run(built.limit_reached, &built.diagnostics), built.world.take()) {
         (Exit::Fine, Some(world)) => Ok(world),
         (Exit::Fine, None) => Err(Failure::Reported(Exit::Scene)),
         (exit, _) => Err(Failure::Reported(exit)),

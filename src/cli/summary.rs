@@ -76,13 +76,13 @@ impl Display for Count {
 }
 
 /// Returns the result line of one scene, `FAIL  a.scene  2 errors`, with its line ending.
-pub fn line(word: Word, scene: impl Display, text: &str) -> String {
+pub fn scene_line(word: Word, scene: impl Display, text: &str) -> String {
     let gap = if text.is_empty() { "" } else { "  " };
     format!("{:4}  {scene}{gap}{text}\n", word.text())
 }
 
 /// Returns the last line, `12 ok, 1 FAIL; 2 errors, 1 warning`, with its line ending.
-pub fn total(words: &[Word], messages: Count) -> String {
+pub fn total_line(words: &[Word], messages: Count) -> String {
     let count = |wanted: Word| (words.iter().filter(|word| **word == wanted).count(), wanted.text());
     let parts = [Word::Ok, Word::Fail, Word::New].map(count);
     let parts = parts.iter().filter(|(n, _)| *n > 0).map(|(n, word)| format!("{n} {word}"));
@@ -92,7 +92,7 @@ pub fn total(words: &[Word], messages: Count) -> String {
 
 /// Processes several scenes, and prints a result line for each. `work` returns the exit code of a scene, and a text for
 /// the line of a scene without errors.
-pub fn each(
+pub fn process_each(
     console: &Console,
     inputs: &[PathBuf],
     print: impl Fn(&str) -> Result<()>,
@@ -113,16 +113,15 @@ pub fn each(
         if exit.is_signal() {
             return Err(Failure::Reported(exit));
         }
-        print(&line(Word::of(exit), input.display(), &parts.collect::<Vec<_>>().join("  ")))?;
+        print(&scene_line(Word::of(exit), input.display(), &parts.collect::<Vec<_>>().join("  ")))?;
     }
     let words: Vec<_> = exits.iter().map(|exit| Word::of(*exit)).collect();
-    print(&total(&words, all))?;
-    Ok(worst(exits))
+    print(&total_line(&words, all))?;
+    Ok(combined_exit_code(exits))
 }
 
-/// Returns the exit code of all scenes together. An error of a scene has the highest rank, a different picture the
-/// lowest.
-pub fn worst(exits: impl IntoIterator<Item = Exit> + Clone) -> Exit {
+/// Returns the exit code of all scenes together. A scene's error has the highest rank, a different picture the lowest.
+pub fn combined_exit_code(exits: impl IntoIterator<Item = Exit> + Clone) -> Exit {
     let signals = SIGNALS.iter().map(|signal| signal.exit);
     let order = signals.chain([Exit::Scene, Exit::File, Exit::Limit, Exit::Usage, Exit::Snapshot]);
     let mut order = order.into_iter();
@@ -136,17 +135,17 @@ mod tests {
     #[test]
     fn lines_omit_counts_of_zero() {
         let count = |errors, warnings| Count { errors, warnings };
-        assert_eq!(line(Word::Ok, "a.scene", ""), "ok    a.scene\n");
-        assert_eq!(line(Word::Fail, "b.scene", &count(2, 1).to_string()), "FAIL  b.scene  2 errors, 1 warning\n");
-        assert_eq!(total(&[Word::Ok], count(0, 0)), "1 ok\n");
-        assert_eq!(total(&[Word::New, Word::Fail, Word::Ok], count(1, 0)), "1 ok, 1 FAIL, 1 new; 1 error\n");
+        assert_eq!(scene_line(Word::Ok, "a.scene", ""), "ok    a.scene\n");
+        assert_eq!(scene_line(Word::Fail, "b.scene", &count(2, 1).to_string()), "FAIL  b.scene  2 errors, 1 warning\n");
+        assert_eq!(total_line(&[Word::Ok], count(0, 0)), "1 ok\n");
+        assert_eq!(total_line(&[Word::New, Word::Fail, Word::Ok], count(1, 0)), "1 ok, 1 FAIL, 1 new; 1 error\n");
         assert_eq!(count(1, 2) + count(1, 0), count(2, 2));
     }
 
     #[test]
     fn the_worst_exit_code_is_returned() {
-        assert_eq!(worst([Exit::Fine, Exit::File, Exit::Scene]), Exit::Scene);
-        assert_eq!(worst([Exit::Snapshot, Exit::Fine]), Exit::Snapshot);
-        assert_eq!(worst([]), Exit::Fine);
+        assert_eq!(combined_exit_code([Exit::Fine, Exit::File, Exit::Scene]), Exit::Scene);
+        assert_eq!(combined_exit_code([Exit::Snapshot, Exit::Fine]), Exit::Snapshot);
+        assert_eq!(combined_exit_code([]), Exit::Fine);
     }
 }

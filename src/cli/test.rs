@@ -101,9 +101,9 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
     }
     if args.format == MessageFormat::Human {
         let words: Vec<_> = outcomes.iter().map(|(_, outcome)| word(outcome)).collect();
-        console.data(summary::total(&words, console.take_count()))?;
+        console.data(summary::total_line(&words, console.take_count()))?;
     }
-    Ok(summary::worst(outcomes.iter().map(|(_, outcome)| outcome.exit)))
+    Ok(summary::combined_exit_code(outcomes.iter().map(|(_, outcome)| outcome.exit)))
 }
 
 /// Tests one scene without printing anything.
@@ -154,7 +154,7 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     let options = BuildOptions { cancel: deadline.token().clone(), ..options };
     let built = crate::build(sources, file, &options, &mut |_| {});
     outcome.messages = console.text(sources, &built.diagnostics);
-    let (exit, Some(world)) = (session::verdict(built.limit_reached, &built.diagnostics), built.world) else {
+    let (exit, Some(world)) = (session::exit_code_of_run(built.limit_reached, &built.diagnostics), built.world) else {
         return Err(Failure::Reported(Exit::Scene));
     };
     if exit != Exit::Fine {
@@ -224,7 +224,7 @@ fn quoted(path: &Path) -> String {
 
 fn line(case: &Case, outcome: &Outcome, accept: Option<&str>) -> String {
     let accept = accept.map_or(String::new(), |command| format!("      if the new picture is right: {command}\n"));
-    summary::line(word(outcome), case.scene.display(), &outcome.text) + &accept
+    summary::scene_line(word(outcome), case.scene.display(), &outcome.text) + &accept
 }
 
 /// Returns the result of one scene as JSON; the numbers are null without a comparison.

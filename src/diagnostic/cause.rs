@@ -27,13 +27,13 @@ impl Cause {
     }
 
     /// True if both causes have the same remedy and names, so that their messages can be merged.
-    pub fn is(&self, other: &Cause) -> bool {
+    pub fn is_same_as(&self, other: &Cause) -> bool {
         let first = |cause: &Cause| cause.uses.first().map(|(name, _)| name.clone());
         self.remedy == other.remedy && (self.remedy != Remedy::Declare || first(self) == first(other))
     }
 
     /// Adds the uses of names in another cause, without duplicates.
-    pub fn join(&mut self, other: &Cause) {
+    pub fn add_uses(&mut self, other: &Cause) {
         for part in &other.uses {
             if !self.uses.contains(part) {
                 self.uses.push(part.clone());

@@ -27,7 +27,7 @@ pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> Strin
             Err(_) => format!("{}: {}\n", d.code, d.message),
         }
     };
-    let mut out = match primary_apart(diagnostic, sources) {
+    let mut out = match split_off_primary(diagnostic, sources) {
         Some([first, rest]) => {
             let rest = draw(&rest);
             // The message is above already: continue with the frame.
@@ -50,7 +50,7 @@ const FRAME: &str = "╭─";
 /// Splits a diagnostic in two: one with the fault's own label, and one with the other labels and the help. `None` if
 /// all can be shown together. The reason is that miette shows labels in the order of the text, so that others could
 /// precede the fault.
-fn primary_apart(d: &Diagnostic, sources: &Sources) -> Option<[Diagnostic; 2]> {
+fn split_off_primary(d: &Diagnostic, sources: &Sources) -> Option<[Diagnostic; 2]> {
     let line = |label: &Label| sources.place(label.span).map_or(0, |place| place.line);
     let primary = d.labels.first()?;
     let file = |label: &Label| sources.locate(label.span).map(|(id, _)| id);
@@ -83,7 +83,7 @@ impl Report {
         let lines = file.map(|id| Lines::new(sources, id, d));
         let local = |span: Span| {
             let (id, range) = sources.locate(span).filter(|(id, _)| Some(*id) == file)?;
-            lines.as_ref().map(|lines| lines.shown(shortened(sources.text(id), range)))
+            lines.as_ref().map(|lines| lines.shown_range(shortened_range(sources.text(id), range)))
         };
         let label = |(i, l): (usize, &Label)| {
             let range = local(l.span)?;
@@ -140,7 +140,7 @@ fn abridged(text: &str) -> String {
     if text.len() <= MAX_MESSAGE {
         return text.into();
     }
-    let (head, tail) = (boundary(text, MAX_MESSAGE / 2), boundary(text, text.len() - MAX_MESSAGE / 2));
+    let (head, tail) = (char_start(text, MAX_MESSAGE / 2), char_start(text, text.len() - MAX_MESSAGE / 2));
     format!("{} … {}", &text[..head], &text[tail..])
 }
 
@@ -161,7 +161,7 @@ struct Lines {
 /// Maximum length of a source line; a longer line is cut around the label.
 const MAX_LINE: usize = 300;
 /// Number of characters of a cut line that are shown before the label.
-const BEFORE: usize = 60;
+const CHARS_BEFORE_LABEL: usize = 60;
 /// Maximum number of source lines of a label; a longer label marks its first line alone.
 const MAX_LINES: usize = 8;
 
@@ -173,7 +173,7 @@ impl Lines {
             .iter()
             .filter_map(|l| sources.locate(l.span))
             .filter(|(id, _)| *id == file)
-            .map(|(_, range)| shortened(text, range))
+            .map(|(_, range)| shortened_range(text, range))
             .collect();
         let first = ranges.iter().map(|r| r.start).min().unwrap_or(0);
         let last = ranges.iter().map(|r| r.end).max().unwrap_or(0);
@@ -183,8 +183,8 @@ impl Lines {
         if line_end - line_start > MAX_LINE * (1 + text[line_start..line_end].matches('\n').count()) {
             // The first label is the place of the fault.
             let at = ranges.first().map_or(first, |r| r.start);
-            start = boundary(text, at.saturating_sub(BEFORE).max(line_start));
-            end = boundary(text, (start + MAX_LINE).min(line_end));
+            start = char_start(text, at.saturating_sub(CHARS_BEFORE_LABEL).max(line_start));
+            end = char_start(text, (start + MAX_LINE).min(line_end));
         }
         let line_span = |at: usize| Span::new(sources.base(file) + at, sources.base(file) + at);
         let place = sources.place(line_span(start));
@@ -193,7 +193,7 @@ impl Lines {
     }
 
     /// Returns the part of a byte range that the shown lines contain.
-    fn shown(&self, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
+    fn shown_range(&self, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
         let (low, high) = (self.start, self.start + self.text.len());
         range.start.clamp(low, high)..range.end.clamp(low, high)
     }
@@ -202,7 +202,7 @@ impl Lines {
 const LINE_ENDS: [char; 2] = ['\n', '\r'];
 
 /// Returns the byte range of a label, or that of its first line if the label has too many lines.
-fn shortened(text: &str, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
+fn shortened_range(text: &str, range: std::ops::Range<usize>) -> std::ops::Range<usize> {
     let covered = &text[range.clone()];
     match covered.match_indices(LINE_ENDS).nth(MAX_LINES) {
         Some(_) => range.start..range.start + covered.find(LINE_ENDS).unwrap_or(covered.len()),
@@ -211,7 +211,7 @@ fn shortened(text: &str, range: std::ops::Range<usize>) -> std::ops::Range<usize
 }
 
 /// Returns the nearest start of a character at or before a byte offset.
-fn boundary(text: &str, mut at: usize) -> usize {
+fn char_start(text: &str, mut at: usize) -> usize {
     while !text.is_char_boundary(at) {
         at -= 1;
     }

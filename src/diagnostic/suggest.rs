@@ -2,8 +2,7 @@
 
 use strsim::osa_distance;
 
-/// Length of the longest word that is compared, in bytes. The time of a comparison is proportional to the product of
-/// both lengths.
+/// Maximum length of compared words, in bytes. The time is proportional to the product of both lengths.
 const LONGEST: usize = 200;
 
 /// Returns the word of `known` with the least edit distance to `word`, if at most a third of the letters (and at most

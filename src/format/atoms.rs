@@ -1,7 +1,6 @@
 //! Units of text that the formatter places: tokens and comments as a list, with their role in the syntax tree.
 
-/// Unit of text that the formatter places: a token or a comment. Each number, comma and bracket in a list of numbers is
-/// an atom by itself.
+/// Unit of text that the formatter places: a token or a comment. Lists of numbers are split into atoms.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Atom {
     /// Offset of the atom's first byte in the text.
@@ -24,11 +23,11 @@ pub struct Atom {
 /// Bits for the properties of a formatter's atom.
 pub mod flag {
     /// Flag: no blank precedes the atom.
-    pub const GLUE: u16 = 1;
+    pub const NO_BLANK_BEFORE: u16 = 1;
     /// Flag: the atom is on the same line as the atom before it.
-    pub const JOIN: u16 = 1 << 1;
+    pub const SAME_LINE: u16 = 1 << 1;
     /// Flag: no blank follows the atom, such as a sign or an opening bracket.
-    pub const TIGHT: u16 = 1 << 2;
+    pub const NO_BLANK_AFTER: u16 = 1 << 2;
     /// Flag: the atom is an opening bracket.
     pub const OPEN: u16 = 1 << 3;
     /// Flag: the atom is a closing bracket.
@@ -42,7 +41,7 @@ pub mod flag {
     /// Flag: the atom is a whole vector of a very long list.
     pub const PACKED: u16 = 1 << 8;
     /// Flag: the atom is a bracket without its partner, or around contents that have no node in the tree.
-    pub const LOOSE: u16 = 1 << 9;
+    pub const UNMATCHED: u16 = 1 << 9;
     /// Flag: the atom is one of several layered textures of a declaration.
     pub const LAYER: u16 = 1 << 10;
     /// Flags of any comment, line or block.

@@ -1,5 +1,4 @@
-//! Layout of the formatter: decides which items of a body share a line, and which blocks and directives are spread over
-//! lines.
+//! Layout of the formatter: decides which items of a body share a line, and which blocks take several lines.
 
 use super::STEP;
 use super::atoms::{Arm, Atoms, Item, flag};
@@ -7,9 +6,9 @@ use super::columns::{self, Trailing};
 use super::table;
 
 /// Returns the formatted text, with lines of at most `width` columns where possible.
-pub fn set(text: &str, atoms: &Atoms, width: usize) -> String {
+pub fn lay_out(text: &str, atoms: &Atoms, width: usize) -> String {
     let mut setter = Setter::new(text, atoms, width);
-    setter.body(0, atoms.row.len(), 0, false);
+    setter.write_body(0, atoms.row.len(), 0, false);
     setter.finish()
 }
 
@@ -80,9 +79,9 @@ impl<'a> Setter<'a> {
             breaks += u32::from(setter.begins_line(i));
             setter.breaks.push(breaks);
             if atoms.row[i].flags & flag::LINE_COMMENT == 0 {
-                sum = sum.saturating_add((setter.gap(i) + setter.columns(i)) as u32);
+                sum = sum.saturating_add((setter.blanks_before(i) + setter.columns(i)) as u32);
             }
-            if atoms.row[i].flags & flag::LOOSE != 0 {
+            if atoms.row[i].flags & flag::UNMATCHED != 0 {
                 loose += if atoms.row[i].flags & flag::OPEN != 0 { 1 } else { -1 };
             }
         }
@@ -107,13 +106,13 @@ impl<'a> Setter<'a> {
     fn begins_line(&self, i: usize) -> bool {
         let Some(previous) = i.checked_sub(1) else { return false };
         let after_comment = self.has(previous, flag::LINE_COMMENT) || self.is_tall(previous);
-        let joined = self.has(i, flag::GLUE | flag::JOIN) || self.closes_block(i);
+        let joined = self.has(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE) || self.closes_block(i);
         after_comment || self.atoms.row[i].lines > 0 && !joined
     }
 
     /// True for a brace that ends a body and can stay at the end of a line.
     fn closes_block(&self, i: usize) -> bool {
-        matches!(self.read(i), "}" | "]") && !self.has(i, flag::LOOSE)
+        matches!(self.read(i), "}" | "]") && !self.has(i, flag::UNMATCHED)
     }
 
     /// True for a comment that covers several lines.
@@ -122,8 +121,8 @@ impl<'a> Setter<'a> {
     }
 
     /// Number of blanks before an atom that does not begin a line.
-    pub(super) fn gap(&self, i: usize) -> usize {
-        usize::from(self.pads[i]) + usize::from(!self.has(i, flag::GLUE))
+    pub(super) fn blanks_before(&self, i: usize) -> usize {
+        usize::from(self.pads[i]) + usize::from(!self.has(i, flag::NO_BLANK_BEFORE))
     }
 
     pub(super) fn columns(&self, i: usize) -> usize {
@@ -136,7 +135,7 @@ impl<'a> Setter<'a> {
     }
 
     fn gap_in_sum(&self, i: usize) -> usize {
-        if self.has(i, flag::LINE_COMMENT) { 0 } else { usize::from(!self.has(i, flag::GLUE)) }
+        if self.has(i, flag::LINE_COMMENT) { 0 } else { usize::from(!self.has(i, flag::NO_BLANK_BEFORE)) }
     }
 
     /// True if the atoms of a range contain no forced line break.
@@ -146,7 +145,7 @@ impl<'a> Setter<'a> {
 
     /// True if a range fits on the rest of the current line.
     fn fits(&self, from: usize, to: usize) -> bool {
-        let gap = if from < to && !self.at_start() { self.gap(from) } else { 0 };
+        let gap = if from < to && !self.at_start() { self.blanks_before(from) } else { 0 };
         self.is_flat(from, to) && self.column + gap + self.flat_width(from, to) <= self.width
     }
 
@@ -172,10 +171,10 @@ impl<'a> Setter<'a> {
     }
 
     pub(super) fn flat(&mut self, from: usize, to: usize) {
-        (from..to).for_each(|i| self.put(i));
+        (from..to).for_each(|i| self.write_atom(i));
     }
 
-    fn put(&mut self, i: usize) {
+    fn write_atom(&mut self, i: usize) {
         if self.commented {
             // A comma, or another atom that no other rule breaks lines before.
             self.new_line(self.indent, false);
@@ -184,7 +183,7 @@ impl<'a> Setter<'a> {
         if self.has(i, flag::LINE_COMMENT) && !self.at_start() {
             return self.put_trailing(i);
         }
-        let gap = if self.at_start() { usize::from(self.pads[i]) } else { self.gap(i) };
+        let gap = if self.at_start() { usize::from(self.pads[i]) } else { self.blanks_before(i) };
         self.out.extend(std::iter::repeat_n(' ', gap));
         let text = self.read(i);
         self.column += gap + self.columns(i);
@@ -234,12 +233,11 @@ impl<'a> Setter<'a> {
         (items, at.min(to))
     }
 
-    /// Writes the items of a body as rows, each on its own line. A comment on the line that `opened` the body stays on
-    /// it.
-    fn body(&mut self, from: usize, to: usize, indent: usize, opened: bool) {
+    /// Writes the items of a body as rows, one per line. A comment on the line that `opened` the body stays there.
+    fn write_body(&mut self, from: usize, to: usize, indent: usize, opened: bool) {
         let mut at = from;
         if opened && at < to && self.has(at, flag::LINE_COMMENT) && self.atoms.row[at].lines == 0 {
-            self.put(at);
+            self.write_atom(at);
             at += 1;
         }
         let (start, mut open) = (at, 0i32);
@@ -250,13 +248,13 @@ impl<'a> Setter<'a> {
             rows.push(Row { from: at, to: next, flat });
             at = next;
         }
-        table::pad(self, &rows, indent);
+        table::align_tables(self, &rows, indent);
         for Row { from, to, .. } in rows {
-            let closes = self.has(from, flag::LOOSE) && self.has(from, flag::CLOSE);
+            let closes = self.has(from, flag::UNMATCHED) && self.has(from, flag::CLOSE);
             let first = indent_by(indent, open - i32::from(closes)) + self.layer(from);
             self.new_line(first, from > start && self.atoms.row[from].lines > 1);
             let (items, _) = self.row_at(from, to);
-            self.row(&items, indent, &mut open);
+            self.write_row(&items, indent, &mut open);
         }
     }
 
@@ -287,11 +285,11 @@ impl<'a> Setter<'a> {
 
     fn is_big(&self, item: Range) -> bool {
         matches!(self.kind(item), Item::Block | Item::Group | Item::Entry | Item::Bodies)
-            && !self.has(item.from, flag::GLUE)
+            && !self.has(item.from, flag::NO_BLANK_BEFORE)
     }
 
     /// Writes items that the author wrote on one line. `open` is the number of unmatched brackets and is updated.
-    fn row(&mut self, items: &[Range], indent: usize, open: &mut i32) {
+    fn write_row(&mut self, items: &[Range], indent: usize, open: &mut i32) {
         let flat = match items {
             [first, .., last] => self.fits(first.from, last.to),
             _ => false,
@@ -299,7 +297,7 @@ impl<'a> Setter<'a> {
         let (mut from, mut after_big) = (0, None);
         while from < items.len() {
             let mut to = if flat { items.len() } else { from + 1 };
-            while to < items.len() && !self.parts(&items[from..to], items[to]) {
+            while to < items.len() && !self.may_break_before(&items[from..to], items[to]) {
                 to += 1;
             }
             let piece = &items[from..to];
@@ -311,7 +309,7 @@ impl<'a> Setter<'a> {
                 self.new_line(indent, false);
             }
             self.open = *open;
-            self.piece(piece, indent);
+            self.write_piece(piece, indent);
             *open = piece.iter().fold(*open, |open, item| (open + self.open_braces(*item)).max(0));
             (after_big, from) = (Some(big), to);
         }
@@ -323,11 +321,11 @@ impl<'a> Setter<'a> {
     }
 
     /// True if a line may be broken before `item`, which follows `piece`.
-    fn parts(&self, piece: &[Range], item: Range) -> bool {
+    fn may_break_before(&self, piece: &[Range], item: Range) -> bool {
         let (kind, before) = (self.kind(item), piece[piece.len() - 1]);
         let directive = matches!(kind, Item::Declare | Item::Plain | Item::Bodies);
         let layer = self.has(item.from, flag::LAYER);
-        if self.has(item.from, flag::GLUE | flag::JOIN) && !layer || kind == Item::Separator {
+        if self.has(item.from, flag::NO_BLANK_BEFORE | flag::SAME_LINE) && !layer || kind == Item::Separator {
             return false;
         }
         if self.has(item.from, flag::COMMENT) || self.has(before.to - 1, flag::COMMENT) {
@@ -347,7 +345,7 @@ impl<'a> Setter<'a> {
     }
 
     /// Writes items that belong together: on the current line if they fit.
-    fn piece(&mut self, items: &[Range], indent: usize) {
+    fn write_piece(&mut self, items: &[Range], indent: usize) {
         let (from, to) = (items[0].from, items[items.len() - 1].to);
         if self.fits(from, to) {
             return self.flat(from, to);
@@ -356,9 +354,9 @@ impl<'a> Setter<'a> {
         for item in items {
             if self.arms(item.from).is_some() {
                 self.run(at, item.from, indent);
-                self.directive(*item, indent);
+                self.write_directive(*item, indent);
             } else if self.is_big(*item) {
-                self.block(at, *item, indent);
+                self.write_block(at, *item, indent);
             } else {
                 continue;
             }
@@ -368,7 +366,7 @@ impl<'a> Setter<'a> {
     }
 
     /// Writes the atoms from `at` on and the body in brackets that follows them, on several lines.
-    fn block(&mut self, at: usize, item: Range, indent: usize) {
+    fn write_block(&mut self, at: usize, item: Range, indent: usize) {
         let open = match self.kind(item) {
             Item::Block => self.atoms.row[item.from].link as usize,
             _ => item.from,
@@ -376,16 +374,15 @@ impl<'a> Setter<'a> {
         let close = self.atoms.row[open].link as usize;
         self.run(at, open + 1, indent);
         if close > open + 1 {
-            let body = self.header(open + 1, close, self.kind(item) == Item::Entry, indent);
-            self.body(body, close, indent + STEP, true);
+            let body = self.write_header(open + 1, close, self.kind(item) == Item::Entry, indent);
+            self.write_body(body, close, indent + STEP, true);
         }
         self.new_line(indent, false);
         self.flat(close, item.to);
     }
 
-    /// Writes the values that stay on the line of the opening bracket, as in `sphere { 0, 1`. Returns the index of the
-    /// rest.
-    fn header(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
+    /// Writes the values that stay on the opening bracket's line, as in `sphere { 0, 1`. Returns the index of the rest.
+    fn write_header(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
         let (items, next) = self.row_at(from, to);
         // A comma never begins a line, unless it is the first item.
         let stays = |item: &&Range| matches!(self.kind(**item), Item::Value | Item::Separator);
@@ -393,7 +390,7 @@ impl<'a> Setter<'a> {
         let values = if begins { 0 } else { items.iter().take_while(stays).count() };
         let trails = |item: &Range| self.has(item.from, flag::LINE_COMMENT);
         let small = items.iter().all(|item| !self.is_big(*item) && !trails(item));
-        let held = |item: &Range| self.has(item.from, flag::JOIN | flag::GLUE);
+        let held = |item: &Range| self.has(item.from, flag::SAME_LINE | flag::NO_BLANK_BEFORE);
         let end = match () {
             () if values == 0 || self.begins_line(from) || items.get(values).is_some_and(held) => from,
             // Only the closing bracket would not fit.
@@ -412,7 +409,7 @@ impl<'a> Setter<'a> {
     }
 
     /// Writes a directive with bodies on several lines.
-    fn directive(&mut self, item: Range, indent: usize) {
+    fn write_directive(&mut self, item: Range, indent: usize) {
         let Some(arms) = self.arms(item.from) else { return };
         for (i, arm) in arms.iter().enumerate() {
             let (head, body, end) = (arm.head as usize, arm.body as usize, arm.end as usize);
@@ -426,7 +423,7 @@ impl<'a> Setter<'a> {
                 continue;
             }
             self.run(head, body, indent);
-            self.body(body, end, indent + STEP, true);
+            self.write_body(body, end, indent + STEP, true);
         }
         let end = arms.last().map_or(item.from, |arm| arm.end as usize);
         self.new_line(indent, false);

@@ -49,5 +49,5 @@ pub fn format(text: &str, base: usize, width: usize) -> Result<String, Vec<Diagn
     }
     let atoms = gather::gather(text, base, &ast);
     drop(ast);
-    Ok(layout::set(text, &atoms, width))
+    Ok(layout::lay_out(text, &atoms, width))
 }

@@ -66,7 +66,7 @@ impl Setter<'_> {
     /// Returns the number of atoms that go on the line: all, or up to the best position for a break, which is outside
     /// of as many brackets as possible.
     fn break_in(&self, from: usize, to: usize, depth: usize) -> usize {
-        let gap = if self.at_start() { 0 } else { self.gap(from) };
+        let gap = if self.at_start() { 0 } else { self.blanks_before(from) };
         let room = self.width.saturating_sub(self.column + gap);
         if self.flat_width(from, to) <= room {
             return to;
@@ -78,7 +78,7 @@ impl Setter<'_> {
                 if width > room && best.is_some() {
                     break;
                 }
-                let cost = (width < room / 3, depth * 8 + self.tie(i - 1));
+                let cost = (width < room / 3, depth * 8 + self.binding_strength(i - 1));
                 if width > room {
                     return i;
                 }
@@ -99,12 +99,12 @@ impl Setter<'_> {
     /// True if a line may be broken before the atom: not before operators, and not between a word and its value.
     fn may_break(&self, i: usize) -> bool {
         let word = matches!(self.atoms.row[i - 1].item, Item::Word | Item::Plain);
-        let held = self.has(i, flag::GLUE | flag::JOIN | flag::OPERATOR | flag::COMMENT);
+        let held = self.has(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE | flag::OPERATOR | flag::COMMENT);
         !(held || word && self.is_item(i))
     }
 
     /// Returns the strength with which an atom binds the following one: a line is broken after weak atoms first.
-    fn tie(&self, i: usize) -> usize {
+    fn binding_strength(&self, i: usize) -> usize {
         match self.read(i) {
             "," => 1,
             "?" | ":" | "|" | "&" => 2,

@@ -4,16 +4,16 @@ use super::atoms::{Item, flag};
 use super::layout::{Row, Setter, columns_of};
 
 /// Adds the blanks that align the columns of tables, unless a line would get too long.
-pub fn pad(setter: &mut Setter, rows: &[Row], indent: usize) {
+pub fn align_tables(setter: &mut Setter, rows: &[Row], indent: usize) {
     let mut from = 0;
     while from < rows.len() {
         let mut to = from + 1;
-        while to < rows.len() && goes_on(setter, &rows[from], &rows[to]) {
+        while to < rows.len() && has_same_structure(setter, &rows[from], &rows[to]) {
             to += 1;
         }
         // A neighbour that is broken may become rows of the same shape.
-        let before = from > 0 && splits(setter, &rows[from - 1], indent);
-        let after = rows.get(to).is_some_and(|row| splits(setter, row, indent));
+        let before = from > 0 && needs_more_lines(setter, &rows[from - 1], indent);
+        let after = rows.get(to).is_some_and(|row| needs_more_lines(setter, row, indent));
         if to > from + 1
             && !before
             && !after
@@ -28,7 +28,7 @@ pub fn pad(setter: &mut Setter, rows: &[Row], indent: usize) {
 }
 
 /// True if a row needs more lines than in the author's text.
-fn splits(setter: &Setter, row: &Row, indent: usize) -> bool {
+fn needs_more_lines(setter: &Setter, row: &Row, indent: usize) -> bool {
     let single = setter.atoms.row[row.from].next as usize == row.to;
     !single && (!row.flat || indent + setter.flat_width(row.from, row.to) > setter.width)
 }
@@ -40,7 +40,7 @@ fn cells(setter: &Setter, row: &Row) -> std::ops::Range<usize> {
 }
 
 /// True if both rows have the same words and signs, and numbers, names and strings at the same positions.
-fn goes_on(setter: &Setter, first: &Row, next: &Row) -> bool {
+fn has_same_structure(setter: &Setter, first: &Row, next: &Row) -> bool {
     let (a, b) = (cells(setter, first), cells(setter, next));
     let together = first.flat && next.flat && setter.atoms.row[next.from].lines == 1;
     together && a.len() > 1 && a.len() == b.len() && a.zip(b).all(|(i, j)| class(setter, i) == class(setter, j))
@@ -80,7 +80,7 @@ fn table(setter: &Setter, rows: &[Row], indent: usize) -> Option<Vec<Vec<u8>>> {
         let column: Vec<Cell> = rows.iter().zip(&lines).map(cell).collect();
         let left = column.iter().all(|cell| cell.start == column[0].start);
         let right = column.iter().all(|cell| cell.start + cell.columns == column[0].start + column[0].columns);
-        let apart = !setter.has(rows[0].from + j, flag::GLUE);
+        let apart = !setter.has(rows[0].from + j, flag::NO_BLANK_BEFORE);
         let gap = usize::from(apart && j > 0);
         let edge = |r: usize| ends[r] + gap + if left { 0 } else { column[r].columns };
         let target = (0..rows.len()).map(edge).max()?;

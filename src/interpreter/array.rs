@@ -19,8 +19,7 @@ const MAX_ELEMENTS: usize = 50_000_000;
 const MAX_DIMENSIONS: usize = 5;
 
 impl<'a> Interpreter<'a> {
-    /// Reads `array[2][3] { {1, 2, 3}, {4, 5, 6} }` from the word `array` on. Without sizes, the braces determine them
-    /// (3.8).
+    /// Reads `array[2][3] { {1, 2, 3}, {4, 5, 6} }` from the word `array` on. The braces determine missing sizes (3.8).
     pub(super) fn read_array(&mut self) -> Result<Slot<'a>> {
         let span = self.stream.next_span();
         self.stream.advance();
@@ -48,7 +47,7 @@ impl<'a> Interpreter<'a> {
         let count = sizes.iter().try_fold(1_usize, |n, &size| n.checked_mul(size)).filter(|n| *n <= MAX_ELEMENTS);
         let Some(count) = count else {
             let message = format!("an array has at most {} million elements", MAX_ELEMENTS / 1_000_000);
-            return self.reporter.limit(codes::MEMORY_LIMIT, span, message, "is a size right?");
+            return self.reporter.limit_error(codes::MEMORY_LIMIT, span, message, "is a size right?");
         };
         let mut array = Array { sizes, items: vec![None; count], keys: None };
         if let Token::Open(Bracket::Brace, _) = self.peek_continuation()? {
@@ -176,8 +175,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads an array's name and the indices after it, and pushes back one token: the array's element, or the name if
-    /// no index follows.
+    /// Reads an array's name and indices, and pushes back one token: the element, or the name if no index follows.
     pub(super) fn element_by_tokens(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
         let span = name.span;
         let before = self.stream.has_comma();
@@ -237,8 +235,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Returns the location of the element that an expression such as `D.Key` or `D["key"].Key` names; `None` if `D` is
-    /// no dictionary.
+    /// Returns the location of the element that `D.Key` or `D["key"].Key` names; `None` if `D` is no dictionary.
     pub(super) fn dictionary_lvalue(&mut self, e: &'a Expr) -> Result<Option<LValue>> {
         let base = match &e.kind {
             ExprKind::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
@@ -298,8 +295,7 @@ impl<'a> Interpreter<'a> {
         indices.iter().map(|e| Ok((self.evaluate(e)?, e.span))).collect()
     }
 
-    /// Returns the location of the element at these indices or keys. With `adds`, a new last key is added to a
-    /// dictionary.
+    /// Returns the location of the element at these indices or keys. `adds` adds a new last key to a dictionary.
     pub(super) fn lvalue_at(
         &mut self,
         symbol: Symbol,

@@ -2,7 +2,9 @@
 //! continue, are read token by token in [`super::token_expr`].
 
 use super::Interpreter;
-use super::evaluator::{SMALL, apply_prefix, as_float, combine, component, divides_by_zero, not_text, vector_value};
+use super::evaluator::{
+    TOLERANCE, apply_prefix, as_float, combine, component, divides_by_zero, not_text, vector_value,
+};
 
 use super::evaluator::{Quick, Slot};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -71,7 +73,7 @@ impl<'a> Interpreter<'a> {
 
     /// True if the expression's number is not 0.
     pub(super) fn is_true(&mut self, e: &'a Expr) -> Result<bool> {
-        Ok(self.evaluate_number(e)?.abs() > SMALL)
+        Ok(self.evaluate_number(e)?.abs() > TOLERANCE)
     }
 
     /// Evaluates an expression to a number.

@@ -51,8 +51,7 @@ impl ParsedFiles {
         self.files.borrow_mut().insert(path.to_path_buf(), (file, files.stamp(path)));
     }
 
-    /// Forgets a file that is being written, so that the next include parses it again. (Two writes may have the same
-    /// stamp.)
+    /// Forgets a file that is being written, so that the next include parses it. (Two writes may have equal stamps.)
     pub(super) fn forget(&self, files: &dyn Files, path: &Path) {
         let full = files.canonicalize(path).ok();
         let same = |known: &Path| known == path || full.is_some() && files.canonicalize(known).ok() == full;

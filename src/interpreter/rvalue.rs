@@ -120,8 +120,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Opens the block that comes next, reads its contents with `read`, which receives the block's span, and closes the
-    /// block.
+    /// Opens the next block, reads the contents with `read`, which receives the block's span, and closes the block.
     fn read_inside<T: Thing>(&mut self, read: impl FnOnce(&mut Self, Span) -> Result<T>) -> Result<Arc<dyn Thing>> {
         let at = self.take_token()?;
         let thing = read(self, at)?;

@@ -43,7 +43,7 @@ impl Entry {
     }
 }
 
-/// Documented blocks outside of the families.
+/// Documented blocks except shapes, patterns and warps.
 pub const BLOCKS: &[Entry] = &[
     Entry::block(&interpreter::STATEMENTS, "the scene", "scene.md"),
     Entry::block(&scene::words::MODIFIERS, "objects", "objects.md"),
@@ -80,7 +80,7 @@ pub fn members() -> impl Iterator<Item = Entry> {
     })
 }
 
-/// All documented blocks: those of [`BLOCKS`], then the members of families.
+/// All documented blocks: those of [`BLOCKS`], then shapes, patterns and warps.
 pub fn entries() -> impl Iterator<Item = Entry> {
     BLOCKS.iter().copied().chain(members())
 }

@@ -69,7 +69,7 @@ impl Method {
             MethodKind::Adaptive(SampleLayout::Grid) => return self.blocks().first_sample(sampler, x, y),
             _ => {}
         }
-        sampler.begin(self.number(x, y), 0);
+        sampler.begin(self.pixel_key(x, y), 0);
         pixel(&sampler.sample(x as f64 + 0.5, y as f64 + 0.5))
     }
 
@@ -82,7 +82,7 @@ impl Method {
     /// Computes the pixels of an area, row by row, from the first samples in and around the area.
     pub fn tile(&self, sampler: &mut Sampler, first_samples: &PixelRows, area: Region) -> Vec<Pixel> {
         if let MethodKind::Adaptive(SampleLayout::Grid) = self.kind {
-            return self.blocks().tile(sampler, first_samples, area).into_iter().map(finished).collect();
+            return self.blocks().tile(sampler, first_samples, area).into_iter().map(without_nan).collect();
         }
         let mut pixels = Vec::with_capacity(area.width * area.height);
         for y in area.y..area.y + area.height {
@@ -95,13 +95,13 @@ impl Method {
     }
 
     fn final_pixel(&self, sampler: &mut Sampler, first_samples: &PixelRows, x: usize, y: usize) -> Pixel {
-        finished(match &self.kind {
+        without_nan(match &self.kind {
             MethodKind::Single => self.first_sample(sampler, x, y),
-            MethodKind::Blurred(lens) => blur::pixel(sampler, lens, self.number(x, y), x, y),
+            MethodKind::Blurred(lens) => blur::pixel(sampler, lens, self.pixel_key(x, y), x, y),
             MethodKind::Adaptive(SampleLayout::Corners) => self.corners().pixel(sampler, first_samples, x, y),
             MethodKind::Adaptive(_) if self.differs_from_neighbours(first_samples, x, y) => {
                 let middle = first_samples.at(x, y);
-                lattice::pixel(sampler, &self.difference, self.number(x, y), [x, y], middle)
+                lattice::pixel(sampler, &self.difference, self.pixel_key(x, y), [x, y], middle)
             }
             MethodKind::Adaptive(_) => *first_samples.at(x, y),
         })
@@ -121,11 +121,11 @@ impl Method {
         let middle = first_samples.at(x, y);
         let position = |[right, down]: &[isize; 2]| (x.wrapping_add_signed(*right), y.wrapping_add_signed(*down));
         let mut neighbours = NEIGHBOURS.iter().map(position).filter_map(|(x, y)| first_samples.get(x, y));
-        neighbours.any(|other| self.difference.counts(middle, other))
+        neighbours.any(|other| self.difference.reaches_threshold(middle, other))
     }
 
     /// Returns the key of a pixel's random numbers: its index in the whole picture.
-    fn number(&self, x: usize, y: usize) -> u64 {
+    fn pixel_key(&self, x: usize, y: usize) -> u64 {
         y as u64 * self.width as u64 + x as u64
     }
 }
@@ -167,7 +167,7 @@ impl Difference {
     }
 
     /// True if the sum of the channels' differences, after the gamma curve, reaches the threshold.
-    pub fn counts(&self, a: &Pixel, b: &Pixel) -> bool {
+    pub fn reaches_threshold(&self, a: &Pixel, b: &Pixel) -> bool {
         self.exceeds(a, b, 1.0)
     }
 
@@ -206,7 +206,7 @@ pub(super) fn pixel(sample: &Radiance) -> Pixel {
 }
 
 /// Replaces NaN by black (quirk: `nan_pixel_is_black`).
-fn finished(pixel: Pixel) -> Pixel {
+fn without_nan(pixel: Pixel) -> Pixel {
     pixel.map(|c| if c.is_nan() { 0.0 } else { c })
 }
 
@@ -231,7 +231,7 @@ mod tests {
         ] {
             let judge = Difference::new(threshold, gamma, numbers, false);
             let gray = |x: f64| [x as f32, x as f32, x as f32, 0.0];
-            let counts = |by: f64| judge.counts(&gray(from), &gray(from + by));
+            let counts = |by: f64| judge.reaches_threshold(&gray(from), &gray(from + by));
             assert!(counts(difference + 1e-4) && !counts(difference - 1e-4), "{numbers:?} {gamma} {threshold} {from}");
         }
     }

@@ -80,8 +80,7 @@ impl FrameRender<'_> {
         Ok(counts)
     }
 
-    /// Returns the end of the rows that the final pass can render from the present first samples, which it needs around
-    /// each pixel.
+    /// Returns the end of the rows for which the final pass has the first samples around each pixel.
     fn final_rows_end(&self, first_samples: &PixelRows, next_row: usize, rows: usize) -> usize {
         let end = self.region.y + self.region.height;
         let alignment = self.row_alignment();

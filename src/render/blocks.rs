@@ -36,7 +36,7 @@ impl Blocks<'_> {
 
     /// Takes one sample of the first pass.
     pub fn first_sample(&self, sampler: &mut Sampler, x: usize, y: usize) -> Pixel {
-        sampler.begin(self.number(x, y), 0);
+        sampler.begin(self.pixel_key(x, y), 0);
         pixel(&sampler.sample(x as f64 - 0.5, y as f64 - 0.5))
     }
 
@@ -67,7 +67,7 @@ impl Blocks<'_> {
         let mut differs = false;
         let (left, above) = ((x > now.area.x).then(|| [x - 1, y]), (y > now.area.y).then(|| [x, y - 1]));
         for other in [left, above].into_iter().flatten() {
-            if self.difference.counts(now.at(x, y), now.at(other[0], other[1])) {
+            if self.difference.reaches_threshold(now.at(x, y), now.at(other[0], other[1])) {
                 differs = true;
                 self.sample_once(sampler, now, sampled, other);
             }
@@ -77,8 +77,7 @@ impl Blocks<'_> {
         }
     }
 
-    /// Takes more samples of a pixel of the block, unless that was done. The row above and the column to the left keep
-    /// their first samples.
+    /// Takes more samples of a pixel, once, and not in the row above and the column to the left of the block.
     fn sample_once(&self, sampler: &mut Sampler, now: &mut PixelRows, sampled: &mut [bool], [x, y]: [usize; 2]) {
         if x == now.area.x || y == now.area.y {
             return;
@@ -95,7 +94,7 @@ impl Blocks<'_> {
         let Self { depth, jitter, .. } = *self;
         let mut sum = middle.map(f64::from);
         for cell in 0..depth * depth {
-            sampler.begin(self.number(x, y), u64::from(cell) + 1);
+            sampler.begin(self.pixel_key(x, y), u64::from(cell) + 1);
             let random = sampler.random(Purpose::PixelPosition);
             let off = |i| if jitter == 0.0 { 0.5 } else { 0.5 + (random.at(i) - 0.5) * jitter };
             let dx = (f64::from(cell % depth) + off(0)) / f64::from(depth);
@@ -107,7 +106,7 @@ impl Blocks<'_> {
     }
 
     /// Returns the key of a position's random numbers: its index in the whole picture.
-    fn number(&self, x: usize, y: usize) -> u64 {
+    fn pixel_key(&self, x: usize, y: usize) -> u64 {
         y as u64 * (self.size[0] as u64 + 1) + x as u64
     }
 }

@@ -54,7 +54,7 @@ impl Corners<'_> {
     pub fn pixel(&self, sampler: &mut Sampler, corner_samples: &PixelRows, x: usize, y: usize) -> Pixel {
         let between = FxHashMap::default();
         let mut subdivision = Subdivision { corners: self, sampler, corner_samples, x, y, between };
-        subdivision.piece([0, 0], self.pieces()).map(|c| c as f32)
+        subdivision.piece_mean([0, 0], self.pieces()).map(|c| c as f32)
     }
 }
 
@@ -73,15 +73,16 @@ impl Subdivision<'_, '_, '_, '_> {
     }
 
     /// Returns the mean of a square piece, subdivided where its corners differ.
-    fn piece(&mut self, [right, down]: [u32; 2], edge: u32) -> [f64; 4] {
+    fn piece_mean(&mut self, [right, down]: [u32; 2], edge: u32) -> [f64; 4] {
         let places = [[right, down], [right + edge, down], [right, down + edge], [right + edge, down + edge]];
         let corners = places.map(|place| self.at(place));
-        let differ = (1..4).any(|i| (0..i).any(|j| self.corners.difference.counts(&corners[i], &corners[j])));
+        let differ =
+            (1..4).any(|i| (0..i).any(|j| self.corners.difference.reaches_threshold(&corners[i], &corners[j])));
         let parts = if edge == 1 || !differ || self.sampler.is_stopped() {
             corners.map(|corner| corner.map(f64::from))
         } else {
             let half = edge / 2;
-            [[0, 0], [half, 0], [0, half], [half, half]].map(|[x, y]| self.piece([right + x, down + y], half))
+            [[0, 0], [half, 0], [0, half], [half, half]].map(|[x, y]| self.piece_mean([right + x, down + y], half))
         };
         [0, 1, 2, 3].map(|c| parts.iter().map(|part| part[c]).sum::<f64>() * 0.25)
     }

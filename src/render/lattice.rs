@@ -11,16 +11,16 @@ use super::sampler::Sampler;
 use crate::transport::Purpose;
 
 /// Number of samples of a pixel that differs from a neighbour, the centre included.
-const FEW: u32 = 5;
+const FIRST_SAMPLES: u32 = 5;
 /// Number of samples of a pixel whose first samples differ.
-const MANY: u32 = 10;
+const ALL_SAMPLES: u32 = 10;
 /// Multiple of the threshold by which a pixel's first samples must differ to get more.
-const FAR: f64 = 2.0;
+const LARGE_DIFFERENCE: f64 = 2.0;
 
 /// Returns point `index` of the lattice in the unit square; point 0 is the centre. `symmetry` is one of 8, 0 to 7.
 fn lattice_point(index: u32, symmetry: u32) -> [f64; 2] {
-    let multiple = if index < FEW { 2 * index } else { 2 * (index - FEW) + 1 };
-    let from_middle = |n: u32| f64::from((n + MANY / 2) % MANY) / f64::from(MANY) - 0.5;
+    let multiple = if index < FIRST_SAMPLES { 2 * index } else { 2 * (index - FIRST_SAMPLES) + 1 };
+    let from_middle = |n: u32| f64::from((n + ALL_SAMPLES / 2) % ALL_SAMPLES) / f64::from(ALL_SAMPLES) - 0.5;
     let [x, y] = [from_middle(multiple), from_middle(3 * multiple)];
     let [x, y] = [if symmetry & 1 == 0 { x } else { -x }, if symmetry & 2 == 0 { y } else { -y }];
     if symmetry & 4 == 0 { [0.5 + x, 0.5 + y] } else { [0.5 + y, 0.5 + x] }
@@ -37,12 +37,12 @@ pub(super) fn pixel(
     sampler.begin(number, 0);
     let symmetry = (sampler.pixel_random(Purpose::PixelPosition).at(0) * 8.0) as u32;
     let (mut sum, mut differ, mut count) = (middle.map(f64::from), false, 1);
-    while count < FEW || differ && count < MANY {
+    while count < FIRST_SAMPLES || differ && count < ALL_SAMPLES {
         let [right, down] = lattice_point(count, symmetry);
         sampler.begin(number, u64::from(count));
         let sample = pixel_of(&sampler.sample(x as f64 + right, y as f64 + down));
         sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
-        differ |= count < FEW && difference.exceeds(&sample, middle, FAR);
+        differ |= count < FIRST_SAMPLES && difference.exceeds(&sample, middle, LARGE_DIFFERENCE);
         count += 1;
     }
     sum.map(|c| (c / f64::from(count)) as f32)
@@ -56,7 +56,7 @@ mod tests {
     fn rows_and_columns_are_evenly_filled() {
         for symmetry in 0..8 {
             assert_eq!(lattice_point(0, symmetry), [0.5, 0.5]);
-            for (indices, many) in [(0..FEW, FEW), (0..MANY, MANY)] {
+            for (indices, many) in [(0..FIRST_SAMPLES, FIRST_SAMPLES), (0..ALL_SAMPLES, ALL_SAMPLES)] {
                 let mut found: Vec<[f64; 2]> = indices.map(|index| lattice_point(index, symmetry)).collect();
                 for axis in [0, 1] {
                     found.sort_by(|a, b| a[axis].total_cmp(&b[axis]));

@@ -128,12 +128,11 @@ pub const FINAL_PASS: u8 = 1;
 
 /// Callbacks of a render: progress, cancellation, and storage of finished tiles.
 pub trait Watch: Sync {
-    /// Reports the number of finished pixels after each tile. With adaptive anti-aliasing, the pixels of both passes
-    /// count.
+    /// Reports the number of finished pixels after each tile. Adaptive anti-aliasing counts the pixels of both passes.
     fn progress(&self, done: usize, total: usize);
     /// True if the render must stop, which happens at the next surface that a ray hits.
     fn cancelled(&self) -> bool;
-    /// Returns a token that also stops the render inside a long search for one hit; by default the calling thread's
+    /// Returns a token that also stops the render inside a long search for a hit; by default the calling thread's
     /// token.
     fn cancel_token(&self) -> CancelToken {
         CancelToken::current()
@@ -250,8 +249,7 @@ pub fn light(world: &World, options: &Options, pixel: &[f32; 4]) -> [f32; 4] {
     output::light(pixel, world.gamma, options.alpha)
 }
 
-/// Returns the maximum memory that the render of a region needs, in bytes, besides the World and the rows that the
-/// receiver stores.
+/// Returns the maximum memory for the render of a region, in bytes, besides the World and the stored rows.
 pub fn memory_bytes(region: Region) -> u128 {
     bands::memory_bytes(region)
 }

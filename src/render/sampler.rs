@@ -21,8 +21,7 @@ impl FrameCamera {
     }
 }
 
-/// Sampler that takes one sample after another, on one thread. Points are in pixels from the top left corner of the
-/// picture.
+/// Sampler that takes samples one by one, on one thread. Points are in pixels from the picture's top left corner.
 pub(super) struct Sampler<'w> {
     camera: &'w FrameCamera,
     tracer: Tracer<'w>,
@@ -62,8 +61,7 @@ impl<'w> Sampler<'w> {
         &self.tracer.counts
     }
 
-    /// Returns the radiance through a point of the picture: the mean over all rays, for a camera with several rays per
-    /// point.
+    /// Returns the radiance through a point of the picture, the mean over all rays of a camera with several per point.
     #[inline]
     pub fn sample(&mut self, x: f64, y: f64) -> Radiance {
         let view = &self.camera.view;

@@ -19,7 +19,7 @@ pub struct RecentParts {
     shapes: RefCell<SmallVec<[Shape; MAX_RECENT]>>,
 }
 
-/// The most recent parts of one type.
+/// List of the most recently read parts of objects, for one type of part.
 type Recent<T> = RefCell<SmallVec<[Arc<T>; MAX_RECENT]>>;
 
 impl RecentParts {
@@ -28,12 +28,12 @@ impl RecentParts {
         // A texture that is shared already stays as it is.
         let Some(own) = Arc::get_mut(texture) else { return };
         for layer in &mut own.layers {
-            join(&self.finishes, &mut layer.finish, Finish::eq);
+            replace_by_recent(&self.finishes, &mut layer.finish, Finish::eq);
             if let Some(normal) = &mut layer.normal {
-                join(&self.normals, normal, Normal::is_certainly_equal);
+                replace_by_recent(&self.normals, normal, Normal::is_certainly_equal);
             }
         }
-        join(&self.textures, texture, Texture::is_certainly_equal);
+        replace_by_recent(&self.textures, texture, Texture::is_certainly_equal);
     }
 
     /// Returns a recent shape that equals this one, if the shape builds caches while tracing.
@@ -60,7 +60,7 @@ fn push<T>(recent: &mut SmallVec<[T; MAX_RECENT]>, thing: T) {
     recent.push(thing);
 }
 
-fn join<T>(recent: &Recent<T>, thing: &mut Arc<T>, alike: impl Fn(&T, &T) -> bool) {
+fn replace_by_recent<T>(recent: &Recent<T>, thing: &mut Arc<T>, alike: impl Fn(&T, &T) -> bool) {
     let mut recent = recent.borrow_mut();
     match recent.iter().find(|other| Arc::ptr_eq(other, thing) || alike(other, thing)) {
         Some(other) => *thing = other.clone(),

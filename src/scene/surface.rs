@@ -35,8 +35,8 @@ impl Painted {
         }
     }
 
-    /// Returns the transform from the texture's space to the space of the block around the object; `object` is the
-    /// object's transform.
+    /// Returns the transform from the texture's space to that of the block around the object with the transform
+    /// `object`.
     pub fn place<'t>(&'t self, object: &'t Transform) -> &'t Transform {
         self.moved.as_deref().unwrap_or(object)
     }

@@ -28,12 +28,12 @@ impl Weight {
     pub const SHAPE: Self = Self { depth: 0, shapes: 1 };
 
     /// Returns the number of shapes, counting each instance.
-    pub fn shapes(self) -> u32 {
+    pub fn n_shapes(self) -> u32 {
         self.shapes
     }
 
     /// Returns the depth and number of shapes of an object with these parts.
-    pub fn around(self, parts: &[Object]) -> Self {
+    pub fn enclosing(self, parts: &[Object]) -> Self {
         parts.iter().map(|part| part.weight()).fold(self, |sum, part| Self {
             depth: sum.depth.max(part.depth + 1),
             shapes: sum.shapes.saturating_add(part.shapes),
@@ -59,7 +59,7 @@ impl Weight {
     /// # Errors
     /// E0242 if there are too many.
     pub fn check_clipping(parts: &[Object], source: Span) -> Result<()> {
-        if Self::default().around(parts).shapes <= MAX_CLIPPING {
+        if Self::default().enclosing(parts).shapes <= MAX_CLIPPING {
             return Ok(());
         }
         let message = format!("more than {MAX_CLIPPING} shapes clip one object");

@@ -34,8 +34,7 @@ pub enum Verdict {
 /// Difference of a rendered picture from its snapshot, with 8 bits per channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
-    /// Width and height of the expected picture, if they differ from those of the rendered picture; `None` for equal
-    /// sizes.
+    /// Width and height of the expected picture; `None` if they equal those of the rendered picture.
     pub other_size: Option<(usize, usize)>,
     /// Number of compared pixels.
     pub pixels: usize,

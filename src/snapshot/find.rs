@@ -13,7 +13,7 @@ pub struct Case {
     pub picture: PathBuf,
 }
 
-/// End of a snapshot's file name. Rendering a scene cannot overwrite its snapshot, because no other picture has such a
+/// End of a snapshot's file name. Rendering a scene cannot overwrite a snapshot, since no other picture has such a
 /// name.
 pub const ENDING: &str = "snapshot.png";
 

@@ -256,8 +256,7 @@ fn temporary(path: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder(path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))
 }
 
-/// Waits until the names in the folder of `path` would survive a power loss. The failure of a system that cannot do so
-/// is ignored.
+/// Waits until the names in the folder of `path` would survive a power loss. Failures are ignored.
 pub fn sync_folder_of(path: &Path) {
     #[cfg(unix)]
     let _ = File::open(folder(path)).and_then(|folder| folder.sync_all());

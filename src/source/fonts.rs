@@ -18,8 +18,7 @@ enum Family {
     Serif,
 }
 
-/// Parts of file names in lower case, with the families that they indicate. The first match counts; `Sans` without a
-/// match.
+/// Parts of file names in lower case, with the families that they indicate. The first match counts; else `Sans`.
 const FAMILIES: &[(&str, Family)] = &[
     ("cour", Family::Mono),
     ("mono", Family::Mono),
@@ -44,13 +43,13 @@ const FAMILIES: &[(&str, Family)] = &[
 ];
 
 /// Families whose font files on Windows abbreviate the style: `arialbd`, `verdanaz`.
-const SHORT: &[&str] = &[
+const ABBREVIATED_FAMILIES: &[&str] = &[
     "arial", "times", "cour", "verdana", "georgia", "trebuc", "tahoma", "calibri", "cambria", "consola", "pala",
     "comic",
 ];
 
 /// Abbreviations of styles in the names of font files. The flags are bold and italic.
-const ENDINGS: &[(&str, bool, bool)] = &[
+const STYLE_ABBREVIATIONS: &[(&str, bool, bool)] = &[
     ("bd", true, false),
     ("b", true, false),
     ("i", false, true),
@@ -59,28 +58,28 @@ const ENDINGS: &[(&str, bool, bool)] = &[
     ("z", true, true),
 ];
 
-/// Parts of the names of fonts that are preferred as substitutes. The first ones have the letter widths of Windows'
-/// fonts.
+/// Parts of the names of preferred substitute fonts. The first ones have the letter widths of Windows' fonts.
 const PREFERRED: &[&str] = &["liberation", "dejavu", "free", "noto", "timrom", "cyrvetic", "crystal"];
 
 /// Parts of the names of fonts that are unsuitable for plain text.
-const ODD: &[&str] =
+const UNSUITABLE: &[&str] =
     &["condensed", "narrow", "light", "thin", "black", "math", "symbol", "emoji", "dingbat", "logo", "icon", "caps"];
 
 impl Style {
     fn of(name: &str) -> Self {
-        let plain = plain(name);
+        let plain = letters_of(name);
         let family = FAMILIES.iter().find(|(part, _)| plain.contains(part)).map_or(Family::Sans, |(_, family)| *family);
         let holds = |parts: &[&str]| parts.iter().any(|part| plain.contains(part));
         let (bold, italic) = (holds(&["bold", "black", "heavy"]), holds(&["italic", "oblique", "slanted"]));
-        let ending = SHORT.iter().find_map(|short| plain.strip_prefix(short));
-        let (b, i) = ENDINGS.iter().find(|(e, ..)| ending == Some(e)).map_or((false, false), |(_, b, i)| (*b, *i));
+        let ending = ABBREVIATED_FAMILIES.iter().find_map(|short| plain.strip_prefix(short));
+        let (b, i) =
+            STYLE_ABBREVIATIONS.iter().find(|(e, ..)| ending == Some(e)).map_or((false, false), |(_, b, i)| (*b, *i));
         Self { family, bold: bold || b, italic: italic || i }
     }
 }
 
 /// Returns the letters of a file's name in lower case, without its extension.
-fn plain(name: &str) -> String {
+fn letters_of(name: &str) -> String {
     let last = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
     stem.chars().filter(|c| c.is_ascii_alphabetic()).map(|c| c.to_ascii_lowercase()).collect()
@@ -128,8 +127,8 @@ pub fn is_file_name(path: &Path) -> bool {
 /// Ranks how much a font file differs from the wanted style, the most important criterion first.
 fn difference(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, String) {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
-    let (style, plain) = (Style::of(&name), plain(&name));
-    let odd = ODD.iter().any(|part| plain.contains(part));
+    let (style, plain) = (Style::of(&name), letters_of(&name));
+    let odd = UNSUITABLE.iter().any(|part| plain.contains(part));
     let rank = PREFERRED.iter().position(|p| plain.starts_with(p)).unwrap_or(PREFERRED.len());
     (odd, style.family != wanted.family, style.bold != wanted.bold, style.italic != wanted.italic, rank, plain)
 }

@@ -176,8 +176,7 @@ impl Overlay {
         self.texts.insert(self.key(path), text);
     }
 
-    /// Returns the path under which the overlay stores a text: the canonical path if the file or its folder exists in
-    /// the underlying storage.
+    /// Returns the path under which the overlay stores a text: the canonical path if the file or its folder exists.
     fn key(&self, path: &Path) -> PathBuf {
         let whole = || self.files.canonicalize(path);
         let beside = || {

@@ -1,4 +1,4 @@
-//! Records the inputs of a picture: which files were read, with hashes of their contents, and which paths were asked
+//! Records the inputs of a picture: files that were read, with hashes of their contents, and paths that were asked
 //! about.
 
 use super::lookup::{Lookup, Lookups};

@@ -184,8 +184,7 @@ impl<'a> Sandboxed<'a> {
         self.files.open_below(&root, &relative, access)
     }
 
-    /// Returns a folder without links, and a path relative to it without `..`; `None` if the path is not below the
-    /// folder.
+    /// Returns a folder without links, and a path relative to it without `..`; `None` if the path is elsewhere.
     fn relative_to(&self, folder: &Path, path: &Path) -> Option<(PathBuf, PathBuf)> {
         let root = self.files.canonicalize(folder).ok()?;
         let current = self.files.canonicalize(Path::new(".")).ok()?;

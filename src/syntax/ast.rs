@@ -191,8 +191,7 @@ pub enum ExprKind {
     Literal(Arc<[f64]>),
     /// Expression that is a vector `< … >` of expressions.
     Vector(Box<[Element]>),
-    /// Expression in parentheses, `( … )`. The parentheses count, because a macro receives a copy for `(A)` and a
-    /// reference for `A`.
+    /// Expression in parentheses, `( … )`. A macro receives a copy for `(A)` and a reference for `A`.
     Paren(Box<Expr>),
     /// Chain of binary operators of one precedence, `a op b op c …`, from left to right.
     Chain(Box<Chain>),

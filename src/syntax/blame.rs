@@ -18,8 +18,7 @@ fn braces(outline: &Outline) -> impl Iterator<Item = (usize, Line, Option<&Pair>
     })
 }
 
-/// True if a closing token lies on a later line than `opener`, with less indentation, so that it probably closes an
-/// outer pair.
+/// True if `closer` is on a later line with less indentation than `opener`, and probably closes an outer pair.
 fn is_outdented(closer: &Line, opener: &Line) -> bool {
     closer.is_first && opener.start < closer.start && closer.indent < opener.indent
 }

@@ -125,7 +125,7 @@ impl Brackets {
     }
 
     /// Ends conditional expressions at a comma or semicolon.
-    pub(super) fn separate(&mut self) {
+    pub(super) fn end_choices(&mut self) {
         while matches!(self.stack.last(), Some((Opener::Otherwise, _))) {
             self.pop();
         }
@@ -143,7 +143,7 @@ impl Brackets {
     }
 
     /// Ends the innermost open directive.
-    pub(super) fn end(&mut self) {
+    pub(super) fn end_directive(&mut self) {
         self.pop();
     }
 

@@ -5,15 +5,18 @@ use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::source::Span;
 
 /// Returns the error for text that fits no rule of the grammar from the offset `at` on.
-pub fn explain(text: &str, at: usize, base: usize) -> Diagnostic {
+pub fn syntax_error_at(text: &str, at: usize, base: usize) -> Diagnostic {
     if let Some(d) = missing_condition(text, at, base) {
         return d;
     }
     if let Some(d) = missing_name_or_sign(text, at, base) {
         return d;
     }
-    let d =
-        Diagnostic::new(codes::SYNTAX, token_span(text, at, base), format!("{} is not allowed here", found(text, at)));
+    let d = Diagnostic::new(
+        codes::SYNTAX,
+        token_span(text, at, base),
+        format!("{} is not allowed here", describe_text_at(text, at)),
+    );
     if let Some(help) = help_for(text, at, token_at(text, at)) {
         return d.help(help);
     }
@@ -35,9 +38,8 @@ pub fn is_other_elseif(word: &str) -> bool {
     matches!(word, "elsif" | "elif" | "elsf" | "elseIf" | "ElseIf" | "else_if" | "elsei")
 }
 
-/// Returns the error for `#elsif`: the directive is skipped together with the branch before it, and so are the elements
-/// that follow.
-pub(super) fn lost_branch(word: &str, span: Span) -> Diagnostic {
+/// Returns the error for `#elsif`: the directive and the elements after it are skipped with the branch before.
+pub(super) fn elsif_error(word: &str, span: Span) -> Diagnostic {
     let message = format!("there is no directive `#{word}`: what follows it is a part of the branch before");
     let d = Diagnostic::new(codes::UNKNOWN_DIRECTIVE, span, message).help("write `#elseif`");
     Diagnostic { severity: Severity::Warning, ..d }
@@ -52,7 +54,7 @@ pub fn is_other_end(word: &str) -> bool {
 }
 
 /// Describes the text at the offset `at`, for a message.
-fn found(text: &str, at: usize) -> String {
+fn describe_text_at(text: &str, at: usize) -> String {
     match token_at(text, at) {
         "" => "the end of the text".into(),
         token => format!("`{token}`"),
@@ -76,7 +78,7 @@ fn follows_operand(text: &str, at: usize) -> bool {
 fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
     let before = text[..at].trim_end();
     let fault = |message: String| Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
-    let found = found(text, at);
+    let found = describe_text_at(text, at);
     if let Some(directive @ ("declare" | "local" | "macro" | "undef")) = directive_at_end(before) {
         let d = fault(format!("expected a name after `#{directive}`, found {found}"));
         return Some(d.help("names are made of the letters a to z, digits and `_`"));
@@ -116,7 +118,7 @@ fn missing_condition(text: &str, at: usize, base: usize) -> Option<Diagnostic> {
         let d = d.also(Span::new(base + next, base + next + 1), "this one");
         return (!is_closed(&text[next..])).then(|| d.help(format!("it is written `#{word} ({form}) …`")));
     }
-    let message = format!("expected `(` after `#{word}`, found {}", found(text, next));
+    let message = format!("expected `(` after `#{word}`, found {}", describe_text_at(text, next));
     let span = token_span(text, next, base);
     Some(Diagnostic::new(codes::SYNTAX, span, message).help(format!("`#{word} ({form}) …`")))
 }
@@ -194,8 +196,7 @@ fn open_vector(text: &str, at: usize) -> Option<usize> {
     None
 }
 
-/// True if the text ends inside `( … )` where `<` compares: grouping parentheses, a condition or a function's
-/// arguments.
+/// True if the text ends inside `( … )` where `<` compares: a group, a condition or a function's arguments.
 fn in_parentheses(text: &str) -> bool {
     let mut depth = 0;
     for (i, c) in text.char_indices().rev() {

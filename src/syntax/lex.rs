@@ -5,7 +5,7 @@ use super::Names;
 use super::ast::NumberList;
 use super::brackets::{Brackets, MAX_DEPTH, Opener};
 use super::class::{self, Role};
-use super::fault::{is_other_elseif, lost_branch};
+use super::fault::{elsif_error, is_other_elseif};
 use super::numbers::{ListScanner, is_blank, scan_number};
 use super::word::{self, Category};
 use crate::diagnostic::{Code, Diagnostic, codes};
@@ -18,8 +18,7 @@ pub(super) struct Token {
     pub(super) start: u32,
     /// Offset after the token's last byte.
     pub(super) end: u32,
-    /// Number of a keyword, symbol of a name, or index into [`Lexed::numbers`] or [`Lexed::lists`], by the token's
-    /// class.
+    /// Number of a keyword, symbol of a name, or index in [`Lexed::numbers`] or [`Lexed::lists`], by the class.
     pub(super) data: u32,
 }
 
@@ -34,8 +33,7 @@ pub(super) struct Lexed {
     pub(super) numbers: Vec<f64>,
     /// Values of `LITERAL` and `NUMBERS` tokens, shared with the syntax tree.
     pub(super) lists: Vec<NumberList>,
-    /// Indices of tokens at which no bracket or directive is open, ascending. The text can be parsed in pieces between
-    /// them.
+    /// Indices of tokens at which no bracket or directive is open, ascending; the text can be parsed in pieces between.
     pub(super) cuts: Vec<u32>,
     /// Ranges of all comments in the text, in local offsets.
     pub(super) comments: Vec<(u32, u32)>,
@@ -102,7 +100,7 @@ impl Lexer<'_> {
                 b'=' | b'!' => self.operator(b),
                 b',' | b';' => {
                     self.push(b, 1, 0);
-                    self.brackets.separate();
+                    self.brackets.end_choices();
                     if b == class::SEMICOLON {
                         self.cut();
                     }
@@ -118,7 +116,7 @@ impl Lexer<'_> {
             let message = format!("more than {MAX_DEPTH} brackets and directives are nested here");
             self.fault(codes::TOO_DEEP, self.at - 1, self.at, message, None);
         } else {
-            self.unended();
+            self.end_open_directives();
         }
         self.out.cuts.push(self.out.tokens.len() as u32);
     }
@@ -131,13 +129,13 @@ impl Lexer<'_> {
     }
 
     /// Returns the class of the previous token; that of a `;` at the start of the text.
-    fn before(&self) -> u8 {
+    fn previous_class(&self) -> u8 {
         self.out.classes.last().copied().unwrap_or(class::SEMICOLON)
     }
 
     /// True if the previous token ends an operand, so that a sign after it is a binary operator.
     fn after_operand(&self) -> bool {
-        match self.before() {
+        match self.previous_class() {
             class::NAME | class::NUMBER | class::LITERAL | class::NUMBERS | class::STRING => true,
             class::PAREN_END | class::BRACKET_END | class::VECTOR_END | class::GREATER => true,
             class::KEYWORD | class::BUILTIN => self.out.classes.iter().rev().nth(1) == Some(&class::DOT),
@@ -202,19 +200,20 @@ impl Lexer<'_> {
         }
     }
 
-    /// Returns the class and the end of a list of literals, or a vector of numbers, that begins at the present
-    /// position.
+    /// Returns the class and the end of a list of literals or a vector of numbers at the present position.
     fn literal(&mut self, b: u8) -> Option<(u8, usize)> {
         let after_operand = self.after_operand();
         // Lists are allowed between elements: not inside expressions, vectors or functions.
-        let goes_on =
-            matches!(self.before(), class::FUNCTION | class::DOT | class::NOT | class::CHOICE | class::CHOICE_ELSE)
-                || matches!(
-                    self.before(),
-                    class::PLUS | class::MINUS | class::TIMES | class::OVER | class::AND | class::OR
-                )
-                || matches!(self.before(), class::EQUAL | class::LESS_EQUAL | class::GREATER_EQUAL | class::NOT_EQUAL)
-                || matches!(self.before(), class::LESS | class::GREATER);
+        let goes_on = matches!(
+            self.previous_class(),
+            class::FUNCTION | class::DOT | class::NOT | class::CHOICE | class::CHOICE_ELSE
+        ) || matches!(
+            self.previous_class(),
+            class::PLUS | class::MINUS | class::TIMES | class::OVER | class::AND | class::OR
+        ) || matches!(
+            self.previous_class(),
+            class::EQUAL | class::LESS_EQUAL | class::GREATER_EQUAL | class::NOT_EQUAL
+        ) || matches!(self.previous_class(), class::LESS | class::GREATER);
         let vector = b == b'<' && !self.brackets.in_function() && !(after_operand && self.brackets.compares());
         let lists = self.lists.as_mut()?;
         if self.brackets.takes_lists()
@@ -240,7 +239,7 @@ impl Lexer<'_> {
         let opener = match b {
             b'{' if self.opens_function() => Opener::FunctionBrace,
             b'{' => Opener::Brace,
-            b'(' if matches!(self.before(), class::NAME | class::PLAIN) => Opener::Arguments,
+            b'(' if matches!(self.previous_class(), class::NAME | class::PLAIN) => Opener::Arguments,
             b'(' => Opener::Paren,
             b'[' => Opener::Bracket,
             _ => Opener::Choice,
@@ -373,7 +372,7 @@ impl Lexer<'_> {
             None => {
                 let symbol = self.names.intern(word).0;
                 if is_other_elseif(word) && self.out.faults.is_empty() {
-                    self.out.faults.push(lost_branch(word, self.span(at, end)));
+                    self.out.faults.push(elsif_error(word, self.span(at, end)));
                 }
                 self.push(class::PLAIN, end - at, symbol);
             }
@@ -386,20 +385,20 @@ impl Lexer<'_> {
                 Some(open) if which.contains(&open) => {
                     self.push(class, end - at, 0);
                 }
-                _ => self.continues_nothing(word, at, end),
+                _ => self.report_stray_branch(word, at, end),
             },
             Some((class, Role::Ends)) => match self.brackets.end_body() {
                 Some(_) => {
-                    self.brackets.end();
+                    self.brackets.end_directive();
                     self.push(class, end - at, 0);
                     self.cut();
                 }
-                None => self.continues_nothing(word, at, end),
+                None => self.report_stray_branch(word, at, end),
             },
         }
     }
 
-    fn continues_nothing(&mut self, word: &str, at: usize, end: usize) {
+    fn report_stray_branch(&mut self, word: &str, at: usize, end: usize) {
         let help = match word {
             "end" => "each `#end` belongs to an `#if`, `#ifdef`, `#while`, `#for`, `#switch` or `#macro`",
             "case" | "range" => "it belongs into a `#switch`, before its `#else`",
@@ -411,7 +410,7 @@ impl Lexer<'_> {
     }
 
     /// Ends the open directives at the end of the text, so that a tree can be built, and collects the open brackets.
-    fn unended(&mut self) {
+    fn end_open_directives(&mut self) {
         self.out.unended = self.brackets.unended();
         for _ in 0..self.out.unended {
             self.push(class::END, 0, 0);

@@ -124,7 +124,7 @@ impl ListScanner {
         let (mut i, mut end) = (at, None);
         loop {
             let (start, first) = (self.data.len(), end.is_none());
-            let Some(after) = self.item(bytes, i, sign || !first) else { break };
+            let Some(after) = self.scan_item(bytes, i, sign || !first) else { break };
             let next = skip_blanks(bytes, after);
             let comma = bytes.get(next) == Some(&b',');
             if !comma && is_continued(bytes, next) {
@@ -159,19 +159,19 @@ impl ListScanner {
     pub(super) fn scan_vector(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         self.data.clear();
         self.widths = WidthsBuilder::default();
-        let end = self.vector(bytes, at)?;
+        let end = self.scan_vector_numbers(bytes, at)?;
         self.widths.push(self.data.len() as u16);
         Some(end)
     }
 
-    fn item(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<usize> {
+    fn scan_item(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<usize> {
         if bytes.get(at) == Some(&b'<') {
-            return self.vector(bytes, at);
+            return self.scan_vector_numbers(bytes, at);
         }
-        self.signed(bytes, at, sign)
+        self.scan_signed(bytes, at, sign)
     }
 
-    fn signed(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<usize> {
+    fn scan_signed(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<usize> {
         let negative = bytes.get(at) == Some(&b'-');
         let signed = negative || bytes.get(at) == Some(&b'+');
         if signed && !sign {
@@ -183,12 +183,12 @@ impl ListScanner {
     }
 
     /// Scans a vector such as `<1, -2 3>`: commas are optional, but a sign without a comma before it subtracts.
-    fn vector(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
+    fn scan_vector_numbers(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         let start = self.data.len();
         let mut i = skip_blanks(bytes, at + 1);
         let mut sign = true;
         loop {
-            let Some(after) = self.signed(bytes, i, sign) else {
+            let Some(after) = self.scan_signed(bytes, i, sign) else {
                 self.data.truncate(start);
                 return None;
             };
@@ -292,7 +292,7 @@ impl ListPlaces {
             (self.list, self.item, self.at) = (list, 0, 0);
         }
         loop {
-            let end = self.scanner.item(bytes, self.at, true)?;
+            let end = self.scanner.scan_item(bytes, self.at, true)?;
             self.scanner.data.clear();
             if self.item == item {
                 return Some(Span::new(list.lo as usize + self.at, list.lo as usize + end));

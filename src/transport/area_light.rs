@@ -57,7 +57,7 @@ impl Tracer<'_> {
         if count > MAX_ARRAY && area.adaptive.is_none() {
             return self.mean_of_all_lights(&grid);
         }
-        self.piece(&mut grid, [0, 0], [n - 1, m - 1], 0)
+        self.piece_visibility(&mut grid, [0, 0], [n - 1, m - 1], 0)
     }
 
     /// Returns the mean visibility of a large grid that is not adaptive, without storing the lights' visibilities. The
@@ -76,12 +76,12 @@ impl Tracer<'_> {
         sum
     }
 
-    /// Returns the mean visibility over a piece of the grid, from the light `low` to the light `high`, after `level`
-    /// halvings.
-    fn piece(&mut self, grid: &mut GridVisibility, low: [u32; 2], high: [u32; 2], level: u32) -> Rgb {
-        let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.cell(grid, cell));
+    /// Returns the mean visibility of a piece of the grid, from the light `low` to `high`, after `level` halvings.
+    fn piece_visibility(&mut self, grid: &mut GridVisibility, low: [u32; 2], high: [u32; 2], level: u32) -> Rgb {
+        let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.cell_visibility(grid, cell));
         let is_single = (0..2).all(|i| high[i] - low[i] <= 1);
-        let is_settled = grid.area.adaptive.is_some_and(|least| level >= least) && agree(&corners, grid.center.light);
+        let is_settled =
+            grid.area.adaptive.is_some_and(|least| level >= least) && is_uniform(&corners, grid.center.light);
         if is_single || is_settled || self.is_stopped_at_next_surface() {
             return corners.iter().sum::<Rgb>() * 0.25;
         }
@@ -92,14 +92,14 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for (bottom, top) in halves(1) {
             for (left, right) in halves(0) {
-                sum += self.piece(grid, [left, bottom], [right, top], level + 1);
+                sum += self.piece_visibility(grid, [left, bottom], [right, top], level + 1);
             }
         }
         sum * 0.25
     }
 
     /// Returns the visibility of one light of the grid, which is computed once.
-    fn cell(&mut self, grid: &mut GridVisibility, cell: [u32; 2]) -> Rgb {
+    fn cell_visibility(&mut self, grid: &mut GridVisibility, cell: [u32; 2]) -> Rgb {
         let at = cell[1] as usize * grid.area.size[0] as usize + cell[0] as usize;
         let known = match &grid.known {
             Known::Array(row) => Some(row[at]).filter(|known| !known.is_nan()),
@@ -149,7 +149,7 @@ pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomS
 
 /// True if the light at a piece's corners differs so little that the piece is not subdivided.
 #[inline]
-fn agree(corners: &[Rgb; 4], light: Rgb) -> bool {
+fn is_uniform(corners: &[Rgb; 4], light: Rgb) -> bool {
     let apart = |a: Rgb, b: Rgb| ((a - b) * light).abs().element_sum() > MAX_DIFFERENCE;
     !(0..4).any(|i| (0..i).any(|j| apart(corners[i], corners[j])))
 }
@@ -158,20 +158,19 @@ fn agree(corners: &[Rgb; 4], light: Rgb) -> bool {
 mod tests {
     use super::*;
 
-    /// Returns the weight of the light `at` in the mean over the piece from `low` to `high`, which is halved down to
-    /// pairs.
-    fn weight(at: u32, low: u32, high: u32) -> f64 {
+    /// Returns the weight of the light `at` in the mean from `low` to `high`, a range that is halved down to pairs.
+    fn light_weight(at: u32, low: u32, high: u32) -> f64 {
         if high - low <= 1 {
             return 0.5 * (f64::from(at == low) + f64::from(at == high));
         }
         let half = (high - low) / 2;
-        0.5 * (weight(at, low, low + half) + weight(at, high - half, high))
+        0.5 * (light_weight(at, low, low + half) + light_weight(at, high - half, high))
     }
 
     #[test]
     fn weights_are_those_of_halving() {
         for n in [1, 2, 3, 4, 5, 7, 8, 17, 100] {
-            let expected: Vec<f64> = (0..n).map(|at| weight(at, 0, n - 1)).collect();
+            let expected: Vec<f64> = (0..n).map(|at| light_weight(at, 0, n - 1)).collect();
             assert_eq!(weights_of_halving(n), expected, "{n}");
         }
     }

@@ -1,10 +1,9 @@
-//! Light that a surface emits, or reflects from light sources: one function for each term of `finish` (manual,
-//! "Finish").
+//! Light that a surface emits or reflects from light sources, with a function per term of `finish` (manual, "Finish").
 
 use super::area_light::offset;
 use super::random::Purpose;
 use super::ray_state::RayState;
-use super::reflect::film;
+use super::reflect::film_factor;
 use super::shading_point::{ShadedLayer, ShadingPoint};
 use super::tracer::Tracer;
 use crate::color::Rgb;
@@ -75,8 +74,7 @@ impl Tracer<'_> {
         sum / (f64::from(n) * f64::from(m))
     }
 
-    /// Returns the radiance that light from one direction causes. `visibility` is called only if the surface reflects
-    /// the light.
+    /// Returns the radiance that light from one direction causes. `visibility` is called only for reflected light.
     fn reflected_sample(
         &mut self,
         sample: &LightSample,
@@ -106,7 +104,7 @@ impl Tracer<'_> {
             if (at.cos > 0.0 || both_sides) && !light.emitter.shadowless {
                 reflected += highlight(shaded, &at);
             }
-            reflected *= film(shading.point, shaded, center, self.context.world);
+            reflected *= film_factor(shading.point, shaded, center, self.context.world);
             shaded.weight * reflected
         });
         sum * incident
@@ -147,11 +145,12 @@ fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
     let mut amount = 0.0;
     if layer.finish.phong.strength != 0.0 {
         // (R·l)ⁿ, where R is the mirror direction of the ray
-        amount += lobe(&layer.finish.phong, (at.dir - at.normal * (2.0 * at.dir.dot(at.normal))).dot(at.to_light));
+        amount +=
+            lobe_strength(&layer.finish.phong, (at.dir - at.normal * (2.0 * at.dir.dot(at.normal))).dot(at.to_light));
     }
     if layer.finish.specular.strength != 0.0 {
         // (N·h)ⁿ, where h is half-way between light and ray (Blinn 1977)
-        amount += lobe(&layer.finish.specular, at.normal.dot((at.to_light - at.dir).normalize_or_zero()));
+        amount += lobe_strength(&layer.finish.specular, at.normal.dot((at.to_light - at.dir).normalize_or_zero()));
     }
     if amount == 0.0 {
         return Rgb::ZERO;
@@ -160,7 +159,7 @@ fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
 }
 
 /// Returns the strength of a highlight, strength · cosⁿ.
-fn lobe(lobe: &Lobe, cos: f64) -> f64 {
+fn lobe_strength(lobe: &Lobe, cos: f64) -> f64 {
     if cos <= 0.0 { 0.0 } else { lobe.strength * power(cos, lobe.exponent) }
 }
 

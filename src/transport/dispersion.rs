@@ -27,7 +27,7 @@ impl Tracer<'_> {
         let weight = state.weight * material.transmittance.max_element();
         let mut totally_reflected = Rgb::ZERO;
         for i in 0..samples {
-            let color = share(i, samples);
+            let color = spectrum_share(i, samples);
             let hue = (f64::from(i) + 0.5) / f64::from(samples);
             let interface = interface.of_hue(hue, &state.inside, own, &world.interiors);
             let Some(dir) = interface.refract(state.ray.dir, material.normal) else {
@@ -43,7 +43,8 @@ impl Tracer<'_> {
         if totally_reflected != Rgb::ZERO {
             self.counts.reflected += 1;
             let out = mirror_direction(state.ray.dir, material.normal, shading.smooth);
-            let share = throughput * totally_reflected * reflect::total(material, shading.point, out, world);
+            let share =
+                throughput * totally_reflected * reflect::total_reflection_factor(material, shading.point, out, world);
             let next = state.continued(Ray::new(shading.point, out), share);
             self.queue.push(RayState { level: state.level + 1, weight, is_reflected: true, ..next });
         }
@@ -51,7 +52,7 @@ impl Tracer<'_> {
 }
 
 /// Returns the colour of part `i` of `samples` equal parts of the spectrum; part 0 is red.
-fn share(i: u32, samples: u32) -> Rgb {
+fn spectrum_share(i: u32, samples: u32) -> Rgb {
     let steps = SPECTRUM.len() as f64;
     let (from, to) = (f64::from(i) * steps / f64::from(samples), f64::from(i + 1) * steps / f64::from(samples));
     let mut sum = Rgb::ZERO;
@@ -91,12 +92,12 @@ mod tests {
     #[test]
     fn shares_sum_up_to_almost_white() {
         for samples in [2, 3, 7, 70, 100, 1000] {
-            let sum = (0..samples).map(|i| share(i, samples)).fold(Rgb::ZERO, |a, b| a + b);
+            let sum = (0..samples).map(|i| spectrum_share(i, samples)).fold(Rgb::ZERO, |a, b| a + b);
             assert!(sum.distance(Rgb::new(0.9938, 1.0, 0.9962)) < 1e-12, "{samples}: {sum}");
         }
         // POV-Ray's colours with 3 and with 100 samples
-        assert!(share(1, 3).distance(Rgb::new(0.15929, 0.73487, 0.30179)) < 2e-5);
-        assert!((share(20, 100).x - 0.03003).abs() < 1e-5);
+        assert!(spectrum_share(1, 3).distance(Rgb::new(0.15929, 0.73487, 0.30179)) < 2e-5);
+        assert!((spectrum_share(20, 100).x - 0.03003).abs() < 1e-5);
     }
 
     #[test]

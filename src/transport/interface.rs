@@ -21,8 +21,7 @@ pub(super) struct Interface {
     pub n1: f64,
     /// Index of refraction beyond the surface.
     pub n2: f64,
-    /// Indices (n1, n2) in Fresnel's equations, which differ from those of refraction where the ray is inside several
-    /// interiors.
+    /// Indices (n1, n2) in Fresnel's equations; inside several interiors, they differ from those of refraction.
     mirror: (f64, f64),
     /// Position in the list of the interior that the ray leaves; `None` if the ray enters an interior.
     leaves: Option<usize>,

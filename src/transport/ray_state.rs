@@ -57,8 +57,7 @@ impl RayState {
         self.transparency *= gray(segment.transmittance);
     }
 
-    /// Returns the state of a ray that continues along `ray` from a surface, with the factor `share` of this ray's
-    /// light.
+    /// Returns the state of a ray that continues along `ray` from a surface, with the share `share` of the light.
     #[inline]
     pub fn continued(&self, ray: Ray, share: Rgb) -> Self {
         Self {

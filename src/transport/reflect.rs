@@ -45,16 +45,14 @@ pub(super) fn bounces(mirrors: &[Mirror], context: MirrorContext) -> SmallVec<[B
     bounces
 }
 
-/// True if the reflected light of a bounce is proportional to the incoming light: no layer has an `exponent` other than
-/// 1.
+/// True if a bounce's reflected light is proportional to the incoming light: no layer has an `exponent` except 1.
 pub(super) fn is_linear(mirrors: &[Mirror], context: MirrorContext, ray: Bounce) -> bool {
     let has_exponent = |mirror: &Mirror| mirror.reflection.exponent != 1.0 && bounce(mirror, context) == Some(ray);
     !mirrors.iter().any(has_exponent)
 }
 
-/// Returns the radiance that the layers of a bounce reflect from the incoming `light` into the direction `out`, at
-/// `point`.
-pub(super) fn reflected(
+/// Returns the radiance that a bounce's layers reflect from the incoming `light` into the direction `out`, at `point`.
+pub(super) fn reflected_radiance(
     mirrors: &[Mirror],
     point: DVec3,
     context: MirrorContext,
@@ -64,7 +62,7 @@ pub(super) fn reflected(
 ) -> Rgb {
     let mut sum = Rgb::ZERO;
     for mirror in mirrors.iter().filter(|mirror| bounce(mirror, context) == Some(ray)) {
-        let light = light * film(point, mirror.shaded, out, context.world);
+        let light = light * film_factor(point, mirror.shaded, out, context.world);
         let seen = match mirror.reflection.exponent {
             1.0 => light,
             // The power of a negative number is not a number, and the pixel is black, as in POV-Ray.
@@ -76,13 +74,13 @@ pub(super) fn reflected(
 }
 
 /// Returns the factor of totally reflected light in the direction `out`: 1, unless the top layer has a thin film.
-pub(super) fn total(material: &MaterialSample, point: DVec3, out: DVec3, world: &World) -> Rgb {
-    material.layers.first().map_or(Rgb::ONE, |top| film(point, top, out, world))
+pub(super) fn total_reflection_factor(material: &MaterialSample, point: DVec3, out: DVec3, world: &World) -> Rgb {
+    material.layers.first().map_or(Rgb::ONE, |top| film_factor(point, top, out, world))
 }
 
 /// Returns the factor that a layer's thin film (`irid`) applies to light from a direction. Bumps that are seen or lit
 /// from behind count as from the front (quirk: `bumps_from_behind`).
-pub(super) fn film(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &World) -> Rgb {
+pub(super) fn film_factor(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &World) -> Rgb {
     match &shaded.layer.finish.irid {
         Some(irid) => {
             let cosines = shaded.normal.dot(from).abs() + shaded.cos.abs();
@@ -98,16 +96,15 @@ pub(super) fn film(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &Worl
 fn bounce(mirror: &Mirror, context: MirrorContext) -> Option<Bounce> {
     let Mirror { reflection, shaded, .. } = mirror;
     let part = match reflection.fresnel {
-        true => untinted(reflection, shaded.cos, context.interface),
+        true => untinted_reflectance(reflection, shaded.cos, context.interface),
         false => reflection.min.max(reflection.max),
     };
     let weight = context.weight * gray(shaded.weight) * part.max_element();
     (weight > context.world.adc_bailout).then_some(Bounce { normal: shaded.normal, weight })
 }
 
-/// Returns the share of light that a layer with `conserve_energy` does not reflect, which its other terms receive; 1
-/// for other layers.
-pub(super) fn left_over(shaded: &ShadedLayer, interface: &Interface) -> Rgb {
+/// Returns the share of light that a layer with `conserve_energy` does not reflect; 1 for other layers.
+pub(super) fn unreflected_share(shaded: &ShadedLayer, interface: &Interface) -> Rgb {
     match shaded.layer.finish.mirror.as_deref().filter(|_| shaded.layer.finish.conserve_energy) {
         Some(mirror) => Rgb::ONE - reflectance(mirror, shaded, interface),
         None => Rgb::ONE,
@@ -117,11 +114,11 @@ pub(super) fn left_over(shaded: &ShadedLayer, interface: &Interface) -> Rgb {
 /// Returns the reflectance of one layer at the ray's angle.
 fn reflectance(mirror: &Reflection, shaded: &ShadedLayer, interface: &Interface) -> Rgb {
     let cos = shaded.cos;
-    untinted(mirror, cos, interface) * metal_tint(mirror.metallic, cos, shaded.color.rgb)
+    untinted_reflectance(mirror, cos, interface) * metal_tint(mirror.metallic, cos, shaded.color.rgb)
 }
 
 /// Returns the reflectance without the tint of `metallic`.
-fn untinted(mirror: &Reflection, cos: f64, interface: &Interface) -> Rgb {
+fn untinted_reflectance(mirror: &Reflection, cos: f64, interface: &Interface) -> Rgb {
     let part = if mirror.fresnel {
         interface.fresnel(cos)
     } else if mirror.min == mirror.max {

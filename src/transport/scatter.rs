@@ -60,8 +60,8 @@ impl Continuation {
 }
 
 impl Tracer<'_> {
-    /// Pushes all rays that continue from a surface. Adds reflections that are not linear in the incoming light to
-    /// `sum` at once.
+    /// Pushes all rays that continue from a surface. Adds reflections that are not linear in the light to `sum` at
+    /// once.
     pub(super) fn scatter(&mut self, state: &RayState, boundary: &Boundary, sum: &mut Radiance) {
         let first = self.queue.len();
         let materials = &boundary.shading.materials;
@@ -131,7 +131,7 @@ impl Tracer<'_> {
         for bounce in reflect::bounces(&mirrors, context) {
             self.counts.reflected += 1;
             let out = mirror_direction(state.ray.dir, bounce.normal, shading.smooth);
-            let reflectance = |light| reflect::reflected(&mirrors, shading.point, context, bounce, out, light);
+            let reflectance = |light| reflect::reflected_radiance(&mirrors, shading.point, context, bounce, out, light);
             let is_linear = reflect::is_linear(&mirrors, context, bounce);
             let share = if is_linear { reflectance(Rgb::ONE) } else { Rgb::ONE };
             let mut reflected = state.continued(Ray::new(shading.point, out), share);
@@ -166,7 +166,7 @@ impl Tracer<'_> {
                 // All light is reflected, but the weight falls as if it were transmitted (quirk: `total_reflection_weight`).
                 Transmission::Total => {
                     let dir = mirror_direction(state.ray.dir, material.normal, shading.smooth);
-                    let film = reflect::total(material, shading.point, dir, world);
+                    let film = reflect::total_reflection_factor(material, shading.point, dir, world);
                     Continuation {
                         dir,
                         is_total: true,

@@ -1,5 +1,4 @@
-//! Radiance and transmittance along ray segments, for camera and shadow rays. No other code evaluates fog and
-//! interiors.
+//! Radiance and transmittance along ray segments in fog and interiors, for camera and shadow rays.
 
 use super::interface::Interiors;
 use super::random::Purpose;

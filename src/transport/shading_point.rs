@@ -2,7 +2,7 @@
 
 use super::context::Quality;
 use super::interface::Interface;
-use super::reflect::left_over;
+use super::reflect::unreflected_share;
 use crate::color::{Color, Rgb, gray};
 use crate::math::{DVec2, DVec3, Ray, cancel};
 use crate::pattern::{Space, TextureContext};
@@ -103,8 +103,7 @@ struct Painter<'w, 'a> {
 }
 
 impl<'w> Painter<'w, '_> {
-    /// Adds a material with its share. A texture that a pattern chooses is the only layer, since the reader refuses
-    /// other layers.
+    /// Adds a material with its share. A texture that a pattern chooses is the only layer.
     fn paint(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
             Some(choice) => {
@@ -166,7 +165,7 @@ impl<'w> Painter<'w, '_> {
             transmittance *= color.transmittance();
             // quirk: conserve_energy_without_pigment
             if layer.finish.conserve_energy && !layer.is_nothing(&seen, quick) {
-                transmittance *= left_over(&shaded, self.interface);
+                transmittance *= unreflected_share(&shaded, self.interface);
             }
             layers.push(shaded);
             // quirk: layers_below_adc_bailout

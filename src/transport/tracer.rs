@@ -6,8 +6,7 @@ use super::ray_state::RayState;
 use crate::world::Blocker;
 use serde::Serialize;
 
-/// Number of surfaces between two polls of the cancel flag. Mirrors that face each other can make one camera ray take
-/// hours.
+/// Number of surfaces between two polls of the cancel flag. Two mirrors can make one camera ray take hours.
 const SURFACES_PER_POLL: u32 = 64;
 
 /// Numbers of traced rays, by kind.

@@ -42,16 +42,15 @@ impl ConvexInterval {
     }
 
     /// Returns the part of the range in which the ray can be inside the part.
-    fn reach(&self, range: Range) -> Range {
+    fn possible_range(&self, range: Range) -> Range {
         if self.inverse {
             return range;
         }
         range.intersection(Range { min: self.ends[0].t - self.slack, max: self.ends[1].t + self.slack })
     }
 
-    /// Returns whether the point at `t` is inside the part; `None` so close to an end that the part's `inside` must
-    /// decide.
-    fn holds(&self, t: f64) -> Option<bool> {
+    /// Returns whether the point at `t` is inside the part; `None` near an end, where the part's `inside` must decide.
+    fn contains(&self, t: f64) -> Option<bool> {
         let [min, max] = self.ends.map(|end| end.t);
         let near = (t - min).abs() < self.slack || (t - max).abs() < self.slack;
         (!near).then_some((t > min && t < max) != self.inverse)
@@ -63,14 +62,14 @@ impl ConvexInterval {
 pub(super) fn within(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
     match solid.kind() {
         SolidKind::Leaf(leaf) if !(leaf.inverse && leaf.shape.is_convex()) => {
-            ConvexInterval::of(leaf, ray).map_or(range, |interval| interval.reach(range))
+            ConvexInterval::of(leaf, ray).map_or(range, |interval| interval.possible_range(range))
         }
         _ => range,
     }
 }
 
 /// Error of a part that can't compute the interval of a ray inside it.
-pub(super) struct Unknown;
+pub(super) struct UnknownInterval;
 
 /// Returns the nearest hit of an intersection, or of a merge if `merged`, with the shape that is hit; all children must
 /// be able to compute their intervals. `shows` returns true for a hit at `t` that no clipping solid removes.
@@ -80,13 +79,13 @@ pub(super) fn nearest<'a>(
     ray: &Ray,
     mut range: Range,
     shows: impl Fn(f64) -> bool,
-) -> Result<Option<(End, &'a Leaf)>, Unknown> {
+) -> Result<Option<(End, &'a Leaf)>, UnknownInterval> {
     let mut parts: SmallVec<[(ConvexInterval, &Leaf); 4]> = SmallVec::new();
     for child in children {
-        let SolidKind::Leaf(leaf) = child.kind() else { return Err(Unknown) };
-        let interval = ConvexInterval::of(leaf, ray).ok_or(Unknown)?;
+        let SolidKind::Leaf(leaf) = child.kind() else { return Err(UnknownInterval) };
+        let interval = ConvexInterval::of(leaf, ray).ok_or(UnknownInterval)?;
         if !merged {
-            range = interval.reach(range);
+            range = interval.possible_range(range);
             if range.is_empty() {
                 return Ok(None);
             }
@@ -96,7 +95,7 @@ pub(super) fn nearest<'a>(
     let mut best = None;
     for (i, &(interval, leaf)) in parts.iter().enumerate() {
         for end in interval.ends {
-            let inside = |j: usize, other: &ConvexInterval| match other.holds(end.t) {
+            let inside = |j: usize, other: &ConvexInterval| match other.contains(end.t) {
                 Some(inside) => inside,
                 None => children[j].inside(ray.at(end.t)),
             };
@@ -112,7 +111,7 @@ pub(super) fn nearest<'a>(
 }
 
 /// The hits of a ray on the children of an intersection or a merge.
-pub(super) struct Gathered<'a> {
+pub(super) struct GatheredHits<'a> {
     /// Range of distances in which hits count.
     range: Range,
     /// Hits, each with the number of the child that is hit.
@@ -121,7 +120,7 @@ pub(super) struct Gathered<'a> {
     intervals: SmallVec<[Option<ConvexInterval>; 4]>,
 }
 
-impl<'a> Gathered<'a> {
+impl<'a> GatheredHits<'a> {
     /// Creates an empty list of hits. (Built in place, because the struct is large.)
     pub(super) fn new() -> Self {
         Self { range: Range::ALL, hits: SmallVec::new(), intervals: SmallVec::new() }
@@ -148,7 +147,7 @@ impl<'a> Gathered<'a> {
             && let Some(interval) = ConvexInterval::of(leaf, ray)
         {
             if only_inside {
-                self.range = interval.reach(self.range);
+                self.range = interval.possible_range(self.range);
             }
             self.intervals[i] = Some(interval);
         }
@@ -177,6 +176,6 @@ impl<'a> Gathered<'a> {
 
     /// True if the point at `t` on the ray is inside child `i`.
     pub(super) fn inside(&self, i: usize, child: &SolidNode, ray: &Ray, t: f64) -> bool {
-        self.intervals[i].and_then(|interval| interval.holds(t)).unwrap_or_else(|| child.inside(ray.at(t)))
+        self.intervals[i].and_then(|interval| interval.contains(t)).unwrap_or_else(|| child.inside(ray.at(t)))
     }
 }

@@ -280,7 +280,7 @@ impl Item {
     fn object(&self) -> u32 {
         match self {
             Self::Solid(node) => node.object,
-            Self::Instance(instance) => instance.object(),
+            Self::Instance(instance) => instance.object_number(),
         }
     }
 

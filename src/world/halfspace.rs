@@ -8,7 +8,7 @@ use crate::shape::{Kernel, Shape};
 use smallvec::SmallVec;
 
 /// Maximum number of half-spaces that clip a box.
-const MOST: usize = 64;
+const MAX_HALF_SPACES: usize = 64;
 /// Size of the start box for an unbounded intersection, as a multiple of the largest distance of a half-space.
 const FAR: f64 = 1e4;
 /// Largest coordinate for which boxes are clipped.
@@ -28,8 +28,7 @@ pub struct HalfSpace {
 pub type HalfSpaces = SmallVec<[HalfSpace; 16]>;
 
 impl HalfSpace {
-    /// Transforms the half-space normal·p ≤ distance by `m` from object to world space; `None` if the result is not
-    /// finite.
+    /// Transforms the half-space normal·p ≤ distance by `m` from object to world space; `None` if not finite.
     fn under(m: &Transform, normal: DVec3, distance: f64) -> Option<Self> {
         // n·(M⁻¹·p) ≤ d, where M⁻¹·p = A·p + b: (Aᵀ·n)·p ≤ d - n·b
         let n = m.inv.matrix3.transpose() * normal;
@@ -43,18 +42,17 @@ impl HalfSpace {
     }
 }
 
-/// Appends half-spaces that contain the inside and surface of a shape with flat faces or round walls; none for other
-/// shapes.
+/// Appends half-spaces that contain a shape with flat faces or round walls; none for other shapes.
 pub fn push_shape(shape: &Shape, m: &Transform, inverse: bool, out: &mut HalfSpaces) {
     let turned = || shape.as_half_space().into_iter().map(|(normal, distance)| (-normal, -distance)).collect();
     let planes = if inverse { turned() } else { shape.half_spaces() };
-    let room = MOST.saturating_sub(out.len());
+    let room = MAX_HALF_SPACES.saturating_sub(out.len());
     let placed = planes.into_iter().take(room);
     out.extend(placed.filter_map(|(normal, distance)| HalfSpace::under(m, normal, distance + 2.0 * tolerance::INSIDE)));
 }
 
 /// Returns a box around the intersection of the box `start` with all half-spaces.
-pub fn cut(start: Aabb, planes: &[HalfSpace]) -> Aabb {
+pub fn clip_box(start: Aabb, planes: &[HalfSpace]) -> Aabb {
     // Axis-parallel planes are in the boxes already.
     if start.is_empty() || !planes.iter().any(HalfSpace::is_slanted) {
         return start;
@@ -179,25 +177,25 @@ mod tests {
     #[test]
     fn planes_alone() {
         let unit = Aabb::from_corners(DVec3::NEG_ONE, DVec3::ONE);
-        assert!(near(cut(Aabb::INFINITE, &octahedron(&Transform::IDENTITY)), unit));
+        assert!(near(clip_box(Aabb::INFINITE, &octahedron(&Transform::IDENTITY)), unit));
         // Far away from the origin, and of any size.
         let far = Transform::scale(DVec3::splat(0.01)).unwrap().then(&Transform::translate(DVec3::splat(900.0)));
-        assert!(near(cut(Aabb::INFINITE, &octahedron(&far)), far.transform_aabb(&unit)));
+        assert!(near(clip_box(Aabb::INFINITE, &octahedron(&far)), far.transform_aabb(&unit)));
         // Four faces are unbounded; seven are bounded, as the neighbours of the missing face meet above it.
         let open = octahedron(&Transform::IDENTITY);
-        assert_eq!(cut(Aabb::INFINITE, &open[4..]), Aabb::INFINITE);
-        assert!(near(cut(Aabb::INFINITE, &open[1..]), unit));
+        assert_eq!(clip_box(Aabb::INFINITE, &open[4..]), Aabb::INFINITE);
+        assert!(near(clip_box(Aabb::INFINITE, &open[1..]), unit));
         let away = HalfSpace { normal: DVec3::ONE.normalize(), distance: -5.0 };
-        assert!(cut(Aabb::INFINITE, &[&open[..], &[away]].concat()).is_empty());
+        assert!(clip_box(Aabb::INFINITE, &[&open[..], &[away]].concat()).is_empty());
     }
 
     #[test]
     fn a_box_and_a_plane() {
         // x + y ≤ -1.5 leaves a corner.
         let plane = HalfSpace { normal: DVec3::new(1.0, 1.0, 0.0).normalize(), distance: -1.5 / 2f64.sqrt() };
-        let left = cut(Aabb::from_corners(DVec3::NEG_ONE, DVec3::ONE), &[plane]);
+        let left = clip_box(Aabb::from_corners(DVec3::NEG_ONE, DVec3::ONE), &[plane]);
         assert!(near(left, Aabb::from_corners(DVec3::NEG_ONE, DVec3::new(-0.5, -0.5, 1.0))));
         let through = HalfSpace { normal: DVec3::new(1.0, 1.0, 0.0).normalize(), distance: 0.0 };
-        assert_eq!(cut(Aabb::INFINITE, &[through]), Aabb::INFINITE);
+        assert_eq!(clip_box(Aabb::INFINITE, &[through]), Aabb::INFINITE);
     }
 }

@@ -33,7 +33,7 @@ impl Instance {
     }
 
     /// Returns the number of the instance's first object.
-    pub fn object(&self) -> u32 {
+    pub fn object_number(&self) -> u32 {
         self.first_object
     }
 

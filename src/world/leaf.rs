@@ -106,8 +106,7 @@ impl Leaf {
         !self.shape.is_open() && self.shape.inside(local) != self.inverse
     }
 
-    /// Returns the quadratic form, in world space, that is not positive inside the shape; `None` for a shape that is
-    /// not a quadric.
+    /// Returns the quadratic form, in world space, that is not positive inside the shape; `None` if no quadric.
     pub(super) fn quadratic(&self) -> Option<Quadratic> {
         let own = self.shape.bounding_quadratic()?;
         let upright = if self.inverse { own.negated() } else { own };

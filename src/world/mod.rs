@@ -129,8 +129,7 @@ pub struct UncommonPart {
     pub embedded: Box<[PlacedMaterial]>,
     /// Number of the set of lights that illuminate the shape; 0 for the lights of no group.
     pub lights: u32,
-    /// Index in [`World::cuts`] of the solids whose materials a cutting shape shows (`cutaway_textures`); `None` for
-    /// other shapes.
+    /// Index in [`World::cuts`] of the solids whose materials a cutting shape shows (`cutaway_textures`).
     pub cut: Option<u32>,
 }
 

@@ -20,8 +20,8 @@ impl RayEpsilon {
     /// Minimum hit distances that POV-Ray uses in any scene.
     pub const POV_RAY: Self = Self { surface: tolerance::SURFACE, shadow: tolerance::SHADOW };
 
-    /// Returns POV-Ray's minimum distances. A scene so small and so near to `eye` that POV-Ray shows nothing of it gets
-    /// distances in proportion to its size.
+    /// Returns POV-Ray's minimum distances. A scene too small and too near to `eye` for these gets distances in
+    /// proportion to its size.
     pub fn of(geometry: &Geometry, eye: DVec3) -> Self {
         let mut all = Aabb::from_points([eye]);
         let boxes = geometry.items().map(|item| item.node().bounds()).filter(Aabb::is_finite);

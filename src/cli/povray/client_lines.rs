@@ -43,7 +43,7 @@ pub fn fault(sources: &Sources, diagnostic: &Diagnostic) -> String {
 }
 
 /// Returns the last line of the output.
-pub fn ending(exit: Exit) -> &'static str {
+pub fn ending_line(exit: Exit) -> &'static str {
     match exit {
         Exit::Fine => "POV-Ray finished\n",
         exit if exit.is_signal() => "Render cancelled by user\n",

@@ -34,8 +34,7 @@ pub struct Ini {
     pub faults: Vec<Diagnostic>,
 }
 
-/// Parses an INI file whose first byte has the global offset `base`: the part before the first label, and the part
-/// `section`.
+/// Parses an INI file at the global offset `base`: the part before the first label, and the part `section`.
 pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
     let mut reader = Reader { text, base, out: Ini::default() };
     let mut wanted = true;

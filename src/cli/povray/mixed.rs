@@ -59,9 +59,8 @@ fn is_mixing(command: &Command) -> bool {
     ["render", "check", "pick"].contains(&command.get_name())
 }
 
-/// True if the command has this long option. The commands `check` and `pick` write no picture and lack the options for
-/// pictures.
-pub fn is_taken(command: &str, word: &str) -> bool {
+/// True if the command has this long option. The commands `check` and `pick` lack the options for pictures.
+pub fn has_option(command: &str, word: &str) -> bool {
     let all = commands();
     let name = word.split('=').next().and_then(|word| word.strip_prefix("--"));
     let own = all.find_subcommand(command).into_iter().flat_map(Command::get_arguments);
@@ -82,7 +81,7 @@ fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, boo
             true => arguments.iter().find(|a| a.get_long() == Some(name)),
             false => arguments.iter().find(|a| a.get_short().is_some() && a.get_short() == short()),
         };
-        let is_povray = !is_value && !is_over && !dashes && own_option.is_none() && is_theirs(&text);
+        let is_povray = !is_value && !is_over && !dashes && own_option.is_none() && is_povray_option(&text);
         is_over |= !is_value && text == "--";
         is_value = !is_value && own_option.is_some_and(takes_value) && (dashes || text.chars().count() == 2);
         out.push((word, is_povray));
@@ -91,7 +90,7 @@ fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, boo
 }
 
 /// True for a POV-Ray switch and for `Name=Value`, unless a file has this name.
-fn is_theirs(text: &str) -> bool {
+fn is_povray_option(text: &str) -> bool {
     if Path::new(text).exists() {
         return false;
     }
@@ -132,7 +131,7 @@ impl Translation<'_> {
         };
         let options = self.option_words(false).into_iter().map(|word| Own::of(word.to_string_lossy().into_owned()));
         let options = options
-            .filter(|own| is_taken(command.get_name(), &own.name) && !is_set(&own.name))
+            .filter(|own| has_option(command.get_name(), &own.name) && !is_set(&own.name))
             .flat_map(|own| own.words);
         let named = self.settings.input.take().map(OsString::from);
         let words = words[..=at].iter().cloned().chain(options).chain(named).chain(own.iter().cloned()).collect();

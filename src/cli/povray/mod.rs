@@ -70,8 +70,7 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     }
 }
 
-/// True for a command line that asks POV-Ray for its version. Programs that call durer by the name `povray` also ask by
-/// `--version`.
+/// True for a command line that asks POV-Ray for its version. By the name `povray`, also for `--version`.
 pub fn asks_version(words: &[OsString]) -> bool {
     let [program, word] = words else { return false };
     let is_named_povray = || Path::new(program).file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case("povray"));
@@ -298,7 +297,7 @@ impl<'s> Translation<'s> {
             self.settings.input = Some(scene.display().to_string());
         }
         let options = self.option_words(self.any_switch);
-        let known = |word: &OsString| mixed::is_taken(&command, &word.to_string_lossy());
+        let known = |word: &OsString| mixed::has_option(&command, &word.to_string_lossy());
         let options: Vec<_> = options.into_iter().filter(|word| command == "render" || known(word)).collect();
         let mut words = vec![program, command.into()];
         words.extend(options);
@@ -345,8 +344,7 @@ pub fn ini_names() -> impl Iterator<Item = &'static str> {
     ROWS.iter().map(|row| row.ini).filter(|ini| !ini.is_empty())
 }
 
-/// Finds the option with the longest switch that the word begins with, and returns the option and the rest of the word
-/// as its value.
+/// Finds the option with the longest switch at the word's start, and returns the option and its value, the rest.
 fn find_switch(word: &str) -> Option<(&'static Row, &str)> {
     // Try exact numbers first: `+H12abc` is a number, too, but `+HRx` is a misspelt `+HR`.
     switch_with(word, |value| value.parse::<f64>().is_ok())

@@ -21,8 +21,7 @@ impl Own {
     }
 }
 
-/// Removes all but the last occurrence of options that POV-Ray accepts twice, such as `+Q3` in an INI file and `+Q9`
-/// after it.
+/// Removes all but the last occurrence of options that POV-Ray accepts twice, such as `+Q3` and `+Q9`.
 pub fn last_of_each(options: Vec<Own>) -> Vec<Own> {
     const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--header", "--quiet", "--no-output", "--language"];
     let names: Vec<_> = options.iter().map(|o| o.name.clone()).collect();

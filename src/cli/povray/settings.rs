@@ -194,8 +194,8 @@ impl Settings {
         }
         let sides = [self.start_column, self.end_column, self.start_row, self.end_row];
         if sides.iter().any(Option::is_some) {
-            let (x, w) = extent(self.start_column, self.end_column, width);
-            let (y, h) = extent(self.start_row, self.end_row, height);
+            let (x, w) = region_side(self.start_column, self.end_column, width);
+            let (y, h) = region_side(self.start_row, self.end_row, height);
             put("--region", format!("{x},{y},{w},{h}"));
             if self.is_povray_line {
                 put("--outside", "black".into());
@@ -286,7 +286,7 @@ fn is_special(path: &Path) -> bool {
 }
 
 /// Returns the first pixel and the number of pixels along one side of the region (quirk: `region_bounds`).
-fn extent(start: Option<f64>, end: Option<f64>, side: usize) -> (usize, usize) {
+fn region_side(start: Option<f64>, end: Option<f64>, side: usize) -> (usize, usize) {
     let from = match start {
         Some(x) if x > 1.0 => x - 1.0,
         Some(x) if x < 1.0 => (x.max(0.0) * side as f64).floor(),

@@ -40,8 +40,7 @@ pub enum Effect {
     Option(&'static str),
     /// Effect: sets the durer option of this name, which has no value.
     Flag(&'static str),
-    /// Effect: sets a part of a durer option that is combined at the end. The function returns an error for a wrong
-    /// value.
+    /// Effect: sets a part of a durer option, which is combined at the end. The function fails for a wrong value.
     Part(fn(&mut Settings, &str) -> Result<(), String>),
     /// Effect: a warning that durer lacks the feature, for this reason.
     Lacks(&'static str),

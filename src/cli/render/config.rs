@@ -1,5 +1,4 @@
-//! Configuration of one scene's pictures, computed once from the command line and the INI file. Functions below do not
-//! change it.
+//! Configuration of one scene's pictures, computed once from the command line and the INI file.
 
 use super::target::Target;
 use crate::advice::Circumstances;

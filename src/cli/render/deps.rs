@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// Writes the files `read` as dependencies of the pictures: as JSON if the name of the output file ends in `.json`,
 /// else as a rule for make.
 pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFiles) -> Result<()> {
-    let mut files: Vec<PathBuf> = read.keys().filter(|path| path.is_file()).cloned().map(plain).collect();
+    let mut files: Vec<PathBuf> = read.keys().filter(|path| path.is_file()).cloned().map(without_dot_slash).collect();
     files.sort();
     let is_json = to.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     let text = if is_json { as_json(pictures, &files) } else { as_rule(pictures, &files) };
@@ -21,7 +21,7 @@ pub fn write(console: &Console, to: &Path, pictures: &[PathBuf], read: &ReadFile
 }
 
 /// Removes a leading `./` of a path, which rules for the file do not contain.
-fn plain(path: PathBuf) -> PathBuf {
+fn without_dot_slash(path: PathBuf) -> PathBuf {
     path.strip_prefix("./").map(Path::to_path_buf).unwrap_or(path)
 }
 

@@ -1,5 +1,4 @@
-//! The option `--dump`: prints a Scene or a World as JSON for people, with one item per line and positions as
-//! `file:line:column`.
+//! The option `--dump`: prints a Scene or a World as JSON with one item per line and positions `file:line:column`.
 
 use crate::source::{Sources, Span};
 use serde::Serialize;
@@ -39,11 +38,11 @@ fn write(value: &Value, depth: usize, before: usize, out: &mut String) {
     let room = WIDTH.saturating_sub(2 * depth + before);
     let is_short = |text: &String| text.len() <= room;
     match value {
-        Value::Array(items) if !items.is_empty() => match Some(brief(value, room)).filter(is_short) {
+        Value::Array(items) if !items.is_empty() => match Some(one_line_json(value, room)).filter(is_short) {
             Some(text) => out.push_str(&text),
             None => block(out, depth, ['[', ']'], items, |item, out| write(item, depth + 1, 0, out)),
         },
-        Value::Object(fields) if !fields.is_empty() => match Some(brief(value, room)).filter(is_short) {
+        Value::Object(fields) if !fields.is_empty() => match Some(one_line_json(value, room)).filter(is_short) {
             Some(text) => out.push_str(&text),
             None => block(out, depth, ['{', '}'], fields, |(name, field), out| {
                 let name = format!("{}: ", Value::from(name.as_str()));
@@ -74,7 +73,7 @@ fn block<T>(
 }
 
 /// Formats a value on one line. A text longer than `room` bytes is incomplete.
-fn brief(value: &Value, room: usize) -> String {
+fn one_line_json(value: &Value, room: usize) -> String {
     let mut out = String::new();
     brief_to(value, room, &mut out);
     out

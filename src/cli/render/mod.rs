@@ -49,8 +49,7 @@ struct Done {
     files: LookedUpFiles,
 }
 
-/// Renders each scene: one picture, or one for each frame. Also returns the files that were looked up, even after a
-/// failure.
+/// Renders each scene: one picture, or one per frame. Also returns the files that were looked up, even on failure.
 pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, LookedUpFiles) {
     let files = LookedUpFiles { read: context.ini_files.clone(), ..LookedUpFiles::default() };
     let mut done = Done { files, ..Done::default() };
@@ -76,7 +75,9 @@ fn render_all(console: &Console, args: &RenderArgs, context: &Context, done: &mu
         console.info(line);
         Ok(())
     };
-    summary::each(console, &inputs.all, print, |console, input| render_scene(console, args, context, input, done))
+    summary::process_each(console, &inputs.all, print, |console, input| {
+        render_scene(console, args, context, input, done)
+    })
 }
 
 /// Checks that several pictures go to different files.

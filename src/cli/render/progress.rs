@@ -20,8 +20,7 @@ pub enum Progress {
         /// Tenths of the progress that are printed so far.
         printed: AtomicUsize,
     },
-    /// Progress display for programs that start POV-Ray: a line at each percent; the number is the last printed
-    /// percentage.
+    /// Progress display for programs that start POV-Ray: a line per percent; the number is the last printed one.
     PovrayLines(AtomicUsize),
 }
 

@@ -44,7 +44,7 @@ impl Report {
         Self {
             times: Times { parse, build, trace, encode, total },
             rays,
-            peak_memory: memory::peak(),
+            peak_memory: memory::peak_memory(),
             threads: if options.threads == 0 { processors() } else { options.threads },
             width: options.width,
             height: options.height,

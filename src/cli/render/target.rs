@@ -214,8 +214,7 @@ fn encoding(args: &RenderArgs, format: Format, depth: Option<u8>) -> Encoding {
     }
 }
 
-/// True if the picture has transparent pixels. Pixels outside of `--region` are transparent, unless `--outside black`
-/// fills them.
+/// True if the picture has transparent pixels. Pixels outside of `--region` are transparent without `--outside black`.
 fn keeps_alpha(look: &LookArgs, args: &RenderArgs) -> bool {
     look.alpha || args.region.is_some() && args.outside != Some(Outside::Black)
 }

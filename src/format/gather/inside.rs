@@ -45,7 +45,7 @@ impl Gatherer<'_> {
             }
             Directive::Macro(one) => {
                 self.through(one.span);
-                self.pending |= GLUE;
+                self.pending |= NO_BLANK_BEFORE;
                 self.close_arm(&mut arms, start, &one.body, span, false);
             }
             Directive::Declare(_) | Directive::DeclarePieces(_) | Directive::Plain(_) => {}
@@ -154,7 +154,7 @@ impl Gatherer<'_> {
 
     fn indices(&mut self, indices: &[Expr]) {
         for index in indices {
-            self.pending |= GLUE;
+            self.pending |= NO_BLANK_BEFORE;
             self.expr(index);
             self.through(index.span);
             self.token();
@@ -179,7 +179,7 @@ impl Gatherer<'_> {
     pub(super) fn expr(&mut self, e: &Expr) {
         self.before(e.span);
         if self.text[self.local(e.span.lo)..].starts_with(['-', '+', '!']) {
-            self.pending |= TIGHT;
+            self.pending |= NO_BLANK_AFTER;
         }
         match &e.kind {
             ExprKind::Vector(parts) => self.vector(e.span, parts),
@@ -187,12 +187,12 @@ impl Gatherer<'_> {
             ExprKind::Literal(_) if self.next_token() == Some("<") => self.vector(e.span, &[]),
             ExprKind::Call(_, parts) => {
                 self.token();
-                self.pending |= GLUE;
+                self.pending |= NO_BLANK_BEFORE;
                 self.loose(parts);
             }
             ExprKind::Builtin(_, parts) => {
                 self.token();
-                self.pending |= GLUE;
+                self.pending |= NO_BLANK_BEFORE;
                 parts.iter().for_each(|e| self.expr(e));
             }
             ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.expr(inner),
@@ -200,7 +200,7 @@ impl Gatherer<'_> {
                 self.operand(&chain.first);
                 if word::contextual(self.block).contains(&self.read(chain.first.span)) {
                     // A word and its value: `point -y`.
-                    self.pending = TIGHT;
+                    self.pending = NO_BLANK_AFTER;
                 }
                 chain.rest.iter().for_each(|(_, e)| self.operand(e));
             }
@@ -213,7 +213,7 @@ impl Gatherer<'_> {
             ExprKind::Apply(base, arguments) => {
                 self.expr(base);
                 self.through(base.span);
-                self.pending |= GLUE;
+                self.pending |= NO_BLANK_BEFORE;
                 self.loose(arguments);
             }
             ExprKind::Dot(base, ..) => self.expr(base),

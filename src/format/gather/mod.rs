@@ -145,20 +145,20 @@ impl<'a> Gatherer<'a> {
         let lines = (0..blanks.len()).filter(ends).take(2).count() as u8;
         let previous = self.out.row.last();
         match bytes[lo] {
-            b',' | b';' | b')' | b']' => flags |= GLUE,
-            b'>' if flags & CLOSE != 0 => flags |= GLUE,
-            b'.' if hi == lo + 1 && self.is_access(hi) => flags |= GLUE | TIGHT,
-            b'(' | b'[' => flags |= TIGHT,
-            b'<' if flags & OPEN != 0 => flags |= TIGHT,
+            b',' | b';' | b')' | b']' => flags |= NO_BLANK_BEFORE,
+            b'>' if flags & CLOSE != 0 => flags |= NO_BLANK_BEFORE,
+            b'.' if hi == lo + 1 && self.is_access(hi) => flags |= NO_BLANK_BEFORE | NO_BLANK_AFTER,
+            b'(' | b'[' => flags |= NO_BLANK_AFTER,
+            b'<' if flags & OPEN != 0 => flags |= NO_BLANK_AFTER,
             _ => {}
         }
         if lo == self.at && lo > 0 && changes_if_spaced(bytes[lo - 1], bytes[lo])
-            || previous.is_some_and(|p| p.flags & TIGHT != 0)
+            || previous.is_some_and(|p| p.flags & NO_BLANK_AFTER != 0)
         {
-            flags |= GLUE;
+            flags |= NO_BLANK_BEFORE;
         }
         if flags & COMMENT != 0 {
-            flags &= !GLUE;
+            flags &= !NO_BLANK_BEFORE;
         }
         self.out.row.push(Atom { lo: lo as u32, hi: hi as u32, flags, lines, ..Atom::default() });
         self.at = hi;
@@ -242,7 +242,7 @@ impl<'a> Gatherer<'a> {
             let atom = &mut self.out.row[*i];
             if breaks {
                 atom.lines = atom.lines.max(1);
-                atom.flags &= !JOIN;
+                atom.flags &= !SAME_LINE;
             }
             from = atom.next as usize;
         }
@@ -266,14 +266,15 @@ impl<'a> Gatherer<'a> {
         (first.item, first.next) = (item, end);
         let Some(last) = before.last().filter(|a| a.flags & COMMENT == 0) else { return };
         let after = read(last);
-        if item == Item::Entry && (after == "array" || after == "]" && last.flags & LOOSE == 0 && first.lines == 0) {
+        if item == Item::Entry && (after == "array" || after == "]" && last.flags & UNMATCHED == 0 && first.lines == 0)
+        {
             // The sizes of an array: no other construct has entries directly after a word or after each other.
             let chained = after == "array" || first.lo == last.hi;
-            first.flags |= if chained { GLUE } else { 0 };
+            first.flags |= if chained { NO_BLANK_BEFORE } else { 0 };
         }
         let group = item == Item::Group && !matches!(after, "{" | "}" | "," | ";");
         if group || after == "=" && item != Item::Sign {
-            first.flags |= JOIN;
+            first.flags |= SAME_LINE;
         }
     }
 
@@ -307,7 +308,7 @@ impl<'a> Gatherer<'a> {
             ElementKind::Directive(directive) => self.directive(directive, e.span),
             ElementKind::Semicolon | ElementKind::Comma => Item::Separator,
             ElementKind::Sign(Sign::Open(_) | Sign::Close(_)) => {
-                self.pending |= LOOSE;
+                self.pending |= UNMATCHED;
                 Item::Sign
             }
             ElementKind::Sign(_) => Item::Sign,
@@ -319,7 +320,7 @@ impl<'a> Gatherer<'a> {
         let start = self.len();
         if !name.is_none() {
             self.through(name);
-            self.pending |= JOIN;
+            self.pending |= SAME_LINE;
         }
         self.token();
         let name = self.read(name);
@@ -347,12 +348,12 @@ impl<'a> Gatherer<'a> {
         let start = self.len();
         self.token();
         if self.next_token() == Some("(") {
-            self.pending |= GLUE;
+            self.pending |= NO_BLANK_BEFORE;
         }
         function.size.iter().for_each(|e| self.expr(e));
         while self.len() == start + 1 || self.text.as_bytes()[self.at - 1] != b'{' {
             if self.next_token() == Some("{") {
-                self.pending |= JOIN;
+                self.pending |= SAME_LINE;
             }
             if self.pieces.next.is_none() {
                 return Item::Value;

@@ -171,7 +171,7 @@ impl<'a> Interpreter<'a> {
         match value {
             Value::Text(text) if text.len() > MAX_TEXT => {
                 let message = format!("this string is longer than {} million bytes", MAX_TEXT / 1_000_000);
-                self.reporter.limit(codes::MEMORY_LIMIT, span, message, "does a loop make it longer and longer?")
+                self.reporter.limit_error(codes::MEMORY_LIMIT, span, message, "does a loop make it longer and longer?")
             }
             Value::Text(text) => self.reporter.count_text(text.len(), span),
             _ => Ok(()),

@@ -3,8 +3,8 @@
 use crate::diagnostic::{Diagnostic, Fault, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::ArgumentForm;
-use crate::interpreter::evaluator::SMALL;
 use crate::interpreter::evaluator::Slot;
+use crate::interpreter::evaluator::TOLERANCE;
 use crate::interpreter::evaluator::{as_float, is_in_loop};
 use crate::interpreter::stream::FrameKind;
 use crate::source::Span;
@@ -13,7 +13,7 @@ use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
     pub fn evaluate_condition(&mut self, condition: &'a Head, span: Span) -> Result<bool> {
-        Ok(self.evaluate_head(condition, span)?.abs() > SMALL)
+        Ok(self.evaluate_head(condition, span)?.abs() > TOLERANCE)
     }
 
     /// Evaluates the number in the parentheses after a directive's word.
@@ -44,7 +44,7 @@ impl<'a> Interpreter<'a> {
         for (i, branch) in branches.iter().enumerate() {
             if let Condition::True(Head::Pieces(None)) = &branch.condition {
                 let checkpoint = self.stream.checkpoint();
-                if self.read_head_in_body(&branch.body, branch.span)?.abs() > SMALL {
+                if self.read_head_in_body(&branch.body, branch.span)?.abs() > TOLERANCE {
                     break;
                 }
                 self.unwind(checkpoint);
@@ -171,7 +171,7 @@ impl<'a> Interpreter<'a> {
             }
             ForHead::Pieces(None) => return Err(self.syntax_error_at(span).into()),
         };
-        if step.is_nan() || step.abs() < SMALL {
+        if step.is_nan() || step.abs() < TOLERANCE {
             return Diagnostic::err(codes::ZERO_STEP, at, format!("a step of {step} would never reach the last value"));
         }
         self.evaluator.scopes_mut().set_local(counter, Slot::Value(Value::Float(first)), vec![]);
@@ -208,12 +208,14 @@ impl<'a> Interpreter<'a> {
         for (i, arm) in arms.iter().enumerate() {
             let checkpoint = self.stream.checkpoint();
             let fits = match &arm.when {
-                When::Case(Head::Pieces(None)) => (self.read_head_in_body(&arm.body, arm.span)? - value).abs() < SMALL,
-                When::Case(head) => (self.evaluate_head(head, arm.span)? - value).abs() < SMALL,
+                When::Case(Head::Pieces(None)) => {
+                    (self.read_head_in_body(&arm.body, arm.span)? - value).abs() < TOLERANCE
+                }
+                When::Case(head) => (self.evaluate_head(head, arm.span)? - value).abs() < TOLERANCE,
                 When::Range(Some(elements)) => {
                     let [low, high] =
                         self.read_contents(elements, Bracket::Paren, arm.span, |me| me.read_two_numbers())?;
-                    value >= low - SMALL && value <= high + SMALL
+                    value >= low - TOLERANCE && value <= high + TOLERANCE
                 }
                 When::Range(None) => return Err(self.syntax_error_at(arm.span).into()),
                 When::Otherwise => true,

@@ -277,7 +277,7 @@ impl<'a> Interpreter<'a> {
         self.written += bytes.len() as u64;
         if self.written > MAX_WRITTEN {
             let message = format!("the scene writes more than {} GB", MAX_WRITTEN >> 30);
-            return self.reporter.limit(codes::MEMORY_LIMIT, span, message, "does a loop write without end?");
+            return self.reporter.limit_error(codes::MEMORY_LIMIT, span, message, "does a loop write without end?");
         }
         let file = &mut self.open_files[index];
         let written = match &mut file.access {

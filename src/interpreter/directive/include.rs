@@ -16,12 +16,11 @@ impl<'a> Interpreter<'a> {
         self.include(&text, name, joined_span(span, name))
     }
 
-    /// Includes the file `text`, so that its tokens come next. `name` is the span of the file's name, `span` that of
-    /// the directive.
+    /// Includes the file `text`: its tokens come next. `name` is the span of the file's name, `span` of the directive.
     pub fn include(&mut self, text: &str, name: Span, span: Span) -> Result<()> {
         if self.stream.include_paths().len() >= MAX_INCLUDES {
             let message = format!("`{text}` is included inside {MAX_INCLUDES} includes");
-            return self.reporter.limit(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
+            return self.reporter.limit_error(codes::INCLUDE_DEPTH, span, message, "does a file include itself?");
         }
         let (path, ast) = match self.find_read_file(text, name)? {
             Some(path) => (path.clone(), self.load(&path, text, name)?),
@@ -30,7 +29,7 @@ impl<'a> Interpreter<'a> {
                 None => return Err(self.missing_include(text, name).into()),
             },
         };
-        self.evaluator.scopes_mut().enter();
+        self.evaluator.scopes_mut().enter_scope();
         self.stream.push_include(path, &ast.elements, span);
         Ok(())
     }
@@ -77,7 +76,7 @@ impl<'a> Interpreter<'a> {
             Box::new(Diagnostic::new(codes::UNREADABLE_INCLUDE, span, message))
         })?;
         let Some(file) = self.inputs.sources.add(name, Some(path), text) else {
-            return self.reporter.limit(
+            return self.reporter.limit_error(
                 codes::MEMORY_LIMIT,
                 span,
                 "the scene's text is larger than 4 GB".into(),
@@ -97,7 +96,7 @@ impl<'a> Interpreter<'a> {
             return Ok((path, ast));
         }
         let Some(file) = self.inputs.sources.add(&path.to_string_lossy(), None, text.to_string()) else {
-            return self.reporter.limit(
+            return self.reporter.limit_error(
                 codes::MEMORY_LIMIT,
                 span,
                 "the scene's text is larger than 4 GB".into(),

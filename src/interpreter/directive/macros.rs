@@ -23,8 +23,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Calls a macro: evaluates the arguments and opens a scope. The macro's body is read next, then a comma if `comma`
-    /// is set.
+    /// Calls a macro: evaluates the arguments and opens a scope. The body is read next, then a comma if `comma` is set.
     pub fn call_macro(&mut self, name: Symbol, arguments: &'a [Element], span: Span, comma: bool) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
@@ -72,7 +71,7 @@ impl<'a> Interpreter<'a> {
             return Ok(());
         }
         let message = format!("`{}` is called {MAX_CALLS} times inside itself", self.inputs.names.text(name));
-        self.reporter.limit(codes::CALL_DEPTH, span, message, "does this recursion ever end?")
+        self.reporter.limit_error(codes::CALL_DEPTH, span, message, "does this recursion ever end?")
     }
 
     fn enter_macro(&mut self, definition: &'a Macro, arguments: Vec<Option<Slot<'a>>>, span: Span, comma: bool) {

@@ -23,8 +23,7 @@ pub struct Assets {
     pub fonts: FxHashMap<font::FontLocation, Arc<Font>>,
     /// Font files by the name of the family; `None` for a family that is not installed.
     pub families: FxHashMap<String, Option<font::FontLocation>>,
-    /// Objects that `trace` or `inside` has queried, by address. Each object is kept alive, so that no other gets its
-    /// address.
+    /// Objects that `trace` or `inside` has queried, by address. They are kept alive, so that addresses stay unique.
     probes: FxHashMap<*const (), (Arc<dyn Thing>, Rc<Probe>)>,
 }
 

@@ -20,7 +20,7 @@ impl Constants {
         let (version, now) = (inputs.names.intern("version"), inputs.names.intern("now"));
         let mut constants = Self { values: vec![], version, now };
         for (name, _) in word::CONSTANTS {
-            let value = value_of(name, inputs);
+            let value = constant_value(name, inputs);
             constants.set(inputs.names.intern(name), value);
         }
         constants
@@ -42,18 +42,18 @@ impl Constants {
         if symbol == self.now {
             return Some(Value::Float(host.since_1970().as_secs_f64() / 86_400.0 - DAYS_TO_2000));
         }
-        self.fixed(symbol).cloned()
+        self.fixed_value(symbol).cloned()
     }
 
     /// Returns the value of a constant that stays the same during the run; `None` for `now`.
     #[inline]
-    pub(super) fn fixed(&self, symbol: Symbol) -> Option<&Value> {
+    pub(super) fn fixed_value(&self, symbol: Symbol) -> Option<&Value> {
         self.values.get(symbol.0 as usize)?.as_ref()
     }
 }
 
 /// Returns the initial value of a built-in constant; `None` for other names.
-fn value_of(name: &str, inputs: Inputs) -> Option<Value> {
+fn constant_value(name: &str, inputs: Inputs) -> Option<Value> {
     let flag = |b: bool| Some(Value::Float(f64::from(b)));
     let float = |x: f64| Some(Value::Float(x));
     match name {

@@ -21,7 +21,7 @@ pub(super) use assets::Assets;
 use constants::Constants;
 pub(super) use element::not_text;
 pub(super) use operators::{
-    SMALL, apply_prefix, as_float, as_vector, combine, component, component_index, divides_by_zero, numbers_of,
+    TOLERANCE, apply_prefix, as_float, as_vector, combine, component, component_index, divides_by_zero, numbers_of,
     vector_value,
 };
 pub(super) use quick::Quick;
@@ -177,7 +177,7 @@ impl<'a> Evaluator<'a> {
     /// Opens the scope of a macro call and binds the parameters to the arguments. The argument `None` leaves an
     /// optional parameter unbound.
     pub(super) fn enter_call(&mut self, parameters: &[(Symbol, bool)], mut arguments: Vec<Option<Slot<'a>>>) {
-        self.scopes.enter();
+        self.scopes.enter_scope();
         for ((parameter, _), slot) in parameters.iter().zip(arguments.drain(..)) {
             if let Some(slot) = slot {
                 self.scopes.bind_parameter(*parameter, slot);
@@ -189,5 +189,5 @@ impl<'a> Evaluator<'a> {
 
 /// True if a `#for` loop with this step and last value runs its body for the counter `value`.
 pub(super) fn is_in_loop(value: f64, last: f64, step: f64) -> bool {
-    if step > 0.0 { value <= last + SMALL } else { value >= last - SMALL }
+    if step > 0.0 { value <= last + TOLERANCE } else { value >= last - TOLERANCE }
 }

@@ -9,11 +9,11 @@ use crate::value::{Value, VecN};
 
 /// Tolerance of comparisons: numbers closer to each other are equal, and numbers closer to 0 are false (quirk:
 /// `comparison_tolerance`).
-pub const SMALL: f64 = 1e-10;
+pub const TOLERANCE: f64 = 1e-10;
 
 pub fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
     Ok(match (prefix, value) {
-        (Prefix::Not, value) => Value::Float(f64::from(as_float(&value, span)?.abs() <= SMALL)),
+        (Prefix::Not, value) => Value::Float(f64::from(as_float(&value, span)?.abs() <= TOLERANCE)),
         (Prefix::Minus, Value::Float(x)) => Value::Float(-x),
         (_, Value::Float(x)) => Value::Float(x),
         (sign, value) => {
@@ -85,7 +85,7 @@ pub fn wrong_comparison(op: Operator, value: &Value, span: Span) -> Result<Value
 
 pub fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
     use Operator::*;
-    let truth = |x: f64| x.abs() > SMALL;
+    let truth = |x: f64| x.abs() > TOLERANCE;
     match op {
         Add => a + b,
         Sub => a - b,
@@ -94,11 +94,11 @@ pub fn on_floats(op: Operator, a: f64, b: f64) -> f64 {
         Div if b == 0.0 => f64::INFINITY,
         Div => a / b,
         Less => f64::from(a < b),
-        LessEqual => f64::from(a <= b + SMALL),
+        LessEqual => f64::from(a <= b + TOLERANCE),
         Greater => f64::from(a > b),
-        GreaterEqual => f64::from(a + SMALL >= b),
-        Equal => f64::from((a - b).abs() < SMALL),
-        NotEqual => f64::from((a - b).abs() >= SMALL),
+        GreaterEqual => f64::from(a + TOLERANCE >= b),
+        Equal => f64::from((a - b).abs() < TOLERANCE),
+        NotEqual => f64::from((a - b).abs() >= TOLERANCE),
         And => f64::from(truth(a) && truth(b)),
         Or => f64::from(truth(a) || truth(b)),
     }

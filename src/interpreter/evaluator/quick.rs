@@ -1,7 +1,7 @@
 //! Fast evaluation of expressions of numbers and vectors, without side effects and messages. Most expressions of a
 //! script are of this kind.
 
-use super::operators::{SMALL, component_index, holds_zero, on_floats, on_vectors};
+use super::operators::{TOLERANCE, component_index, holds_zero, on_floats, on_vectors};
 use super::{Evaluator, Slot};
 use crate::function::numeric::{self, Domain, Kernel};
 use crate::syntax::ast::*;
@@ -52,7 +52,7 @@ impl QuickValue for f64 {
         Some(match prefix {
             Prefix::Minus => -self,
             Prefix::Plus => self,
-            Prefix::Not => f64::from(self.abs() <= SMALL),
+            Prefix::Not => f64::from(self.abs() <= TOLERANCE),
         })
     }
 }
@@ -103,7 +103,7 @@ impl Evaluator<'_> {
             ExprKind::Paren(inner) => self.quick(inner),
             ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
                 Some(Slot::Value(value)) if self.deprecated.is_empty() => T::of(value),
-                None => T::of(self.constants.fixed(*symbol)?),
+                None => T::of(self.constants.fixed_value(*symbol)?),
                 _ => None,
             },
             ExprKind::Prefix(prefix, inner) => self.quick::<T>(inner)?.prefixed(*prefix),
@@ -114,7 +114,7 @@ impl Evaluator<'_> {
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
                 let (condition, yes, no) = (self.quick_number(condition)?, self.quick(yes)?, self.quick(no)?);
-                Some(if condition.abs() > SMALL { yes } else { no })
+                Some(if condition.abs() > TOLERANCE { yes } else { no })
             }
             ExprKind::Builtin(name, arguments) => self.quick_call(name.name, arguments).map(T::float),
             ExprKind::Index(array, indices) => match &**indices {

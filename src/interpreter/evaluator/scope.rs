@@ -15,8 +15,7 @@ pub enum Slot<'a> {
     Macro(&'a Macro),
     /// Number of the file that `#fopen` opened under the name.
     File(usize),
-    /// Location to which a macro's parameter refers, if its argument was a name or an array element; reads and writes
-    /// use that location.
+    /// Location to which a macro's parameter refers, if the argument was a name or an array element.
     Alias(LValue),
     /// Faults of a declaration that failed, reported when the name is used.
     Faulty(Rc<Vec<Diagnostic>>),
@@ -112,11 +111,11 @@ impl<'a> Scopes<'a> {
         binding.map_or(0, |binding| binding.level)
     }
 
-    pub fn enter(&mut self) {
+    pub fn enter_scope(&mut self) {
         self.levels.push(self.names.len());
     }
 
-    pub fn leave(&mut self) {
+    pub fn leave_scope(&mut self) {
         let Some(start) = self.levels.pop() else { return };
         for symbol in self.names.drain(start..) {
             if let Some(stack) = self.bindings.get_mut(symbol.0 as usize) {
@@ -146,15 +145,14 @@ impl<'a> Scopes<'a> {
         &mut self.bindings[index]
     }
 
-    /// Returns the location of a name's innermost binding, after following aliases; `None` if `#undef` removed the
-    /// target of an alias.
+    /// Returns the location of a name's innermost binding, after following aliases; `None` if `#undef` removed it.
     pub fn resolve(&self, symbol: Symbol) -> Option<LValue> {
-        let (symbol, depth, path) = self.find(symbol)?;
+        let (symbol, depth, path) = self.find_binding(symbol)?;
         Some(LValue { symbol, depth, path: path.cloned() })
     }
 
     /// Returns the parts of the location that [`Self::resolve`] returns, without copying the path.
-    fn find(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Path>)> {
+    fn find_binding(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Path>)> {
         let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
         let (mut symbol, mut depth, mut path) = (symbol, depth, None);
         // An alias is made from a resolved location. Its target can be another alias only after an `#undef`.
@@ -185,7 +183,7 @@ impl<'a> Scopes<'a> {
     }
 
     pub fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
-        let (symbol, depth, path) = self.find(symbol)?;
+        let (symbol, depth, path) = self.find_binding(symbol)?;
         let slot = &self.bindings[symbol.0 as usize][depth].slot;
         path.map_or(Some(slot), |path| slot.element(path))
     }
@@ -241,7 +239,7 @@ impl<'a> Scopes<'a> {
 
     /// Returns the warnings that are reported when the name is used.
     pub fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
-        let (symbol, depth, _) = self.find(symbol)?;
+        let (symbol, depth, _) = self.find_binding(symbol)?;
         self.bindings[symbol.0 as usize][depth].pending.clone()
     }
 
@@ -261,7 +259,7 @@ impl<'a> Scopes<'a> {
 
     /// Changes the innermost binding of a name, or creates a global one, as `#declare` does.
     pub fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        match self.find(symbol) {
+        match self.find_binding(symbol) {
             Some((symbol, depth, None)) => self.rebind(symbol, depth, slot, pending),
             Some((symbol, depth, Some(path))) => {
                 let lvalue = LValue { symbol, depth, path: Some(path.clone()) };

@@ -5,8 +5,7 @@ use crate::syntax::ast::*;
 use crate::value::Value;
 
 impl Evaluator<'_> {
-    /// True if an expression must be split into tokens, because a macro in it produces tokens, or because what looks
-    /// like a call is none.
+    /// True if an expression must be split into tokens, because a macro in it produces tokens or a call in it is none.
     #[inline]
     pub fn must_split(&self, e: &Expr) -> bool {
         e.calls && self.call_must_split(e)

@@ -282,7 +282,7 @@ impl<'a> Interpreter<'a> {
         component: Option<&Name>,
         span: Span,
     ) -> Result<Id> {
-        let (callee, gives, arity) = self.callee(callee, span)?;
+        let (callee, gives, arity) = self.callable_of(callee, span)?;
         self.check_arity(span, ids.len(), arity)?;
         let component = self.select_component(gives, component, span)?;
         if let Callee::Function(f) = &callee
@@ -307,7 +307,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Returns the function or spline in a value, with its result type and number of parameters.
-    fn callee(&mut self, callee: &Value, span: Span) -> Result<(Callee, ResultType, usize)> {
+    fn callable_of(&mut self, callee: &Value, span: Span) -> Result<(Callee, ResultType, usize)> {
         if let Value::Thing(thing) = callee {
             if let Some(f) = downcast::<Function>(thing) {
                 let (gives, arity) = (f.result_type(), f.arity());

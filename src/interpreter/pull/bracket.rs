@@ -10,14 +10,18 @@ use crate::syntax::ast::*;
 const MAX_NESTING: usize = 5_000;
 
 impl<'a> Interpreter<'a> {
-    /// Consumes an opening bracket, which is the next token, and the word before it. Returns the span of the word or
-    /// bracket.
+    /// Consumes the next token, an opening bracket, and the word before it. Returns the span of the word or bracket.
     pub fn open(&mut self) -> Result<Span> {
         let token = self.peek()?;
         let span = self.stream.next_span();
         if self.stream.bracket_count() >= MAX_NESTING {
             let message = format!("more than {MAX_NESTING} brackets are open here");
-            return self.reporter.limit(codes::TOO_DEEP, span, message, "does a macro open one without closing it?");
+            return self.reporter.limit_error(
+                codes::TOO_DEEP,
+                span,
+                message,
+                "does a macro open one without closing it?",
+            );
         }
         let (word, name, body, bracket) = match token {
             Token::Block(BlockName { word, span: name, body }) => (word, name, body, Bracket::Brace),
@@ -75,8 +79,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Reads `elements`, the contents of a bracket, up to their end. After an error, the state of the stream is
-    /// restored.
+    /// Reads `elements`, the contents of a bracket, to the end. After an error, restores the state of the stream.
     pub fn read_contents<T>(
         &mut self,
         elements: &'a [Element],

@@ -99,8 +99,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Returns the token that may continue the value that was just read; [`Token::End`] if [`Self::peek_after`] returns
-    /// none.
+    /// Returns the token that may continue the value just read; [`Token::End`] if [`Self::peek_after`] returns none.
     pub fn peek_continuation(&mut self) -> Result<Token<'a>> {
         Ok(self.peek_after()?.unwrap_or(Token::End))
     }

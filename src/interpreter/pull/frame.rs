@@ -10,12 +10,11 @@ impl Interpreter<'_> {
     /// Drops the innermost call frame, and ends the scope that belongs to it.
     pub fn pop_frame(&mut self) {
         if self.stream.pop_frame().is_some_and(FrameKind::has_scope) {
-            self.evaluator.scopes_mut().leave();
+            self.evaluator.scopes_mut().leave_scope();
         }
     }
 
-    /// Ends the innermost frame, all of whose elements are consumed: a loop begins its next pass, any other frame is
-    /// dropped.
+    /// Ends the innermost frame after its last element: a loop begins its next pass, any other frame is dropped.
     pub(super) fn end_of_frame(&mut self) -> Result<()> {
         let Some(frame) = self.stream.innermost() else { return Ok(()) };
         let span = frame.span();
@@ -67,8 +66,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Runs the remaining statements of the macros above the first `floor` frames, after these returned the value of a
-    /// declaration.
+    /// Runs the rest of the macros above the first `floor` frames, after they returned the value of a declaration.
     pub fn finish_macros(&mut self, floor: usize) -> Result<()> {
         let in_macro = |f: &StackFrame| matches!(f.kind(), FrameKind::Macro(_));
         self.stream.clear_look_ahead();

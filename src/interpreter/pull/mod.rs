@@ -129,8 +129,7 @@ impl<'a> Interpreter<'a> {
         self.between_tokens(|me| me.run_directive(directive, span))
     }
 
-    /// Runs a directive, a macro call or a loop's condition. A comma before it separates the token before from the
-    /// token after it.
+    /// Runs a directive, a macro call or a loop's condition. A comma before it separates tokens.
     #[inline]
     fn between_tokens(&mut self, run: impl FnOnce(&mut Self) -> Result<()>) -> Result<()> {
         let comma = self.stream.take_comma();

@@ -8,8 +8,7 @@ use crate::syntax::ast::*;
 use crate::value::Value;
 
 impl<'a> Interpreter<'a> {
-    /// Returns the token of an expression; `None` if the expression was split or a macro was called, so that another
-    /// token is next.
+    /// Returns the token of an expression; `None` if splitting it or calling a macro made another token the next one.
     pub(super) fn expr_token(&mut self, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
         match &expr.kind {
             ExprKind::Name(symbol) => self.name_token(*symbol, expr, element),

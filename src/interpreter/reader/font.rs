@@ -8,8 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Interpreter<'_> {
-    /// Finds and parses a font. A name without an extension is that of a TrueType file or, if no such file exists, of
-    /// an installed family.
+    /// Finds and parses a font. A name without an extension is that of a TrueType file or else of an installed family.
     pub(super) fn find_font(&mut self, name: &str, at: Span) -> Result<Arc<Font>> {
         let full = if name.contains('.') { name.to_string() } else { format!("{name}.ttf") };
         let place = match self.find_read_file(&full, at)? {

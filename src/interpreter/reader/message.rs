@@ -104,7 +104,7 @@ impl Interpreter<'_> {
         let Some((file, range)) = self.inputs.sources.locate(span) else {
             return Diagnostic::new(codes::SYNTAX, span, "this is not allowed here");
         };
-        fault::explain(self.inputs.sources.text(file), range.start, self.inputs.sources.base(file))
+        fault::syntax_error_at(self.inputs.sources.text(file), range.start, self.inputs.sources.base(file))
     }
 
     /// Returns the error for the innermost open bracket, where an outer bracket closes or the text ends.
@@ -259,7 +259,7 @@ impl Interpreter<'_> {
 }
 
 /// Returns the type of the value after a word, if one of the tables defines it.
-fn kind_of(word: &str) -> Option<ValueKind> {
+fn value_kind_of(word: &str) -> Option<ValueKind> {
     let tables = [&FINISH, &PIGMENT, &NORMAL, &TEXTURE, &INTERIOR, &LIGHT, &SETTINGS, &MODIFIERS, &POVRAY, &LECTURE];
     let words = tables.into_iter().flat_map(|table| table.words).chain(TRANSFORMS);
     words.into_iter().find(|known| known.name == word).map(|known| known.kind)
@@ -269,7 +269,7 @@ fn kind_of(word: &str) -> Option<ValueKind> {
 fn opens_block(word: &str) -> bool {
     is_object(word)
         || matches!(word, "camera" | "background" | "global_settings")
-        || kind_of(word) == Some(ValueKind::Block) && word != "matrix"
+        || value_kind_of(word) == Some(ValueKind::Block) && word != "matrix"
 }
 
 /// Returns the error for a word that the block does not take.
@@ -283,7 +283,7 @@ fn refused_word_error(word: &str, span: Span, block: &str, takes: &[&'static str
 
 /// Returns description and example of the value after a word that opens no block.
 fn value_after(word: &str) -> (String, String) {
-    let (what, value) = match kind_of(word) {
+    let (what, value) = match value_kind_of(word) {
         _ if word == "matrix" => ("twelve numbers", "<…>"),
         Some(ValueKind::Float) => ("a number", "0.5"),
         Some(ValueKind::Vector2) => ("a vector", "<x, y>"),

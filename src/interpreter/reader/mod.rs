@@ -9,7 +9,7 @@ mod transform;
 
 pub(super) use transform::TransformThing;
 
-use super::evaluator::{SMALL, Slot, as_float, as_vector, not_text};
+use super::evaluator::{Slot, TOLERANCE, as_float, as_vector, not_text};
 use super::stream::Token;
 use super::{Interpreter, reporter::hints};
 use crate::color::Color;
@@ -270,7 +270,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn flag(&mut self) -> Result<bool> {
-        Ok(self.optional_float()?.is_none_or(|x| x.abs() > SMALL))
+        Ok(self.optional_float()?.is_none_or(|x| x.abs() > TOLERANCE))
     }
 
     fn language(&self) -> Language {

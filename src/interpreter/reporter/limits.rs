@@ -37,8 +37,7 @@ impl Usage {
     }
 }
 
-/// Returns the error at `span` for a cancelled run; `None` if `cancel` is not cancelled. `max_time` is the time limit
-/// in seconds.
+/// Returns the error at `span` for a run that `cancel` cancels. `max_time` is the time limit in seconds.
 pub fn cancellation_error(cancel: &CancelToken, max_time: Option<f64>, span: Span) -> Option<Diagnostic> {
     let (message, help) = match cancel.reason()? {
         CancelReason::Request => ("the run was stopped".into(), "its result is no longer needed"),
@@ -56,7 +55,12 @@ impl Reporter<'_> {
         self.usage.steps += 1;
         if self.usage.steps > self.inputs.options.max_steps {
             let message = format!("the scene took more than {} steps", self.inputs.options.max_steps);
-            return self.limit(codes::STEP_LIMIT, span, message, "is this loop endless? --max-steps N allows more");
+            return self.limit_error(
+                codes::STEP_LIMIT,
+                span,
+                message,
+                "is this loop endless? --max-steps N allows more",
+            );
         }
         // A few steps may take long, such as calls of `trace()`: the token is polled at each.
         if self.usage.steps.is_multiple_of(CLOCK_EVERY) || self.inputs.options.cancel.is_cancelled() {
@@ -97,7 +101,7 @@ impl Reporter<'_> {
             && self.inputs.options.host.resident_bytes().is_some_and(|used| used > bytes)
         {
             let message = format!("the scene needs more than {} MiB of memory", bytes >> 20);
-            return self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more");
+            return self.limit_error(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more");
         }
         Ok(())
     }
@@ -116,11 +120,17 @@ impl Reporter<'_> {
             return Ok(());
         }
         let message = format!("there is no memory for a picture of {width} by {height} points");
-        self.limit(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more")
+        self.limit_error(codes::MEMORY_LIMIT, span, message, "--max-memory SIZE allows more")
     }
 
     /// Returns the error of an exceeded limit, which ends the run.
-    pub fn limit<T>(&mut self, code: crate::diagnostic::Code, span: Span, message: String, help: &str) -> Result<T> {
+    pub fn limit_error<T>(
+        &mut self,
+        code: crate::diagnostic::Code,
+        span: Span,
+        message: String,
+        help: &str,
+    ) -> Result<T> {
         self.limit_reached = true;
         Diagnostic::new(code, span, message).help(help).into()
     }

@@ -121,8 +121,7 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// Reports all deferred errors. `unused` are the errors in declarations that the scene does not use, reported as
-    /// warnings.
+    /// Reports all deferred errors, and as warnings the errors `unused` of declarations that the scene does not use.
     pub(super) fn finish(&mut self, unused: Vec<Diagnostic>) {
         for d in std::mem::take(&mut self.deferred) {
             self.report(d);

@@ -134,8 +134,7 @@ impl SceneBuilder {
         self.scene.unsupported.push(block);
     }
 
-    /// Adds an object. An object without a texture gets the present default texture, even if the object was declared
-    /// earlier.
+    /// Adds an object. Without a texture, it gets the present default texture, even if it was declared earlier.
     pub(super) fn add_object(&mut self, mut object: Object) {
         object.default_texture = self.defaults.texture.clone();
         self.scene.objects.push(object);

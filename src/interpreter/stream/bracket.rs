@@ -10,7 +10,7 @@ use crate::syntax::{Outline, blame};
 pub struct OpenBracket {
     /// The word before the open bracket.
     pub word: Option<&'static str>,
-    /// Span of the word, or of the bracket if it has none.
+    /// Span of the word before the bracket, or of a bracket without a word.
     pub span: Span,
     /// Span of the bracket without the word; `None` if the parser found the matching bracket.
     pub alone: Option<Span>,
@@ -113,8 +113,8 @@ impl<'a> TokenStream<'a> {
         self.unclosed.contains(&span.lo)
     }
 
-    /// Returns the error "this `{` is not closed" for the bracket at `span`, or for the brace whose end probably is
-    /// missing.
+    /// Returns the error "this `{` is not closed" for the bracket at `span`, or for the brace that probably lacks its
+    /// end.
     pub fn unclosed_at(&self, span: Span, open: &str, close: &str) -> Diagnostic {
         if let Some(d) = self.blamed_brace(span).filter(|_| open == "{") {
             return self.with_trace(d);

@@ -99,8 +99,7 @@ impl StackFrame<'_> {
     }
 }
 
-/// Saves and restores checkpoints. `Interpreter::unwind` drops the frames above a checkpoint, because scopes end with
-/// them.
+/// Saves and restores checkpoints. `Interpreter::unwind` drops the frames above a checkpoint, with their scopes.
 impl TokenStream<'_> {
     /// Saves the present state of the token stream.
     pub fn checkpoint(&self) -> Checkpoint {
@@ -130,8 +129,7 @@ impl TokenStream<'_> {
         (self.look_ahead, self.comma) = (None, false);
     }
 
-    /// Skips the statement that began at the checkpoint. `open` are the brackets that were open before the frames were
-    /// restored.
+    /// Skips the statement that began at the checkpoint. `open` are the brackets that were open at the error.
     pub fn skip_statement(&mut self, checkpoint: Checkpoint, open: Open) {
         if let Some(frame) = self.frames.last_mut() {
             frame.skip_statement(checkpoint.at, open.0);

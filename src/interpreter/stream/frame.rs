@@ -166,8 +166,7 @@ impl<'a> TokenStream<'a> {
         self.frames.push(StackFrame { closer, comma, ..StackFrame::new(elements, FrameKind::Piece, span) });
     }
 
-    /// Inserts a macro's body that is read next, then a comma if `comma` is set. Commas among the arguments are
-    /// forgotten.
+    /// Inserts a macro's body that is read next, then a comma if `comma` is set. Forgets commas of the arguments.
     pub fn push_call(&mut self, definition: &'a Macro, span: Span, comma: bool) {
         (self.look_ahead, self.comma) = (None, false);
         self.call_depth += 1;

@@ -4,7 +4,7 @@
 mod call;
 
 use super::Interpreter;
-use super::evaluator::{SMALL, apply_prefix, as_float, component, is_callable, vector_value};
+use super::evaluator::{TOLERANCE, apply_prefix, as_float, component, is_callable, vector_value};
 use super::stream::{BlockName, Token};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
@@ -43,13 +43,12 @@ pub(super) trait Operands<'a> {
 const LOOSEST: u8 = 0;
 
 impl<'a> Interpreter<'a> {
-    /// Reads operands and operators by precedence climbing. With `compares`, comparisons, `&`, `|` and `?` are
-    /// operators too.
+    /// Reads operands and operators by precedence climbing. `compares` allows comparisons, `&`, `|` and `?`.
     pub(super) fn climb<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool) -> Result<(O::Value, Span)> {
         if self.stream.mode().nesting >= MAX_NESTED {
             let message = format!("more than {MAX_NESTED} values are read inside each other here");
             let at = self.stream.next_span();
-            return self.reporter.limit(codes::TOO_DEEP, at, message, "does a macro give one without end?");
+            return self.reporter.limit_error(codes::TOO_DEEP, at, message, "does a macro give one without end?");
         }
         self.in_mode(|mode| mode.nesting += 1, |me| me.climb_from(operands, compares, LOOSEST))
     }
@@ -104,8 +103,7 @@ impl<'a> Interpreter<'a> {
         self.read_expression(false)
     }
 
-    /// Reads a value. With `compares`, as in a colour or a condition, `<` after an operand is a comparison and begins
-    /// no vector.
+    /// Reads a value. With `compares`, as in a condition, `<` after an operand is a comparison and begins no vector.
     pub(super) fn read_expression(&mut self, compares: bool) -> Result<(Value, Span)> {
         let token = self.peek()?;
         let may_be_called = |e: &Expr| self.stream.mode().defers && self.evaluator.ends_with_callable(e);
@@ -340,7 +338,7 @@ impl<'a> Operands<'a> for Computed {
     }
 
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Value, Span)) -> Result<(Value, Span)> {
-        let is_true = as_float(&condition.0, condition.1)?.abs() > SMALL;
+        let is_true = as_float(&condition.0, condition.1)?.abs() > TOLERANCE;
         // quirk: choices_evaluate_all
         let yes = me.climb(self, true)?;
         expect_colon(me)?;

@@ -186,7 +186,7 @@ impl ObjectBody {
     pub fn new(kind: ObjectKind, word: &'static str) -> Self {
         let bulk = match &kind {
             ObjectKind::Csg(_, parts) if !parts.is_empty() => {
-                Some(Box::new(Bulk { pov_bounds: None, weight: Weight::default().around(parts) }))
+                Some(Box::new(Bulk { pov_bounds: None, weight: Weight::default().enclosing(parts) }))
             }
             _ => None,
         };

@@ -63,8 +63,7 @@ impl PhotonSettings {
         }
     }
 
-    /// Returns the settings of a part of a group with the settings `group`. Values that the part itself states have
-    /// priority.
+    /// Returns the settings of a part of a group with the settings `group`. The part's own values have priority.
     #[must_use]
     pub fn inherit(self, group: Self) -> Self {
         Self {

@@ -312,7 +312,7 @@ impl Object {
             return Ok(());
         }
         Weight::check_clipping(&parts, at)?;
-        let weight = self.weight().around(&parts);
+        let weight = self.weight().enclosing(&parts);
         weight.check(at)?;
         self.bulk.get_or_insert_default().weight = weight;
         let uncommon = &mut *self.uncommon;
@@ -343,7 +343,7 @@ fn invisible_warning(word: &str, fault: Diagnostic) -> Diagnostic {
         .help("look for a division by zero, or a number that grows in a loop")
 }
 
-/// Skips a colour, which has no effect in an object (quirk: `object_color_ignored`). `fault` is the error for any other
+/// Skips a colour, which has no effect in an object (quirk: `object_color_ignored`). `fault` is the error for another
 /// token.
 fn skip_color(next: Next, fault: Diagnostic, r: &mut dyn Reader) -> Result<()> {
     let at = r.span();

@@ -38,8 +38,7 @@ impl Builder<'_> {
         })
     }
 
-    /// Builds an expression of terms, operators and an optional `? :`; `None` if a bracket in it contains anything but
-    /// expressions.
+    /// Builds an expression of terms, operators and `? :`; `None` if a bracket in it contains anything but expressions.
     pub(super) fn expr(&self, pair: Pair<Rule>, context: Context) -> Option<Expr> {
         let precedence =
             if context == Context::Function { Operator::precedence_in_functions } else { Operator::precedence };
@@ -56,7 +55,7 @@ impl Builder<'_> {
                 _ => choice = Some(part),
             }
         }
-        let condition = climb(first, rest, precedence);
+        let condition = group_by_precedence(first, rest, precedence);
         let Some(choice) = choice else { return Some(condition) };
         let [yes, no] = self.branches(choice, context)?;
         let calls = condition.calls || yes.calls || no.calls;
@@ -85,13 +84,13 @@ impl Builder<'_> {
                     prefixes.push(self.token(&part));
                     None
                 }
-                (Rule::dot, Some(base)) => Some(self.dot(base, part)),
+                (Rule::dot, Some(base)) => Some(self.member_access(base, part)),
                 (Rule::index, Some(base)) => {
                     let mut all = vec![part];
                     while let Some(next) = parts.next_if(|p| p.as_rule() == Rule::index) {
                         all.push(next);
                     }
-                    Some(self.index(base, all, context)?)
+                    Some(self.index_access(base, all, context)?)
                 }
                 (Rule::arguments, Some(base)) => {
                     let span = base.span.to(self.span(&part));
@@ -123,7 +122,7 @@ impl Builder<'_> {
         Some(value)
     }
 
-    fn dot(&self, base: Expr, pair: Pair<Rule>) -> Expr {
+    fn member_access(&self, base: Expr, pair: Pair<Rule>) -> Expr {
         let span = base.span.to(self.span(&pair));
         let token = self.tokens[pair.as_span().start() + 1];
         let text = self.token_text(token);
@@ -134,7 +133,7 @@ impl Builder<'_> {
     }
 
     /// Builds the index `[i]` after an array or after another index.
-    fn index(&self, array: Expr, pairs: Vec<Pair<Rule>>, context: Context) -> Option<Expr> {
+    fn index_access(&self, array: Expr, pairs: Vec<Pair<Rule>>, context: Context) -> Option<Expr> {
         let span = pairs.last().map_or(array.span, |last| array.span.to(self.span(last)));
         let indices: Box<[Expr]> =
             pairs.into_iter().map(|p| self.expr_in_brackets(p, context)).collect::<Option<_>>()?;
@@ -255,7 +254,7 @@ impl SignRow {
 type Tail = Vec<(Operator, Expr)>;
 
 /// Groups operands into flat chains by the precedence of the operators between them.
-fn climb(first: Expr, rest: Tail, precedence: fn(Operator) -> u8) -> Expr {
+fn group_by_precedence(first: Expr, rest: Tail, precedence: fn(Operator) -> u8) -> Expr {
     if rest.is_empty() {
         return first;
     }
@@ -269,9 +268,9 @@ fn climb(first: Expr, rest: Tail, precedence: fn(Operator) -> u8) -> Expr {
             None => head.push((op, term)),
         }
     }
-    let first = climb(first, head, precedence);
+    let first = group_by_precedence(first, head, precedence);
     let rest: Box<[(Operator, Expr)]> =
-        groups.into_iter().map(|(op, term, inner)| (op, climb(term, inner, precedence))).collect();
+        groups.into_iter().map(|(op, term, inner)| (op, group_by_precedence(term, inner, precedence))).collect();
     let span = rest.iter().fold(first.span, |span, (_, e)| span.to(e.span));
     let calls = first.calls || rest.iter().any(|(_, e)| e.calls);
     Expr { span, calls, kind: ExprKind::Chain(Box::new(Chain { first, rest })) }

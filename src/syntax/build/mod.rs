@@ -81,8 +81,7 @@ impl<'n> Builder<'n> {
         self.lists[token.data as usize].clone()
     }
 
-    /// Appends the elements in a range of tokens to `out`. A comma between two elements becomes a flag of the first
-    /// one.
+    /// Appends the elements in a range of tokens to `out`. A comma after an element becomes a flag of the element.
     fn elements_into(&self, pairs: Pairs<Rule>, range: Range<usize>, context: Context, out: &mut Vec<Element>) {
         let (first, mut at) = (out.len(), range.start);
         for pair in pairs.filter(|p| p.as_rule() != Rule::EOI) {
@@ -165,8 +164,7 @@ impl<'n> Builder<'n> {
         out.push(Element::new(span, kind));
     }
 
-    /// Builds a `#declare` without a plain target: the directive, then each token of the target and the `=` as an
-    /// element.
+    /// Builds a `#declare` without a plain target: the directive, then the tokens up to the `=` as elements.
     fn declare_pieces(&self, pair: Pair<Rule>, out: &mut Vec<Element>) {
         let (own, token) = (range(&pair), self.token(&pair));
         let directive = Directive::DeclarePieces(token.data == 1);
@@ -174,11 +172,11 @@ impl<'n> Builder<'n> {
         let (first, mut at) = (out.len(), own.start + 1);
         for inner in pair.into_inner() {
             let within = range(&inner);
-            self.singles(at..within.start, first, out);
+            self.tokens_as_elements(at..within.start, first, out);
             at = within.end;
             self.flatten(inner, Context::Script, out);
         }
-        self.singles(at..own.end, first, out);
+        self.tokens_as_elements(at..own.end, first, out);
     }
 
     /// Makes each token an element, except for directives and for complete elements between brackets.
@@ -188,7 +186,7 @@ impl<'n> Builder<'n> {
         let mut at = own.start;
         for inner in pair.into_inner() {
             let within = range(&inner);
-            self.singles(at..within.start, first, out);
+            self.tokens_as_elements(at..within.start, first, out);
             at = within.end;
             match inner.as_rule() {
                 Rule::block | Rule::group | Rule::function => self.element(inner, context, out),
@@ -197,10 +195,10 @@ impl<'n> Builder<'n> {
                 _ => self.flatten(inner, context, out),
             }
         }
-        self.singles(at..own.end, first, out);
+        self.tokens_as_elements(at..own.end, first, out);
     }
 
-    fn singles(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
+    fn tokens_as_elements(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
         for i in range {
             let (class, token) = (self.classes[i], self.tokens[i]);
             let (span, text) = (self.token_span(token), self.token_text(token));

@@ -173,8 +173,7 @@ impl Check<'_> {
         starts && self.outline.class(name) == class::NAME && self.declared.ends_with_block(self.outline.word(name))
     }
 
-    /// True if the block that ends before this token is a statement by itself: neither a value, nor a part of a macro
-    /// or a branch.
+    /// True if the block that ends before this token is a statement, not a value or a part of a macro or a branch.
     fn is_statement(&self, at: usize) -> bool {
         let Some(head) = self.outline.closed_by(at - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
@@ -231,7 +230,7 @@ impl Check<'_> {
         // Between the name and the equal sign are only indices.
         let indices =
             (at + 2..equal).all(|i| !is_directive(self.outline.class(i)) && self.outline.class(i) != class::BRACE);
-        let Some(end) = value::end(self.outline, equal + 1).filter(|_| indices) else { return };
+        let Some(end) = value::value_end(self.outline, equal + 1).filter(|_| indices) else { return };
         let next = self.outline.class(end);
         let goes_on = is_keyword(self.outline, end) && !self.outline.word(end).is_empty() && next != class::FUNCTION;
         // (The token that ends a macro may precede the `;` of its call.)

@@ -14,7 +14,7 @@ const COLOR_WORDS: &[&str] = &[
 
 /// Returns the index of the token after the number, vector or colour that begins at the index `at`; `None` where the
 /// text alone does not decide, as for a name that may be a macro, or for a value with directives in it.
-pub(super) fn end(outline: &Outline, at: usize) -> Option<usize> {
+pub(super) fn value_end(outline: &Outline, at: usize) -> Option<usize> {
     let mut at = at;
     loop {
         while matches!(outline.class(at), class::PLUS | class::MINUS | class::NOT) {

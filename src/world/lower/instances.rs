@@ -33,18 +33,23 @@ struct Original {
 
 /// Numbers of parts and objects that were lowered before an object.
 #[derive(Clone, Copy)]
-pub(super) struct Mark {
+pub(super) struct CountsBefore {
     pub parts: usize,
     pub objects: usize,
 }
 
 impl Lowering {
-    pub(super) fn mark(&self) -> Mark {
-        Mark { parts: self.parts.len(), objects: self.objects.len() }
+    pub(super) fn present_counts(&self) -> CountsBefore {
+        CountsBefore { parts: self.parts.len(), objects: self.objects.len() }
     }
 
     /// Returns an instance that replaces the object just lowered to `node`, if the object has many copies.
-    pub(super) fn copied(&mut self, object: &Object, node: &SolidNode, before: Mark) -> Result<Option<Instance>> {
+    pub(super) fn copied(
+        &mut self,
+        object: &Object,
+        node: &SolidNode,
+        before: CountsBefore,
+    ) -> Result<Option<Instance>> {
         let ObjectKind::Csg(_, parts) = &object.kind else { return Ok(None) };
         if !is_seen_as_one(&self.objects[before.objects..]) {
             return Ok(None);
@@ -94,7 +99,7 @@ fn is_seen_as_one(objects: &[ObjectInfo]) -> bool {
 }
 
 /// True if the node, whose numbers follow `before`, has the same shapes as the original and depends on no other data.
-fn is_copy(node: &SolidNode, original: &SolidNode, before: Mark) -> bool {
+fn is_copy(node: &SolidNode, original: &SolidNode, before: CountsBefore) -> bool {
     if !node.is_whole() || !original.is_whole() || node.object as usize != before.objects + original.object as usize {
         return false;
     }

@@ -57,9 +57,8 @@ impl Lowering {
         self.groups.len() as u32
     }
 
-    /// Returns the lights that illuminate the objects of each light group, in order of declaration. Group 0 stands for
-    /// objects in no group.
-    pub(super) fn lit_by(&self) -> Vec<Box<[u32]>> {
+    /// Returns the lights that illuminate the objects of each light group; group 0 is that of objects in no group.
+    pub(super) fn lights_of_groups(&self) -> Vec<Box<[u32]>> {
         let of_group = |group: &Group| {
             let global: &[u32] = if group.global { &self.global } else { &[] };
             let around = group.within.map_or(&[][..], |within| &self.groups[within as usize - 1].lights);

@@ -60,7 +60,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
             break;
         }
         lowering.default_texture = object.default_texture.clone();
-        let before = lowering.mark();
+        let before = lowering.present_counts();
         if let Some(solid) = lowering.lower_object(&object, &Inherited::default())? {
             // quirk: bounded_by_box
             let node = match &object.kind {
@@ -83,7 +83,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
         drop(object);
         lowering.drop_unused();
     }
-    let lit_by = lowering.lit_by();
+    let lit_by = lowering.lights_of_groups();
     let noise = scene.settings.noise_generator.unwrap_or_default();
     let Lowering { parts, objects, cuts, materials, interiors, filled, lights, photons, .. } = lowering;
     let eye = scene.camera.lower(noise, scene.settings.number_of_waves);

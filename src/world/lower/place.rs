@@ -23,10 +23,10 @@ pub(super) struct Look {
 }
 
 impl Place {
-    /// Returns the space inside the block of an object within this space: world from object = world from block · block
-    /// from object.
+    /// Returns the space inside an object's block within this space: world from object = world from block · block from
+    /// object.
     pub fn inside(&self, object: &Object) -> Result<Self> {
-        Ok(Self { now: moved(&object.transform, &self.now, object.source)? })
+        Ok(Self { now: checked_product(&object.transform, &self.now, object.source)? })
     }
 
     /// Returns the transform of textures that move with the object; the identity under `uv_mapping` (quirk:
@@ -41,7 +41,7 @@ impl Place {
         let transform = match since {
             Some(own) if !object.uncommon.flags.uv_mapping => {
                 let own = if own.is_identity() { SharedDefault::DEFAULT } else { (**own).into() };
-                moved(&own, &self.now, object.source)?
+                checked_product(&own, &self.now, object.source)?
             }
             _ => inside.of_textures(object),
         };
@@ -59,7 +59,7 @@ fn composed(inner: &SharedDefault<Transform>, outer: &SharedDefault<Transform>) 
 }
 
 /// Returns the transform `inner` followed by `outer`, or an error if the product is singular.
-fn moved(
+fn checked_product(
     inner: &SharedDefault<Transform>,
     outer: &SharedDefault<Transform>,
     source: Span,

@@ -1,5 +1,4 @@
-//! Views: a union or merge with parts that have `no_image` or `no_reflection` has different geometry for different
-//! kinds of rays.
+//! Views: a union or merge whose parts have `no_image` or `no_reflection` has another geometry for each kind of ray.
 
 use super::Lowering;
 use crate::world::ObjectInfo;

@@ -90,7 +90,7 @@ impl SolidNode {
                 halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, &mut planes);
             });
             if !planes.is_empty() {
-                let all = halfspace::cut(surface.union(solid), &planes);
+                let all = halfspace::clip_box(surface.union(solid), &planes);
                 (surface, solid) = (surface.intersection(all), solid.intersection(all));
             }
             for_each_enclosing_shape(&self.kind, &clip, &mut |leaf| {
@@ -101,7 +101,7 @@ impl SolidNode {
         }
         // A child is relevant to a ray within the box of its surface, and to a point where it can be the exception.
         let reach = |(c, boxes): (&SolidNode, &Boxes)| match &self.kind {
-            SolidKind::Intersection(_) => boxes.surface.union(c.hole()),
+            SolidKind::Intersection(_) => boxes.surface.union(c.outside_box()),
             _ => boxes.surface.union(boxes.solid),
         };
         let is_known =
@@ -125,16 +125,18 @@ impl SolidNode {
     }
 
     /// Returns a box around all points that are outside of the solid; finite for an inverted shape.
-    fn hole(&self) -> Aabb {
+    fn outside_box(&self) -> Aabb {
         match &self.kind {
             _ if !self.is_whole() => Aabb::INFINITE,
             SolidKind::Leaf(leaf) if leaf.shape.is_open() || leaf.shape.is_solid_unbounded() || !leaf.inverse => {
                 Aabb::INFINITE
             }
             SolidKind::Leaf(_) => self.bounds(),
-            SolidKind::Intersection(children) => children.iter().map(SolidNode::hole).fold(Aabb::EMPTY, Aabb::union),
+            SolidKind::Intersection(children) => {
+                children.iter().map(SolidNode::outside_box).fold(Aabb::EMPTY, Aabb::union)
+            }
             SolidKind::Union(children) | SolidKind::Merge(children) => {
-                children.iter().map(SolidNode::hole).fold(Aabb::INFINITE, Aabb::intersection)
+                children.iter().map(SolidNode::outside_box).fold(Aabb::INFINITE, Aabb::intersection)
             }
         }
     }

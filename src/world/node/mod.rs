@@ -8,7 +8,7 @@ mod bounded;
 mod boxes;
 
 use super::child_bvh::ChildBvh;
-use super::convex_interval::{self, Gathered};
+use super::convex_interval::{self, GatheredHits};
 use super::leaf::{Intersection, Intersections, Leaf};
 use crate::math::{DVec3, Range, Ray};
 use crate::shape::Hits;
@@ -248,15 +248,15 @@ impl SolidNode {
                 out[first..].iter_mut().for_each(|found| found.object = self.object);
             }
             _ => {
-                let mut all = Gathered::new();
+                let mut all = GatheredHits::new();
                 self.gather(ray, range, &mut all);
                 let kept =
-                    all.hits.iter().filter(|(found, child)| self.survives(&all, *child as usize, ray, found.t()));
+                    all.hits.iter().filter(|(found, child)| self.is_on_surface(&all, *child as usize, ray, found.t()));
                 out.extend(kept.map(|(found, _)| Intersection { object: self.object, ..*found }));
             }
         }
         if !self.clip().is_empty() {
-            keep(out, first, |found| self.in_clip(ray.at(found.hit.t)));
+            retain_from(out, first, |found| self.in_clip(ray.at(found.hit.t)));
         }
     }
 
@@ -318,12 +318,12 @@ impl SolidNode {
     }
 
     fn closest_of_convex<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        let (min, max) = self.enter(ray, range)?;
+        let (min, max) = self.distances_through_box(ray, range)?;
         let merged = matches!(self.kind, SolidKind::Merge(_));
         let shows = |t| self.in_clip(ray.at(t));
         match convex_interval::nearest(self.children(), merged, ray, Range { min, max }, shows) {
             Ok(nearest) => nearest.map(|(end, leaf)| Intersection::new(end.into(), leaf, self.object)),
-            Err(convex_interval::Unknown) => self.closest_survivor(ray, range),
+            Err(convex_interval::UnknownInterval) => self.closest_survivor(ray, range),
         }
     }
 
@@ -360,7 +360,7 @@ impl SolidNode {
     }
 
     /// Gathers the hits on the children of an intersection or merge.
-    fn gather<'a>(&'a self, ray: &Ray, range: Range, all: &mut Gathered<'a>) {
+    fn gather<'a>(&'a self, ray: &Ray, range: Range, all: &mut GatheredHits<'a>) {
         let children = self.children();
         all.expect(children.len());
         let only_inside = matches!(self.kind, SolidKind::Intersection(_));
@@ -372,15 +372,14 @@ impl SolidNode {
         met.iter().for_each(|&i| all.add(i as usize, &children[i as usize], ray));
     }
 
-    /// Returns the closest hit of an intersection or merge: tests the children's hits in order of distance until one is
-    /// kept.
+    /// Returns the closest hit of an intersection or merge: tests the children's hits by distance until one is kept.
     fn closest_survivor<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        let mut all = Gathered::new();
+        let mut all = GatheredHits::new();
         self.gather(ray, range, &mut all);
         // quirk: last_part_wins
         all.hits.sort_unstable_by(|(a, i), (b, j)| a.t().total_cmp(&b.t()).then(j.cmp(i)));
         let kept = all.hits.iter().find(|(found, child)| {
-            self.survives(&all, *child as usize, ray, found.t()) && self.in_clip(ray.at(found.t()))
+            self.is_on_surface(&all, *child as usize, ray, found.t()) && self.in_clip(ray.at(found.t()))
         });
         kept.map(|(found, _)| Intersection { object: self.object, ..*found })
     }
@@ -388,7 +387,7 @@ impl SolidNode {
     /// Calls `visit` with each child that the ray can hit. `visit` returns the range in which further hits count.
     fn each_child<'a>(&'a self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, &'a SolidNode, Range) -> Range) {
         let children = self.children();
-        let Some((min, max)) = self.enter(ray, range) else { return };
+        let Some((min, max)) = self.distances_through_box(ray, range) else { return };
         let mut range = Range { min, max };
         match self.child_bvh() {
             Some(child_bvh) => child_bvh.along(ray, range, |i, range| visit(i, &children[i], range)),
@@ -419,7 +418,7 @@ impl SolidNode {
     }
 
     /// True if a hit on one child, at `t`, is on the surface of the composite solid.
-    fn survives(&self, all: &Gathered, child: usize, ray: &Ray, t: f64) -> bool {
+    fn is_on_surface(&self, all: &GatheredHits, child: usize, ray: &Ray, t: f64) -> bool {
         let inside = |i: usize, c: &SolidNode| all.inside(i, c, ray, t);
         match &self.kind {
             SolidKind::Leaf(_) | SolidKind::Union(_) => true,
@@ -429,7 +428,7 @@ impl SolidNode {
     }
 
     /// Returns the distances at which a ray enters and leaves the box around all hits of a composite solid.
-    fn enter(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
+    fn distances_through_box(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
         let composite = self.composite.as_ref()?;
         composite.boxes.surface.slabs(ray, range)
     }
@@ -440,7 +439,7 @@ impl SolidNode {
 
     /// Returns the part of the range in the box and in those clipping solids that know their interval.
     fn within_clip(&self, ray: &Ray, range: Range) -> Option<Range> {
-        let (min, max) = self.enter(ray, range)?;
+        let (min, max) = self.distances_through_box(ray, range)?;
         let within = self.clip().iter().fold(Range { min, max }, |range, c| convex_interval::within(c, ray, range));
         (!within.is_empty()).then_some(within)
     }
@@ -458,7 +457,7 @@ impl SolidNode {
 }
 
 /// Removes the hits of `list`, from index `first` on, that do not meet the condition.
-fn keep<'a>(list: &mut Intersections<'a>, first: usize, condition: impl Fn(&Intersection<'a>) -> bool) {
+fn retain_from<'a>(list: &mut Intersections<'a>, first: usize, condition: impl Fn(&Intersection<'a>) -> bool) {
     let mut end = first;
     for i in first..list.len() {
         if condition(&list[i]) {

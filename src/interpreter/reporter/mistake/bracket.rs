@@ -6,7 +6,7 @@ use crate::syntax::{Outline, blame};
 
 impl Reporter<'_> {
     /// Returns the error for a `}` that is before the fault and ends a block too early, so that a later `}` is surplus.
-    pub fn closed_early(&mut self, fault: &Diagnostic) -> Option<Diagnostic> {
+    pub fn error_of_early_brace(&mut self, fault: &Diagnostic) -> Option<Diagnostic> {
         let sources = self.inputs.sources;
         let (file, range) = sources.locate(fault.span())?;
         let look = || blame::early_brace_error(&Outline::read(sources, file)).map(Box::new);

@@ -1,6 +1,6 @@
 //! Mistakes in directives, mostly habits from other languages.
 
-use super::habit::Habit;
+use super::habit::CommonMistake;
 use super::source_line::{SourceLine, code_of, is_letter, leading_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 
@@ -17,7 +17,7 @@ fn unknown_at<'t>(source: &SourceLine<'t>, d: &Diagnostic) -> Option<(&'t str, &
 }
 
 /// Recognizes the mistake `#ff8800` for a colour.
-pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (word, _) = unknown_at(source, d)?;
     let digits = |i: usize, n: usize| u32::from_str_radix(word.get(i..i + n)?, 16).ok();
     let [red, green, blue] = match word.len() {
@@ -26,61 +26,62 @@ pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
         _ => return None,
     };
     let (red, green, blue) = (red?, green?, blue?);
-    let habit = Habit::help(format!("write `srgb <{red}, {green}, {blue}>/255`"));
+    let habit = CommonMistake::help(format!("write `srgb <{red}, {green}, {blue}>/255`"));
     Some(habit.message(format!("a colour is not written as `#{word}`")))
 }
 
 /// Recognizes the mistake `#define A 2` for a declaration.
-pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_at(source, d)? else { return None };
     let (name, rest) = leading_name(rest.trim_start())?;
     let help = match rest.strip_prefix('(') {
         Some(rest) => format!("`#macro {name}({}) … #end`", rest.split(')').next().unwrap_or_default()),
         None => format!("write `#declare {name} = {};`", value_text(rest.trim_start().trim_start_matches('='))),
     };
-    Some(Habit::help(help).declares(name))
+    Some(CommonMistake::help(help).declares(name))
 }
 
 /// Recognizes the mistake `#elsif (A)` for `#elseif`.
-pub(super) fn other_branch(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn other_branch(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (word, rest) = unknown_at(source, d)?;
     let condition = code_of(rest);
-    crate::syntax::fault::is_other_elseif(word).then(|| Habit::help(format!("write `#elseif {condition}`")))
+    crate::syntax::fault::is_other_elseif(word).then(|| CommonMistake::help(format!("write `#elseif {condition}`")))
 }
 
 /// Recognizes the mistake `#endif` for `#end`.
-pub(super) fn other_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn other_end(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (word, _) = unknown_at(source, d)?;
-    crate::syntax::fault::is_other_end(word).then(|| Habit::help("every directive with a body ends with `#end`"))
+    crate::syntax::fault::is_other_end(word)
+        .then(|| CommonMistake::help("every directive with a body ends with `#end`"))
 }
 
 /// Recognizes the mistake `#Size = 3;`, without the word `declare`.
-pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (name, rest) = unknown_at(source, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
-    Some(Habit::help(format!("write `#declare {name} = {};`", value_text(value))).declares(name))
+    Some(CommonMistake::help(format!("write `#declare {name} = {};`", value_text(value))).declares(name))
 }
 
 /// Recognizes the mistake `# the red ball` for a comment.
-pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     unknown_at(source, d).filter(|_| d.help.is_none())?;
     let text = source.after().trim_end();
     let comment = text.trim_start_matches(['#', ' ', '\t']);
     let help = format!("a comment begins with `//`: `// {}`", value_text(comment));
-    Some(Habit::help(help).at(source.range_of(text)))
+    Some(CommonMistake::help(help).at(source.range_of(text)))
 }
 
 /// Recognizes the mistake `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
-pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (_, rest) = unknown_at(source, d)?;
     let rest = rest.trim_start();
-    let habit = Habit::help(d.help.clone()?);
+    let habit = CommonMistake::help(d.help.clone()?);
     // The file of a misspelt `#include` was not read.
     if let Some(file) = rest.strip_prefix('"').and_then(|rest| rest.split('"').next()) {
-        return Some(Habit { file: Some(file.to_string()), ..habit });
+        return Some(CommonMistake { file: Some(file.to_string()), ..habit });
     }
     let loses_directive = matches!(d.help.as_deref(), Some(help) if ["#macro", "#if", "#for", "#while", "#switch"].iter().any(|w| help.contains(w)));
-    let habit = Habit { loses_directive, ..habit };
+    let habit = CommonMistake { loses_directive, ..habit };
     Some(match leading_name(rest) {
         Some((name, _)) => habit.declares(name),
         None => habit,
@@ -88,18 +89,18 @@ pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
 }
 
 /// Recognizes the mistake `#else if (A)` for `#elseif`.
-pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
     let before = source.before().trim_end();
     let rest = source.after().strip_prefix("if")?.trim_start();
     before.strip_suffix("else")?.trim_end_matches([' ', '\t']).strip_suffix('#')?;
-    let habit = Habit::help(format!("write `#elseif {}`", code_of(rest)));
+    let habit = CommonMistake::help(format!("write `#elseif {}`", code_of(rest)));
     let start = source.line.start + before.rfind('#')?;
     let habit = habit.message("`#else if` is written as one word: `#elseif`").at(start..source.at + 2);
     Some(habit.code(codes::UNKNOWN_DIRECTIVE))
 }
 
 /// Recognizes the mistake `for (int i = 0; i < 10; i++) {`, with or without `#`.
-pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
     let statement = source.statement();
     let bare = !statement.starts_with('#');
     let head = statement.trim_start_matches('#').trim_start().strip_prefix("for")?.trim_start().strip_prefix('(')?;
@@ -120,7 +121,7 @@ pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
         _ => limit.to_string(),
     };
     let by = if step < 0 { ", -1" } else { "" };
-    let habit = Habit::help(format!("write `#for ({counter}, {}, {last}{by}) … #end`", first.trim()));
+    let habit = CommonMistake::help(format!("write `#for ({counter}, {}, {last}{by}) … #end`", first.trim()));
     let message = if bare { "a loop begins with `#for`" } else { "`#for` takes a name, a first and a last value" };
     let start = source.statement_start();
     let end = start + statement.find('(').unwrap_or(0);
@@ -129,7 +130,7 @@ pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
 }
 
 /// Recognizes the mistake `#include colors.inc`, a file name without quotes.
-pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
     let rest = source.statement().strip_prefix('#')?.trim_start().strip_prefix("include")?;
     let typed = rest.trim_start();
     if typed.starts_with('"') || !rest.starts_with([' ', '\t', '<', '\'']) || source.at < source.range_of(typed).start {
@@ -142,13 +143,13 @@ pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option
     if !plain || !name.contains('.') {
         return None;
     }
-    let habit = Habit::help(format!("write `#include \"{name}\"`"));
+    let habit = CommonMistake::help(format!("write `#include \"{name}\"`"));
     let habit = habit.message("the name of a file is written in double quotes").at(source.range_of(typed));
-    Some(Habit { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
+    Some(CommonMistake { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
 }
 
 /// Recognizes the mistake `#macro Ball(R) {`, with braces around the body.
-pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let statement = source.statement();
     let head = source.before().trim();
     if d.code != codes::EXPECTED || !source.after().starts_with('{') || !head.starts_with('#') {
@@ -160,12 +161,12 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
         return None;
     }
     let head = statement.split('{').next().unwrap_or_default().trim_end();
-    let habit = Habit::help(format!("write `{head} … #end`, without `{{` and `}}`"));
+    let habit = CommonMistake::help(format!("write `{head} … #end`, without `{{` and `}}`"));
     Some(habit.message(format!("what belongs to a `#{word}` has no braces around it")))
 }
 
 /// Recognizes the mistakes `macro Ball(R)`, `if (A = 1)` and `def Ball(r):`, without `#`.
-pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let statement = source.statement();
     let (word, rest) = leading_name(statement)?;
     if source.at != source.statement_start() || d.code == codes::UNKNOWN_DIRECTIVE {
@@ -176,14 +177,15 @@ pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit>
     let habit = match word {
         "def" | "func" | "fn" | "proc" | "sub" => {
             let head = typed.trim_end_matches([':', '{', ' ']);
-            Habit::help(format!("write `#macro {head} … #end`")).message(format!("`{word}` defines nothing here"))
+            CommonMistake::help(format!("write `#macro {head} … #end`"))
+                .message(format!("`{word}` defines nothing here"))
         }
         "if" | "ifdef" | "ifndef" | "while" | "for" | "macro" | "else" | "elseif" | "switch" | "case" | "range"
         | "end" | "break" | "local" | "undef" | "debug" | "warning" | "error" => {
             let head = value_text(statement.split('{').next().unwrap_or_default());
             let rest = if statement.contains('{') { " … #end" } else { "" };
             let help = format!("write `#{head}{rest}`");
-            Habit::help(help).message(format!("the directive `{word}` is missing its `#`"))
+            CommonMistake::help(help).message(format!("the directive `{word}` is missing its `#`"))
         }
         _ => return None,
     };
@@ -191,5 +193,5 @@ pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Habit>
     let names =
         typed.split(|c: char| !is_letter(c)).filter(|name| named && !name.is_empty()).map(str::to_string).collect();
     let loses_directive = !matches!(word, "end" | "break" | "local" | "undef" | "debug" | "warning" | "error");
-    Some(Habit { names, loses_directive, ..habit.at(range).code(codes::UNKNOWN_DIRECTIVE) })
+    Some(CommonMistake { names, loses_directive, ..habit.at(range).code(codes::UNKNOWN_DIRECTIVE) })
 }

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 /// A recognized common mistake in a scene, with replacements for the texts of the error.
 #[derive(Default)]
-pub(super) struct Habit {
+pub(super) struct CommonMistake {
     /// Code that replaces the code of the error.
     pub(super) code: Option<Code>,
     /// Message that replaces the message of the error.
@@ -25,7 +25,7 @@ pub(super) struct Habit {
     pub(super) loses_directive: bool,
 }
 
-impl Habit {
+impl CommonMistake {
     /// Creates a mistake that replaces only the error's help.
     pub(super) fn help(text: impl Into<String>) -> Self {
         Self { help: text.into(), ..Self::default() }
@@ -63,10 +63,10 @@ impl Habit {
     }
 }
 
-type Recognise = fn(&SourceLine, &Diagnostic) -> Option<Habit>;
+type Recognizer = fn(&SourceLine, &Diagnostic) -> Option<CommonMistake>;
 
 /// Functions that recognize common mistakes, in order of precedence.
-const HABITS: &[Recognise] = &[
+const COMMON_MISTAKES: &[Recognizer] = &[
     directive::hex_color,
     directive::define,
     directive::other_branch,
@@ -110,9 +110,9 @@ const CODES: &[Code] = &[
 ];
 
 /// Returns the common mistake that caused an error.
-pub(super) fn find(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn find(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     if !CODES.contains(&d.code) {
         return None;
     }
-    HABITS.iter().find_map(|recognise| recognise(source, d))
+    COMMON_MISTAKES.iter().find_map(|recognise| recognise(source, d))
 }

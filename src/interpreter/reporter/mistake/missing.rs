@@ -15,11 +15,12 @@ impl Reporter<'_> {
     pub(super) fn merge_with_same_cause(&mut self, d: Diagnostic) -> Option<Diagnostic> {
         let Some(cause) = d.cause.as_deref() else { return Some(d) };
         // A warning about an unused declaration can be merged into an error, too.
-        let same =
-            |k: &&mut Diagnostic| k.severity >= d.severity && k.cause.as_ref().is_some_and(|known| known.is(cause));
+        let same = |k: &&mut Diagnostic| {
+            k.severity >= d.severity && k.cause.as_ref().is_some_and(|known| known.is_same_as(cause))
+        };
         match self.diagnostics.iter_mut().find(same).and_then(|known| known.cause.as_mut()) {
             Some(known) => {
-                known.join(cause);
+                known.add_uses(cause);
                 None
             }
             None => Some(d),

@@ -15,7 +15,7 @@ use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::interpreter::reporter::Reporter;
 use crate::library;
 use crate::source::{FileId, Span};
-use habit::Habit;
+use habit::CommonMistake;
 use rustc_hash::{FxHashMap, FxHashSet};
 use source_line::{SourceLine, leading_name};
 
@@ -77,7 +77,7 @@ impl Reporter<'_> {
     }
 
     /// Records the names and files that a common mistake leaves undeclared or unread.
-    fn record_habit(&mut self, habit: &Habit, file: FileId) {
+    fn record_habit(&mut self, habit: &CommonMistake, file: FileId) {
         self.mistakes.names.extend(habit.names.iter().cloned());
         self.mistakes.files.extend(habit.file.clone().map(|name| (name, file)));
         self.mistakes.lost_directive |= habit.loses_directive;

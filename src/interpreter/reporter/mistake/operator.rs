@@ -1,12 +1,12 @@
 //! Mistakes with operators, vectors and indices, mostly habits from other languages.
 
-use super::habit::Habit;
+use super::habit::CommonMistake;
 use super::source_line::{SourceLine, code_of, is_letter, leading_name, trailing_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
 /// Recognizes the mistake `A <> B` for a comparison.
-pub(super) fn not_equal(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn not_equal(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     // The fault may be at either sign.
     let from = source.at.saturating_sub(1).max(source.line.start);
     let at =
@@ -14,7 +14,7 @@ pub(super) fn not_equal(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
     let (left, right) = (trailing_operand(&source.text[source.line.start..at]), &source.text[at + 2..source.line.end]);
     let right = right.trim_start();
     let right = &right[..right.find(|c: char| !is_letter(c) && c != '.').unwrap_or(right.len())];
-    let habit = Habit::help(format!("write `{left} != {right}`")).message("`<>` does not compare");
+    let habit = CommonMistake::help(format!("write `{left} != {right}`")).message("`<>` does not compare");
     Some(habit.at(at..at + 2).code(codes::SYNTAX))
 }
 
@@ -24,7 +24,7 @@ fn trailing_operand(text: &str) -> &str {
 }
 
 /// Recognizes C's operators `&&`, `||` and `==`.
-pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     // The fault is at the second sign.
     let at = source.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;
     let typed = source.text.get(at..at + 2)?;
@@ -34,31 +34,31 @@ pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
         "==" => "a single `=` compares",
         _ => return None,
     };
-    Some(Habit::help(help).message(format!("`{typed}` is not allowed here")))
+    Some(CommonMistake::help(help).message(format!("`{typed}` is not allowed here")))
 }
 
 /// Recognizes the mistake `A + ;`, without a right operand.
-pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let before = source.text[..source.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
     let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
-    let habit = Habit::help("an operator needs a value on both sides");
+    let habit = CommonMistake::help("an operator needs a value on both sides");
     Some(habit.message(format!("expected a value after `{sign}`, found `;`")).at(before.len()..before.len() + 1))
 }
 
 /// Recognizes the mistakes `A and B`, `not A` and `A mod 2`.
-pub(super) fn word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn word(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (word, right) = leading_name(source.after())?;
     let left = source.before().trim_end();
     let message = |sign: &str, what: &str| format!("{what} is `{sign}`");
     let habit = match word.to_ascii_lowercase().as_str() {
-        "and" => Habit::help(message("&", "the logical and")),
-        "or" => Habit::help(message("|", "the logical or")),
-        "not" => Habit::help(format!("the logical not is `!`: `!{}`", operand(right))),
+        "and" => CommonMistake::help(message("&", "the logical and")),
+        "or" => CommonMistake::help(message("|", "the logical or")),
+        "not" => CommonMistake::help(format!("the logical not is `!`: `!{}`", operand(right))),
         "mod" if !right.trim_start().starts_with('(') => {
-            Habit::help(format!("the remainder is `mod({}, {})`", trailing_operand(left), operand(right)))
+            CommonMistake::help(format!("the remainder is `mod({}, {})`", trailing_operand(left), operand(right)))
         }
         "then" if left.ends_with(')') => {
-            Habit::help("the condition is followed by what depends on it, and then `#end`")
+            CommonMistake::help("the condition is followed by what depends on it, and then `#end`")
         }
         _ => return None,
     };
@@ -76,17 +76,17 @@ fn operand(text: &str) -> &str {
 }
 
 /// Recognizes the mistake `phong = 0.5`, with a sign between word and value.
-pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let value = source.after().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
     let (before, word) = trailing_name(source.before().trim_end())?;
     let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
     let value = value_text(value.split(['}', ';']).next().unwrap_or_default());
-    let habit = Habit::help(format!("a value directly follows its word: `{word} {value}`"));
+    let habit = CommonMistake::help(format!("a value directly follows its word: `{word} {value}`"));
     plain.then(|| habit.message(format!("`=` is not allowed after `{word}`")))
 }
 
 /// Recognizes the mistake `A[0,1]`, with two indices in one bracket.
-pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     if !matches!(d.code, codes::EXPECTED | codes::SYNTAX | codes::WRONG_COUNT) {
         return None;
     }
@@ -101,13 +101,13 @@ pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Ha
     }
     let written: String = indices.iter().map(|index| format!("[{index}]")).collect();
     let start = source.line.start + open - name.len();
-    let habit = Habit::help(format!("write `{name}{written}`"));
+    let habit = CommonMistake::help(format!("write `{name}{written}`"));
     let habit = habit.message("each index of an array has its own brackets");
     Some(habit.at(start..source.line.start + close + 1))
 }
 
 /// Recognizes the mistake `<-1 -1 -1>`, a vector without commas.
-pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let text = source.text.get(source.at..source.end).filter(|_| d.code == codes::WRONG_COUNT)?;
     let inside = text.strip_prefix('<')?.strip_suffix('>')?;
     let numbers: Vec<&str> = inside.split([' ', '\t', ',']).filter(|n| !n.is_empty()).collect();
@@ -118,13 +118,13 @@ pub(super) fn vector_without_commas(source: &SourceLine, d: &Diagnostic) -> Opti
         return None;
     }
     let commas = numbers.join(", ");
-    Some(Habit::help(format!(
+    Some(CommonMistake::help(format!(
         "put commas between the numbers: `<{commas}>`; a sign without a comma before it subtracts"
     )))
 }
 
 /// Recognizes the mistake `translate 1, 2, 3`, without angle brackets.
-pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     if d.code != codes::EXPECTED {
         return None;
     }
@@ -137,7 +137,7 @@ pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Ha
     let rest = code_of(source.after());
     let rest = rest[..rest.find(|c: char| !c.is_ascii_digit() && !" .,-+".contains(c)).unwrap_or(rest.len())].trim();
     let numbers = format!("{}, {rest}", before[start..].trim());
-    let habit = Habit::help(format!(
+    let habit = CommonMistake::help(format!(
         "a vector is written in angle brackets: `{word} <{}>`",
         numbers.trim_end_matches([',', ' '])
     ));
@@ -145,20 +145,20 @@ pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Ha
 }
 
 /// Recognizes the mistake `rgb(1, 0, 0)`, a colour in parentheses.
-pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let inside = source.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
     let (numbers, _) = inside.split_once(')')?;
     let plain = numbers.contains(',') && !numbers.contains('(');
     let word = trailing_name(source.before().trim_end()).map_or("", |(_, word)| word);
     let space = if word.is_empty() { "" } else { " " };
     let help = format!("vectors are written in angle brackets: `{word}{space}<{}>`", numbers.trim());
-    (plain && (word.is_empty() || lookup(word).is_some())).then(|| Habit::help(help))
+    (plain && (word.is_empty() || lookup(word).is_some())).then(|| CommonMistake::help(help))
 }
 
 /// Recognizes the mistake `sphere { [0, 1, 2], 1 }`, with square brackets.
-pub(super) fn square_vector(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn square_vector(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let inside =
         source.after().strip_prefix('[').filter(|_| d.code == codes::EXPECTED && d.message.contains("a vector"))?;
     let (numbers, _) = inside.split_once(']')?;
-    Some(Habit::help(format!("vectors are written in angle brackets: `<{}>`", numbers.trim())))
+    Some(CommonMistake::help(format!("vectors are written in angle brackets: `<{}>`", numbers.trim())))
 }

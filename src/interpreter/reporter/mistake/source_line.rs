@@ -3,8 +3,7 @@
 use crate::source::{FileId, Sources, Span};
 use std::ops::Range;
 
-/// Maximum number of bytes of a line that are examined on each side of the error, since a file of a megabyte may be one
-/// line.
+/// Number of bytes of a line that are examined on each side of the error, since a large file may be one line.
 const LONG: usize = 500;
 
 /// A span in a text, and the line that holds its start.

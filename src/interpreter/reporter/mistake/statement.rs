@@ -1,6 +1,6 @@
 //! Mistakes in statements, mostly habits from other languages.
 
-use super::habit::Habit;
+use super::habit::CommonMistake;
 use super::source_line::{SourceLine, is_letter, leading_name, trailing_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
@@ -13,20 +13,20 @@ fn own_name<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
 }
 
 /// Recognizes the mistake `F(x) = x*x` for a function definition.
-pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
     let (name, rest) = own_name(source)?;
     let (parameters, rest) = rest.strip_prefix('(')?.split_once(')')?;
     let value = rest.trim_start().strip_prefix('=').filter(|value| !value.starts_with('='))?;
     let is_list = parameters.split(',').all(|p| !p.trim().is_empty() && p.trim().chars().all(is_letter));
     let sign = source.range_of(value).start - 1;
     let body = value_text(value);
-    let habit = Habit::help(format!("write `#declare {name} = function({}) {{ {body} }};`", parameters.trim()));
+    let habit = CommonMistake::help(format!("write `#declare {name} = function({}) {{ {body} }};`", parameters.trim()));
     let habit = habit.message(format!("`{name}(…) = …` defines no function")).at(sign..sign + 1);
     is_list.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
 /// Recognizes the mistake `I++` or `N += 2` for an assignment.
-pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
     let (name, rest) = own_name(source)?;
     let start = source.statement_start();
     let typed = rest.trim_end_matches(';').trim_end();
@@ -40,35 +40,36 @@ pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
     };
     let end = source.range_of(rest).start + length;
     let shown = &source.text[start..end];
-    let habit = Habit::help(format!("write `#declare {name} = {name} {sign} {value};`"));
+    let habit = CommonMistake::help(format!("write `#declare {name} = {name} {sign} {value};`"));
     Some(habit.message(format!("`{shown}` does not change `{name}`")).at(start..end).code(codes::SYNTAX))
 }
 
 /// Recognizes the mistake `float A = 2;` or `let A = 2;` for a declaration.
-pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Habit> {
+pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
     let (kind, rest) = leading_name(source.statement())?;
     let known = ["let", "var", "const", "int", "float", "double", "set", "auto", "vector", "string", "vec3"];
     let (name, rest) = leading_name(rest.trim_start()).filter(|_| known.contains(&kind))?;
     let value = rest.trim_start().strip_prefix('=')?;
     let start = source.statement_start();
-    let habit = Habit::help(format!("write `#declare {name} = {};`", value_text(value)));
+    let habit = CommonMistake::help(format!("write `#declare {name} = {};`", value_text(value)));
     let habit = habit.message(format!("`{kind}` declares nothing")).at(start..start + kind.len());
     Some(habit.code(codes::SYNTAX).declares(name))
 }
 
 /// Recognizes the mistake `Size = 3;`, an assignment without `#declare`.
-pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (name, rest) = own_name(source)?;
     let value = rest.strip_prefix('=').filter(|value| !value.starts_with('='))?;
     let sign = source.range_of(value).start - 1;
     let inside = source.at <= sign + 1 && d.code != codes::UNKNOWN_DIRECTIVE;
-    let habit = Habit::help(format!("to give `{name}` a value, write `#declare {name} = {};`", value_text(value)));
+    let habit =
+        CommonMistake::help(format!("to give `{name}` a value, write `#declare {name} = {};`", value_text(value)));
     let habit = habit.message("`=` is not allowed here").at(sign..sign + 1);
     inside.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
 /// Recognizes the mistake `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.
-pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<Habit> {
+pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (word, _) = leading_name(source.after())?;
     if d.code != codes::UNKNOWN_WORD || !d.message.ends_with("outside of all braces") {
         return None;
@@ -79,10 +80,10 @@ pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<Habit
     let message = |what: &str| format!("`{word}` follows {what}, which is complete");
     if let Some((_, name)) = trailing_name(before).filter(|(_, name)| modifies && lookup(name).is_none()) {
         let rest = value_text(source.after());
-        let habit = Habit::help(format!("write `object {{ {name} {rest} }}`"));
+        let habit = CommonMistake::help(format!("write `object {{ {name} {rest} }}`"));
         return Some(habit.message(message(&format!("the object `{name}`"))));
     }
     let typed = value_text(source.after());
-    let habit = Habit::help(format!("put it before the `}}` of the object that it is for: `… {typed} }}`"));
+    let habit = CommonMistake::help(format!("put it before the `}}` of the object that it is for: `… {typed} }}`"));
     (modifies && before.ends_with('}')).then(|| habit.message(message("an object")))
 }
