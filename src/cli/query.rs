@@ -100,14 +100,14 @@ fn contents(built: &Built, world: &World, sources: &Sources) -> Contents {
     let mut out = Contents { cameras: cameras(scene, world, sources), ..Contents::default() };
     let mut numbers = HashMap::new();
     for object in &scene.objects {
-        lights(object, &Transform::default(), sources, &mut out.lights);
+        add_lights(object, &Transform::default(), sources, &mut out.lights);
         if matches!(object.kind, ObjectKind::Light(_)) {
             continue;
         }
         let texture = object.texture.as_ref().map_or(&object.default_texture, |painted| &painted.texture);
         let source = sources.place(object.source).map(Position::from);
         let number = *numbers.entry(Arc::as_ptr(texture)).or_insert_with(|| {
-            out.textures.push(row_of_texture(texture, source.clone()));
+            out.textures.push(texture_row(texture, source.clone()));
             out.textures.len() - 1
         });
         out.textures[number].objects += 1;
@@ -145,16 +145,16 @@ fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
 }
 
 /// Adds the lights in an object, whose parent has the transform `moved`.
-fn lights(object: &Object, moved: &Transform, sources: &Sources, out: &mut Vec<LightRow>) {
+fn add_lights(object: &Object, moved: &Transform, sources: &Sources, out: &mut Vec<LightRow>) {
     let moved = object.transform.then(moved);
     match &object.kind {
-        ObjectKind::Light(lit) => out.push(row_of_light(&lit.light, &moved, sources)),
-        ObjectKind::Csg(_, parts) => parts.iter().for_each(|part| lights(part, &moved, sources, out)),
+        ObjectKind::Light(lit) => out.push(light_row(&lit.light, &moved, sources)),
+        ObjectKind::Csg(_, parts) => parts.iter().for_each(|part| add_lights(part, &moved, sources, out)),
         ObjectKind::Shape(_) => {}
     }
 }
 
-fn row_of_light(light: &Light, moved: &Transform, sources: &Sources) -> LightRow {
+fn light_row(light: &Light, moved: &Transform, sources: &Sources) -> LightRow {
     let kind = match light.beam {
         _ if light.parallel => "parallel",
         Beam::Round if light.spreads => "area_light",
@@ -166,7 +166,7 @@ fn row_of_light(light: &Light, moved: &Transform, sources: &Sources) -> LightRow
     LightRow { source, kind, location: moved.transform_point(light.location).into(), color: light.color.into() }
 }
 
-fn row_of_texture(texture: &Texture, first: Option<Position>) -> TextureRow {
+fn texture_row(texture: &Texture, first: Option<Position>) -> TextureRow {
     let top = texture.layers.last();
     let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.explicit_value()) {
         (Some(choice), _) => name_of(&choice.pattern.kind),

@@ -131,10 +131,10 @@ impl<'a> Setter<'a> {
 
     /// Returns the width of an item that begins a line and stays on it.
     pub(super) fn flat_width(&self, from: usize, to: usize) -> usize {
-        (self.sums[to] - self.sums[from]) as usize - if from < to { self.gap_in_sum(from) } else { 0 }
+        (self.sums[to] - self.sums[from]) as usize - if from < to { self.blanks_in_sum(from) } else { 0 }
     }
 
-    fn gap_in_sum(&self, i: usize) -> usize {
+    fn blanks_in_sum(&self, i: usize) -> usize {
         if self.has(i, flag::LINE_COMMENT) { 0 } else { usize::from(!self.has(i, flag::NO_BLANK_BEFORE)) }
     }
 
@@ -251,7 +251,7 @@ impl<'a> Setter<'a> {
         table::align_tables(self, &rows, indent);
         for Row { from, to, .. } in rows {
             let closes = self.has(from, flag::UNMATCHED) && self.has(from, flag::CLOSE);
-            let first = indent_by(indent, open - i32::from(closes)) + self.layer(from);
+            let first = indent_by(indent, open - i32::from(closes)) + self.layer_indent(from);
             self.new_line(first, from > start && self.atoms.row[from].lines > 1);
             let (items, _) = self.row_at(from, to);
             self.write_row(&items, indent, &mut open);
@@ -283,7 +283,7 @@ impl<'a> Setter<'a> {
         }
     }
 
-    fn is_big(&self, item: Range) -> bool {
+    fn is_on_several_lines(&self, item: Range) -> bool {
         matches!(self.kind(item), Item::Block | Item::Group | Item::Entry | Item::Bodies)
             && !self.has(item.from, flag::NO_BLANK_BEFORE)
     }
@@ -302,9 +302,9 @@ impl<'a> Setter<'a> {
             }
             let piece = &items[from..to];
             let (a, b) = (piece[0].from, piece[to - from - 1].to);
-            let big = piece.iter().any(|item| self.is_big(*item));
+            let big = piece.iter().any(|item| self.is_on_several_lines(*item));
             let trails = self.has(a, flag::LINE_COMMENT);
-            let indent = indent_by(indent, *open) + self.layer(a);
+            let indent = indent_by(indent, *open) + self.layer_indent(a);
             if !trails && after_big.is_some_and(|after| after || big || !self.fits(a, b)) {
                 self.new_line(indent, false);
             }
@@ -316,7 +316,7 @@ impl<'a> Setter<'a> {
     }
 
     /// Returns the additional indentation of a line that continues a declaration.
-    fn layer(&self, i: usize) -> usize {
+    fn layer_indent(&self, i: usize) -> usize {
         if self.has(i, flag::LAYER) { STEP } else { 0 }
     }
 
@@ -355,7 +355,7 @@ impl<'a> Setter<'a> {
             if self.arms(item.from).is_some() {
                 self.run(at, item.from, indent);
                 self.write_directive(*item, indent);
-            } else if self.is_big(*item) {
+            } else if self.is_on_several_lines(*item) {
                 self.write_block(at, *item, indent);
             } else {
                 continue;
@@ -389,7 +389,7 @@ impl<'a> Setter<'a> {
         let begins = items.first().is_none_or(|first| self.kind(*first) == Item::Separator);
         let values = if begins { 0 } else { items.iter().take_while(stays).count() };
         let trails = |item: &Range| self.has(item.from, flag::LINE_COMMENT);
-        let small = items.iter().all(|item| !self.is_big(*item) && !trails(item));
+        let small = items.iter().all(|item| !self.is_on_several_lines(*item) && !trails(item));
         let held = |item: &Range| self.has(item.from, flag::SAME_LINE | flag::NO_BLANK_BEFORE);
         let end = match () {
             () if values == 0 || self.begins_line(from) || items.get(values).is_some_and(held) => from,

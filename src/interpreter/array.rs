@@ -268,7 +268,7 @@ impl<'a> Interpreter<'a> {
         self.stream.advance();
         match lvalue {
             Some(lvalue) => self.evaluator.slot_at(&lvalue, span),
-            None => self.evaluator.no_value(span),
+            None => self.evaluator.no_value_error(span),
         }
     }
 
@@ -335,7 +335,7 @@ impl<'a> Interpreter<'a> {
             for (k, &size) in array.sizes.iter().enumerate() {
                 let i = rest[k];
                 if !(i > -1.0 && i < size as f64) {
-                    return Err(bad_index(i, size, indices[first + k].1));
+                    return Err(bad_index_error(i, size, indices[first + k].1));
                 }
                 flat = flat * size + i as usize;
             }
@@ -388,7 +388,7 @@ fn counted_indices(n: usize) -> &'static str {
     if n == 1 { "one index is" } else { "fewer indices are" }
 }
 
-fn bad_index(i: f64, size: usize, span: Span) -> crate::diagnostic::Fault {
+fn bad_index_error(i: f64, size: usize, span: Span) -> crate::diagnostic::Fault {
     let message = format!("the index {i} is outside of the array, whose elements go from 0 to {}", size - 1);
     Box::new(Diagnostic::new(codes::BAD_INDEX, span, message))
 }

@@ -226,7 +226,7 @@ impl<'a> Interpreter<'a> {
         // Text after an unclosed bracket cannot be read.
         let bracket = match ends {
             true => None,
-            false => self.stream.unclosed_bracket().or_else(|| self.reporter.error_of_early_brace(&fault)),
+            false => self.stream.unclosed_bracket_error().or_else(|| self.reporter.error_of_early_brace(&fault)),
         };
         if let Some(d) = bracket {
             self.reporter.report(d);

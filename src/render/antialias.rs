@@ -69,7 +69,7 @@ impl Method {
             MethodKind::Adaptive(SampleLayout::Grid) => return self.blocks().first_sample(sampler, x, y),
             _ => {}
         }
-        sampler.begin(self.pixel_key(x, y), 0);
+        sampler.begin_sample(self.pixel_key(x, y), 0);
         pixel(&sampler.sample(x as f64 + 0.5, y as f64 + 0.5))
     }
 

@@ -36,7 +36,7 @@ impl Blocks<'_> {
 
     /// Takes one sample of the first pass.
     pub fn first_sample(&self, sampler: &mut Sampler, x: usize, y: usize) -> Pixel {
-        sampler.begin(self.pixel_key(x, y), 0);
+        sampler.begin_sample(self.pixel_key(x, y), 0);
         pixel(&sampler.sample(x as f64 - 0.5, y as f64 - 0.5))
     }
 
@@ -94,7 +94,7 @@ impl Blocks<'_> {
         let Self { depth, jitter, .. } = *self;
         let mut sum = middle.map(f64::from);
         for cell in 0..depth * depth {
-            sampler.begin(self.pixel_key(x, y), u64::from(cell) + 1);
+            sampler.begin_sample(self.pixel_key(x, y), u64::from(cell) + 1);
             let random = sampler.random(Purpose::PixelPosition);
             let off = |i| if jitter == 0.0 { 0.5 } else { 0.5 + (random.at(i) - 0.5) * jitter };
             let dx = (f64::from(cell % depth) + off(0)) / f64::from(depth);

@@ -43,7 +43,7 @@ impl Corners<'_> {
         let (right, down) = (right % pieces, down % pieces);
         // (There is one corner more than pixels in a row.)
         let number = y as u64 * (self.width as u64 + 1) + x as u64;
-        sampler.begin(number, u64::from(down) << 32 | u64::from(right));
+        sampler.begin_sample(number, u64::from(down) << 32 | u64::from(right));
         let random = sampler.random(Purpose::PixelPosition);
         let off = |i| if self.jitter == 0.0 { 0.0 } else { (random.at(i) - 0.5) * self.jitter };
         let at = |corner: usize, piece: u32, i| corner as f64 + (f64::from(piece) + off(i)) / f64::from(pieces);

@@ -77,7 +77,7 @@ pub struct Sampling {
     pub depth: u32,
     /// Random displacement of samples, from 0 to 1, as a share of the sample's cell.
     pub jitter: f64,
-    /// Gamma after which the difference of two samples is measured; above 0.
+    /// Gamma that is applied to two samples before they are compared; above 0.
     pub gamma: f64,
 }
 

@@ -37,8 +37,8 @@ impl<'w> Sampler<'w> {
     }
 
     /// Starts a sample of a pixel: later random numbers are keyed by both.
-    pub fn begin(&mut self, pixel: u64, sample: u64) {
-        self.tracer.begin(pixel, sample);
+    pub fn begin_sample(&mut self, pixel: u64, sample: u64) {
+        self.tracer.begin_sample(pixel, sample);
     }
 
     /// Returns random numbers of the current sample.

@@ -17,7 +17,7 @@ impl Object {
         };
         let bounds = [&self.uncommon.clipped_by, &self.uncommon.bounded_by].into_iter().flatten();
         bounds.fold(own, |own, parts| {
-            let clip = shared(parts.iter().map(side));
+            let clip = intersection_of(parts.iter().map(restriction_box));
             if !clip.is_empty() && volume(&clip) < volume(&own) { clip } else { own }
         })
     }
@@ -29,16 +29,16 @@ impl Object {
                 let all = parts.iter().map(Object::pov_bounds).reduce(Aabb::union);
                 all.map_or(Aabb::from_corners(DVec3::ZERO, DVec3::ZERO), |b| b.intersection(HUGE))
             }
-            CsgOp::Intersection => or_huge(shared(parts.iter().map(side))),
+            CsgOp::Intersection => or_huge(intersection_of(parts.iter().map(restriction_box))),
             CsgOp::Difference => {
                 let others = parts.iter().skip(1).map(|part| outer_side(part, true));
-                or_huge(shared(parts.iter().take(1).map(side).chain(others)))
+                or_huge(intersection_of(parts.iter().take(1).map(restriction_box).chain(others)))
             }
         }
     }
 }
 
-fn shared(boxes: impl Iterator<Item = Aabb>) -> Aabb {
+fn intersection_of(boxes: impl Iterator<Item = Aabb>) -> Aabb {
     boxes.fold(Aabb::INFINITE, Aabb::intersection)
 }
 
@@ -53,7 +53,7 @@ fn volume(b: &Aabb) -> f64 {
 }
 
 /// Returns the box to which a part of an intersection restricts the others.
-fn side(part: &Object) -> Aabb {
+fn restriction_box(part: &Object) -> Aabb {
     outer_side(part, false)
 }
 

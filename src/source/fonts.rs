@@ -112,14 +112,14 @@ fn collect(files: &dyn Files, folder: &Path, depth: usize, out: &mut Vec<PathBuf
     for path in paths {
         if files.is_folder(&path) && depth > 0 {
             collect(files, &path, depth - 1, out);
-        } else if is_file_name(&path) && files.is_file(&path) && out.len() < MAX_FILES {
+        } else if is_font_file_name(&path) && files.is_file(&path) && out.len() < MAX_FILES {
             out.push(path);
         }
     }
 }
 
 /// True if the path has the extension of a font file.
-pub fn is_file_name(path: &Path) -> bool {
+pub fn is_font_file_name(path: &Path) -> bool {
     let ending = path.extension().and_then(|e| e.to_str()).unwrap_or("");
     ["ttf", "otf", "ttc"].iter().any(|e| ending.eq_ignore_ascii_case(e))
 }

@@ -60,7 +60,7 @@ const SIGNATURES: &[(&[u8], &str)] = &[
     (b"\xfe\xff", "text in UTF-16"),
 ];
 
-/// Number of bytes at a file's start that are examined to tell texts from other files.
+/// Number of bytes at a file's start that are examined to distinguish texts from other files.
 const EXAMINED: usize = 8192;
 
 /// Describes a file that is no text; `None` for a text. A file is no text if it has a known signature, a zero byte near

@@ -155,15 +155,15 @@ impl<'a> Sandboxed<'a> {
     }
 
     fn open_below(&self, folders: &[WriteFolder], path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>> {
-        let refused = |reason: &str| Err(io::Error::new(io::ErrorKind::PermissionDenied, reason.to_string()));
+        let permission_error = |reason: &str| Err(io::Error::new(io::ErrorKind::PermissionDenied, reason.to_string()));
         let Some((folder, root, relative)) = folders.iter().find_map(|folder| {
             let (root, relative) = self.relative_to(&folder.path, path)?;
             Some((folder, root, relative))
         }) else {
-            return refused("it is outside of the folders that scenes may write to");
+            return permission_error("it is outside of the folders that scenes may write to");
         };
         if let Some(reason) = protection_reason(&relative) {
-            return refused(reason);
+            return permission_error(reason);
         }
         let whole = root.join(&relative);
         let opened = self.files.open_below(&root, &relative, WriteAccess::Create);
@@ -174,7 +174,7 @@ impl<'a> Sandboxed<'a> {
             return opened;
         }
         if !folder.replaces_all && !folder.created.contains(&whole) {
-            return refused("the file exists, and this scene did not create it");
+            return permission_error("the file exists, and this scene did not create it");
         }
         let access = match mode {
             WriteMode::Truncate => WriteAccess::Replace,

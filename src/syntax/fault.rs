@@ -20,7 +20,7 @@ pub fn syntax_error_at(text: &str, at: usize, base: usize) -> Diagnostic {
     if let Some(help) = help_for(text, at, token_at(text, at)) {
         return d.help(help);
     }
-    match open_vector(text, at) {
+    match open_vector_start(text, at) {
         Some(opener) if follows_operand(text, opener) => {
             let message = "`<` opens a vector here, and it has no end";
             Diagnostic::new(codes::SYNTAX, Span::new(base + opener, base + opener + 1), message)
@@ -79,12 +79,12 @@ fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic
     let before = text[..at].trim_end();
     let fault = |message: String| Diagnostic::new(codes::SYNTAX, token_span(text, at, base), message);
     let found = describe_text_at(text, at);
-    if let Some(directive @ ("declare" | "local" | "macro" | "undef")) = directive_at_end(before) {
+    if let Some(directive @ ("declare" | "local" | "macro" | "undef")) = name_of_last_directive(before) {
         let d = fault(format!("expected a name after `#{directive}`, found {found}"));
         return Some(d.help("names are made of the letters a to z, digits and `_`"));
     }
     let name = last_word(before)?;
-    let directive = directive_at_end(before[..before.len() - name.len()].trim_end())?;
+    let directive = name_of_last_directive(before[..before.len() - name.len()].trim_end())?;
     let d = fault(format!("expected `=` after `#{directive} {name}`, found {found}"));
     let line = text[at..].lines().next().unwrap_or_default();
     let value = line.split([';', '/']).next().unwrap_or_default().trim();
@@ -93,7 +93,7 @@ fn missing_name_or_sign(text: &str, at: usize, base: usize) -> Option<Diagnostic
 }
 
 /// Returns the name of the directive that a text ends with.
-fn directive_at_end(text: &str) -> Option<&str> {
+fn name_of_last_directive(text: &str) -> Option<&str> {
     let word = last_word(text)?;
     text[..text.len() - word.len()].trim_end_matches([' ', '\t']).ends_with('#').then_some(word)
 }
@@ -148,7 +148,7 @@ fn help_for(text: &str, at: usize, token: &str) -> Option<String> {
         },
         "&" if before.ends_with('&') => "a single `&` is the logical and".into(),
         "|" if before.ends_with('|') => "a single `|` is the logical or".into(),
-        "&" | "|" | "?" | "!" | "<" | ">" if open_vector(text, at).is_none() => {
+        "&" | "|" | "?" | "!" | "<" | ">" if open_vector_start(text, at).is_none() => {
             "comparisons, `&`, `|` and `?:` need parentheses around them".into()
         }
         "'" => "strings stand in double quotes".into(),
@@ -180,7 +180,7 @@ fn last_word(text: &str) -> Option<&str> {
 }
 
 /// Returns the offset of a vector's `<` that is still open at the offset `at`, judging by this line and the one before.
-fn open_vector(text: &str, at: usize) -> Option<usize> {
+fn open_vector_start(text: &str, at: usize) -> Option<usize> {
     let mut depth = 0;
     for (i, c) in text[..at].char_indices().rev() {
         match c {

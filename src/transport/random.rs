@@ -40,7 +40,7 @@ impl Random {
     }
 
     /// Starts a sample of a pixel: later numbers are keyed by both.
-    pub(super) fn begin(&mut self, pixel: u64, sample: u64) {
+    pub(super) fn begin_sample(&mut self, pixel: u64, sample: u64) {
         (self.pixel, self.sample, self.vertex, self.draws) = (pixel, sample, 0, [0; PURPOSES]);
     }
 
@@ -86,7 +86,7 @@ mod tests {
     fn draws_are_independent_of_each_other() {
         let draw = |grains: usize| {
             let mut random = Random::new(3);
-            random.begin(5, 7);
+            random.begin_sample(5, 7);
             (0..grains).for_each(|_| assert!(random.next(Purpose::Grain) < 1.0));
             let first = random.next(Purpose::AreaLight);
             random.next_vertex();

@@ -69,7 +69,7 @@ impl<'w> ShadingPoint<'w> {
         each_material(world, found, &surface, against > 0.0, |placed, share| {
             let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
             painter.placed = placed;
-            painter.paint(material, &ctx, share, None);
+            painter.collect_material(material, &ctx, share, None);
         });
         this
     }
@@ -104,7 +104,13 @@ struct Painter<'w, 'a> {
 
 impl<'w> Painter<'w, '_> {
     /// Adds a material with its share. A texture that a pattern chooses is the only layer.
-    fn paint(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
+    fn collect_material(
+        &mut self,
+        material: &'w Material,
+        ctx: &TextureContext,
+        share: f64,
+        frame: Option<&PatternSpaces>,
+    ) {
         match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
             Some(choice) => {
                 let (number, inner) = choice.pattern.evaluate(&self.pattern_context(ctx));
@@ -119,7 +125,7 @@ impl<'w> Painter<'w, '_> {
                     if cancel::is_cancelled() {
                         break;
                     }
-                    self.paint(part, &inner, share * s, Some(&within));
+                    self.collect_material(part, &inner, share * s, Some(&within));
                 }
             }
             None => self.add(material, ctx, share, frame),

@@ -85,8 +85,8 @@ impl<'w> Tracer<'w> {
 
     /// Starts a sample of a pixel: later random numbers are keyed by both. Polls the cancel flag, since a sample of few
     /// surfaces may take long.
-    pub fn begin(&mut self, pixel: u64, sample: u64) {
+    pub fn begin_sample(&mut self, pixel: u64, sample: u64) {
         self.stopped |= (self.is_cancelled)();
-        self.random.begin(pixel, sample);
+        self.random.begin_sample(pixel, sample);
     }
 }

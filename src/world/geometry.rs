@@ -224,7 +224,7 @@ impl Geometry {
                 }
                 Item::Instance(instance) => {
                     instance.shared().shapes_at(&instance.local(ray), range, &mut |part, found| {
-                        visit(PlacedSolid { instance: Some(instance), ..part }, instance.own(found));
+                        visit(PlacedSolid { instance: Some(instance), ..part }, instance.hit_on_instance(found));
                     })
                 }
             }

@@ -63,19 +63,19 @@ impl Instance {
     }
 
     /// Converts a hit on the shared shapes to a hit on this instance.
-    pub fn own<'a>(&'a self, found: Intersection<'a>) -> Intersection<'a> {
+    pub fn hit_on_instance<'a>(&'a self, found: Intersection<'a>) -> Intersection<'a> {
         Intersection { object: self.first_object + found.object, instance: Some(self), ..found }
     }
 
     /// Returns the closest hit in the range.
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        self.shared.closest(&self.local(ray), range, |_| true).map(|found| self.own(found))
+        self.shared.closest(&self.local(ray), range, |_| true).map(|found| self.hit_on_instance(found))
     }
 
     /// Appends every hit in the range, in no particular order.
     pub fn hits<'a>(&'a self, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         let _ = self.shared.visit(&self.local(ray), range, |_| true, &mut |found| {
-            out.push(self.own(found));
+            out.push(self.hit_on_instance(found));
             ControlFlow::Continue(())
         });
     }

@@ -60,7 +60,7 @@ pub struct Common {
     pub color: When,
 }
 
-/// The commands.
+/// Commands of the program `durer`.
 #[derive(Subcommand, Clone, Debug)]
 pub enum Command {
     /// Render scenes into picture files

@@ -45,11 +45,11 @@ fn option_row(arg: &Arg) -> [String; 2] {
     let default = arg.get_default_values().first().map(|d| format!(" [default: {}]", d.to_string_lossy()));
     let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
     // Markdown interprets angle brackets.
-    [code(shown.trim()), help.replace('<', "&lt;") + &words(arg) + &default.unwrap_or_default()]
+    [code(shown.trim()), help.replace('<', "&lt;") + &described_values(arg) + &default.unwrap_or_default()]
 }
 
 /// Returns the values of an option with their descriptions.
-fn words(arg: &Arg) -> String {
+fn described_values(arg: &Arg) -> String {
     let values = arg.get_possible_values();
     if values.is_empty() || values.iter().any(|value| value.get_help().is_none()) {
         return String::new();

@@ -28,7 +28,7 @@ pub fn form(words: &[OsString]) -> Form {
     }
     match command.find_subcommand(&first) {
         Some(command) if is_mixing(command) => {
-            let is_povray = split(command, &words[at + 1..]).iter().any(|(_, is_povray)| *is_povray);
+            let is_povray = mark_povray_options(command, &words[at + 1..]).iter().any(|(_, is_povray)| *is_povray);
             if is_povray { Form::Mixed(at) } else { Form::Durer }
         }
         Some(_) => Form::Durer,
@@ -68,7 +68,7 @@ pub fn has_option(command: &str, word: &str) -> bool {
 }
 
 /// Splits the words after a command into options, each with a flag that is true for POV-Ray options.
-fn split<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, bool)> {
+fn mark_povray_options<'a>(command: &Command, words: &'a [OsString]) -> Vec<(&'a OsString, bool)> {
     let global = commands();
     let arguments: Vec<_> = command.get_arguments().chain(global.get_arguments()).collect();
     let takes_value = |a: &&clap::Arg| a.get_action().takes_values();
@@ -113,7 +113,7 @@ impl Translation<'_> {
             return self.finish("durer".into());
         };
         let mut own = Vec::new();
-        for (word, is_povray) in split(command, &words[at + 1..]) {
+        for (word, is_povray) in mark_povray_options(command, &words[at + 1..]) {
             match is_povray {
                 true => self.option(&word.to_string_lossy(), Origin::default()),
                 false => own.push(word.clone()),

@@ -58,25 +58,25 @@ impl Settings {
         Self { final_clock: 1.0, frame_step: 1, threshold: 0.3, jitter: 1.0, ..Self::default() }
     }
 
-    pub fn set(&mut self, put: impl FnOnce(&mut Self)) -> Checked {
+    pub fn change(&mut self, put: impl FnOnce(&mut Self)) -> Checked {
         put(self);
         Ok(())
     }
 
     pub fn number(&mut self, text: &str, put: impl FnOnce(&mut Self, f64)) -> Checked {
         let x = number::real(text).filter(|x| x.is_finite()).ok_or("expected a number")?;
-        self.set(|p| put(p, x))
+        self.change(|p| put(p, x))
     }
 
     /// Sets a frame number: fractions are cut off, and negative numbers become 0, as in POV-Ray.
     pub fn frame(&mut self, text: &str, put: impl FnOnce(&mut Self, u32)) -> Checked {
         let n = number::whole(text).ok_or("expected a whole number")?;
-        self.set(|p| put(p, n as u32))
+        self.change(|p| put(p, n as u32))
     }
 
     pub fn pixels(&mut self, text: &str, put: impl FnOnce(&mut Self, usize)) -> Checked {
         let n = number::whole(text).filter(|&n| n >= 1.0).ok_or("expected a whole number of pixels, 1 or more")?;
-        self.set(|p| put(p, n as usize))
+        self.change(|p| put(p, n as usize))
     }
 
     pub fn clock(&mut self, text: &str) -> Checked {
@@ -95,12 +95,12 @@ impl Settings {
             Some(2.0) => "corners",
             _ => return Err("the methods are 1 and 2".into()),
         };
-        self.set(|p| p.sampling_method = Some(method))
+        self.change(|p| p.sampling_method = Some(method))
     }
 
     pub fn sampling_depth(&mut self, text: &str) -> Checked {
         let depth = number::whole(text).ok_or("expected a number")?;
-        self.set(|p| p.sampling_depth = Some(depth.clamp(1.0, 9.0) as u32))
+        self.change(|p| p.sampling_depth = Some(depth.clamp(1.0, 9.0) as u32))
     }
 
     /// Sets the jitter of anti-aliasing; 0 and negative numbers turn it off (manual).
@@ -112,7 +112,7 @@ impl Settings {
     pub fn antialias_gamma(&mut self, text: &str) -> Checked {
         let gamma =
             number::real(text).filter(|x| (0.1..=10.0).contains(x)).ok_or("expected a number from 0.1 to 10")?;
-        self.set(|p| p.antialias_gamma = Some(gamma))
+        self.change(|p| p.antialias_gamma = Some(gamma))
     }
 
     /// Sets the type of the picture file: a letter and optional bits per channel, such as `N16`.
@@ -137,7 +137,7 @@ impl Settings {
             Ok(())
         } else if rest.eq_ignore_ascii_case("g") {
             // Types without grayscale are refused later, with the format's own message.
-            self.set(|p| p.gray = true)
+            self.change(|p| p.gray = true)
         } else if has_depth {
             self.depth(rest)
         } else {
@@ -148,12 +148,12 @@ impl Settings {
     /// Sets the bits per channel: 5 to 16, rounded up to 8 or 16.
     pub fn depth(&mut self, text: &str) -> Checked {
         let bits = number::whole(text).filter(|bits| (1.0..=16.0).contains(bits)).ok_or("bits go from 5 to 16")?;
-        self.set(|p| p.depth = Some(if bits > 8.0 { 16 } else { 8 }))
+        self.change(|p| p.depth = Some(if bits > 8.0 { 16 } else { 8 }))
     }
 
     pub fn file_gamma(&mut self, text: &str) -> Checked {
         text.parse::<FileGamma>()?;
-        self.set(|p| p.file_gamma = Some(text.to_lowercase()))
+        self.change(|p| p.file_gamma = Some(text.to_lowercase()))
     }
 
     /// Turns dithering on or off, and sets the method if one is named.
@@ -166,7 +166,7 @@ impl Settings {
         let known = ["b2", "b3", "b4", "d1", "d2", "fs"];
         let method = known.into_iter().find(|known| known.eq_ignore_ascii_case(text));
         let method = method.ok_or("the methods are B2, B3, B4, D1, D2 and FS")?;
-        self.set(|p| p.dither_method = Some(method))
+        self.change(|p| p.dither_method = Some(method))
     }
 
     /// Returns the settings as options of durer. With `plain`, anti-aliasing is off unless it was turned on.

@@ -184,7 +184,7 @@ impl<'a> Job<'a> {
     }
 
     /// Renders a world and writes the picture to its file.
-    fn write(&self, target: &Target, world: &World, timing: Timing, monitor: &Monitor) -> Result<Rendered> {
+    fn render_and_write(&self, target: &Target, world: &World, timing: Timing, monitor: &Monitor) -> Result<Rendered> {
         let start = Instant::now();
         let mut draft = target.draft()?;
         let mut writer = target.writer(draft.as_mut(), self.config.size())?;
@@ -202,7 +202,7 @@ impl<'a> Job<'a> {
     }
 
     /// Renders a world into the picture's file, and reports an unfinished picture.
-    fn trace(
+    fn render_to_draft(
         &self,
         target: &Target,
         world: &World,
@@ -219,7 +219,7 @@ impl<'a> Job<'a> {
         if let Some(journal) = journal {
             journal::begin(console, journal, self.work(timing), config.resume, config.keep_after);
         }
-        self.write(target, world, timing, &monitor).map_err(|failure| {
+        self.render_and_write(target, world, timing, &monitor).map_err(|failure| {
             journal.and_then(|journal| journal::unfinished_note(journal)).iter().for_each(|note| console.info(note));
             match (interrupt::requested(), failure) {
                 // The signal that a file has reached its size limit is also an error of writing.
@@ -233,7 +233,13 @@ impl<'a> Job<'a> {
     }
 
     /// Removes the journal of a picture that was written, and lists the picture among the finished frames.
-    fn finish(&self, target: &Target, timing: Timing, journal: Option<&Journal>, finished: Option<&FinishedFrames>) {
+    fn finish_picture(
+        &self,
+        target: &Target,
+        timing: Timing,
+        journal: Option<&Journal>,
+        finished: Option<&FinishedFrames>,
+    ) {
         if let (Some(finished), Some(picture)) = (finished, target.file()) {
             let mut work = self.work(timing);
             work.options += &target.encoding_options();
@@ -277,8 +283,8 @@ impl<'a> Job<'a> {
         }
         let deferred = Deferred::begin();
         let Rendered { rays, is_black, trace_time, encode_time } =
-            self.trace(target, &world, timing, journal.as_ref(), token)?;
-        self.finish(target, timing, journal.as_deref(), finished);
+            self.render_to_draft(target, &world, timing, journal.as_ref(), token)?;
+        self.finish_picture(target, timing, journal.as_deref(), finished);
         drop(deferred);
 
         self.advise(&world, timing, config.circumstances(is_incomplete, is_black));

@@ -44,7 +44,7 @@ impl Gatherer<'_> {
                 }
             }
             Directive::Macro(one) => {
-                self.through(one.span);
+                self.gather_through(one.span);
                 self.pending |= NO_BLANK_BEFORE;
                 self.close_arm(&mut arms, start, &one.body, span, false);
             }
@@ -61,7 +61,7 @@ impl Gatherer<'_> {
             && piece.span().hi < span.hi
         {
             self.pieces.take();
-            self.piece(piece);
+            self.add_piece(piece);
         }
         let end = self.len() as u32;
         let heads: Vec<_> = arms.iter().skip(1).map(|arm| arm.head).chain([end]).collect();
@@ -71,27 +71,27 @@ impl Gatherer<'_> {
     }
 
     fn target(&mut self, target: &Target) {
-        self.through(target.span);
+        self.gather_through(target.span);
         self.indices(&target.indices);
     }
 
     fn arm(&mut self, arms: &mut Vec<Arm>, span: Span, head: Option<&Head>, body: &[Element], choice: bool) {
-        self.before(span);
+        self.gather_before(span);
         let start = self.len();
-        self.token();
+        self.gather_token();
         match head {
             Some(Head::Whole(e)) => self.expr(e),
-            Some(Head::Pieces(Some(elements))) => self.loose(elements),
+            Some(Head::Pieces(Some(elements))) => self.gather_arguments(elements),
             _ => {}
         }
         self.close_arm(arms, start, body, span, choice);
     }
 
     fn head_of_for(&mut self, head: &ForHead) {
-        self.token();
+        self.gather_token();
         match head {
             ForHead::Whole(_, parts) => parts.iter().for_each(|e| self.expr(e)),
-            ForHead::Pieces(Some(elements)) => self.loose(elements),
+            ForHead::Pieces(Some(elements)) => self.gather_arguments(elements),
             ForHead::Pieces(None) => {}
         }
     }
@@ -114,7 +114,7 @@ impl Gatherer<'_> {
             head.ends_with("else") || head.ends_with("default")
         });
         if open == 0 && !headless && self.len() - start < 3 && self.next_token() == Some("(") {
-            self.token();
+            self.gather_token();
             open = 1;
         }
         while open > 0
@@ -127,7 +127,7 @@ impl Gatherer<'_> {
                 _ => 0,
             };
             self.pieces.take();
-            self.piece(piece);
+            self.add_piece(piece);
         }
         self.pending = 0;
         let (head, at) = (start as u32, self.len() as u32);
@@ -138,17 +138,17 @@ impl Gatherer<'_> {
     // ------------------------------------------------------------ expressions
 
     /// Gathers arguments, which are elements but not items of a body.
-    fn loose(&mut self, elements: &[Element]) {
+    fn gather_arguments(&mut self, elements: &[Element]) {
         for e in elements {
-            self.before(e.span);
+            self.gather_before(e.span);
             match &e.kind {
                 ElementKind::Expr(expr) => self.expr(expr),
-                ElementKind::Block(block) => self.loose(&block.body),
-                ElementKind::Group(group) | ElementKind::Entry(group) => self.loose(&group.body),
-                ElementKind::Function(function) => self.loose(&function.body),
+                ElementKind::Block(block) => self.gather_arguments(&block.body),
+                ElementKind::Group(group) | ElementKind::Entry(group) => self.gather_arguments(&group.body),
+                ElementKind::Function(function) => self.gather_arguments(&function.body),
                 _ => {}
             }
-            self.through(e.span);
+            self.gather_through(e.span);
         }
     }
 
@@ -156,28 +156,28 @@ impl Gatherer<'_> {
         for index in indices {
             self.pending |= NO_BLANK_BEFORE;
             self.expr(index);
-            self.through(index.span);
-            self.token();
+            self.gather_through(index.span);
+            self.gather_token();
         }
         self.pending = 0;
     }
 
     fn operand(&mut self, e: &Expr) {
         self.expr(e);
-        self.through(e.span);
+        self.gather_through(e.span);
         self.pending |= OPERATOR;
     }
 
     fn vector(&mut self, span: Span, parts: &[Element]) {
         self.pending |= OPEN;
-        self.token();
-        self.loose(parts);
-        self.upto(self.local(span.hi).saturating_sub(1));
+        self.gather_token();
+        self.gather_arguments(parts);
+        self.gather_up_to(self.local(span.hi).saturating_sub(1));
         self.pending = CLOSE;
     }
 
     pub(super) fn expr(&mut self, e: &Expr) {
-        self.before(e.span);
+        self.gather_before(e.span);
         if self.text[self.local(e.span.lo)..].starts_with(['-', '+', '!']) {
             self.pending |= NO_BLANK_AFTER;
         }
@@ -186,12 +186,12 @@ impl Gatherer<'_> {
             // A vector of numbers with a comment between them.
             ExprKind::Literal(_) if self.next_token() == Some("<") => self.vector(e.span, &[]),
             ExprKind::Call(_, parts) => {
-                self.token();
+                self.gather_token();
                 self.pending |= NO_BLANK_BEFORE;
-                self.loose(parts);
+                self.gather_arguments(parts);
             }
             ExprKind::Builtin(_, parts) => {
-                self.token();
+                self.gather_token();
                 self.pending |= NO_BLANK_BEFORE;
                 parts.iter().for_each(|e| self.expr(e));
             }
@@ -207,21 +207,21 @@ impl Gatherer<'_> {
             ExprKind::Choice(parts) => parts.iter().for_each(|e| self.operand(e)),
             ExprKind::Index(base, indices) => {
                 self.expr(base);
-                self.through(base.span);
+                self.gather_through(base.span);
                 self.indices(indices);
             }
             ExprKind::Apply(base, arguments) => {
                 self.expr(base);
-                self.through(base.span);
+                self.gather_through(base.span);
                 self.pending |= NO_BLANK_BEFORE;
-                self.loose(arguments);
+                self.gather_arguments(arguments);
             }
             ExprKind::Dot(base, ..) => self.expr(base),
-            ExprKind::Function(function) => self.loose(&function.body),
-            ExprKind::Block(block) => self.loose(&block.body),
+            ExprKind::Function(function) => self.gather_arguments(&function.body),
+            ExprKind::Block(block) => self.gather_arguments(&block.body),
             ExprKind::Number(_) | ExprKind::Text(_) | ExprKind::Name(_) | ExprKind::Literal(_) => {}
         }
-        self.through(e.span);
+        self.gather_through(e.span);
         self.pending = 0;
     }
 }

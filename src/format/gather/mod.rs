@@ -16,7 +16,7 @@ pub fn gather(text: &str, base: usize, ast: &Ast) -> Atoms {
     let pieces = Pieces::of(&ast.tokens);
     let mut gatherer = Gatherer { text, base, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
     gatherer.body(&ast.elements);
-    gatherer.upto(text.len());
+    gatherer.gather_up_to(text.len());
     gatherer.between(text.len());
     gatherer.out
 }
@@ -70,21 +70,21 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Adds all tokens and comments that begin before a local offset.
-    fn upto(&mut self, end: usize) {
+    fn gather_up_to(&mut self, end: usize) {
         while let Some(piece) = self.pieces.next
             && self.local(piece.span().lo) < end
         {
             self.pieces.take();
-            self.piece(piece);
+            self.add_piece(piece);
         }
     }
 
-    fn before(&mut self, span: Span) {
-        self.upto(self.local(span.lo));
+    fn gather_before(&mut self, span: Span) {
+        self.gather_up_to(self.local(span.lo));
     }
 
-    fn through(&mut self, span: Span) {
-        self.upto(self.local(span.hi));
+    fn gather_through(&mut self, span: Span) {
+        self.gather_up_to(self.local(span.hi));
     }
 
     /// Returns the text of the next token; `None` before a comment.
@@ -96,9 +96,9 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Adds the next token, and the comments before it.
-    fn token(&mut self) {
+    fn gather_token(&mut self) {
         while let Some(piece) = self.pieces.take() {
-            self.piece(piece);
+            self.add_piece(piece);
             if matches!(piece, Piece::Token(_)) {
                 break;
             }
@@ -115,7 +115,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    fn piece(&mut self, piece: Piece) {
+    fn add_piece(&mut self, piece: Piece) {
         let Span { lo, hi } = piece.span();
         let (lo, hi) = (self.local(lo), self.local(hi));
         self.between(lo);
@@ -206,30 +206,30 @@ impl<'a> Gatherer<'a> {
         // End of a declaration, and the textures that follow it.
         let mut layers = vec![];
         for e in elements {
-            self.before(e.span);
+            self.gather_before(e.span);
             let start = self.len();
             let item = self.element(e);
-            self.through(e.span);
+            self.gather_through(e.span);
             self.comma(e);
-            self.mark(start, item);
+            self.mark_item(start, item);
             match &e.kind {
                 ElementKind::Block(block) if !layers.is_empty() && self.read(block.name.span) == "texture" => {
                     layers.push(start)
                 }
-                _ => self.layer(&std::mem::take(&mut layers)),
+                _ => self.mark_layers(&std::mem::take(&mut layers)),
             }
             if item == Item::Declare {
                 layers.push(start);
             }
             if matches!(e.kind, ElementKind::Numbers(_)) {
-                self.split(start);
+                self.split_list_into_items(start);
             }
         }
-        self.layer(&layers);
+        self.mark_layers(&layers);
     }
 
     /// Makes all textures of a declaration begin a line if one of them does.
-    fn layer(&mut self, starts: &[usize]) {
+    fn mark_layers(&mut self, starts: &[usize]) {
         let [_, first, rest @ ..] = starts else { return };
         if rest.is_empty() {
             return;
@@ -252,12 +252,12 @@ impl<'a> Gatherer<'a> {
     fn comma(&mut self, e: &Element) {
         if e.comma {
             self.pending = 0;
-            self.token();
+            self.gather_token();
         }
     }
 
     /// Marks the atoms from `start` to the last one as an item.
-    fn mark(&mut self, start: usize, item: Item) {
+    fn mark_item(&mut self, start: usize, item: Item) {
         let end = self.len() as u32;
         let text = self.text;
         let read = |atom: &Atom| &text[atom.lo as usize..atom.hi as usize];
@@ -279,7 +279,7 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Makes each number or vector of a list an item of the body.
-    fn split(&mut self, start: usize) {
+    fn split_list_into_items(&mut self, start: usize) {
         let (end, mut from, mut depth) = (self.len(), start, 0);
         for i in start..end {
             let atom = self.out.row[i];
@@ -319,10 +319,10 @@ impl<'a> Gatherer<'a> {
     fn braces(&mut self, span: Span, name: Span, item: Item, body: &[Element]) -> Item {
         let start = self.len();
         if !name.is_none() {
-            self.through(name);
+            self.gather_through(name);
             self.pending |= SAME_LINE;
         }
-        self.token();
+        self.gather_token();
         let name = self.read(name);
         let outside = std::mem::replace(&mut self.block, name);
         self.enclosed(start, span, body);
@@ -334,9 +334,9 @@ impl<'a> Gatherer<'a> {
     fn enclosed(&mut self, start: usize, span: Span, body: &[Element]) {
         let open = self.len() - 1;
         self.body(body);
-        self.upto(self.local(span.hi).saturating_sub(1));
+        self.gather_up_to(self.local(span.hi).saturating_sub(1));
         self.pending = 0;
-        self.token();
+        self.gather_token();
         let close = self.len() as u32 - 1;
         self.out.row[open].link = close;
         if start != open {
@@ -346,7 +346,7 @@ impl<'a> Gatherer<'a> {
 
     fn function(&mut self, function: &Function, span: Span) -> Item {
         let start = self.len();
-        self.token();
+        self.gather_token();
         if self.next_token() == Some("(") {
             self.pending |= NO_BLANK_BEFORE;
         }
@@ -358,7 +358,7 @@ impl<'a> Gatherer<'a> {
             if self.pieces.next.is_none() {
                 return Item::Value;
             }
-            self.token();
+            self.gather_token();
         }
         self.enclosed(start, span, &function.body);
         Item::Block

@@ -27,7 +27,7 @@ use std::sync::LazyLock;
 /// Maximum length of a string in bytes.
 const MAX_TEXT: usize = 16_000_000;
 
-/// A built-in function that computes a value from values.
+/// Built-in function whose arguments and result are values of any type.
 pub(super) struct Builtin {
     name: &'static str,
     /// Arguments of the built-in function as the manual prints them.
@@ -87,7 +87,7 @@ impl Arguments {
     }
 
     /// Returns the error for an argument outside of the function's domain.
-    fn bad<T>(&self, i: usize, message: String) -> Result<T> {
+    fn domain_error<T>(&self, i: usize, message: String) -> Result<T> {
         Diagnostic::err(codes::BAD_ARGUMENT, self.values[i].1, message)
     }
 

@@ -10,13 +10,13 @@ pub(super) fn compute(row: &Numeric, a: &Arguments) -> Result<Value> {
     let first = row.clamp_to_domain(a.float(0)?);
     match row.kernel {
         Kernel::One(f) => match row.domain_fault(first, first) {
-            Some(why) => a.bad(0, why),
+            Some(why) => a.domain_error(0, why),
             None => float(f(first)),
         },
         Kernel::Two(f) => {
             let second = a.float(1)?;
             match row.domain_fault(first, second) {
-                Some(why) => a.bad(0, why),
+                Some(why) => a.domain_error(0, why),
                 None => float(f(first, second)),
             }
         }

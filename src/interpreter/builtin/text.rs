@@ -21,7 +21,7 @@ pub(super) const TABLE: &[Builtin] = &[
         arity: 1..=1,
         run: |a| match char::from_u32(a.float(0)? as u32) {
             Some(c) => text(c.to_string()),
-            None => a.bad(0, "no character has this number".into()),
+            None => a.domain_error(0, "no character has this number".into()),
         },
     },
     Builtin {
@@ -133,11 +133,11 @@ fn datetime(a: &Arguments) -> Result<Value> {
     let time = chrono::DateTime::from_timestamp(EPOCH_2000, 0)
         .zip(chrono::TimeDelta::try_milliseconds((days * 86_400_000.0).round() as i64))
         .and_then(|(start, since)| start.checked_add_signed(since));
-    let Some(time) = time else { return a.bad(0, format!("there is no day {days}")) };
+    let Some(time) = time else { return a.domain_error(0, format!("there is no day {days}")) };
     let mut out = String::new();
     match write!(out, "{}", time.format(format)) {
         Ok(()) => text(out),
-        Err(_) => a.bad(1, "this is no format of a date: `%Y-%m-%d %H:%M:%S` is one".into()),
+        Err(_) => a.domain_error(1, "this is no format of a date: `%Y-%m-%d %H:%M:%S` is one".into()),
     }
 }
 
@@ -149,7 +149,7 @@ fn substr(a: &Arguments) -> Result<Value> {
     let (s, from, len) = (a.text(0)?, a.float(1)?.trunc(), a.float(2)?);
     let count = s.chars().count() as f64;
     if from < 0.0 || len < 0.0 || from - 1.0 + len > count {
-        return a.bad(1, format!("a string of {count} characters has none at {from} to {}", from + len - 1.0));
+        return a.domain_error(1, format!("a string of {count} characters has none at {from} to {}", from + len - 1.0));
     }
     // In POV-Ray, it is what precedes the string in memory, which mostly is a 0.
     let len = if from == 0.0 { 0.0 } else { len };

@@ -15,7 +15,7 @@ pub(super) const TABLE: &[Builtin] = &[
         run: |a| {
             let (v, axis, degrees) = (a.vector(0)?, a.vector(1)?, a.float(2)?);
             if axis == DVec3::ZERO {
-                return a.bad(1, "an axis of length 0 points nowhere".into());
+                return a.domain_error(1, "an axis of length 0 points nowhere".into());
             }
             vector(Transform::rotate_about(axis, degrees).transform_vector(v))
         },

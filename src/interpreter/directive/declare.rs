@@ -152,7 +152,7 @@ impl<'a> Interpreter<'a> {
         if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
         }
-        let Some((symbol, span)) = self.stream.take_name() else { return Err(self.missing_name(directive)) };
+        let Some((symbol, span)) = self.stream.take_name() else { return Err(self.missing_name_error(directive)) };
         let text = self.inputs.names.text(symbol);
         if let Some(word) = word::reserved(text) {
             self.expect_equal()?;
@@ -166,7 +166,7 @@ impl<'a> Interpreter<'a> {
         Ok(Declared { symbol, lvalue })
     }
 
-    fn missing_name(&self, directive: Span) -> crate::diagnostic::Fault {
+    fn missing_name_error(&self, directive: Span) -> crate::diagnostic::Fault {
         let at = self.stream.next_element().map_or(directive.end(), |e| e.span);
         self.syntax_error_at(at).into()
     }
@@ -202,7 +202,7 @@ impl<'a> Interpreter<'a> {
             Err(fault)
                 if self.reporter.limit_reached()
                     || fault.code == codes::ENDS_RUN
-                    || self.stream.unclosed_bracket().is_some() =>
+                    || self.stream.unclosed_bracket_error().is_some() =>
             {
                 return Err(fault);
             }
@@ -281,7 +281,7 @@ impl<'a> Interpreter<'a> {
             return Ok(());
         }
         if self.stream.next_element().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
-            return Err(self.missing_name(span));
+            return Err(self.missing_name_error(span));
         }
         if let Some(ElementKind::Expr(e)) = self.stream.next_element().map(|e| &e.kind)
             && matches!(e.kind, ExprKind::Index(..) | ExprKind::Dot(..))

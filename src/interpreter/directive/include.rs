@@ -26,7 +26,7 @@ impl<'a> Interpreter<'a> {
             Some(path) => (path.clone(), self.load(&path, text, name)?),
             None => match library::find_builtin(text) {
                 Some(built_in) => self.load_built_in(text, built_in, name)?,
-                None => return Err(self.missing_include(text, name).into()),
+                None => return Err(self.missing_include_error(text, name).into()),
             },
         };
         self.evaluator.scopes_mut().enter_scope();
@@ -132,7 +132,7 @@ impl<'a> Interpreter<'a> {
         Diagnostic::err(codes::ENDS_RUN, Span::NONE, "")
     }
 
-    fn missing_include(&self, name: &str, span: Span) -> Diagnostic {
+    fn missing_include_error(&self, name: &str, span: Span) -> Diagnostic {
         let folders = &self.inputs.options.search.folders;
         let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
         let there = folders.iter().flat_map(|folder| self.inputs.files.list(folder).unwrap_or_default());

@@ -54,7 +54,7 @@ impl<'a> Interpreter<'a> {
         let (slots, end) = match read {
             Ok(read) => read,
             Err(fault) => {
-                if self.stream.unclosed_bracket().is_none() {
+                if self.stream.unclosed_bracket_error().is_none() {
                     self.skip_brackets(checkpoint);
                 }
                 return Err(fault);

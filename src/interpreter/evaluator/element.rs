@@ -26,7 +26,7 @@ impl<'a> Evaluator<'a> {
         let key = self.inputs.names.text(*symbol);
         match dictionary.key_index(key) {
             Some(i) => Ok(Some(lvalue.element(&[i]))),
-            None => Err(missing_key(dictionary, key, name.span)),
+            None => Err(missing_key_error(dictionary, key, name.span)),
         }
     }
 
@@ -41,7 +41,7 @@ impl<'a> Evaluator<'a> {
             let index = match dictionary.key_index(key) {
                 Some(index) => index,
                 None if adds && i + 1 == keys.len() => self.scopes.add_key(&lvalue, key),
-                None => return Err(missing_key(dictionary, key, *span)),
+                None => return Err(missing_key_error(dictionary, key, *span)),
             };
             lvalue = lvalue.element(&[index]);
         }
@@ -52,19 +52,19 @@ impl<'a> Evaluator<'a> {
     pub fn slot_at(&self, lvalue: &LValue, span: Span) -> Result<Slot<'a>> {
         match self.scopes.at(lvalue) {
             Some(slot) => Ok(slot.clone()),
-            None => self.no_value(span),
+            None => self.no_value_error(span),
         }
     }
 
     /// Returns the error "… has no value yet".
-    pub fn no_value<T>(&self, span: Span) -> Result<T> {
+    pub fn no_value_error<T>(&self, span: Span) -> Result<T> {
         let text = self.inputs.sources.snippet(span);
         let d = Diagnostic::new(codes::UNDECLARED, span, format!("`{text}` has no value yet"));
         d.help(format!("`#declare {text} = …;` gives it one")).into()
     }
 }
 
-fn missing_key(dictionary: &Array, key: &str, span: Span) -> Fault {
+fn missing_key_error(dictionary: &Array, key: &str, span: Span) -> Fault {
     let d = Diagnostic::new(codes::UNDECLARED, span, format!("the dictionary has no `{key}`"));
     let keys = dictionary.keys.iter().flatten().map(|k| &**k);
     Box::new(d.maybe_help(did_you_mean(key, keys)))

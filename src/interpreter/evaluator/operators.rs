@@ -73,12 +73,12 @@ pub fn combine(op: Operator, left: Value, right: Value, left_span: Span, right_s
             };
             Ok(from_numbers(on_vectors(op, a, b), color))
         }
-        (Value::Float(_), _) => wrong_comparison(op, &right, right_span),
-        _ => wrong_comparison(op, &left, left_span),
+        (Value::Float(_), _) => wrong_comparison_error(op, &right, right_span),
+        _ => wrong_comparison_error(op, &left, left_span),
     }
 }
 
-pub fn wrong_comparison(op: Operator, value: &Value, span: Span) -> Result<Value> {
+pub fn wrong_comparison_error(op: Operator, value: &Value, span: Span) -> Result<Value> {
     let message = format!("`{}` compares numbers, not {}", op.text(), value.describe());
     Diagnostic::err(codes::WRONG_TYPE, span, message)
 }

@@ -426,21 +426,21 @@ impl Compiler {
         let parameters: Box<[Box<str>]> = self.parameters.iter().map(|p| me.inputs.names.text(*p).into()).collect();
         match Program::new(self.graph, parameters.len()) {
             Some(program) => Ok(Arc::new(Function { parameters, body: Body::Numeric(program) })),
-            None => too_large(span),
+            None => too_large_error(span),
         }
     }
 }
 
 /// Compiles `sum` or `prod` over a range of the counter.
 fn series(c: &mut Compiler, product: bool, mut ids: Vec<Id>, inner: Compiler, span: Span) -> Result<Id> {
-    let Some(body) = Program::new(inner.graph, inner.parameters.len()) else { return too_large(span) };
+    let Some(body) = Program::new(inner.graph, inner.parameters.len()) else { return too_large_error(span) };
     ids.extend(
         (0..c.parameters.len()).map(|i| c.graph.add_operation(Operation::Parameter(i as u16))).collect::<Vec<_>>(),
     );
     Ok(c.graph.add_call(Callee::Series { product, body: Arc::new(body) }, 0, ids.into()))
 }
 
-fn too_large<T>(span: Span) -> Result<T> {
+fn too_large_error<T>(span: Span) -> Result<T> {
     Diagnostic::err(codes::TOO_DEEP, span, "this function has more than 60000 operations")
 }
 

@@ -15,14 +15,14 @@ impl Interpreter<'_> {
 
     /// Skips the statement that began at the checkpoint.
     pub fn skip_statement(&mut self, checkpoint: Checkpoint) {
-        let open = self.stream.opened_since(checkpoint);
+        let open = self.stream.brackets_opened_since(checkpoint);
         self.unwind(checkpoint);
         self.stream.skip_statement(checkpoint, open);
     }
 
     /// Skips to the end of the brackets that were opened since the checkpoint.
     pub fn skip_brackets(&mut self, checkpoint: Checkpoint) {
-        let open = self.stream.opened_since(checkpoint);
+        let open = self.stream.brackets_opened_since(checkpoint);
         self.unwind(checkpoint);
         self.stream.skip_brackets(open);
     }
@@ -31,7 +31,7 @@ impl Interpreter<'_> {
     /// is skipped, and the bracket is reported instead.
     pub fn skip_fault(&mut self, checkpoint: Checkpoint, fault: Diagnostic) -> Fault {
         let fault = self.stream.with_trace(fault);
-        if self.stream.unclosed_bracket().is_none() {
+        if self.stream.unclosed_bracket_error().is_none() {
             self.skip_statement(checkpoint);
         }
         Box::new(fault)

@@ -33,7 +33,7 @@ impl Interpreter<'_> {
 
     /// Returns the installed font of a family, which POV-Ray does not support.
     fn installed_font(&mut self, name: &str) -> Option<FontLocation> {
-        if fonts::is_file_name(Path::new(name)) {
+        if fonts::is_font_file_name(Path::new(name)) {
             return None;
         }
         if let Some(known) = self.evaluator.assets().families.get(name) {

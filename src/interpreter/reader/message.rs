@@ -127,7 +127,9 @@ impl Interpreter<'_> {
                 let d = Diagnostic::new(codes::UNCLOSED, place, message).label("opened here");
                 d.also(here, format!("`{found}` found here"))
             }
-            _ if self.stream.is_unclosed(place) || opened.word.is_none() => self.stream.unclosed_at(place, open, close),
+            _ if self.stream.is_unclosed(place) || opened.word.is_none() => {
+                self.stream.unclosed_error_at(place, open, close)
+            }
             _ => {
                 let block = opened.word.unwrap_or("block");
                 let message = format!("this `{block} {{` has no end");
@@ -151,7 +153,7 @@ impl Interpreter<'_> {
                 let d = d.help(format!("add `>` before `{found}`"));
                 return d.also(here, format!("`{found}` found here"));
             }
-            Ok(Token::End) => return self.stream.unclosed_at(Span { hi: start.lo + 1, ..start }, "<", ">"),
+            Ok(Token::End) => return self.stream.unclosed_error_at(Span { hi: start.lo + 1, ..start }, "<", ">"),
             Ok(_) => format!("`{}`", self.inputs.sources.snippet(here)),
         };
         Diagnostic::new(codes::SYNTAX, here, format!("{found} is not allowed here"))

@@ -101,11 +101,11 @@ impl<'a> TokenStream<'a> {
 
     /// Returns the error for the innermost open bracket that has no closing bracket in its file. Other errors inside
     /// the bracket follow from this one.
-    pub fn unclosed_bracket(&self) -> Option<Diagnostic> {
+    pub fn unclosed_bracket_error(&self) -> Option<Diagnostic> {
         let unclosed = |o: &&OpenBracket| o.alone.is_some_and(|span| self.is_unclosed(span));
         let opened = self.open_brackets.iter().rev().find(unclosed)?;
         let [open, close] = opened.bracket.text();
-        Some(self.unclosed_at(opened.alone?, open, close))
+        Some(self.unclosed_error_at(opened.alone?, open, close))
     }
 
     /// True if the bracket at `span` has no closing bracket in its file.
@@ -115,8 +115,8 @@ impl<'a> TokenStream<'a> {
 
     /// Returns the error "this `{` is not closed" for the bracket at `span`, or for the brace that probably lacks its
     /// end.
-    pub fn unclosed_at(&self, span: Span, open: &str, close: &str) -> Diagnostic {
-        if let Some(d) = self.blamed_brace(span).filter(|_| open == "{") {
+    pub fn unclosed_error_at(&self, span: Span, open: &str, close: &str) -> Diagnostic {
+        if let Some(d) = self.blamed_brace_error(span).filter(|_| open == "{") {
             return self.with_trace(d);
         }
         let message = format!("this `{open}` is not closed");
@@ -127,7 +127,7 @@ impl<'a> TokenStream<'a> {
 
     /// Returns the error for the brace whose `}` is missing, judged by the words of its block and the indentation.
     /// `span` is that of a brace that is open at the end of its file.
-    fn blamed_brace(&self, span: Span) -> Option<Diagnostic> {
+    fn blamed_brace_error(&self, span: Span) -> Option<Diagnostic> {
         let (file, _) = self.inputs.sources.locate(span)?;
         blame::unclosed_brace_error(&Outline::read(self.inputs.sources, file))
     }

@@ -151,7 +151,7 @@ impl TokenStream<'_> {
     }
 
     /// Returns the brackets opened since the checkpoint in the frame that was innermost then.
-    pub fn opened_since(&self, checkpoint: Checkpoint) -> Open {
+    pub fn brackets_opened_since(&self, checkpoint: Checkpoint) -> Open {
         let own = |o: &&OpenBracket| o.alone.is_some() && o.frame_count == checkpoint.frame_count;
         let all = self.open_brackets.iter().skip(checkpoint.bracket_count).filter(own);
         let braces = all.clone().filter(|o| o.bracket == Bracket::Brace).count();
@@ -159,6 +159,6 @@ impl TokenStream<'_> {
     }
 }
 
-/// Brackets opened since a checkpoint; see [`TokenStream::opened_since`].
+/// Brackets opened since a checkpoint; see [`TokenStream::brackets_opened_since`].
 #[derive(Clone, Copy)]
 pub struct Open(Unclosed);

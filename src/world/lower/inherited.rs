@@ -1,6 +1,6 @@
 //! Properties that the parts of a group take from the blocks around them.
 
-use super::place::{Look, Place};
+use super::place::{BlockSpace, Look};
 use crate::medium::Interior;
 use crate::scene::{Flags, Object, ObjectKind};
 use crate::texture::Uncommon;
@@ -9,7 +9,7 @@ use std::sync::Arc;
 /// Properties that an object inherits from the blocks around it.
 #[derive(Clone, Default)]
 pub struct Inherited {
-    pub place: Place,
+    pub place: BlockSpace,
     pub texture: Option<Look>,
     pub inside: Option<Look>,
     /// Number of the solids that the object's shapes cut, for shapes without a texture; see [`super::World::cuts`].

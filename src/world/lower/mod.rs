@@ -26,7 +26,7 @@ use crate::texture::Texture;
 use crate::value::SharedDefault;
 use inherited::{Inherited, hollow_inside, interior_of, joined};
 use instances::Copies;
-use place::{Look, Place, not_finite};
+use place::{BlockSpace, Look, not_finite};
 use shared::{Lowered, Shared};
 use std::sync::Arc;
 
@@ -192,7 +192,7 @@ impl Lowering {
 
     /// Lowers an object; `None` for lights and empty groups, which rays cannot hit.
     fn lower_object(&mut self, object: &Object, inherited: &Inherited) -> Result<Option<Solid>> {
-        let own = self.own(object, inherited)?;
+        let own = self.inherited_by_parts(object, inherited)?;
         let clip = self.lower_clip(object, inherited)?;
         let solid = match &object.kind {
             ObjectKind::Light(light) => self.lower_light(light, &own, inherited)?,
@@ -218,7 +218,7 @@ impl Lowering {
     }
 
     /// Returns the properties that the parts of an object inherit.
-    fn own(&mut self, object: &Object, inherited: &Inherited) -> Result<Inherited> {
+    fn inherited_by_parts(&mut self, object: &Object, inherited: &Inherited) -> Result<Inherited> {
         let place = inherited.place.inside(object)?;
         let look = |painted: &Option<Painted>| inherited.place.look(painted.as_ref(), object, &place);
         let texture = look(&object.texture)?;
@@ -372,7 +372,7 @@ impl Lowering {
         &mut self,
         op: CsgOp,
         parts: &[Object],
-        around: &Place,
+        around: &BlockSpace,
         look: Option<&Look>,
         out: &mut Vec<(SolidNode, PlacedMaterial)>,
     ) -> Result<()> {

@@ -8,9 +8,9 @@ use crate::texture::Texture;
 use crate::value::SharedDefault;
 use std::sync::Arc;
 
-/// The coordinate space inside a block.
+/// The coordinate space inside a block, as a transform to world space.
 #[derive(Clone, Default)]
-pub(super) struct Place {
+pub(super) struct BlockSpace {
     /// Transform from this space to world space.
     pub now: SharedDefault<Transform>,
 }
@@ -22,7 +22,7 @@ pub(super) struct Look {
     pub transform: SharedDefault<Transform>,
 }
 
-impl Place {
+impl BlockSpace {
     /// Returns the space inside an object's block within this space: world from object = world from block · block from
     /// object.
     pub fn inside(&self, object: &Object) -> Result<Self> {
@@ -36,7 +36,7 @@ impl Place {
     }
 
     /// Returns an object's texture with its transform to world space; `inside` is the space inside the object's block.
-    pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &Place) -> Result<Option<Look>> {
+    pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &BlockSpace) -> Result<Option<Look>> {
         let Some(Painted { texture, moved: since }) = painted else { return Ok(None) };
         let transform = match since {
             Some(own) if !object.uncommon.flags.uv_mapping => {

@@ -87,7 +87,7 @@ const COMMON_MISTAKES: &[Recognizer] = &[
     operator::operator_at_end,
     operator::not_equal,
     operator::doubled,
-    operator::word,
+    operator::operator_as_word,
     operator::equal_behind_word,
     operator::index_with_comma,
     operator::vector_without_commas,

@@ -11,7 +11,7 @@ use std::path::Path;
 const MAX_PLACES: usize = 4;
 
 impl Reporter<'_> {
-    /// Merges an error into a reported one with the same cause; returns it if there is none.
+    /// Merges an error into a reported one with the same cause; returns the error if no other has the cause.
     pub(super) fn merge_with_same_cause(&mut self, d: Diagnostic) -> Option<Diagnostic> {
         let Some(cause) = d.cause.as_deref() else { return Some(d) };
         // A warning about an unused declaration can be merged into an error, too.

@@ -46,7 +46,7 @@ pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Com
 }
 
 /// Recognizes the mistakes `A and B`, `not A` and `A mod 2`.
-pub(super) fn word(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+pub(super) fn operator_as_word(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let (word, right) = leading_name(source.after())?;
     let left = source.before().trim_end();
     let message = |sign: &str, what: &str| format!("{what} is `{sign}`");
