@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicBool, AtomicIsize, AtomicUsize, Ordering::Relaxed}
 use std::time::Duration;
 
 /// Number of bytes that a thread allocates or frees before it updates the common count, which should be rare.
-const BATCH: isize = 16 << 10;
+const COUNTED_BATCH: isize = 16 << 10;
 
 static USED: AtomicIsize = AtomicIsize::new(0);
 static LIMIT: AtomicUsize = AtomicUsize::new(usize::MAX);
@@ -41,7 +41,7 @@ fn count_allocation(bytes: isize) {
     // A thread that ends has no count any more; what it frees then is negligible.
     let _ = UNCOUNTED.try_with(|uncounted| {
         let sum = uncounted.get() + bytes;
-        if sum.abs() < BATCH {
+        if sum.abs() < COUNTED_BATCH {
             return uncounted.set(sum);
         }
         uncounted.set(0);

@@ -187,7 +187,7 @@ impl PixelReport<'_> {
     }
 
     fn in_words(&self, picked: Option<&Picked>, origin: Option<usize>) -> String {
-        let color = format!("  colour    rgb <{}>, on the screen {}\n", list(&self.color, 1.0), on_screen(self.color));
+        let color = format!("  colour    rgb <{}>, on the screen {}\n", list(&self.color, 1.0), hex_color(self.color));
         let Some(p) = picked else {
             return format!("nothing but the background\n{color}");
         };
@@ -205,7 +205,7 @@ impl PixelReport<'_> {
 }
 
 /// Returns a colour in the notation of painting programs: `#ff8000`.
-fn on_screen(color: [f64; 3]) -> String {
+fn hex_color(color: [f64; 3]) -> String {
     let byte = |x: f64| (transfer::srgb_encode(x.clamp(0.0, 1.0)) * 255.0).round() as u8;
     let [r, g, b] = color.map(byte);
     format!("#{r:02x}{g:02x}{b:02x}")
@@ -239,6 +239,6 @@ mod tests {
 
     #[test]
     fn colours_are_clamped_and_encoded() {
-        assert_eq!(on_screen([1.0, 0.2158605, -1.0]), "#ff8000");
+        assert_eq!(hex_color([1.0, 0.2158605, -1.0]), "#ff8000");
     }
 }

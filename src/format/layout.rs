@@ -50,7 +50,7 @@ struct Range {
 pub(super) struct Row {
     pub(super) from: usize,
     pub(super) to: usize,
-    /// True if no item in the range has line breaks.
+    /// True if no item of the row has line breaks.
     pub(super) flat: bool,
 }
 
@@ -105,7 +105,7 @@ impl<'a> Setter<'a> {
     /// True if the atom must begin a line.
     fn begins_line(&self, i: usize) -> bool {
         let Some(previous) = i.checked_sub(1) else { return false };
-        let after_comment = self.has(previous, flag::LINE_COMMENT) || self.is_tall(previous);
+        let after_comment = self.has(previous, flag::LINE_COMMENT) || self.is_multi_line_comment(previous);
         let joined = self.has(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE) || self.closes_block(i);
         after_comment || self.atoms.row[i].lines > 0 && !joined
     }
@@ -116,7 +116,7 @@ impl<'a> Setter<'a> {
     }
 
     /// True for a comment that covers several lines.
-    fn is_tall(&self, i: usize) -> bool {
+    fn is_multi_line_comment(&self, i: usize) -> bool {
         self.has(i, flag::BLOCK_COMMENT) && self.read(i).contains(['\n', '\r'])
     }
 
@@ -140,7 +140,7 @@ impl<'a> Setter<'a> {
 
     /// True if the atoms of a range contain no forced line break.
     pub(super) fn is_flat(&self, from: usize, to: usize) -> bool {
-        from >= to || self.breaks[to - 1] == self.breaks[from] && !(from + 1 < to && self.is_tall(from))
+        from >= to || self.breaks[to - 1] == self.breaks[from] && !(from + 1 < to && self.is_multi_line_comment(from))
     }
 
     /// True if a range fits on the rest of the current line.
@@ -191,7 +191,7 @@ impl<'a> Setter<'a> {
             let out = &mut self.out;
             unpack(text, |part| out.push_str(part));
         } else {
-            self.line += if self.is_tall(i) { text.lines().count() as u32 - 1 } else { 0 };
+            self.line += if self.is_multi_line_comment(i) { text.lines().count() as u32 - 1 } else { 0 };
             self.out.push_str(text);
             if let Some(end) = text.rfind(['\n', '\r']) {
                 self.column = columns_of(&text[end + 1..]);

@@ -8,7 +8,7 @@
 //! sphere { 0, 1 pigment { Oak } }
 //!
 //! sphere { 0, 1
-//! pigment { Oak }
+//!   pigment { Oak }
 //! }
 //! ```
 //!
@@ -35,9 +35,8 @@ pub const WIDTH: usize = 120;
 /// Indentation of each level, in columns.
 const STEP: usize = 2;
 
-/// Formats a text. Lines end with `
-/// ` and have at most `width` characters where they can be broken. `base` is the global offset of the text's first
-/// byte, for messages.
+/// Formats a text. New lines end with `\n`. Lines have at most `width` characters where they can be broken. `base` is
+/// the global offset of the text's first byte, for messages.
 ///
 /// # Errors
 /// The faults of a text that can't be formatted: strings, comments and directives without an end, brackets that nest

@@ -51,8 +51,7 @@ fn line_end(text: &str) -> &'static str {
     }
 }
 
-/// Replaces each `
-/// ` at the end of a line by `end`. Line ends inside of strings and comments stay.
+/// Replaces each `\n` at the end of a line by `end`. Line ends inside of strings and comments stay.
 fn with_ends(text: &str, end: &str) -> String {
     if end == "\n" {
         return text.to_string();

@@ -10,7 +10,7 @@ use crate::transport::Purpose;
 const STEPS: [f64; 4] =
     [0.856_674_883_854_502_9, 0.733_891_856_627_126, 0.628_706_721_038_087_1, 0.538_597_257_223_610_2];
 /// Number of rays between two tests for convergence.
-const ASK_EVERY: u32 = 4;
+const RAYS_PER_CONVERGENCE_TEST: u32 = 4;
 
 /// Returns the mean of a pixel's rays; stops as soon as the variance is low enough (quirk: `focal_blur_convergence`).
 pub(super) fn pixel(sampler: &mut Sampler, lens: &Lens, number: u64, x: usize, y: usize) -> Pixel {
@@ -30,7 +30,7 @@ pub(super) fn pixel(sampler: &mut Sampler, lens: &Lens, number: u64, x: usize, y
             mean[c] += (value - before) / count;
             spread[c] += (value - before) * (value - mean[c]);
         }
-        let asked = i + 1 >= lens.samples[0] && (i + 1 - lens.samples[0]).is_multiple_of(ASK_EVERY);
+        let asked = i + 1 >= lens.samples[0] && (i + 1 - lens.samples[0]).is_multiple_of(RAYS_PER_CONVERGENCE_TEST);
         if asked && spread.iter().all(|squares| lens.has_converged(i + 1, *squares)) {
             break;
         }

@@ -132,8 +132,7 @@ pub trait Watch: Sync {
     fn progress(&self, done: usize, total: usize);
     /// True if the render must stop, which happens at the next surface that a ray hits.
     fn cancelled(&self) -> bool;
-    /// Returns a token that also stops the render inside a long search for a hit; by default the calling thread's
-    /// token.
+    /// Returns a token that stops the render inside a long search for a hit; by default the calling thread's token.
     fn cancel_token(&self) -> CancelToken {
         CancelToken::current()
     }

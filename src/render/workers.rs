@@ -1,5 +1,4 @@
-//! Parallel work with rayon, which no other file of this module uses. Results are in the order of the jobs, whatever
-//! thread computed them.
+//! Parallel work with rayon, which no other file of this module uses. Results are in the order of the jobs.
 
 use super::{Cancelled, Watch};
 use crate::math::cancel::CancelToken;

@@ -35,8 +35,7 @@ impl Painted {
         }
     }
 
-    /// Returns the transform from the texture's space to that of the block around the object with the transform
-    /// `object`.
+    /// Returns the transform from the texture's space to the block around the object, whose transform is `object`.
     pub fn place<'t>(&'t self, object: &'t Transform) -> &'t Transform {
         self.moved.as_deref().unwrap_or(object)
     }

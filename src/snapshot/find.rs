@@ -13,8 +13,7 @@ pub struct Case {
     pub picture: PathBuf,
 }
 
-/// End of a snapshot's file name. Rendering a scene cannot overwrite a snapshot, since no other picture has such a
-/// name.
+/// End of a snapshot's file name, which no other picture has, so that rendering a scene cannot overwrite a snapshot.
 pub const ENDING: &str = "snapshot.png";
 
 /// True if the path has the name of a snapshot.

@@ -6,8 +6,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
 
-/// Look-ups by path, each in the order of its first occurrence; different answers mean that files changed during the
-/// run.
+/// Look-ups by path, each in the order of its first occurrence; different answers mean that files changed in the run.
 pub type Lookups = BTreeMap<PathBuf, Vec<Lookup>>;
 
 /// Files that a run read, and paths that it only asked about.

@@ -1,5 +1,4 @@
-//! Records the inputs of a picture: files that were read, with hashes of their contents, and paths that were asked
-//! about.
+//! Records the inputs of a picture: files that were read, with hashes of the contents, and paths that were looked up.
 
 use super::lookup::{Lookup, Lookups};
 use super::{Draft, Entry, Files, Metadata, WriteAccess, WriteMode};

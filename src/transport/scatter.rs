@@ -60,8 +60,7 @@ impl Continuation {
 }
 
 impl Tracer<'_> {
-    /// Pushes all rays that continue from a surface. Adds reflections that are not linear in the light to `sum` at
-    /// once.
+    /// Pushes all rays that continue from a surface. Adds reflections that are not linear to `sum` at once.
     pub(super) fn scatter(&mut self, state: &RayState, boundary: &Boundary, sum: &mut Radiance) {
         let first = self.queue.len();
         let materials = &boundary.shading.materials;

@@ -137,8 +137,8 @@ impl<'w> Painter<'w, '_> {
         TextureContext { normal: self.pattern_normal, ..*ctx }
     }
 
-    /// Adds the evaluated layers of a material. At qualities without light, only the lowest visible layer is evaluated
-    /// (quirk: `unlit_layers`).
+    /// Adds the evaluated layers of a material. Without light, only the lowest visible layer is (quirk:
+    /// `unlit_layers`).
     fn add(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
         // (The sample is large and therefore filled in place.)
         let number = self.materials.len();

@@ -83,8 +83,7 @@ impl<'w> Tracer<'w> {
         self.stopped
     }
 
-    /// Starts a sample of a pixel: later random numbers are keyed by both. Polls the cancel flag, since a sample of few
-    /// surfaces may take long.
+    /// Starts a sample of a pixel, by which later random numbers are keyed, and polls the cancel flag.
     pub fn begin_sample(&mut self, pixel: u64, sample: u64) {
         self.stopped |= (self.is_cancelled)();
         self.random.begin_sample(pixel, sample);

@@ -30,8 +30,7 @@ impl ChildBvh {
         Some(Box::new(ChildBvh { bvh, order, rest }))
     }
 
-    /// Calls `visit` with each child whose box the ray intersects; `visit` returns the range in which further hits
-    /// count.
+    /// Calls `visit` with each child whose box the ray intersects; `visit` returns the range where further hits count.
     pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> Range) {
         let mut range = range;
         for &child in &self.rest {

@@ -1,5 +1,4 @@
-//! Decides by intervals along a ray which hits on the parts of a solid are hits of the solid, where rounding errors
-//! can't change the result.
+//! Decides by intervals along a ray which hits on parts are hits of the solid, where rounding can't change the result.
 
 use super::leaf::{Intersection, Intersections, Leaf};
 use super::node::{SolidKind, SolidNode};
@@ -57,9 +56,8 @@ impl ConvexInterval {
     }
 }
 
-/// Returns the part of the range in which the ray can be inside the solid; the whole range if the solid can't compute
-/// intervals.
-pub(super) fn within(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
+/// Returns the part of the range in which the ray can be inside the solid; the whole range without intervals.
+pub(super) fn range_inside(solid: &SolidNode, ray: &Ray, range: Range) -> Range {
     match solid.kind() {
         SolidKind::Leaf(leaf) if !(leaf.inverse && leaf.shape.is_convex()) => {
             ConvexInterval::of(leaf, ray).map_or(range, |interval| interval.possible_range(range))

@@ -54,12 +54,13 @@ fn described_values(arg: &Arg) -> String {
     if values.is_empty() || values.iter().any(|value| value.get_help().is_none()) {
         return String::new();
     }
-    let each =
-        values.iter().map(|v| format!("{} ({})", code(v.get_name()), lower(v.get_help().map(ToString::to_string))));
+    let each = values
+        .iter()
+        .map(|v| format!("{} ({})", code(v.get_name()), lower_first_letter(v.get_help().map(ToString::to_string))));
     format!(": {}", each.collect::<Vec<_>>().join(", "))
 }
 
-fn lower(text: Option<String>) -> String {
+fn lower_first_letter(text: Option<String>) -> String {
     let text = text.unwrap_or_default();
     let mut letters = text.chars();
     // Change `An INI file`, but not `INI files`.

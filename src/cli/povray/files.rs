@@ -43,7 +43,7 @@ impl<'s> Files<'s> {
     }
 
     /// Reads an INI file, `file.ini` or `file.ini[section]`, named at `span`.
-    pub fn open(&mut self, word: &str, span: Span) -> Result<Ini> {
+    pub fn open_ini(&mut self, word: &str, span: Span) -> Result<Ini> {
         let (name, section) = ini::split_section(word);
         let path = self.located(&with_ini(name), Path::is_file);
         self.check_named(&path, span)?;

@@ -1,5 +1,4 @@
-//! Decides whether a command line is durer's or POV-Ray's, and translates POV-Ray options after a command, as in `durer
-//! render a.scene +W32`.
+//! Decides whether a command line is durer's or POV-Ray's, and translates POV-Ray options after a durer command.
 
 use super::own::Own;
 use super::{Origin, Translated, Translation, find_switch};

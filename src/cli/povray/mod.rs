@@ -70,7 +70,7 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
     }
 }
 
-/// True for a command line that asks POV-Ray for its version. By the name `povray`, also for `--version`.
+/// True for a command line that asks POV-Ray for its version. True for `--version` if durer is called `povray`.
 pub fn asks_version(words: &[OsString]) -> bool {
     let [program, word] = words else { return false };
     let is_named_povray = || Path::new(program).file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case("povray"));
@@ -92,8 +92,7 @@ fn user_ini() -> Option<PathBuf> {
     candidates.into_iter().flatten().find(|path| path.is_file())
 }
 
-/// Translates an INI file into a command line. An untrusted INI file may name only scenes and INI files below its
-/// folder, and no folders.
+/// Translates an INI file into a command line. An untrusted one may name only scenes and INI files below its folder.
 pub fn translate_ini(sources: &Sources, name: &Path, untrusted: bool) -> Translated {
     let mut translation = Translation::new(sources, untrusted);
     translation.ini(&name.to_string_lossy(), Origin::default());
@@ -278,7 +277,7 @@ impl<'s> Translation<'s> {
 
     /// Translates the words of an INI file in place of its name.
     fn ini(&mut self, name: &str, origin: Origin) {
-        match self.files.open(name, origin.word) {
+        match self.files.open_ini(name, origin.word) {
             Ok(ini) => {
                 self.faults.extend(ini.faults);
                 for word in ini.words {
@@ -331,7 +330,7 @@ impl<'s> Translation<'s> {
     }
 }
 
-/// Checks an option's value while its position is known, which durer's own parser of options does not receive.
+/// Checks the value of an option before durer's own parser does, which can't report the position in an INI file.
 fn check_value(option: &str, value: &str) -> Result<(), String> {
     match option {
         "--declare" => value.parse::<super::args::values::Declare>().map(drop),

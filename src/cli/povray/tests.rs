@@ -283,7 +283,7 @@ fn command_lines_of_durer_are_unchanged() {
     }
 }
 
-/// The translation of durer's own options mixed with POV-Ray's.
+/// Checks the translation of a command line that mixes durer's and POV-Ray's options.
 #[track_caller]
 fn mixes(line: &str, expected: &str) {
     let words = translated(words(line)).unwrap().words;

@@ -75,11 +75,11 @@ fn block<T>(
 /// Formats a value on one line. A text longer than `room` bytes is incomplete.
 fn one_line_json(value: &Value, room: usize) -> String {
     let mut out = String::new();
-    brief_to(value, room, &mut out);
+    write_one_line_json(value, room, &mut out);
     out
 }
 
-fn brief_to(value: &Value, room: usize, out: &mut String) {
+fn write_one_line_json(value: &Value, room: usize, out: &mut String) {
     if out.len() > room {
         return;
     }
@@ -88,7 +88,7 @@ fn brief_to(value: &Value, room: usize, out: &mut String) {
             out.push('[');
             for (i, item) in items.iter().enumerate().take_while(|(i, _)| *i <= room) {
                 out.push_str(if i > 0 { ", " } else { "" });
-                brief_to(item, room, out);
+                write_one_line_json(item, room, out);
             }
             out.push(']');
         }
@@ -97,7 +97,7 @@ fn brief_to(value: &Value, room: usize, out: &mut String) {
             for (i, (name, field)) in fields.iter().enumerate() {
                 out.push_str(if i > 0 { ", " } else { "" });
                 out.push_str(&format!("{}: ", Value::from(name.as_str())));
-                brief_to(field, room, out);
+                write_one_line_json(field, room, out);
             }
             out.push('}');
         }

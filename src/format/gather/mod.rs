@@ -210,7 +210,7 @@ impl<'a> Gatherer<'a> {
             let start = self.len();
             let item = self.element(e);
             self.gather_through(e.span);
-            self.comma(e);
+            self.gather_comma(e);
             self.mark_item(start, item);
             match &e.kind {
                 ElementKind::Block(block) if !layers.is_empty() && self.read(block.name.span) == "texture" => {
@@ -249,7 +249,7 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Adds the comma after an element.
-    fn comma(&mut self, e: &Element) {
+    fn gather_comma(&mut self, e: &Element) {
         if e.comma {
             self.pending = 0;
             self.gather_token();

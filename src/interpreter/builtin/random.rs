@@ -15,8 +15,7 @@ impl<'a> Interpreter<'a> {
         Ok(Value::Float(stream as f64))
     }
 
-    /// Returns the next number of a random stream, from 0 to 1, by POV-Ray's linear congruential generator (quirk:
-    /// `random_generator`).
+    /// Returns the next number of a random stream, from 0 to 1, by POV-Ray's generator (quirk: `random_generator`).
     pub(super) fn rand(&mut self, stream: &Argument<'a>) -> Result<Value> {
         let number = self.argument_number(stream)?;
         match self.evaluator.random_stream(number) {

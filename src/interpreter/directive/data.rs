@@ -108,7 +108,7 @@ pub(super) struct Binary {
 }
 
 impl Binary {
-    pub(super) fn of(word: &str) -> Option<Self> {
+    pub(super) fn from_word(word: &str) -> Option<Self> {
         let (signed, rest) = match word.strip_prefix("uint") {
             Some(rest) => (false, rest),
             None => (true, word.strip_prefix("sint")?),
@@ -145,7 +145,7 @@ mod tests {
 
     #[test]
     fn integers_are_encoded_in_binary_formats() {
-        let bytes = |word, x| Binary::of(word).map(|form| form.bytes(x));
+        let bytes = |word, x| Binary::from_word(word).map(|form| form.bytes(x));
         assert_eq!(bytes("uint8", 65.0), Some(vec![65]));
         assert_eq!(bytes("uint8", 300.0), Some(vec![255]));
         assert_eq!(bytes("sint8", -1.7), Some(vec![0xfe]));

@@ -256,9 +256,9 @@ impl<'a> Interpreter<'a> {
             }
             match token {
                 token if token.ends() => return self.close("`)`"),
-                Token::Word(word) if Binary::of(word).is_some() => {
+                Token::Word(word) if Binary::from_word(word).is_some() => {
                     self.stream.advance();
-                    form = Binary::of(word);
+                    form = Binary::from_word(word);
                 }
                 _ => {
                     let (value, at) = self.read_value()?;

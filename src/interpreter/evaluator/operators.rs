@@ -7,8 +7,7 @@ use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::{Value, VecN};
 
-/// Tolerance of comparisons: numbers closer to each other are equal, and numbers closer to 0 are false (quirk:
-/// `comparison_tolerance`).
+/// Distance within which numbers are equal, and numbers around 0 false (quirk: `comparison_tolerance`).
 pub const TOLERANCE: f64 = 1e-10;
 
 pub fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {

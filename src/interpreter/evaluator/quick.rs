@@ -1,5 +1,4 @@
-//! Fast evaluation of expressions of numbers and vectors, without side effects and messages. Most expressions of a
-//! script are of this kind.
+//! Fast evaluation of expressions of numbers and vectors, without side effects and messages, which are the most common.
 
 use super::operators::{TOLERANCE, component_index, holds_zero, on_floats, on_vectors};
 use super::{Evaluator, Slot};

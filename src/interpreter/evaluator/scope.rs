@@ -145,7 +145,7 @@ impl<'a> Scopes<'a> {
         &mut self.bindings[index]
     }
 
-    /// Returns the location of a name's innermost binding, after following aliases; `None` if `#undef` removed it.
+    /// Returns the location of a name's innermost binding, after following aliases; `None` after its `#undef`.
     pub fn resolve(&self, symbol: Symbol) -> Option<LValue> {
         let (symbol, depth, path) = self.find_binding(symbol)?;
         Some(LValue { symbol, depth, path: path.cloned() })

@@ -38,8 +38,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Returns the token of a name alone: a word that only durer has, the name of an unknown block, an array's element,
-    /// or a value.
+    /// Returns the token of a name alone: a word that only durer has, an unknown block's name, an array's element, or a
+    /// value.
     fn name_token(&mut self, symbol: Symbol, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
         if let Some(word) = self.stream.own_word(symbol) {
             return self.word_token(word, false, element).map(Some);

@@ -139,8 +139,7 @@ impl Interpreter<'_> {
         }
     }
 
-    /// Returns the error for a vector without `>`, whose `<` is at `start`, after the next token turned out to be no
-    /// part of it.
+    /// Returns the error for a vector without `>`, whose `<` is at `start` and of which the next token is no part.
     pub fn unclosed_vector_error(&mut self, start: Span) -> Diagnostic {
         let here = self.stream.next_span();
         let found = match self.peek() {

@@ -113,8 +113,7 @@ impl<'a> TokenStream<'a> {
         self.unclosed.contains(&span.lo)
     }
 
-    /// Returns the error "this `{` is not closed" for the bracket at `span`, or for the brace that probably lacks its
-    /// end.
+    /// Returns the error "this `{` is not closed" for the bracket at `span`, or the brace that probably lacks its end.
     pub fn unclosed_error_at(&self, span: Span, open: &str, close: &str) -> Diagnostic {
         if let Some(d) = self.blamed_brace_error(span).filter(|_| open == "{") {
             return self.with_trace(d);

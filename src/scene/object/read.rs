@@ -343,8 +343,7 @@ fn invisible_warning(word: &str, fault: Diagnostic) -> Diagnostic {
         .help("look for a division by zero, or a number that grows in a loop")
 }
 
-/// Skips a colour, which has no effect in an object (quirk: `object_color_ignored`). `fault` is the error for another
-/// token.
+/// Skips a colour, which an object ignores (quirk: `object_color_ignored`). `fault` is the error for another token.
 fn skip_color(next: Next, fault: Diagnostic, r: &mut dyn Reader) -> Result<()> {
     let at = r.span();
     let is_color = match next {

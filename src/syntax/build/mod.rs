@@ -16,8 +16,7 @@ use pest::iterators::{Pair, Pairs};
 pub use pieces::{begins_with_parenthesis, begins_with_sign, pieces};
 use std::ops::Range;
 
-/// Builder of the syntax tree for one piece of the text. Positions in pairs are indices of tokens, counted from the
-/// piece's first token.
+/// Builder of the syntax tree for one piece of the text. Positions in pairs are token indices within the piece.
 pub(super) struct Builder<'n> {
     names: &'n Names,
     text: &'n str,

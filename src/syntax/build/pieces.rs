@@ -1,5 +1,4 @@
-//! Splits expressions into lists of elements, for the places where a macro in the expression, or text after it, may
-//! change the precedence.
+//! Splits expressions into lists of elements, where a macro or text after the expression may change the precedence.
 
 use crate::source::Span;
 use crate::syntax::Names;

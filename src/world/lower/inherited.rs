@@ -1,6 +1,6 @@
 //! Properties that the parts of a group take from the blocks around them.
 
-use super::place::{BlockSpace, Look};
+use super::place::{BlockSpace, PlacedTexture};
 use crate::medium::Interior;
 use crate::scene::{Flags, Object, ObjectKind};
 use crate::texture::Uncommon;
@@ -10,8 +10,8 @@ use std::sync::Arc;
 #[derive(Clone, Default)]
 pub struct Inherited {
     pub place: BlockSpace,
-    pub texture: Option<Look>,
-    pub inside: Option<Look>,
+    pub texture: Option<PlacedTexture>,
+    pub inside: Option<PlacedTexture>,
     /// Number of the solids that the object's shapes cut, for shapes without a texture; see [`super::World::cuts`].
     pub cut: Option<u32>,
     /// True if the object and the blocks around it are inverted an odd number of times.

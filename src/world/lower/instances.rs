@@ -33,14 +33,14 @@ struct Original {
 
 /// Numbers of parts and objects that were lowered before an object.
 #[derive(Clone, Copy)]
-pub(super) struct CountsBefore {
+pub(super) struct LoweredCounts {
     pub parts: usize,
     pub objects: usize,
 }
 
 impl Lowering {
-    pub(super) fn present_counts(&self) -> CountsBefore {
-        CountsBefore { parts: self.parts.len(), objects: self.objects.len() }
+    pub(super) fn present_counts(&self) -> LoweredCounts {
+        LoweredCounts { parts: self.parts.len(), objects: self.objects.len() }
     }
 
     /// Returns an instance that replaces the object just lowered to `node`, if the object has many copies.
@@ -48,7 +48,7 @@ impl Lowering {
         &mut self,
         object: &Object,
         node: &SolidNode,
-        before: CountsBefore,
+        before: LoweredCounts,
     ) -> Result<Option<Instance>> {
         let ObjectKind::Csg(_, parts) = &object.kind else { return Ok(None) };
         if !is_seen_as_one(&self.objects[before.objects..]) {
@@ -99,7 +99,7 @@ fn is_seen_as_one(objects: &[ObjectInfo]) -> bool {
 }
 
 /// True if the node, whose numbers follow `before`, has the same shapes as the original and depends on no other data.
-fn is_copy(node: &SolidNode, original: &SolidNode, before: CountsBefore) -> bool {
+fn is_copy(node: &SolidNode, original: &SolidNode, before: LoweredCounts) -> bool {
     if !node.is_whole() || !original.is_whole() || node.object as usize != before.objects + original.object as usize {
         return false;
     }

@@ -26,8 +26,8 @@ use crate::texture::Texture;
 use crate::value::SharedDefault;
 use inherited::{Inherited, hollow_inside, interior_of, joined};
 use instances::Copies;
-use place::{BlockSpace, Look, not_finite};
-use shared::{Lowered, Shared};
+use place::{BlockSpace, PlacedTexture, not_finite};
+use shared::{LoweredTable, Shared};
 use std::sync::Arc;
 
 /// Lowers a scene.
@@ -144,7 +144,7 @@ struct Lowering {
     cuts: Vec<Vec<(SolidNode, PlacedMaterial)>>,
     materials: Vec<Material>,
     /// Materials of textures that later objects may share.
-    textures: Lowered<Texture, u32>,
+    textures: LoweredTable<Texture, u32>,
     shared: Shared,
     copies: Copies,
     interiors: Vec<Arc<Interior>>,
@@ -308,7 +308,7 @@ impl Lowering {
             .map(|painted| {
                 let along = shape.quirks().moves_embedded_textures;
                 let transform = if along { own.place.now.clone() } else { own.place.of_textures(object) };
-                self.lower_look(&Look { texture: painted.texture.clone(), transform })
+                self.lower_look(&PlacedTexture { texture: painted.texture.clone(), transform })
             })
             .collect();
         let cut = own.cut.filter(|_| own.texture.is_none());
@@ -352,11 +352,11 @@ impl Lowering {
     }
 
     /// Returns the default texture with its transform, for shapes that have none.
-    fn default_look(&self) -> Look {
-        Look { texture: self.default_texture.clone(), transform: SharedDefault::DEFAULT }
+    fn default_look(&self) -> PlacedTexture {
+        PlacedTexture { texture: self.default_texture.clone(), transform: SharedDefault::DEFAULT }
     }
 
-    fn lower_look(&mut self, look: &Look) -> PlacedMaterial {
+    fn lower_look(&mut self, look: &PlacedTexture) -> PlacedMaterial {
         let Self { textures, shared, materials, .. } = self;
         let material = *textures.of(&look.texture, |texture| {
             materials.push(Material::new(texture, shared));
@@ -373,7 +373,7 @@ impl Lowering {
         op: CsgOp,
         parts: &[Object],
         around: &BlockSpace,
-        look: Option<&Look>,
+        look: Option<&PlacedTexture>,
         out: &mut Vec<(SolidNode, PlacedMaterial)>,
     ) -> Result<()> {
         let cut = if op == CsgOp::Difference { 1 } else { parts.len() };

@@ -17,14 +17,13 @@ pub(super) struct BlockSpace {
 
 /// A texture with its transform.
 #[derive(Clone)]
-pub(super) struct Look {
+pub(super) struct PlacedTexture {
     pub texture: Arc<Texture>,
     pub transform: SharedDefault<Transform>,
 }
 
 impl BlockSpace {
-    /// Returns the space inside an object's block within this space: world from object = world from block · block from
-    /// object.
+    /// Returns the space inside an object's block: world from object = world from block · block from object.
     pub fn inside(&self, object: &Object) -> Result<Self> {
         Ok(Self { now: checked_product(&object.transform, &self.now, object.source)? })
     }
@@ -36,7 +35,12 @@ impl BlockSpace {
     }
 
     /// Returns an object's texture with its transform to world space; `inside` is the space inside the object's block.
-    pub fn look(&self, painted: Option<&Painted>, object: &Object, inside: &BlockSpace) -> Result<Option<Look>> {
+    pub fn look(
+        &self,
+        painted: Option<&Painted>,
+        object: &Object,
+        inside: &BlockSpace,
+    ) -> Result<Option<PlacedTexture>> {
         let Some(Painted { texture, moved: since }) = painted else { return Ok(None) };
         let transform = match since {
             Some(own) if !object.uncommon.flags.uv_mapping => {
@@ -45,7 +49,7 @@ impl BlockSpace {
             }
             _ => inside.of_textures(object),
         };
-        Ok(Some(Look { texture: texture.clone(), transform }))
+        Ok(Some(PlacedTexture { texture: texture.clone(), transform }))
     }
 }
 

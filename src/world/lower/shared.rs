@@ -11,8 +11,8 @@ use std::sync::Arc;
 #[derive(Default)]
 pub(super) struct Shared {
     ambient_light: Rgb,
-    finishes: Lowered<Finish, Arc<LoweredFinish>>,
-    normals: Lowered<Normal, Arc<NormalProgram>>,
+    finishes: LoweredTable<Finish, Arc<LoweredFinish>>,
+    normals: LoweredTable<Normal, Arc<NormalProgram>>,
 }
 
 impl Shared {
@@ -39,19 +39,19 @@ impl SharedParts for Shared {
 }
 
 /// Table of lowered values by the address of their source, which is kept alive.
-pub(super) struct Lowered<T, U> {
+pub(super) struct LoweredTable<T, U> {
     known: FxHashMap<*const T, (Arc<T>, U)>,
     /// Keys that were added for the current object.
     fresh: Vec<*const T>,
 }
 
-impl<T, U> Default for Lowered<T, U> {
+impl<T, U> Default for LoweredTable<T, U> {
     fn default() -> Self {
         Self { known: FxHashMap::default(), fresh: vec![] }
     }
 }
 
-impl<T, U> Lowered<T, U> {
+impl<T, U> LoweredTable<T, U> {
     pub fn of(&mut self, thing: &Arc<T>, lower: impl FnOnce(&T) -> U) -> &U {
         let address = Arc::as_ptr(thing);
         let (_, lowered) = self.known.entry(address).or_insert_with(|| {

@@ -190,7 +190,7 @@ impl SolidNode {
         self.composite.as_ref().map_or(&[], |composite| &composite.clip)
     }
 
-    fn unseen(&self) -> &[SolidNode] {
+    fn invisible_parts(&self) -> &[SolidNode] {
         self.composite.as_ref().map_or(&[], |composite| &composite.unseen)
     }
 
@@ -210,7 +210,8 @@ impl SolidNode {
         match &self.kind {
             SolidKind::Leaf(leaf) => leaf.inside(p),
             SolidKind::Union(_) | SolidKind::Merge(_) => {
-                !self.all_children(p, usize::MAX, |_, c| !c.inside(p)) || self.unseen().iter().any(|c| c.inside(p))
+                !self.all_children(p, usize::MAX, |_, c| !c.inside(p))
+                    || self.invisible_parts().iter().any(|c| c.inside(p))
             }
             SolidKind::Intersection(_) => self.all_children(p, usize::MAX, |_, c| c.inside(p)),
         }
@@ -440,7 +441,8 @@ impl SolidNode {
     /// Returns the part of the range in the box and in those clipping solids that know their interval.
     fn within_clip(&self, ray: &Ray, range: Range) -> Option<Range> {
         let (min, max) = self.distances_through_box(ray, range)?;
-        let within = self.clip().iter().fold(Range { min, max }, |range, c| convex_interval::within(c, ray, range));
+        let within =
+            self.clip().iter().fold(Range { min, max }, |range, c| convex_interval::range_inside(c, ray, range));
         (!within.is_empty()).then_some(within)
     }
 

@@ -1,5 +1,4 @@
-//! Errors about names from an include file that is not included, merged into one message with a place in the author's
-//! own file.
+//! Errors about names from an include file that is not included, merged into one message in the author's own file.
 
 use crate::diagnostic::{Cause, Diagnostic, Label, Remedy};
 use crate::interpreter::reporter::Reporter;
