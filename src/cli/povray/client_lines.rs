@@ -24,7 +24,7 @@ const NOT_OF_POVRAY: &[&str] = &["W001", "W04"];
 
 /// Returns the line that POV-Ray prints for a diagnostic, with its file and line number; an empty text for the warnings
 /// in [`NOT_OF_POVRAY`].
-pub fn fault(sources: &Sources, diagnostic: &Diagnostic) -> String {
+pub fn fault_line(sources: &Sources, diagnostic: &Diagnostic) -> String {
     if diagnostic.code == codes::UNKNOWN_OPTION {
         return "Problem with option setting\nFailed to parse command-line option\n".into();
     }

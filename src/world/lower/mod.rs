@@ -49,7 +49,7 @@ pub fn lower_away(mut scene: Scene) -> Result<World> {
 
 fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) -> Result<World> {
     let _activity = Activity::begin("while its objects were prepared for rendering");
-    let mut lowering = Lowering::under(scene.settings.ambient_light);
+    let mut lowering = Lowering::with_ambient_light(scene.settings.ambient_light);
     // Most objects have one part or more. Lists that grow from nothing leave gaps in the memory.
     lowering.parts.reserve(objects.len());
     lowering.objects.reserve(objects.len());
