@@ -3,6 +3,7 @@
 use super::args::{Common, When};
 use super::exit::{Exit, Failure, Result};
 use super::povray::client_lines;
+use super::povray::text_output::{Stream, TextFiles, TextOutput};
 use super::summary::Count;
 use crate::diagnostic::{Diagnostic, Severity, draw, file};
 use crate::source::{Disk, Sources};
@@ -34,6 +35,10 @@ pub struct Console {
     among_several: bool,
     /// Program whose format of output the console follows.
     dialect: Dialect,
+    /// Files that receive copies of what is printed.
+    text_files: Arc<TextFiles>,
+    /// Streams that are not printed.
+    silent: Arc<[Stream]>,
     /// True if the command prints errors only.
     pub quiet: bool,
     /// True if the command's stderr is a terminal.
@@ -54,7 +59,16 @@ impl Console {
         let columns = terminal_size::terminal_size_of(io::stderr()).map(|(width, _)| usize::from(width.0));
         let style = draw::Style { fancy, width: columns.unwrap_or(WIDTH).max(40) };
         let dialect = Dialect::default();
-        Self { style, printed: Arc::default(), among_several: false, dialect, quiet: common.quiet, terminal }
+        Self {
+            style,
+            printed: Arc::default(),
+            among_several: false,
+            dialect,
+            text_files: Arc::default(),
+            silent: Arc::default(),
+            quiet: common.quiet,
+            terminal,
+        }
     }
 
     /// Creates the console that is used before the command line is parsed.
@@ -65,6 +79,15 @@ impl Console {
     /// Returns this console with the output format of a program.
     pub fn with_dialect(self, dialect: Dialect) -> Self {
         Self { dialect, ..self }
+    }
+
+    /// Returns this console with the text files and silent streams of POV-Ray's command line.
+    ///
+    /// # Errors
+    /// If a text file cannot be created.
+    pub fn with_text_output(self, output: &TextOutput) -> Result<Self> {
+        let text_files = Arc::new(TextFiles::create(output)?);
+        Ok(Self { text_files, silent: output.silent.as_slice().into(), ..self })
     }
 
     /// Returns the console for one of several scenes, each of which has a line with the number of its messages.
@@ -102,9 +125,21 @@ impl Console {
 
     /// Writes a message to stderr, unless `--quiet` is given.
     pub fn info(&self, text: &str) {
-        if !self.quiet {
+        self.print(Stream::Render, text);
+    }
+
+    /// Writes the text of one of POV-Ray's streams to stderr, unless the stream is silent, and copies the text into the
+    /// stream's files.
+    pub fn print(&self, stream: Stream, text: &str) {
+        self.text_files.write(stream, text);
+        if !self.quiet && !self.silent.contains(&stream) {
             print_message(text);
         }
+    }
+
+    /// Copies a text into the files of a stream without printing it.
+    pub fn copy(&self, stream: Stream, text: &str) {
+        self.text_files.write(stream, text);
     }
 
     /// True if the console prints the lines that programs expect from POV-Ray.
@@ -115,7 +150,9 @@ impl Console {
     /// Writes a line that programs expect from POV-Ray to stderr; only for POV-Ray's command line.
     pub fn povray_line(&self, line: &str) {
         if self.has_povray_lines() {
-            print_message(line);
+            self.print(Stream::Render, line);
+        } else {
+            self.copy(Stream::Render, line);
         }
     }
 
@@ -123,7 +160,7 @@ impl Console {
     pub fn text(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> String {
         let of = |severity| move |d: &&Diagnostic| d.severity == severity;
         let errors = diagnostics.iter().filter(of(Severity::Error));
-        let warnings = diagnostics.iter().filter(of(Severity::Warning)).filter(|_| !self.quiet);
+        let warnings = diagnostics.iter().filter(of(Severity::Warning)).filter(|_| self.prints_warnings());
         let wanted: Vec<_> = errors.chain(warnings).collect();
         let povray_line =
             |d| if self.has_povray_lines() { client_lines::fault_line(sources, d) } else { String::new() };
@@ -139,7 +176,29 @@ impl Console {
 
     /// Writes diagnostics as rendered by [`Console::text`] to stderr.
     pub fn report(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
+        self.copy_diagnostics(sources, diagnostics);
         print_message(&self.text(sources, diagnostics));
+    }
+
+    /// True if the command prints warnings.
+    fn prints_warnings(&self) -> bool {
+        !self.quiet && !self.silent.contains(&Stream::Warning)
+    }
+
+    /// Copies diagnostics into the text files, without colours.
+    fn copy_diagnostics(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
+        if self.text_files.is_empty() {
+            return;
+        }
+        for d in diagnostics {
+            let stream = match d.severity {
+                Severity::Error => Stream::Fatal,
+                Severity::Warning => Stream::Warning,
+            };
+            let style = draw::Style { fancy: false, width: WIDTH };
+            let text = client_lines::fault_line(sources, d) + &draw::render(d, sources, style) + "\n";
+            self.copy(stream, &text);
+        }
     }
 
     /// Writes diagnostics to stdout for programs, one JSON object a line.
@@ -162,6 +221,9 @@ impl Console {
                 if error.use_stderr() { Exit::Usage } else { Exit::Fine }
             }
             other => {
+                if let Failure::Fault(fault) = &other {
+                    self.copy_diagnostics(&Sources::default(), std::slice::from_ref(fault));
+                }
                 let (exit, text) = self.text_of(&Sources::default(), other);
                 print_message(&text);
                 exit

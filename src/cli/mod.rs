@@ -78,7 +78,7 @@ fn parse(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Contex
         print_message(client_lines::BANNER);
     }
     let sources = Sources::default();
-    let povray::Translated { words, animation, mut diagnostics, idle, is_povray_line } =
+    let povray::Translated { words, animation, mut diagnostics, idle, is_povray_line, text_output } =
         povray::translate(&sources, words);
     if is_povray_line {
         exit::use_povray_codes();
@@ -89,6 +89,7 @@ fn parse(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Contex
     }
     let Cli { common, command } = Cli::try_parse_from(words).map_err(|e| Failure::Usage(Box::new(e)))?;
     *console = Console::new(&common).with_dialect(if is_povray_line { Dialect::Povray } else { Dialect::Durer });
+    *console = console.clone().with_text_output(&text_output)?;
     console.povray_line(client_lines::BANNER);
     let warns_of_idle = match &command {
         Command::Render(args) => !args.warn.is_empty(),

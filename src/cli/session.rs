@@ -4,11 +4,12 @@ use super::allocator::{self, MeteredHost};
 use super::animation::{self, Animation};
 use super::args::values::{Bytes, Frames, Size};
 use super::args::{AaMethod, Library, LookArgs, SceneArgs};
-use super::console::{Console, print_message};
+use super::console::Console;
 use super::created_files::CreatedByScene;
 use super::exit::{Exit, Failure, Result, usage};
 use super::interrupt::{Deadline, Overrun};
 use super::memory;
+use super::povray::text_output::Stream;
 use crate::diagnostic::{Diagnostic, Severity, file};
 use crate::interpreter::{ParsedFiles, Timing};
 use crate::math::cancel::CancelToken;
@@ -212,12 +213,8 @@ pub fn build(
     options: &interpreter::Options,
     keep: Keep,
 ) -> Built {
-    let quiet = console.quiet;
-    let built = crate::build_with(parsed, sources, file, options, keep, &mut |text| {
-        if !quiet {
-            print_message(text);
-        }
-    });
+    let print = &mut |text: &str| console.print(Stream::Debug, text);
+    let built = crate::build_with(parsed, sources, file, options, keep, print);
     memory_writes_line(&built).iter().for_each(|note| console.info(note));
     built
 }

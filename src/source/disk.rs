@@ -238,8 +238,22 @@ pub fn resolve(path: &Path) -> io::Result<PathBuf> {
     if path.is_dir() {
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
     }
-    Ok(if path.is_symlink() { path.canonicalize()? } else { path.to_path_buf() })
+    let mut path = path.to_path_buf();
+    for _ in 0..MAX_LINKS {
+        if !path.is_symlink() {
+            return Ok(path);
+        }
+        match path.canonicalize() {
+            // A link whose file does not exist yet leads to a path in its own folder.
+            Err(error) if error.kind() == io::ErrorKind::NotFound => path = folder(&path).join(path.read_link()?),
+            found => return found,
+        }
+    }
+    Err(io::Error::other("too many links"))
 }
+
+/// Maximum number of links from the name of a file to a path that does not exist yet.
+const MAX_LINKS: usize = 16;
 
 /// True if `path` exists and is neither a file nor a folder (`/dev/null`, a named pipe).
 fn is_special(path: &Path) -> bool {
@@ -329,6 +343,21 @@ mod tests {
         assert_eq!(std::fs::read(&path).unwrap(), b"one 2wo");
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
         assert!(Disk.draft(&folder.path().join("none/a.txt")).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_a_missing_file_is_written_through() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::create_dir(at("pictures")).unwrap();
+        std::os::unix::fs::symlink("pictures/b", at("a")).unwrap();
+        std::os::unix::fs::symlink("c", at("pictures/b")).unwrap();
+        Disk.write(&at("a"), b"1").unwrap();
+        assert_eq!(std::fs::read(at("pictures/c")).unwrap(), b"1");
+        std::os::unix::fs::symlink("nowhere/d", at("lost")).unwrap();
+        std::os::unix::fs::symlink("loop", at("loop")).unwrap();
+        assert!(Disk.write(&at("lost"), b"1").is_err() && Disk.write(&at("loop"), b"1").is_err());
     }
 
     #[test]

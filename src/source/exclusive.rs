@@ -87,8 +87,11 @@ impl Drop for Exclusive {
     }
 }
 
-/// Opens a regular file for reading and writing, or creates it. Does not block on a pipe.
-fn open_plain(path: &Path) -> Result<File, OpenError> {
+/// Opens a regular file for reading and writing, or creates it. Follows no link, and does not block on a pipe.
+///
+/// # Errors
+/// If the path is not that of a plain file, or the file cannot be opened.
+pub fn open_plain(path: &Path) -> Result<File, OpenError> {
     // Opening a device can have effects, so that its kind is checked before.
     if std::fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
         return Err(OpenError::NotPlain);

@@ -328,3 +328,37 @@ fn system_fonts_are_found_by_family() {
         assert_eq!(String::from_utf8_lossy(&output.stderr).contains("W0211"), is_told, "{name}");
     }
 }
+
+/// Programs that start POV-Ray open `alltext.out` after the render.
+#[test]
+fn povray_text_files_hold_what_is_printed() {
+    let scratch = Scratch::new();
+    scratch.put("a.pov", "#debug \"from the scene\\n\" #warning \"mind this\" sphere { 0, 1 pigment { rgb 1 } } camera { location -3*z }");
+    scratch.exits(0, "+Ia.pov +W8 +H6 -GA All_File= Warning_File=w.txt +GIused.ini");
+    let text = |name: &str| String::from_utf8(scratch.read(name)).unwrap();
+    let has = |name: &str| scratch.path().join(name).exists();
+    let all = text("alltext.out");
+    for part in [
+        "[Parsing...]",
+        "from the scene",
+        "File 'a.pov' line 1: Parse Warning: mind this",
+        "Trace Time:",
+        "POV-Ray finished",
+    ] {
+        assert!(all.contains(part), "{part} in {all}");
+    }
+    let warnings = text("w.txt");
+    assert!(warnings.contains("mind this") && !warnings.contains("Trace Time"), "{warnings}");
+    std::fs::remove_file(scratch.path().join("a.png")).unwrap();
+    scratch.exits(0, "used.ini");
+    assert!(has("a.png"));
+    // A file of another origin is kept, and nothing is rendered.
+    scratch.put("alltext.out", "mine");
+    scratch.exits(1, "+Ia.pov +W8 +H6 +Ob.png All_File=on");
+    assert_eq!(text("alltext.out"), "mine");
+    assert!(!has("b.png"));
+    scratch.exits(1, "+Ia.pov +W8 +H6 +Ob.png All_File=sub/all.txt");
+    // Nothing but the picture is written for untrusted scenes.
+    scratch.exits(0, "+Ia.pov +W8 +H6 Debug_File=d.txt +GIother.ini --untrusted");
+    assert!(!has("d.txt") && !has("other.ini"));
+}

@@ -3,6 +3,7 @@
 use super::{code, table};
 use crate::cli::commands;
 use crate::cli::povray::table::{Effect, ROWS, Row, Takes};
+use crate::cli::povray::text_output::Stream;
 use crate::diagnostic::codes::ALL;
 use clap::Arg;
 
@@ -92,6 +93,10 @@ fn effect(effect: &Effect) -> String {
         Effect::Same => "nothing to do".into(),
         Effect::Option(option) | Effect::Flag(option) | Effect::Whole(option, ..) => code(option),
         Effect::Part(_) => "obeyed".into(),
+        Effect::TextFile(stream) => format!("copies the {} text into a file", stream.name()),
+        Effect::Silence(Stream::All) => code("--quiet"),
+        Effect::Silence(Stream::Fatal) => "ignored: errors are always printed".into(),
+        Effect::Silence(stream) => format!("does not print the {} text", stream.name()),
         Effect::Lacks(why) => format!("ignored: {why}"),
         Effect::Idle(why) => format!("ignored in silence: {why}"),
     }

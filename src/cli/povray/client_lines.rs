@@ -4,6 +4,7 @@
 use crate::cli::exit::Exit;
 use crate::diagnostic::{Diagnostic, Severity, codes};
 use crate::source::Sources;
+use std::time::Duration;
 
 /// First line of the output for POV-Ray's clients, which read the version from the digits after `POV-Ray `.
 pub const BANNER: &str = concat!("POV-Ray 3.7 compatible (durer ", env!("CARGO_PKG_VERSION"), ")\n");
@@ -17,6 +18,18 @@ pub const RENDERING: &str = "==== [Rendering...] ===============================
 /// Returns the progress of a rendering. As in POV-Ray, the next progress overwrites the line.
 pub fn progress(done: usize, total: usize) -> String {
     format!("Rendered {done} of {total} pixels ({}%)\r", done * 100 / total.max(1))
+}
+
+/// Returns POV-Ray's lines about the times of parsing and tracing.
+pub fn times(times: [Duration; 2]) -> String {
+    let line = |name: &str, time: Duration| {
+        let seconds = time.as_secs();
+        let [hours, minutes, rest] = [seconds / 3600, seconds / 60 % 60, seconds % 60];
+        let seconds = time.as_secs_f64();
+        format!("  {name} Time: {hours:7} hours {minutes:2} minutes {rest:2} seconds ({seconds:.3} seconds)\n")
+    };
+    let [parse, trace] = times;
+    line("Parse", parse) + &line("Trace", trace)
 }
 
 /// Prefixes of the codes of warnings that POV-Ray does not have: about options without effect, and advice about pictures.

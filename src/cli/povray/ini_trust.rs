@@ -44,6 +44,6 @@ fn is_hidden(path: &Path) -> bool {
 }
 
 /// True for the name of a file in the current folder.
-fn is_plain_name(path: &Path) -> bool {
+pub(super) fn is_plain_name(path: &Path) -> bool {
     matches!(path.components().collect::<Vec<_>>()[..], [Component::Normal(_)])
 }

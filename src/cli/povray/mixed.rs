@@ -128,6 +128,7 @@ impl Translation<'_> {
                 && name != "--declare"
                 && words.any(|w| w.split('=').next() == Some(name) || is_short(&w))
         };
+        self.translate_text_options();
         let options = self.option_words(false).into_iter().map(|word| Own::of(word.to_string_lossy().into_owned()));
         let options = options
             .filter(|own| has_option(command.get_name(), &own.name) && !is_set(&own.name))
@@ -135,6 +136,6 @@ impl Translation<'_> {
         let named = self.settings.input.take().map(OsString::from);
         let words = words[..=at].iter().cloned().chain(options).chain(named).chain(own.iter().cloned()).collect();
         let animation = self.settings.animation();
-        Translated { words, animation, diagnostics: self.faults, idle: self.idle, is_povray_line: false }
+        Translated { words, animation, diagnostics: self.faults, idle: self.idle, ..Translated::default() }
     }
 }

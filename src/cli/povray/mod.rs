@@ -3,6 +3,7 @@
 //! between other words, and the later of two contradicting words counts.
 
 pub mod client_lines;
+mod created_ini;
 mod files;
 mod ini;
 mod ini_trust;
@@ -13,11 +14,14 @@ mod settings;
 pub(super) mod table;
 #[cfg(test)]
 mod tests;
+mod text_options;
+pub mod text_output;
 
 use super::animation::Animation;
 use super::args::environment_is_untrusted;
 use crate::diagnostic::{Diagnostic, codes, nearest};
 use crate::source::{Sources, Span};
+use created_ini::NamedSettings;
 pub use files::is_ini;
 use files::{Files, with_ending};
 pub use mixed::first_word;
@@ -27,6 +31,8 @@ use std::ffi::OsString;
 use std::iter::Peekable;
 use std::path::{Path, PathBuf};
 use table::{Effect, ROWS, Row, Takes};
+use text_options::TextOptions;
+use text_output::TextOutput;
 
 /// Result of translating POV-Ray's options to durer's.
 #[derive(Debug, Default)]
@@ -41,6 +47,8 @@ pub struct Translated {
     pub idle: Vec<Diagnostic>,
     /// True for a command line of POV-Ray, without a command of durer.
     pub is_povray_line: bool,
+    /// Text output that POV-Ray's command line asks for.
+    pub text_output: TextOutput,
 }
 
 /// Translates a command line of POV-Ray. A command line of durer is returned unchanged.
@@ -118,6 +126,12 @@ struct Translation<'s> {
     faults: Vec<Diagnostic>,
     idle: Vec<Diagnostic>,
     files: Files<'s>,
+    /// All settings that were read, for `Create_Ini`.
+    named: NamedSettings,
+    /// Options about text that were read so far.
+    text: TextOptions,
+    /// Text output for POV-Ray's command line, after all words are translated.
+    text_output: TextOutput,
 }
 
 /// Positions of a word in an INI file; no position for a word of the command line.
@@ -139,6 +153,9 @@ impl<'s> Translation<'s> {
             faults: Vec::new(),
             idle: Vec::new(),
             files,
+            named: NamedSettings::default(),
+            text: TextOptions::default(),
+            text_output: TextOutput::default(),
         }
     }
 
@@ -211,7 +228,7 @@ impl<'s> Translation<'s> {
     fn setting(&mut self, row: &'static Row, text: &str, value: &str, origin: Origin) -> Result<(), Diagnostic> {
         let value = without_quotes(value);
         match (row.takes, switch_value(value)) {
-            // POV-Ray itself writes `All_File=`.
+            (Takes::MaybeText, _) if value.is_empty() && row.is_text_file() => self.apply(row, text, "", true, origin),
             (Takes::Text | Takes::MaybeText, _) if value.is_empty() => Ok(()),
             (Takes::Number | Takes::Text, _) => self.apply(row, text, value, true, origin),
             (_, Some(on)) => self.apply(row, text, "", on, origin),
@@ -235,8 +252,17 @@ impl<'s> Translation<'s> {
         if self.is_refused_in_ini(row, text, value, origin)? {
             return Ok(());
         }
+        self.named.add(row, value, on);
         match if on { row.on } else { row.off } {
             Effect::Same => Ok(()),
+            Effect::TextFile(stream) => {
+                let name = if value.is_empty() && row.is_text_file() { stream.default_file() } else { value };
+                self.add_text_file(stream, name, origin)
+            }
+            Effect::Silence(stream) => {
+                self.silence(stream, origin);
+                self.add_text_file(stream, value, origin)
+            }
             Effect::Flag(flag) => {
                 self.options.push(Own::of(flag.into()));
                 Ok(())
@@ -295,6 +321,7 @@ impl<'s> Translation<'s> {
             self.settings.scene_folder = scene.parent().unwrap_or(Path::new("")).into();
             self.settings.input = Some(scene.display().to_string());
         }
+        self.translate_text_options();
         let options = self.option_words(self.any_switch);
         let known = |word: &OsString| mixed::has_option(&command, &word.to_string_lossy());
         let options: Vec<_> = options.into_iter().filter(|word| command == "render" || known(word)).collect();
@@ -312,7 +339,8 @@ impl<'s> Translation<'s> {
             words.extend(scenes);
         }
         let is_povray_line = self.settings.is_povray_line;
-        Translated { words, animation, diagnostics: self.faults, idle: self.idle, is_povray_line }
+        let (diagnostics, idle, text_output) = (self.faults, self.idle, self.text_output);
+        Translated { words, animation, diagnostics, idle, is_povray_line, text_output }
     }
 
     /// Returns all options in durer's form. With `plain`, anti-aliasing is off unless `+A` turns it on.

@@ -48,6 +48,10 @@ pub struct Settings {
     pub file_gamma: Option<String>,
     pub dithers: bool,
     pub dither_method: Option<&'static str>,
+    /// Path of the INI file to write (`Create_Ini`).
+    pub created_ini: Option<String>,
+    /// True to append to text files (`Append_File`).
+    pub appends_text: bool,
 }
 
 type Checked = Result<(), String>;
@@ -203,7 +207,9 @@ impl Settings {
         }
         let packing = self.is_compressed_tga.then(|| "rle".to_string());
         let output = if self.is_povray_line { self.povray_output_name() } else { self.output_name() };
-        for (name, value) in [("--output", output), ("--format", self.format.map(Into::into)), ("--packing", packing)] {
+        let is_unnamed = output.as_deref().is_some_and(|name| is_special(Path::new(name)));
+        let format = self.format.or(is_unnamed.then_some("png")).map(Into::into);
+        for (name, value) in [("--output", output), ("--format", format), ("--packing", packing)] {
             value.into_iter().for_each(|value| put(name, value));
         }
         self.depth.iter().filter(|_| !self.gray).for_each(|depth| put("--bit-depth", depth.to_string()));
@@ -221,6 +227,13 @@ impl Settings {
         out
     }
 
+    /// Returns the folder of the picture on POV-Ray's own command line; an empty path for the current folder.
+    pub fn output_folder(&self) -> PathBuf {
+        let name = self.povray_output_name().filter(|name| name != "-").map(PathBuf::from).unwrap_or_default();
+        let is_folder = name.as_os_str().to_string_lossy().ends_with(std::path::is_separator) || name.is_dir();
+        if is_folder { name } else { name.parent().map(Path::to_path_buf).unwrap_or_default() }
+    }
+
     /// Returns the output file on POV-Ray's own command line: beside the scene without `+O`, and always with the
     /// extension of the format.
     fn povray_output_name(&self) -> Option<String> {
@@ -231,7 +244,10 @@ impl Settings {
             return (!self.scene_folder.as_os_str().is_empty()).then(|| format!("{beside}.{ending}"));
         };
         let path = Path::new(name);
-        let is_whole = name == "-" || name.ends_with(std::path::is_separator) || path.exists() && is_special(path);
+        if STANDARD_OUTPUT.contains(&name.as_str()) {
+            return Some("-".into());
+        }
+        let is_whole = name == "-" || name.ends_with(std::path::is_separator) || is_special(path);
         if is_whole || path.extension().is_some_and(|found| found == ending) {
             return Some(name.clone());
         }
@@ -279,6 +295,9 @@ impl Settings {
         })
     }
 }
+
+/// Names of standard output as a file.
+const STANDARD_OUTPUT: &[&str] = &["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
 
 /// True for a device or a pipe.
 fn is_special(path: &Path) -> bool {

@@ -1,6 +1,7 @@
 //! All options of POV-Ray 3.7: switch, INI name, and effect in durer (manual, section 3.2).
 
 use super::settings::Settings;
+use super::text_output::Stream;
 
 /// One option of POV-Ray in all its spellings, whose letter case is ignored.
 pub struct Row {
@@ -14,6 +15,13 @@ pub struct Row {
     pub on: Effect,
     /// Effect of the POV-Ray option written with `-`, or with `off` in an INI file.
     pub off: Effect,
+}
+
+impl Row {
+    /// True for an option such as `All_File`, which asks for a file even without a name.
+    pub fn is_text_file(&self) -> bool {
+        self.switch.is_empty() && matches!(self.on, TextFile(_))
+    }
 }
 
 /// Kind of value that a POV-Ray option takes.
@@ -48,9 +56,14 @@ pub enum Effect {
     Idle(&'static str),
     /// Effect: sets the durer option of this name to a whole number between two limits.
     Whole(&'static str, u16, u16),
+    /// Effect: copies a stream of text into the file that the value names. An empty value stands for the stream's default
+    /// name, or, for the options `…_Console`, for no file.
+    TextFile(Stream),
+    /// Effect: does not print a stream of text, but copies the stream into the file that the value names, if any.
+    Silence(Stream),
 }
 
-use Effect::{Flag, Idle, Lacks, Option, Part, Same, Whole};
+use Effect::{Flag, Idle, Lacks, Option, Part, Same, Silence, TextFile, Whole};
 use Takes::{MaybeNumber, MaybeText, Nothing, Number, Text};
 
 const fn row(switch: &'static str, ini: &'static str, takes: Takes, on: Effect, off: Effect) -> Row {
@@ -65,7 +78,6 @@ const fn both(switch: &'static str, ini: &'static str, takes: Takes, on: Effect)
 const NO_WINDOW: &str = "durer opens no window";
 const CTRL_C: &str = "Ctrl-C always ends durer";
 const NO_SHELL: &str = "durer never runs other programs";
-const NO_LOG: &str = "messages go to standard error, which can be redirected";
 const NO_CACHE: &str = "durer has no radiosity files";
 
 /// All POV-Ray options, in the order of the manual.
@@ -100,7 +112,7 @@ pub const ROWS: &[Row] = &[
     row("X", "Test_Abort", MaybeNumber, Idle(CTRL_C), Same),
     both("", "Test_Abort_Count", Number, Idle(CTRL_C)),
     row("C", "Continue_Trace", Nothing, Flag("--resume"), Same),
-    both("GI", "Create_Ini", Text, Idle("durer writes no INI files")),
+    both("GI", "Create_Ini", Text, Part(|p, v| p.change(|p| p.created_ini = Some(v.into())))),
     // 3.2.3 Display
     row("D", "Display", MaybeText, Idle(NO_WINDOW), Same),
     both("", "Video_Mode", Text, Idle(NO_WINDOW)),
@@ -161,19 +173,25 @@ pub const ROWS: &[Row] = &[
     both("", "User_Abort_Return", Text, Same),
     both("", "Fatal_Error_Return", Text, Same),
     // 3.2.7 Text output
-    row("GA", "All_Console", MaybeText, Same, Flag("--quiet")),
-    row("GD", "Debug_Console", MaybeText, Same, Lacks("only `-GA` silences messages")),
-    row("GF", "Fatal_Console", MaybeText, Same, Lacks("errors are always printed")),
-    row("GR", "Render_Console", MaybeText, Same, Same),
-    row("GS", "Statistic_Console", MaybeText, Same, Same),
-    row("GW", "Warning_Console", MaybeText, Same, Lacks("only `-GA` silences messages")),
-    row("", "All_File", Text, Idle(NO_LOG), Same),
-    row("", "Debug_File", Text, Idle(NO_LOG), Same),
-    row("", "Fatal_File", Text, Idle(NO_LOG), Same),
-    row("", "Render_File", Text, Idle(NO_LOG), Same),
-    row("", "Statistic_File", Text, Idle(NO_LOG), Same),
-    row("", "Warning_File", Text, Idle(NO_LOG), Same),
-    both("GP", "Append_File", Nothing, Same),
+    row("GA", "All_Console", MaybeText, TextFile(Stream::All), Silence(Stream::All)),
+    row("GD", "Debug_Console", MaybeText, TextFile(Stream::Debug), Silence(Stream::Debug)),
+    row("GF", "Fatal_Console", MaybeText, TextFile(Stream::Fatal), Silence(Stream::Fatal)),
+    row("GR", "Render_Console", MaybeText, TextFile(Stream::Render), Silence(Stream::Render)),
+    row("GS", "Statistic_Console", MaybeText, TextFile(Stream::Statistics), Silence(Stream::Statistics)),
+    row("GW", "Warning_Console", MaybeText, TextFile(Stream::Warning), Silence(Stream::Warning)),
+    row("", "All_File", MaybeText, TextFile(Stream::All), Same),
+    row("", "Debug_File", MaybeText, TextFile(Stream::Debug), Same),
+    row("", "Fatal_File", MaybeText, TextFile(Stream::Fatal), Same),
+    row("", "Render_File", MaybeText, TextFile(Stream::Render), Same),
+    row("", "Statistic_File", MaybeText, TextFile(Stream::Statistics), Same),
+    row("", "Warning_File", MaybeText, TextFile(Stream::Warning), Same),
+    row(
+        "GP",
+        "Append_File",
+        Nothing,
+        Part(|p, _| p.change(|p| p.appends_text = true)),
+        Part(|p, _| p.change(|p| p.appends_text = false)),
+    ),
     both("WL", "Warning_Level", Number, Same),
     // 3.2.8 Tracing
     both("WT", "Work_Threads", Number, Whole("--threads", 1, 4096)),

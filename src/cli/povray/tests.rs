@@ -1,4 +1,5 @@
 use super::mixed::Form;
+use super::text_output::Stream;
 use super::*;
 use crate::cli::Cli;
 use crate::cli::args::values::Clock;
@@ -199,7 +200,7 @@ fn dithering() {
 
 #[test]
 fn unsupported_options_are_reported() {
-    assert_eq!(ours("+UF +GD3 -GW a.pov").1, 2);
+    assert_eq!(ours("+UF +GD3 -GF a.pov").1, 2);
     assert_eq!(ours("Post_Scene_Command=rm a.pov").1, 1);
     assert_eq!(ours("-D -P -C -UF a.pov").1, 0);
 }
@@ -208,9 +209,10 @@ fn unsupported_options_are_reported() {
 fn options_without_effect_are_reported_on_request() {
     let idle = |line: &str| translate(&Sources::default(), words(line)).idle.len();
     for (line, count) in [
-        ("+D +P +X +UD +GIa.ini a.pov", 5),
+        ("+D +P +X +UD +GIa.ini a.pov", 4),
         ("Display=on Pause_When_Done=on Test_Abort=on Draw_Vistas=on a.pov", 4),
-        ("Display_Gamma=2.2 Palette=3 Video_Mode=1 Create_Ini=b All_File=on a.pov", 5),
+        ("Display_Gamma=2.2 Palette=3 Video_Mode=1 Create_Ini=b All_File=on a.pov", 3),
+        ("render All_File=on +GIa.ini a.pov", 2),
         ("-D -P -C -X -UD Display=off Verbose=off Display_Gamma= a.pov", 0),
     ] {
         assert_eq!(ours(line).1, 0, "{line}");
@@ -300,4 +302,48 @@ fn povray_options_precede_durers() {
     mixes("+W32 check a.scene +A0.1", "check --size=32x480 -- a.scene");
     mixes("a.scene b.scene --size 8x6", "render --size 8x6 -- a.scene b.scene");
     mixes("a.scene +Ib.scene", "render --aa=off -- b.scene");
+}
+
+#[test]
+fn text_files_are_beside_the_picture() {
+    let files = |line: &str| {
+        let output = translated(words(line)).unwrap().text_output;
+        output.files.into_iter().map(|(_, path)| path.display().to_string()).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(files("+Ia.pov +GA"), "");
+    assert_eq!(files("+Ia.pov +GAall -GDb All_File=c"), "b c");
+    assert_eq!(files("+Ia.pov All_File= Debug_File=on Fatal_File=off"), "alltext.out debug.out");
+    assert_eq!(files("+Isub/a.pov Render_File=true +GSs Warning_File=w"), "sub/render.out sub/s sub/w");
+    assert_eq!(files("+Isub/a.pov +Oother/ +GAall"), "other/all");
+    // A command of durer has no text files.
+    assert_eq!(files("render a.pov All_File=b"), "");
+    for name in ["sub/b", "/tmp/b", "../b"] {
+        assert!(translated(words(&format!("+Ia.pov All_File={name}"))).is_none(), "{name}");
+    }
+}
+
+#[test]
+fn streams_are_silenced_one_by_one() {
+    let silent = |line: &str| translated(words(line)).unwrap().text_output.silent;
+    assert_eq!(silent("+Ia.pov -GD Warning_Console=off"), [Stream::Debug, Stream::Warning]);
+    assert_eq!(ours("+Ia.pov -GF"), ("--aa=off -- a.pov".to_string(), 1));
+    assert_eq!(ours("render a.pov -GD").1, 1);
+}
+
+#[test]
+fn a_created_ini_file_states_all_settings() {
+    let line = "+Ia.pov +GIq.ini +A0.2 +FN16 +GAall +L/b +L/a Declare=B=1 declare=A=2 -D +W8 +W9 -GD";
+    let (path, text) = translated(words(line)).unwrap().text_output.ini.unwrap();
+    let expected = "All_Console=On\nAll_File=\"all\"\nAntialias=On\nAntialias_Threshold=0.2\nBits_Per_Color=16\n\
+                    Create_Ini=\"q.ini\"\nDebug_Console=Off\nDeclare=B=1\nDeclare=A=2\nDisplay=Off\nHeight=480\n\
+                    Input_File_Name=\"a.pov\"\nLibrary_Path=\"/b\"\nLibrary_Path=\"/a\"\nOutput_File_Type=N\n\
+                    Output_to_File=On\nWidth=9\n";
+    assert_eq!((path, text.as_str()), (PathBuf::from("q.ini"), expected));
+}
+
+#[test]
+fn devices_and_standard_output_are_written_directly() {
+    same("+Ia.pov +O/dev/stdout", "--aa=off --output=- -- a.pov");
+    same("+Ia.pov +O/dev/null", "--aa=off --output=/dev/null --format=png -- a.pov");
+    same("+Ia.pov +O/dev/null +FT", "--aa=off --output=/dev/null --format=tga -- a.pov");
 }

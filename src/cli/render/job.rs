@@ -16,6 +16,7 @@ use crate::cli::journal::finished_frames::FinishedFrames;
 use crate::cli::journal::identity::{self, Begun, Work};
 use crate::cli::journal::{self, Journal};
 use crate::cli::povray::client_lines;
+use crate::cli::povray::text_output::Stream;
 use crate::cli::session;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
@@ -288,6 +289,7 @@ impl<'a> Job<'a> {
         drop(deferred);
 
         self.advise(&world, timing, config.circumstances(is_incomplete, is_black));
+        console.copy(Stream::Statistics, &client_lines::times([built.parse_time + built.build_time, trace_time]));
         if let Some(stats) = &config.stats {
             let times = [built.parse_time, built.build_time, trace_time, encode_time, start.elapsed()];
             self.done.reports.push(Report::new(times, rays, &config.drawing(timing)));
