@@ -51,7 +51,7 @@ impl NamedSettings {
         }
     }
 
-    /// Sets the settings that a file type such as `N16` or `Ng` stands for.
+    /// Sets the settings that of a file type such as `N16` or `Ng`.
     fn set_file_type(&mut self, value: &str) {
         let Some(letter) = value.get(..1) else { return };
         self.set("Output_File_Type", letter, false);

@@ -56,7 +56,7 @@ pub enum Effect {
     Idle(&'static str),
     /// Effect: sets the durer option of this name to a whole number between two limits.
     Whole(&'static str, u16, u16),
-    /// Effect: copies a stream of text into the file that the value names. An empty value stands for the stream's default
+    /// Effect: copies a stream of text into the file that the value names. An empty value means the stream's default
     /// name, or, for the options `…_Console`, for no file.
     TextFile(Stream),
     /// Effect: does not print a stream of text, but copies the stream into the file that the value names, if any.
