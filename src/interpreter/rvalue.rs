@@ -7,17 +7,18 @@ use super::reader::TransformThing;
 use super::stream::{BlockName, Token};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::diagnostic::Result;
-use crate::medium::Interior;
+use crate::medium::{Interior, Media};
 use crate::scene::{Object, ObjectRadiosity, is_object, read_camera, read_layers, read_material};
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Sign};
-use crate::texture::{ColorMap, Finish, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap};
+use crate::texture::{
+    ColorMap, Density, DensityMap, Finish, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap,
+};
 use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
 
 /// Blocks that can be declared, but that durer does not render yet.
-pub const UNSUPPORTED_BLOCKS: &[&str] =
-    &["media", "density", "density_map", "warp", "radiosity", "photons", "pattern", "array", "texture_list"];
+pub const UNSUPPORTED_BLOCKS: &[&str] = &["warp", "radiosity", "photons", "pattern", "array", "texture_list"];
 
 impl<'a> Interpreter<'a> {
     /// Reads a complete value. Directives and macros after the value do not run yet.
@@ -109,6 +110,9 @@ impl<'a> Interpreter<'a> {
             "normal_map" => self.read_inside(|r, _| NormalMap::read_entries(r, &defaults.texture, false)),
             "slope_map" => self.read_inside(|r, _| SlopeMap::read_entries(r, &defaults.texture, false)),
             "texture_map" => self.read_inside(|r, _| TextureMap::read_entries(r, &defaults.texture, false)),
+            "media" => self.read_inside(|r, at| Media::read(r, at)),
+            "density" => self.read_inside(|r, _| Density::read(r)),
+            "density_map" => self.read_inside(|r, _| DensityMap::read_entries(r, &defaults.texture, false)),
             "interior" => self.read_inside(|r, _| Interior::read(r, None)),
             "material" => self.read_inside(|r, _| read_material(r, &defaults, None)),
             "fog" => self.read_inside(|r, _| Fog::read(r)),

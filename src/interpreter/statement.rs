@@ -4,6 +4,7 @@ use super::stream::Token;
 use super::{Interpreter, reporter::hints};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::medium::Media;
 use crate::scene::{Object, is_object, read_camera};
 use crate::shape::Shape;
 use crate::source::Span;
@@ -34,6 +35,7 @@ pub const STATEMENTS: Spec = Spec {
         word("sky_sphere", ValueKind::Block, "", "the sky: pigments by direction; the last one is used"),
         word("fog", ValueKind::Block, "", "colour that covers distant objects; several fogs add up"),
         word("rainbow", ValueKind::Block, "", "an arc of colours; several rainbows add up"),
+        word("media", ValueKind::Block, "", "smoke, dust or haze in the whole scene; several add up"),
         word("light_group", ValueKind::Block, "", "lights that illuminate only the objects of the group"),
         word("global_settings", ValueKind::Block, "", "settings of the whole scene"),
         word("default", ValueKind::Block, "", "after `#`: defaults of the objects that follow"),
@@ -42,7 +44,7 @@ pub const STATEMENTS: Spec = Spec {
         word("max_trace_level", ValueKind::Float, "", "in old scenes: as in `global_settings`"),
     ],
     ignored: &["max_intersections"],
-    unsupported: &["media", "radiosity", "photons"],
+    unsupported: &["radiosity", "photons"],
     ..Spec::EMPTY
 };
 
@@ -90,8 +92,8 @@ impl Interpreter<'_> {
             self.builder.add_unsupported(block);
             return Ok(());
         }
-        const OTHERS: [&str; 7] =
-            ["camera", "background", "sky_sphere", "fog", "rainbow", "global_settings", "default"];
+        const OTHERS: [&str; 8] =
+            ["camera", "background", "sky_sphere", "fog", "rainbow", "media", "global_settings", "default"];
         if !OTHERS.contains(&word) {
             return Err(self.stray_block_error(word).into());
         }
@@ -120,6 +122,10 @@ impl Interpreter<'_> {
             "rainbow" => {
                 let rainbow = Rainbow::read(self, at)?;
                 self.builder.add_rainbow(rainbow);
+            }
+            "media" => {
+                let media = Media::read(self, at)?;
+                self.builder.add_media(media);
             }
             "default" => self.read_defaults()?,
             _ => {

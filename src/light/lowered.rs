@@ -3,7 +3,7 @@
 use super::beam::{Profile, beam_axis};
 use super::{Area, Beam, Light};
 use crate::color::Rgb;
-use crate::math::{DVec3, fp};
+use crate::math::{DVec3, Ray, fp};
 use serde::Serialize;
 
 /// Lowered light source, in world space.
@@ -20,6 +20,8 @@ pub struct LoweredLight {
     pub fade: Option<(f64, f64)>,
     /// True if air attenuates the light (`media_attenuation`).
     pub attenuated: bool,
+    /// True if media scatter the light; `shadowless` lights are not scattered (quirk: `scattered_lights`).
+    pub scattered: bool,
     /// Grid of the area light about its location; never a single light. `None` for a point light.
     pub area: Option<Area>,
     /// Direction of the light's axis, length 1.
@@ -54,6 +56,7 @@ impl LoweredLight {
             shadowless: light.shadowless,
             fade,
             attenuated: light.media_attenuation,
+            scattered: light.media_interaction && !light.shadowless,
             area: (light.spreads && light.area.size != [1; 2]).then(|| light.area.clone()),
             axis: beam_axis(light.location, light.point_at),
             aim: light.location.distance(light.point_at),
@@ -88,6 +91,34 @@ impl LoweredLight {
         };
         let lit = if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share };
         LightSample { from, distance, light: self.strength_at(distance) * lit }
+    }
+
+    /// Returns the stretches of a ray, in order, within the beam of a spotlight or cylinder light: pairs of distances
+    /// between `from` and `to`. `None` for a light that shines in all directions.
+    pub fn lit_stretches(&self, ray: &Ray, [from, to]: [f64; 2]) -> Option<Vec<[f64; 2]>> {
+        let (start, along) = (ray.origin - self.location, ray.dir.dot(self.axis));
+        let (ahead, cos) = match self.profile {
+            Profile::Round => return None,
+            // Beyond a right angle, the dark part is a cone; the whole ray counts as lit.
+            Profile::Cone { falloff, .. } if falloff <= 0.0 => return None,
+            Profile::Cone { falloff, .. } => (start.dot(self.axis), Some(falloff)),
+            Profile::Tube(_) => (start.dot(self.axis), None),
+        };
+        // Roots of the quadratic for the beam's side: (v·a)² - cos²·|v|² for a cone, r² - |v|² + (v·a)² for a tube
+        let (share, constant) = match (cos, self.profile) {
+            (None, Profile::Tube(edge)) => (1.0, edge.falloff * edge.falloff),
+            (cos, _) => (cos.unwrap_or(1.0).powi(2), 0.0),
+        };
+        let a = along * along - share * ray.dir.length_squared();
+        let b = along * ahead - share * start.dot(ray.dir);
+        let c = ahead * ahead - share * start.length_squared() + constant;
+        let root = (b * b - a * c).max(0.0).sqrt();
+        let mut ends = vec![from, to, (-b - root) / a, (-b + root) / a, -ahead / along];
+        ends.retain(|t| (from..=to).contains(t));
+        ends.sort_by(f64::total_cmp);
+        let is_lit = |t: f64| a * t * t + 2.0 * b * t + c > 0.0 && ahead + along * t > 0.0;
+        let pieces = ends.windows(2).map(|pair| [pair[0], pair[1]]);
+        Some(pieces.filter(|[start, end]| end > start && is_lit(0.5 * (start + end))).collect())
     }
 
     /// Returns the light's strength at a distance. Behind a parallel light the distance is negative, and an odd

@@ -1,11 +1,12 @@
 //! `interior { … }`: what fills a shape: refraction, dispersion, attenuation (manual, "Interior").
 
+use super::Media;
 use crate::color::Rgb;
 use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::math::fp;
-use crate::value::ValueKind::{Color, Float};
-use crate::value::words::{Row, read_row, set, specs, word};
-use crate::value::{Next, Reader, ReaderExt, Spec, Thing, Unsupported};
+use crate::math::{Transform, fp};
+use crate::value::ValueKind::{Block, Color, Float};
+use crate::value::words::{Row, joined, read_row, set, specs, word};
+use crate::value::{Next, Reader, ReaderExt, Spec, Thing, WordSpec};
 use serde::Serialize;
 
 /// Words of an `interior` block, and how each is read.
@@ -42,13 +43,15 @@ const INTERIOR_ROWS: &[Row<Interior>] = &[
         .sets(|s, r| set(&mut s.caustics, r.float())),
 ];
 
+/// Parts of an `interior` block with braces of their own.
+const INTERIOR_PARTS: &[WordSpec] = &[word("media", Block, "", "smoke, fire, dust; several add up")];
+
 /// Description of the block `interior { … }`.
 pub const INTERIOR: Spec = Spec {
     name: "interior",
     summary: "what fills a shape",
-    words: specs!(INTERIOR_ROWS),
+    words: &joined::<{ INTERIOR_ROWS.len() + 1 }>(specs!(INTERIOR_ROWS), INTERIOR_PARTS),
     ignored: &["refraction"],
-    unsupported: &["media"],
     ..Spec::EMPTY
 };
 
@@ -73,9 +76,9 @@ pub struct Interior {
     pub fade_color: Rgb,
     /// Strength of bright spots in shadows, where light enters at a right angle; 0 for none.
     pub caustics: f64,
-    /// Items of an `interior` block that are read and not rendered yet.
+    /// Media that fill the shape, in the space around the object.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub unsupported: Vec<Unsupported>,
+    pub media: Vec<Media>,
 }
 
 impl Default for Interior {
@@ -89,7 +92,7 @@ impl Default for Interior {
             fade_power: 0.0,
             fade_color: Rgb::ZERO,
             caustics: 0.0,
-            unsupported: vec![],
+            media: vec![],
         }
     }
 }
@@ -120,12 +123,24 @@ impl Interior {
                     r.take_token()?;
                     r.float()?;
                 }
-                Next::Word(word) | Next::Block(word) if INTERIOR.is_unsupported(word) => {
-                    out.unsupported.push(r.read_unsupported(word)?);
+                Next::Block("media") => {
+                    let at = r.take_token()?;
+                    out.media.push(Media::read(r, at)?);
+                    r.leave_block()?;
                 }
                 _ => return Err(r.unknown_word_in(&INTERIOR)),
             }
         }
+    }
+
+    /// True if transforms change the interior: a medium has densities.
+    pub fn has_transformed_contents(&self) -> bool {
+        self.media.iter().any(|media| !media.densities.is_empty())
+    }
+
+    /// Transforms the densities of the media.
+    pub fn transform(&mut self, by: &Transform) {
+        self.media.iter_mut().for_each(|media| media.transform(by));
     }
 
     /// Returns the index of refraction for one colour of the spectrum: `hue` is 0 for red and 1 for violet; white light

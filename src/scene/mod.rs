@@ -19,6 +19,7 @@ pub use weight::Weight;
 
 use crate::atmosphere::{Background, Fog, Rainbow, SkySphere};
 use crate::camera::Camera;
+use crate::medium::Media;
 use crate::source::Span;
 use crate::texture::Texture;
 use crate::value::Unsupported;
@@ -49,6 +50,9 @@ pub struct Scene {
     /// Rainbows of the scene.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rainbows: Vec<Rainbow>,
+    /// Media of the whole scene.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub media: Vec<Media>,
     /// Objects and lights in the order of the text.
     pub objects: Vec<Object>,
     /// Blocks of the scene that durer does not render yet.

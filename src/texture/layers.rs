@@ -144,7 +144,7 @@ impl Texture {
             next if self.read_part(r, next, base)? => {}
             // Before version 3.0, a texture could contain the pigment's words.
             Next::Word(_) | Next::Value | Next::Block("color_map" | "colour_map") if bare => {
-                self.top_layer().pigment.read_element(r, next, base)?;
+                self.top_layer().pigment.read_element::<Pigment>(r, next, base)?;
             }
             Next::Block("material_map") => {
                 r.take_token()?;

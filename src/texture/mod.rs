@@ -2,6 +2,7 @@
 
 mod blend;
 mod color_map;
+mod density;
 mod doubts;
 mod finish;
 mod image_map;
@@ -15,6 +16,7 @@ pub mod words;
 
 pub use blend::{Blend, Map, Shares};
 pub use color_map::ColorMap;
+pub use density::{DENSITY, Density};
 pub use doubts::warn_of_byte_color;
 pub use finish::{Finish, Irid, Reflection, Uncommon};
 pub use image_map::ImageMap;
@@ -33,10 +35,13 @@ macro_rules! things {
 }
 
 things! { Finish "finish" ColorMap "color_map" Pigment "pigment" Texture "texture"
-Normal "normal" SlopeMap "slope_map" PigmentMap "pigment_map" NormalMap "normal_map" TextureMap "texture_map" }
+Normal "normal" SlopeMap "slope_map" PigmentMap "pigment_map" NormalMap "normal_map" TextureMap "texture_map"
+Density "density" DensityMap "density_map" }
 
 /// Pigment map: a map from numbers to pigments.
 pub type PigmentMap = Map<Pigment>;
+/// Density map: a map from numbers to densities.
+pub type DensityMap = Map<Density>;
 /// Normal map: a map from numbers to normals.
 pub type NormalMap = Map<Normal>;
 /// Texture map: a map from numbers to textures.

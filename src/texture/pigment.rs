@@ -8,7 +8,7 @@ use crate::color::Color;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::pattern::{CellPattern, Cells, Field, Pattern, PatternKind};
 use crate::value::words::read_row;
-use crate::value::{Next, Reader, ReaderExt, SharedDefault};
+use crate::value::{Next, Reader, ReaderExt, SharedDefault, Thing};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -73,7 +73,7 @@ impl Pigment {
             match r.next()? {
                 Next::End => break,
                 Next::Word("uv_mapping") if after_name => pigment.reset_by_uv_mapping(r)?,
-                next => pigment.read_element(r, next, defaults)?,
+                next => pigment.read_element::<Pigment>(r, next, defaults)?,
             }
             after_name = false;
         }
@@ -131,15 +131,24 @@ impl Pigment {
         Ok(())
     }
 
-    /// Reads one element of a pigment: a word of its pattern, a map, a list, a colour.
-    pub(super) fn read_element(&mut self, r: &mut dyn Reader, next: Next, defaults: &Texture) -> Result<()> {
+    /// Reads one element of a pigment: a word of its pattern, a map, a list, a colour. `E` is the value of maps and
+    /// lists: a pigment or a density.
+    pub(super) fn read_element<E: PigmentEntry>(
+        &mut self,
+        r: &mut dyn Reader,
+        next: Next,
+        defaults: &Texture,
+    ) -> Result<()>
+    where
+        Map<E>: Thing,
+    {
         if Pattern::begins_pattern(next) && self.has_default_paint() {
             self.paint = Paint::Solid(Color::BLACK);
         }
         if self.pattern.modify_if(|pattern| pattern.read_element(next, r))? {
-            let default = |cells: &CellPattern, cell| Pigment::solid(cells.default_color(cell));
+            let default = |cells: &CellPattern, cell| E::from(Pigment::solid(cells.default_color(cell)));
             if let Some(list) = blend::read_list(r, next, &self.pattern, defaults, &default)? {
-                self.paint = Paint::Pigments(list);
+                self.paint = Paint::Pigments(list.map(|entry| entry.clone().into()));
             }
             return Ok(());
         }
@@ -174,10 +183,11 @@ impl Pigment {
                 }
                 Ok(())
             }
-            Next::Block("pigment_map") => {
+            Next::Block(word) if word == E::MAP => {
                 r.take_token()?;
-                self.paint =
-                    Paint::Pigments(Blend::Map(Arc::new(Map::read_entries(r, defaults, self.pattern.is_average())?)));
+                let map = Map::<E>::read_entries(r, defaults, self.pattern.is_average())?;
+                let entries = map.entries.into_iter().map(|(number, entry)| (number, entry.into())).collect();
+                self.paint = Paint::Pigments(Blend::Map(Arc::new(Map { entries })));
                 r.leave_block()
             }
             Next::Word(_) if !r.is_at_color()? => Err(r.unknown_word("pigment", &pigment_names()).into()),
@@ -292,6 +302,11 @@ pub(super) fn read_uv_mapping(r: &mut dyn Reader) -> Result<Option<bool>> {
     }
     Ok(uv)
 }
+
+/// Value of a pigment's maps and lists, which becomes a pigment.
+pub(super) trait PigmentEntry: Entry + From<Pigment> + Into<Pigment> {}
+
+impl PigmentEntry for Pigment {}
 
 impl Entry for Pigment {
     const MAP: &'static str = "pigment_map";

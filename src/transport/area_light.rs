@@ -1,7 +1,7 @@
 //! `area_light`: soft shadows by the visibility of a grid of lights (manual, "Area Lights").
 
+use super::interface::Interiors;
 use super::random::{Purpose, RandomSequence};
-use super::ray_state::RayState;
 use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::light::{Area, LightSample};
@@ -22,7 +22,8 @@ struct GridVisibility<'a> {
     point: DVec3,
     /// Sample of the light at the grid's centre.
     center: &'a LightSample,
-    state: &'a RayState,
+    /// Interiors that contain the point.
+    inside: &'a Interiors,
     random: RandomSequence,
     known: Known,
 }
@@ -44,7 +45,7 @@ impl Tracer<'_> {
         area: &Area,
         point: DVec3,
         center: &LightSample,
-        state: &RayState,
+        inside: &Interiors,
     ) -> Rgb {
         let [n, m] = area.size;
         let count = n as usize * m as usize;
@@ -53,7 +54,7 @@ impl Tracer<'_> {
             false => Known::Map(FxHashMap::default()),
         };
         let random = self.random.sequence(Purpose::AreaLight);
-        let mut grid = GridVisibility { light, area, point, center, state, random, known };
+        let mut grid = GridVisibility { light, area, point, center, inside, random, known };
         if count > MAX_ARRAY && area.adaptive.is_none() {
             return self.mean_of_all_lights(&grid);
         }
@@ -119,7 +120,7 @@ impl Tracer<'_> {
     fn light_visibility(&mut self, grid: &GridVisibility, cell: [u32; 2]) -> Rgb {
         let offset = offset(grid.area, cell, -grid.center.from, grid.random);
         let sample = grid.light.emitter.sample(grid.point, offset);
-        self.point_visibility(grid.light, grid.point, &sample, grid.state)
+        self.point_visibility(grid.light, grid.point, &sample, grid.inside)
     }
 }
 

@@ -55,11 +55,11 @@ impl Tracer<'_> {
         let source = Source { light, center: center.from };
         let area_lights = self.context.quality.area_lights;
         let Some(area) = light.emitter.area.as_ref().filter(|area| area.illumination && area_lights) else {
-            let visibility = |tracer: &mut Self| tracer.visibility(light, shading.point, &center, state);
+            let visibility = |tracer: &mut Self| tracer.visibility(light, shading.point, &center, &state.inside);
             return self.reflected_sample(&center, source, dir, shading, visibility);
         };
         // `area_illumination`: each light of the grid illuminates, with the shadow of the whole grid (quirk: `area_illumination_shadow`)
-        let visibility = self.visibility(light, shading.point, &center, state);
+        let visibility = self.visibility(light, shading.point, &center, &state.inside);
         if visibility == Rgb::ZERO {
             return Rgb::ZERO;
         }

@@ -10,6 +10,7 @@ mod context;
 mod direct_light;
 mod dispersion;
 mod interface;
+mod media;
 mod radiance;
 mod random;
 mod ray_state;

@@ -16,10 +16,12 @@ pub enum Purpose {
     Grain,
     /// `jitter` of a rainbow.
     Rainbow,
+    /// Positions of samples in media.
+    Media,
 }
 
 /// Number of purposes of random numbers.
-const PURPOSES: usize = Purpose::Rainbow as usize + 1;
+const PURPOSES: usize = Purpose::Media as usize + 1;
 
 /// Generator of the random numbers of one sample after another.
 #[derive(Clone, Copy, Debug)]

@@ -1,11 +1,14 @@
 //! Radiance and transmittance along ray segments in fog and interiors, for camera and shadow rays.
 
 use super::interface::Interiors;
+use super::media::MediaStretch;
 use super::random::Purpose;
 use super::tracer::Tracer;
 use crate::atmosphere::{self, Segment};
 use crate::color::Rgb;
 use crate::math::Ray;
+use crate::world::Medium;
+use smallvec::SmallVec;
 
 /// A stretch of a ray, in distances from its origin.
 pub(super) struct Span {
@@ -25,32 +28,94 @@ impl Span {
     }
 }
 
-impl Tracer<'_> {
-    /// Returns the radiance added and the transmittance of the air along a span of a ray of length 1. Solid (not
-    /// `hollow`) interiors hold no air (quirk: `fog_needs_hollow`).
+/// Properties of the segments of one shadow ray.
+pub(super) struct ShadowSegments {
+    /// Distance of the light.
+    pub distance: f64,
+    /// True if fog, rainbows and media of the whole scene attenuate the light.
+    pub has_air: bool,
+    /// True if the scene has interiors with media.
+    pub has_media: bool,
+}
+
+impl<'w> Tracer<'w> {
+    /// Returns the radiance added and the transmittance of air and media along a span of a ray of length 1. Solid (not
+    /// `hollow`) interiors hold no air and no media (quirk: `fog_needs_hollow`).
     #[inline]
     pub(super) fn segment(&mut self, ray: &Ray, span: &Span, inside: &Interiors) -> Segment {
-        if self.has_air() { self.air(ray, span, inside) } else { Segment::NONE }
-    }
-
-    fn air(&mut self, ray: &Ray, span: &Span, inside: &Interiors) -> Segment {
-        let world = self.context.world;
-        if inside.iter().any(|&i| world.filled[i as usize]) {
+        let (has_air, has_media) = (self.has_air(), self.has_media());
+        if !has_air && !has_media || self.is_filled(inside) {
             return Segment::NONE;
         }
+        let air = if has_air { self.air(ray, span, inside, false) } else { Segment::NONE };
+        if has_media { air.in_front_of(self.interior_media(ray, span, inside, false)) } else { air }
+    }
+
+    /// Returns the transmittance of air and media along a span of a shadow ray.
+    pub(super) fn shadow_segment(
+        &mut self,
+        ray: &Ray,
+        span: &Span,
+        inside: &Interiors,
+        segments: &ShadowSegments,
+    ) -> Rgb {
+        if !segments.has_air && !segments.has_media || self.is_filled(inside) {
+            return Rgb::ONE;
+        }
+        let mut transmittance = Rgb::ONE;
+        if segments.has_air {
+            transmittance *= self.air(ray, span, inside, true).transmittance;
+        }
+        if segments.has_media {
+            transmittance *= self.interior_media(ray, span, inside, true).transmittance;
+        }
+        transmittance
+    }
+
+    /// True if an interior of the list is not hollow, so that neither air nor media are inside.
+    fn is_filled(&self, inside: &Interiors) -> bool {
+        let world = self.context.world;
+        inside.iter().any(|&i| world.filled[i as usize])
+    }
+
+    /// Returns the segment of fogs, rainbows and media of the whole scene. Fogs and rainbows are in front of media.
+    fn air(&mut self, ray: &Ray, span: &Span, inside: &Interiors, is_shadow: bool) -> Segment {
+        let world = self.context.world;
         let start = if span.from == 0.0 { *ray } else { Ray::new(ray.at(span.from), ray.dir) };
         let length = span.to - span.from;
         let fogs = atmosphere::combine_fogs(&world.fogs, &start, length, world.noise);
         let random = &mut self.random;
-        fogs.in_front_of(atmosphere::combine_rainbows(&world.rainbows, &start, length, &mut || {
+        let air = fogs.in_front_of(atmosphere::combine_rainbows(&world.rainbows, &start, length, &mut || {
             random.next(Purpose::Rainbow)
-        }))
+        }));
+        if world.air.is_empty() || length <= 0.0 {
+            return air;
+        }
+        let media: SmallVec<[&Medium; 4]> = world.air.iter().collect();
+        let range = [span.from, span.to];
+        air.in_front_of(self.media_segment(&MediaStretch { ray, range, media: &media, inside, is_shadow }))
     }
 
-    /// True if the scene has fog or a rainbow, and the quality shows it.
-    pub(super) fn has_air(&self) -> bool {
+    /// Returns the segment of the media of all interiors in the list.
+    fn interior_media(&mut self, ray: &Ray, span: &Span, inside: &Interiors, is_shadow: bool) -> Segment {
         let world = self.context.world;
-        self.context.quality.atmosphere && (!world.fogs.is_empty() || !world.rainbows.is_empty())
+        let of_interior = |i: &u32| world.media.get(i).into_iter().flat_map(|media| media.iter());
+        let media: SmallVec<[&Medium; 4]> = inside.iter().flat_map(of_interior).collect();
+        if media.is_empty() || span.to <= span.from {
+            return Segment::NONE;
+        }
+        let range = [span.from, span.to];
+        self.media_segment(&MediaStretch { ray, range, media: &media, inside, is_shadow })
+    }
+
+    /// True if the scene has fog, rainbows or media without an object, and the quality shows them.
+    pub(super) fn has_air(&self) -> bool {
+        self.context.quality.atmosphere && self.context.world.has_air()
+    }
+
+    /// True if the scene has interiors with media, and the quality shows them.
+    pub(super) fn has_media(&self) -> bool {
+        self.context.quality.atmosphere && !self.context.world.media.is_empty()
     }
 
     /// Returns the transmittance of an interior over the segment at whose end the ray leaves it. The transmittance

@@ -1,8 +1,7 @@
 //! Shadow rays: the share of a light's radiance that arrives at a surface.
 
 use super::interface::{Interface, Interiors, copy_of};
-use super::ray_state::RayState;
-use super::segment::Span;
+use super::segment::{ShadowSegments, Span};
 use super::shading_point::{self, ShadingPoint};
 use super::tracer::Tracer;
 use crate::color::Rgb;
@@ -23,19 +22,19 @@ struct ShadowRay<'a> {
 }
 
 impl Tracer<'_> {
-    /// Returns the visibility of a light from a point, per channel: 0 in full shadow, 1 without any occluder. `state`
-    /// is the ray that hit the point.
+    /// Returns the visibility of a light from a point, per channel: 0 in full shadow, 1 without any occluder. `inside`
+    /// lists the interiors that contain the point.
     #[inline]
     pub(super) fn visibility(
         &mut self,
         light: &LightSource,
         point: DVec3,
         sample: &LightSample,
-        state: &RayState,
+        inside: &Interiors,
     ) -> Rgb {
         match light.emitter.area.as_ref().filter(|_| self.context.quality.area_lights) {
-            Some(area) => self.area_visibility(light, area, point, sample, state),
-            None => self.point_visibility(light, point, sample, state),
+            Some(area) => self.area_visibility(light, area, point, sample, inside),
+            None => self.point_visibility(light, point, sample, inside),
         }
     }
 
@@ -45,7 +44,7 @@ impl Tracer<'_> {
         light: &LightSource,
         point: DVec3,
         sample: &LightSample,
-        state: &RayState,
+        inside: &Interiors,
     ) -> Rgb {
         let epsilon = self.context.world.epsilon.shadow;
         let mut range = Range { min: epsilon, max: sample.distance - epsilon };
@@ -59,7 +58,7 @@ impl Tracer<'_> {
             return Rgb::ONE;
         }
         self.counts.shadow += 1;
-        self.transmittance(&ShadowRay { light, ray, range, distance: sample.distance }, &state.inside)
+        self.transmittance(&ShadowRay { light, ray, range, distance: sample.distance }, inside)
     }
 
     /// Returns the product of the transmittances of all surfaces and segments along a shadow ray. A solid has two
@@ -78,15 +77,17 @@ impl Tracer<'_> {
         }
         // Air attenuates only light with `media_attenuation` (quirk: `fog_and_shadows`).
         let has_air = light.emitter.attenuated && self.has_air();
-        if !see_through && !has_air {
+        let has_media = self.has_media();
+        if !see_through && !has_air && !has_media {
             return Rgb::ONE;
         }
         let filters = |id: u32| {
             let object = &world.objects[id as usize];
             object.shadow && !object.opaque
         };
-        if world.colors_light || has_air {
-            return self.segmented_transmittance(ray, range, filters, copy_of(inside), has_air.then_some(distance));
+        if world.colors_light || has_air || has_media {
+            let segments = ShadowSegments { distance, has_air, has_media };
+            return self.segmented_transmittance(ray, range, filters, copy_of(inside), segments);
         }
         let mut transmittance = Rgb::ONE;
         for hit in surfaces(world, ray, range, filters) {
@@ -96,27 +97,22 @@ impl Tracer<'_> {
     }
 
     /// Returns the transmittance along a shadow ray if air or interiors attenuate light: multiplies segment by segment,
-    /// from the nearest surface to the farthest. `air_distance` is the distance of a light that air attenuates.
+    /// from the nearest surface to the farthest.
     fn segmented_transmittance(
         &mut self,
         ray: &Ray,
         range: Range,
         filters: impl Fn(u32) -> bool,
         mut inside: Interiors,
-        air_distance: Option<f64>,
+        segments: ShadowSegments,
     ) -> Rgb {
         let (mut transmittance, mut from) = (Rgb::ONE, 0.0);
         for hit in surfaces(self.context.world, ray, range, filters) {
-            if air_distance.is_some() {
-                transmittance *= self.segment(ray, &Span::new(from, hit.t()), &inside).transmittance;
-            }
+            transmittance *= self.shadow_segment(ray, &Span::new(from, hit.t()), &inside, &segments);
             transmittance *= self.surface_transmittance(ray, &hit, from, &mut inside);
             from = hit.t();
         }
-        match air_distance {
-            Some(distance) => transmittance * self.segment(ray, &Span::new(from, distance), &inside).transmittance,
-            None => transmittance,
-        }
+        transmittance * self.shadow_segment(ray, &Span::new(from, segments.distance), &inside, &segments)
     }
 
     /// Returns the transmittance of a surface, with caustics, and of the interior that the ray leaves at the surface.

@@ -52,6 +52,8 @@ pub struct Language {
     pub version: u32,
     /// True if a texture may hold the words of its pigment and finish, as before 3.0.
     pub bare_textures: bool,
+    /// True if media are sampled by method 1 unless they state a method, as before 3.5.
+    pub random_media: bool,
     /// Value of `assumed_gamma`, once `global_settings` has set it.
     pub assumed_gamma: Option<Gamma>,
     /// Working gamma of scenes without `assumed_gamma`.

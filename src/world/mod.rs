@@ -9,6 +9,7 @@ mod instance;
 mod leaf;
 mod lower;
 mod material;
+mod medium;
 mod node;
 mod probe;
 mod ray_epsilon;
@@ -18,6 +19,7 @@ pub use geometry::{Blocker, Geometry, PlacedSolid};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_away};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
+pub use medium::Medium;
 pub use node::{SolidKind, SolidNode};
 pub use probe::Probe;
 pub use ray_epsilon::RayEpsilon;
@@ -34,6 +36,7 @@ use crate::medium::Interior;
 use crate::scene::PhotonSettings;
 use crate::source::Span;
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The scene, lowered to the data that rays need.
@@ -59,6 +62,12 @@ pub struct World {
     pub materials: Vec<Material>,
     /// Interiors, by [`Part::interior`].
     pub interiors: Vec<Arc<Interior>>,
+    /// Media of the interiors that have some, by the interior's number.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub media: BTreeMap<u32, Box<[Medium]>>,
+    /// Media of the whole scene.
+    #[serde(skip_serializing_if = "<[Medium]>::is_empty")]
+    pub air: Box<[Medium]>,
     /// Noise generator of patterns that do not name one.
     pub noise: NoiseGenerator,
     /// Distinct `photons` settings of objects, by [`ObjectInfo::photons`]; the first are the defaults.
@@ -196,8 +205,13 @@ pub struct LightSource {
 }
 
 impl World {
+    /// True if the space around objects changes light: by fog, rainbows or media.
+    pub fn has_air(&self) -> bool {
+        !self.fogs.is_empty() || !self.rainbows.is_empty() || !self.air.is_empty()
+    }
+
     /// True if rays must keep a list of the interiors that contain them.
     pub fn needs_interior_lists(&self) -> bool {
-        self.bends || self.colors_light || !self.fogs.is_empty() || !self.rainbows.is_empty()
+        self.bends || self.colors_light || !self.media.is_empty() || self.has_air()
     }
 }

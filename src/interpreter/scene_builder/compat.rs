@@ -15,6 +15,11 @@ pub fn has_bare_textures(version: u32) -> bool {
     version < 300
 }
 
+/// True if media are sampled by method 1 unless they state a method (quirk: `media_defaults`).
+pub fn has_random_media(version: u32) -> bool {
+    version < 350
+}
+
 /// Returns the number of the noise generator for a scene that sets none.
 pub fn noise_generator(version: u32) -> u8 {
     if version < 350 { 1 } else { 2 }

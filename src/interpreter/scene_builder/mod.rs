@@ -7,6 +7,7 @@ use crate::camera::Camera;
 use crate::color::Color;
 use crate::diagnostic::Label;
 use crate::math::noise::NoiseGenerator;
+use crate::medium::Media;
 use crate::scene::{Defaults, Object, ObjectRadiosity, Scene, Settings};
 use crate::source::Span;
 use crate::texture::Texture;
@@ -35,6 +36,7 @@ impl SceneBuilder {
             language: Language {
                 version: compat::DEFAULT_VERSION,
                 bare_textures: false,
+                random_media: false,
                 assumed_gamma: None,
                 other_gamma: compat::gamma_without_setting(None),
                 srgb_files: false,
@@ -49,6 +51,7 @@ impl SceneBuilder {
     pub(super) fn set_version(&mut self, version: u32) {
         self.language.version = version;
         self.language.bare_textures = compat::has_bare_textures(version);
+        self.language.random_media = compat::has_random_media(version);
         if self.scene.settings.noise_generator.is_none() {
             self.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
         }
@@ -123,6 +126,10 @@ impl SceneBuilder {
 
     pub(super) fn add_fog(&mut self, fog: Fog) {
         self.scene.fogs.push(fog);
+    }
+
+    pub(super) fn add_media(&mut self, media: Media) {
+        self.scene.media.push(media);
     }
 
     pub(super) fn add_rainbow(&mut self, rainbow: Rainbow) {

@@ -170,6 +170,9 @@ impl Uncommon {
         if let Some(painted) = &mut self.interior_texture {
             painted.transform_by(step);
         }
+        if let Some(interior) = self.interior.as_mut().filter(|interior| interior.has_transformed_contents()) {
+            Arc::make_mut(interior).transform(step);
+        }
         for bound in [&mut self.clipped_by, &mut self.bounded_by] {
             let moved = |o: &Object| {
                 let mut o = o.clone();
@@ -203,7 +206,8 @@ impl ObjectBody {
         let moved = |painted: &Option<Painted>| painted.as_ref().is_some_and(|p| p.moved.is_some());
         let bound = self.uncommon.clipped_by.is_some() || self.uncommon.bounded_by.is_some();
         let boxed = self.bulk.as_ref().is_some_and(|bulk| bulk.pov_bounds.is_some());
-        boxed || bound || moved(&self.texture) || moved(&self.uncommon.interior_texture)
+        let interior = self.uncommon.interior.as_ref().is_some_and(|interior| interior.has_transformed_contents());
+        boxed || bound || interior || moved(&self.texture) || moved(&self.uncommon.interior_texture)
     }
 }
 

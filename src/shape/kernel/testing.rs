@@ -178,6 +178,7 @@ impl Reader for Words {
         Language {
             version: 370,
             bare_textures: false,
+            random_media: false,
             assumed_gamma: None,
             other_gamma: Gamma::Power(1.0),
             srgb_files: true,

@@ -10,6 +10,7 @@ mod views;
 
 use super::geometry::GeometryBuilder;
 use super::leaf::place;
+use super::medium::Medium;
 use super::{
     Geometry, Leaf, LightSource, Material, ObjectInfo, Part, PlacedMaterial, RayEpsilon, Sky, SolidNode, UncommonPart,
     World,
@@ -17,8 +18,8 @@ use super::{
 use crate::color::Gamma;
 use crate::color::Rgb;
 use crate::diagnostic::Result;
-use crate::math::cancel;
-use crate::medium::Interior;
+use crate::math::{Transform, cancel};
+use crate::medium::{Interior, Media};
 use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, PhotonSettings, Scene};
 use crate::shape::{Bounding, Kernel, Shape, transformed_box};
 use crate::source::{Activity, Span};
@@ -28,6 +29,7 @@ use inherited::{Inherited, hollow_inside, interior_of, joined};
 use instances::Copies;
 use place::{BlockSpace, PlacedTexture, not_finite};
 use shared::{LoweredTable, Shared};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Lowers a scene.
@@ -85,7 +87,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
     }
     let lit_by = lowering.lights_of_groups();
     let noise = scene.settings.noise_generator.unwrap_or_default();
-    let Lowering { parts, objects, cuts, materials, interiors, filled, lights, photons, .. } = lowering;
+    let Lowering { parts, objects, cuts, materials, interiors, media, filled, lights, photons, .. } = lowering;
     let eye = scene.camera.lower(noise, scene.settings.number_of_waves);
     let geometry = Geometry::from(builder);
     Ok(World {
@@ -102,6 +104,8 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
         cuts,
         materials,
         interiors,
+        media,
+        air: lowered_media(&scene.media, &Transform::IDENTITY, 0),
         filled,
         lights,
         lit_by,
@@ -117,6 +121,11 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
         opacity_by_color: scene.settings.opacity_by_color,
         irid_wavelength: scene.settings.irid_wavelength,
     })
+}
+
+/// Lowers the media that have an effect.
+fn lowered_media(media: &[Media], place: &Transform, lights: u32) -> Box<[Medium]> {
+    media.iter().filter(|media| media.has_effect()).map(|media| Medium::new(media, place, lights)).collect()
 }
 
 /// Lowers one object into a geometry of its own.
@@ -148,6 +157,7 @@ struct Lowering {
     shared: Shared,
     copies: Copies,
     interiors: Vec<Arc<Interior>>,
+    media: BTreeMap<u32, Box<[Medium]>>,
     /// Distinct photon settings; the first entry is the default.
     photons: Vec<PhotonSettings>,
     /// Interior of all shapes that have none.
@@ -226,6 +236,7 @@ impl Lowering {
         let interior = interior_of(object);
         let flags = joined(object, inherited.flags);
         let lights = object.uncommon.light_group.map(|global| self.add_group(global));
+        let group = lights.unwrap_or(inherited.lights);
         let hollow = || hollow_inside(object, inherited.flags.hollow).unwrap_or(flags.hollow);
         Ok(Inherited {
             hollow_air: inherited.hollow_air.or_else(|| interior.is_none().then(hollow)),
@@ -235,8 +246,10 @@ impl Lowering {
             texture: texture.or_else(|| inherited.texture.clone()),
             cut: inherited.cut,
             inverted: inherited.inverted != object.uncommon.flags.inverse,
-            interior: interior.map(|i| self.add_interior(i, hollow())).or(inherited.interior),
-            lights: lights.unwrap_or(inherited.lights),
+            interior: interior
+                .map(|i| self.add_interior_with_media(i, hollow(), inherited, group))
+                .or(inherited.interior),
+            lights: group,
             lights_here: lights.is_some(),
             flags,
             photons: self.add_photons(object, inherited.photons),
@@ -255,12 +268,26 @@ impl Lowering {
         number as u32
     }
 
+    /// Adds an interior with its media, which are in the space `around` the object and illuminated by the lights of a
+    /// group, and returns the interior's number.
+    fn add_interior_with_media(
+        &mut self,
+        interior: Arc<Interior>,
+        hollow: bool,
+        around: &Inherited,
+        lights: u32,
+    ) -> u32 {
+        let media = lowered_media(&interior.media, &around.place.now, lights);
+        let number = self.add_interior(interior, hollow);
+        if !media.is_empty() {
+            self.media.insert(number, media);
+        }
+        number
+    }
+
     /// Adds an interior and returns its number. Equal interiors get different numbers, so that a ray that leaves an
     /// object finds the interior that it entered.
     fn add_interior(&mut self, mut interior: Arc<Interior>, hollow: bool) -> u32 {
-        if !interior.unsupported.is_empty() {
-            Arc::make_mut(&mut interior).unsupported.clear();
-        }
         if !interior.has_ior && interior.dispersion != 1.0 {
             Arc::make_mut(&mut interior).dispersion = 1.0;
         }

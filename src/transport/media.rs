@@ -1,0 +1,347 @@
+//! Media along segments of rays: emission, scattering and extinction (manual, "Sampling Parameters & Methods"). Where
+//! samples are placed and how they are weighted is POV-Ray's way (quirk: `media_sampling`).
+
+use super::interface::Interiors;
+use super::random::{Purpose, RandomSequence};
+use super::tracer::Tracer;
+use crate::atmosphere::Segment;
+use crate::color::Rgb;
+use crate::math::{DVec3, Ray, fp};
+use crate::medium::{MediaSampling, SamplingMethod};
+use crate::world::{LightSource, Medium};
+
+/// Maximum depth of halving: further halves of a stretch do not differ from it.
+const MAX_LEVEL: u32 = 24;
+
+/// A stretch of a ray in media.
+pub(super) struct MediaStretch<'a, 'w> {
+    pub ray: &'a Ray,
+    /// Distances from the ray's origin between which the media are.
+    pub range: [f64; 2],
+    /// Media, the outermost first. The parameters of the first one apply to all (quirk: `media_of_first`).
+    pub media: &'a [&'w Medium],
+    /// Interiors that contain the stretch.
+    pub inside: &'a Interiors,
+    /// True for a shadow ray, for which extinction alone counts.
+    pub is_shadow: bool,
+}
+
+/// Properties of media at one point, per world unit.
+#[derive(Clone, Copy, Default)]
+struct PointSample {
+    /// Light that is emitted and scattered towards the eye.
+    light: Rgb,
+    extinction: Rgb,
+}
+
+impl PointSample {
+    fn sum(parts: &[(f64, Self)]) -> Self {
+        let light = parts.iter().map(|(weight, part)| *weight * part.light).sum();
+        let extinction = parts.iter().map(|(weight, part)| *weight * part.extinction).sum();
+        Self { light, extinction }
+    }
+
+    /// Returns the difference of the light, summed over the channels.
+    fn difference(&self, other: &Self) -> f64 {
+        (self.light - other.light).abs().element_sum()
+    }
+}
+
+/// Light and optical depth of the stretches so far, from the eye on.
+#[derive(Default)]
+struct Accumulated {
+    light: Rgb,
+    depth: Rgb,
+}
+
+impl Accumulated {
+    /// Adds a stretch of the length `length` with these mean properties, behind the others.
+    fn add(&mut self, mean: &PointSample, length: f64) {
+        self.light += transmittance(self.depth) * mean.light * length;
+        self.depth += mean.extinction * length;
+    }
+}
+
+/// Returns the transmittance of an optical depth.
+fn transmittance(depth: Rgb) -> Rgb {
+    if depth == Rgb::ZERO { Rgb::ONE } else { (-depth).map(fp::exp) }
+}
+
+impl<'w> Tracer<'w> {
+    /// Returns the light that media add along a stretch of a ray, and their transmittance.
+    pub(super) fn media_segment(&mut self, stretch: &MediaStretch<'_, 'w>) -> Segment {
+        let sampling = stretch.media[0].sampling;
+        let random = self.random.sequence(Purpose::Media);
+        let mut sum = Accumulated::default();
+        for (number, interval) in (0..).zip(self.media_intervals(stretch, &sampling)) {
+            let draws = Draws { random, first: number << 32 };
+            match sampling.method {
+                SamplingMethod::Adaptive => self.add_adaptive(stretch, &sampling, interval, draws, &mut sum),
+                _ => self.add_sampled(stretch, &sampling, interval, draws, &mut sum),
+            }
+            if self.is_stopped() {
+                break;
+            }
+        }
+        Segment { radiance: sum.light, transmittance: transmittance(sum.depth) }
+    }
+
+    /// Divides a stretch into intervals. If only spotlights and cylinder lights illuminate media, their beams divide the
+    /// stretch first, and `ratio` distributes the intervals (quirk: `media_intervals`).
+    fn media_intervals(&self, stretch: &MediaStretch, sampling: &MediaSampling) -> Vec<[f64; 2]> {
+        let mut lit = vec![];
+        let (mut n_lights, mut is_all_lit) = (0, false);
+        for light in self.scattered_lights(stretch.media[0]).filter(|_| !stretch.is_shadow) {
+            n_lights += 1;
+            match light.emitter.lit_stretches(stretch.ray, stretch.range) {
+                Some(stretches) => lit.extend(stretches),
+                None => is_all_lit = true,
+            }
+        }
+        let pieces = if is_all_lit { vec![(stretch.range, true)] } else { beam_pieces(lit, stretch.range) };
+        let is_uniform = n_lights == 0 && !stretch.is_shadow && stretch.media[0].is_homogeneous();
+        let intervals = if is_uniform { 1 } else { sampling.intervals as usize };
+        let counts =
+            interval_counts(&pieces.iter().map(|(_, lit)| *lit).collect::<Vec<_>>(), intervals, sampling.ratio);
+        let parts = pieces.iter().zip(counts).flat_map(|(([from, to], _), count)| {
+            let at = move |i: usize| from + (to - from) * (i as f64 / count as f64);
+            (0..count).map(move |i| [at(i), at(i + 1)])
+        });
+        parts.collect()
+    }
+
+    /// Returns the lights that a medium scatters.
+    fn scattered_lights(&self, medium: &Medium) -> impl Iterator<Item = &'w LightSource> + use<'w> {
+        let world = self.context.world;
+        let numbers = world.lit_by[medium.lights as usize].iter();
+        numbers.map(|&number| &world.lights[number as usize]).filter(|light| light.emitter.scattered)
+    }
+
+    /// Adds an interval by methods 1 and 2: the mean of samples, each attenuated by its own extinction.
+    fn add_sampled(
+        &mut self,
+        stretch: &MediaStretch<'_, 'w>,
+        sampling: &MediaSampling,
+        [from, to]: [f64; 2],
+        draws: Draws,
+        sum: &mut Accumulated,
+    ) {
+        let length = to - from;
+        let mut mean = RunningMean::default();
+        let (least, most) = (sampling.min_samples, sampling.max_samples);
+        for i in 0..most {
+            if i >= least && mean.is_certain(sampling) || self.is_stopped_at_next_surface() {
+                break;
+            }
+            let share = match sampling.method {
+                SamplingMethod::Even if i < least => {
+                    (f64::from(i) + 0.5 + sampling.jitter * draws.centered(i)) / f64::from(least)
+                }
+                _ => draws.centered(i) + 0.5,
+            };
+            let distance = share * length;
+            let sample = self.point_sample(stretch, from + distance);
+            mean.add(&PointSample { light: sample.light * transmittance(sample.extinction * distance), ..sample });
+        }
+        sum.add(&mean.value(), length);
+    }
+
+    /// Adds an interval by method 3: samples at equal distances from its start on, and more between two of them if their
+    /// light differs.
+    fn add_adaptive(
+        &mut self,
+        stretch: &MediaStretch<'_, 'w>,
+        sampling: &MediaSampling,
+        [from, to]: [f64; 2],
+        draws: Draws,
+        sum: &mut Accumulated,
+    ) {
+        let n = (sampling.min_samples / 2 + 2).max(3);
+        let step = (to - from) / f64::from(n);
+        let at = |i: u32| from + step * (f64::from(i) + sampling.jitter * draws.centered(i));
+        let mut before = (at(0), self.point_sample(stretch, at(0)));
+        for i in 1..n {
+            let next = (at(i), self.point_sample(stretch, at(i)));
+            let mean = self.mean_between(stretch, sampling, &before, &next, 1);
+            sum.add(&mean, (to - from) / f64::from(n - 1));
+            before = next;
+            if self.is_stopped() {
+                return;
+            }
+        }
+    }
+
+    /// Returns the mean of a stretch between two samples: of both halves, which are halved again if the light at their
+    /// ends differs.
+    fn mean_between(
+        &mut self,
+        stretch: &MediaStretch<'_, 'w>,
+        sampling: &MediaSampling,
+        start: &(f64, PointSample),
+        end: &(f64, PointSample),
+        level: u32,
+    ) -> PointSample {
+        let at = 0.5 * (start.0 + end.0);
+        let middle = (at, self.point_sample(stretch, at));
+        let is_last = level >= sampling.aa_level.min(MAX_LEVEL) || self.is_stopped();
+        let mut half = |outer: &(f64, PointSample)| {
+            if is_last || outer.1.difference(&middle.1) <= sampling.aa_threshold {
+                return PointSample::sum(&[(2.0 / 3.0, outer.1), (1.0 / 3.0, middle.1)]);
+            }
+            self.mean_between(stretch, sampling, outer, &middle, level + 1)
+        };
+        let (first, second) = (half(start), half(end));
+        PointSample::sum(&[(0.5, first), (0.5, second)])
+    }
+
+    /// Returns the properties of all media at a distance along the ray.
+    fn point_sample(&mut self, stretch: &MediaStretch<'_, 'w>, t: f64) -> PointSample {
+        self.is_stopped_at_next_surface();
+        let world = self.context.world;
+        let p = stretch.ray.at(t);
+        let mut sum = PointSample::default();
+        for medium in stretch.media {
+            let density = medium.density_at(p, stretch.ray.dir, world.noise, world.waves);
+            if density == Rgb::ZERO {
+                continue;
+            }
+            sum.extinction += density * medium.extinction;
+            if !stretch.is_shadow {
+                sum.light += density * (medium.emission + self.scattered_light(stretch, medium, p));
+            }
+        }
+        sum
+    }
+
+    /// Returns the light that a medium scatters at a point towards the eye.
+    fn scattered_light(&mut self, stretch: &MediaStretch<'_, 'w>, medium: &Medium, p: DVec3) -> Rgb {
+        let scattering = &medium.scattering;
+        if scattering.color == Rgb::ZERO {
+            return Rgb::ZERO;
+        }
+        let mut sum = Rgb::ZERO;
+        for light in self.scattered_lights(medium) {
+            let sample = light.emitter.sample(p, DVec3::ZERO);
+            if sample.light == Rgb::ZERO || !sample.from.is_finite() {
+                continue;
+            }
+            let phase = scattering.phase_factor(stretch.ray.dir.dot(sample.from));
+            sum += phase * sample.light * self.visibility(light, p, &sample, stretch.inside);
+        }
+        scattering.color * sum
+    }
+}
+
+/// Random numbers for the samples of one interval.
+#[derive(Clone, Copy)]
+struct Draws {
+    random: RandomSequence,
+    first: u64,
+}
+
+impl Draws {
+    /// Returns the number of a sample, in [-0.5, 0.5).
+    fn centered(self, sample: u32) -> f64 {
+        self.random.at(self.first + u64::from(sample)) - 0.5
+    }
+}
+
+/// Mean and variance of samples.
+#[derive(Default)]
+struct RunningMean {
+    count: f64,
+    sum: PointSample,
+    squares: Rgb,
+}
+
+impl RunningMean {
+    fn add(&mut self, sample: &PointSample) {
+        self.count += 1.0;
+        self.sum = PointSample::sum(&[(1.0, self.sum), (1.0, *sample)]);
+        self.squares += sample.light * sample.light;
+    }
+
+    fn value(&self) -> PointSample {
+        let weight = 1.0 / self.count.max(1.0);
+        PointSample::sum(&[(weight, self.sum)])
+    }
+
+    /// True if the variance of the mean is below `variance` with the probability `confidence`, by Chebyshev's
+    /// inequality.
+    fn is_certain(&self, sampling: &MediaSampling) -> bool {
+        let mean = self.sum.light / self.count;
+        let variance = (self.squares / self.count - mean * mean).max_element() / self.count;
+        variance <= sampling.variance * (1.0 - sampling.confidence)
+    }
+}
+
+/// Divides a range at the ends of the lit stretches; overlapping stretches are united. Each piece states whether it is
+/// lit.
+fn beam_pieces(mut lit: Vec<[f64; 2]>, [from, to]: [f64; 2]) -> Vec<([f64; 2], bool)> {
+    lit.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut pieces: Vec<([f64; 2], bool)> = vec![];
+    let mut last = from;
+    for [start, end] in lit {
+        match pieces.last_mut() {
+            Some((piece, true)) if start <= piece[1] => piece[1] = piece[1].max(end),
+            _ => {
+                if start > last {
+                    pieces.push(([last, start], false));
+                }
+                pieces.push(([start, end], true));
+            }
+        }
+        last = last.max(end);
+    }
+    if last < to || pieces.is_empty() {
+        pieces.push(([last, to], false));
+    }
+    pieces
+}
+
+/// Distributes intervals over pieces of a stretch: each gets one, and a share by `ratio` if it is lit, by 1 - `ratio`
+/// otherwise; the last one gets the rest.
+fn interval_counts(lit: &[bool], intervals: usize, ratio: f64) -> Vec<usize> {
+    let weight = |lit: bool| if lit { ratio } else { 1.0 - ratio };
+    let total: f64 = lit.iter().map(|lit| weight(*lit)).sum();
+    let n_pieces = lit.len();
+    let mut left = intervals.max(n_pieces);
+    let counts = (1..=lit.len()).zip(lit).map(|(number, lit)| {
+        let n_after = n_pieces - number;
+        let wanted = (weight(*lit) / total * intervals as f64).ceil() as usize;
+        let count = if n_after == 0 { left } else { wanted.clamp(1, left - n_after) };
+        left -= count;
+        count
+    });
+    counts.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With POV-Ray's own numbers.
+    #[test]
+    fn intervals_are_distributed_by_ratio() {
+        let one = [false, true, false];
+        for (intervals, ratio, counts) in [
+            (1, 0.9, [1, 1, 1]),
+            (5, 0.9, [1, 3, 1]),
+            (10, 0.9, [1, 8, 1]),
+            (20, 0.9, [2, 17, 1]),
+            (10, 0.5, [4, 4, 2]),
+            (10, 0.1, [5, 1, 4]),
+        ] {
+            assert_eq!(interval_counts(&one, intervals, ratio), counts, "{intervals} {ratio}");
+        }
+        assert_eq!(interval_counts(&[false, true, false, true, false], 10, 0.9), [1, 5, 1, 2, 1]);
+    }
+
+    #[test]
+    fn beams_divide_a_stretch() {
+        let pieces = |lit: &[[f64; 2]]| beam_pieces(lit.to_vec(), [0.0, 1.0]);
+        assert_eq!(pieces(&[]), [([0.0, 1.0], false)]);
+        assert_eq!(pieces(&[[0.5, 0.7], [0.2, 0.6]]), [([0.0, 0.2], false), ([0.2, 0.7], true), ([0.7, 1.0], false)]);
+        assert_eq!(pieces(&[[0.0, 1.0]]), [([0.0, 1.0], true)]);
+    }
+}
