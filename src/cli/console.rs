@@ -57,7 +57,7 @@ impl Console {
             When::Never => false,
         };
         let columns = terminal_size::terminal_size_of(io::stderr()).map(|(width, _)| usize::from(width.0));
-        let style = draw::Style { fancy, width: columns.unwrap_or(WIDTH).max(40) };
+        let style = draw::Style { fancy, ascii: false, width: columns.unwrap_or(WIDTH).max(40) };
         let dialect = Dialect::default();
         Self {
             style,
@@ -76,9 +76,10 @@ impl Console {
         Self::new(&Common { quiet: false, color: When::Auto })
     }
 
-    /// Returns this console with the output format of a program.
+    /// Returns this console with the output format of a program. Programs that start POV-Ray may expect ASCII characters.
     pub fn with_dialect(self, dialect: Dialect) -> Self {
-        Self { dialect, ..self }
+        let style = draw::Style { ascii: dialect == Dialect::Povray && !self.terminal, ..self.style };
+        Self { dialect, style, ..self }
     }
 
     /// Returns this console with the text files and silent streams of POV-Ray's command line.
@@ -144,15 +145,24 @@ impl Console {
 
     /// True if the console prints the lines that programs expect from POV-Ray.
     pub fn has_povray_lines(&self) -> bool {
-        self.dialect == Dialect::Povray && !self.terminal && !self.quiet
+        self.dialect == Dialect::Povray && !self.terminal
     }
 
     /// Writes a line that programs expect from POV-Ray to stderr; only for POV-Ray's command line.
     pub fn povray_line(&self, line: &str) {
+        self.copy(Stream::Render, line);
         if self.has_povray_lines() {
-            self.print(Stream::Render, line);
+            print_message(line);
+        }
+    }
+
+    /// Writes POV-Ray's statistics of a picture to stderr, unless `-GA` or `-GS` silences them; only for POV-Ray's command
+    /// line.
+    pub fn povray_statistics(&self, text: &str) {
+        if self.has_povray_lines() {
+            self.print(Stream::Statistics, text);
         } else {
-            self.copy(Stream::Render, line);
+            self.copy(Stream::Statistics, text);
         }
     }
 
@@ -171,7 +181,7 @@ impl Console {
         if wanted.len() > 1 && !self.among_several {
             text += &format!("{count}\n");
         }
-        text
+        if self.style.ascii { client_lines::to_ascii(&text) } else { text }
     }
 
     /// Writes diagnostics as rendered by [`Console::text`] to stderr.
@@ -195,7 +205,7 @@ impl Console {
                 Severity::Error => Stream::Fatal,
                 Severity::Warning => Stream::Warning,
             };
-            let style = draw::Style { fancy: false, width: WIDTH };
+            let style = draw::Style { fancy: false, ascii: false, width: WIDTH };
             let text = client_lines::fault_line(sources, d) + &draw::render(d, sources, style) + "\n";
             self.copy(stream, &text);
         }

@@ -64,7 +64,7 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
             Err(failure) => Err(failure),
         };
         let exit = exit.unwrap_or_else(|failure| console.print_failure(failure));
-        console.povray_line(client_lines::ending_line(exit));
+        console.povray_line(client_lines::ending_lines(exit));
         exit
     });
     ExitCode::from(exit.number())
@@ -73,22 +73,27 @@ pub fn main(words: Vec<OsString>) -> ExitCode {
 /// Parses the command line after translating POV-Ray's options, and configures the console. The returned context holds
 /// settings for which durer has no option.
 fn parse(words: Vec<OsString>, console: &mut Console) -> Result<(Command, Context)> {
-    unknown::check(&words)?;
+    if !povray::is_named_povray(&words) {
+        unknown::check(&words)?;
+    }
     if povray::asks_version(&words) {
         print_message(client_lines::BANNER);
     }
+    // POV-Ray prints its lines with `-GA`, too.
+    let is_quiet = words.iter().any(|word| word == "-q" || word == "--quiet");
     let sources = Sources::default();
     let povray::Translated { words, animation, mut diagnostics, idle, is_povray_line, text_output } =
         povray::translate(&sources, words);
+    let dialect = if is_povray_line && !is_quiet { Dialect::Povray } else { Dialect::Durer };
     if is_povray_line {
         exit::use_povray_codes();
-        *console = Console::plain().with_dialect(Dialect::Povray);
+        *console = Console::plain().with_dialect(dialect);
     }
     if diagnostics.iter().any(|d| d.severity == Severity::Error) {
         return Err(overlay::report(console, &sources, &diagnostics));
     }
     let Cli { common, command } = Cli::try_parse_from(words).map_err(|e| Failure::Usage(Box::new(e)))?;
-    *console = Console::new(&common).with_dialect(if is_povray_line { Dialect::Povray } else { Dialect::Durer });
+    *console = Console::new(&common).with_dialect(dialect);
     *console = console.clone().with_text_output(&text_output)?;
     console.povray_line(client_lines::BANNER);
     let warns_of_idle = match &command {

@@ -10,15 +10,21 @@ use miette::{
 /// Style of a diagnostic's rendering, such as colours.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
-    /// True if the message is drawn with colours and Unicode lines.
+    /// True if the message is drawn with colours.
     pub fancy: bool,
+    /// True if frames are drawn with ASCII characters and without colours.
+    pub ascii: bool,
     /// Width of the terminal, in columns.
     pub width: usize,
 }
 
 /// Renders one diagnostic to text that ends in a newline.
 pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> String {
-    let theme = if style.fancy { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
+    let (theme, frame) = match style {
+        Style { ascii: true, .. } => (GraphicalTheme::none(), ASCII_FRAME),
+        Style { fancy: true, .. } => (GraphicalTheme::unicode(), FRAME),
+        _ => (GraphicalTheme::unicode_nocolor(), FRAME),
+    };
     let handler = GraphicalReportHandler::new_themed(theme).with_width(style.width).with_context_lines(1);
     let draw = |d: &Diagnostic| {
         let mut out = String::new();
@@ -31,7 +37,7 @@ pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> Strin
         Some([first, rest]) => {
             let rest = draw(&rest);
             // The message is above already: continue with the frame.
-            let frame = rest.find(FRAME).and_then(|at| rest[..at].rfind('\n')).map_or(0, |at| at + 1);
+            let frame = rest.find(frame).and_then(|at| rest[..at].rfind('\n')).map_or(0, |at| at + 1);
             draw(&first) + &rest[frame..]
         }
         None => draw(diagnostic),
@@ -46,6 +52,9 @@ pub fn render(diagnostic: &Diagnostic, sources: &Sources, style: Style) -> Strin
 
 /// Beginning of the frame around quoted source lines.
 const FRAME: &str = "╭─";
+
+/// Beginning of the frame around quoted source lines, in ASCII characters.
+const ASCII_FRAME: &str = ",-[";
 
 /// Splits a diagnostic in two: one with the fault's own label, and one with the other labels and the help. `None` if
 /// all can be shown together. The reason is that miette shows labels in the order of the text, so that others could

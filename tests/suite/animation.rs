@@ -11,6 +11,18 @@ light_source { -9*z rgb 1 } sphere { 0, 1 pigment { rgb 1 } }
 #ifdef (Speed) #debug concat("Speed=", str(Speed, 0, 2), "\n") #end
 "#;
 
+/// Beginnings of the lines that programs expect from POV-Ray.
+const POVRAY_LINES: &[&str] = &[
+    "POV-Ray ",
+    "====",
+    "Rendered ",
+    "----",
+    "Render Statistics",
+    "Image Resolution ",
+    "  Parse Time: ",
+    "  Trace Time: ",
+];
+
 /// An empty folder with a scene in it.
 struct Scratch(tempfile::TempDir);
 
@@ -40,11 +52,10 @@ impl Scratch {
         text
     }
 
-    /// The lines that the scene prints.
+    /// Returns the lines that the scene prints, without the lines that programs expect from POV-Ray.
     #[track_caller]
-    /// Returns the lines that the scene prints, without the lines that programs expect of POV-Ray.
     fn prints(&self, line: &str) -> Vec<String> {
-        let is_povrays = |line: &&str| line.starts_with("POV-Ray ") || line.starts_with("====");
+        let is_povrays = |line: &&str| POVRAY_LINES.iter().any(|start| line.starts_with(start));
         self.exits(0, line).lines().filter(|line| !is_povrays(line)).map(String::from).collect()
     }
 

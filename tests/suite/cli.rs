@@ -186,16 +186,41 @@ fn pov_rays_command_line() {
     let (_, err) = scratch.exits(1, "ball.scene Widht=8");
     assert!(err.starts_with("Problem with option setting\n") && err.ends_with("Render failed\n"), "{err}");
     assert!(err.contains("did you mean `Width=8`?"), "{err}");
-    let (_, err) = scratch.exits(0, "ball.scene +W8 +H6 +V");
-    assert!(err.starts_with("POV-Ray 3.7 compatible (durer "), "{err}");
-    for line in ["= [Parsing...] =", "= [Rendering...] =", "Rendered 48 of 48 pixels (100%)", "POV-Ray finished\n"] {
-        assert!(err.contains(line), "{line}: {err}");
-    }
     scratch.put("wrong.pov", "\nsphere { 0, Radius }\n");
     let (_, err) = scratch.exits(1, "+Iwrong.pov +W8 +H6");
     assert!(err.contains("File 'wrong.pov' line 2: Parse Error: `Radius` is not declared\n"), "{err}");
+    assert!(err.ends_with("Fatal error in parser: Cannot parse input.\nRender failed\n"), "{err}");
     std::fs::remove_file(scratch.path().join("wrong.pov")).unwrap();
     assert_eq!(scratch.names(), ["ball.png", "ball.scene", "foo.ppm"]);
+}
+
+#[test]
+fn lines_for_programs_that_start_povray() {
+    let scratch = Scratch::new();
+    // Two threads and two passes of anti-aliasing: the last progress is that of the whole picture.
+    for options in ["", "-GA", "+A0.1 +AM2 +WT2 +W80 +H60"] {
+        let (_, err) = scratch.exits(0, &format!("ball.scene +W8 +H6 {options}"));
+        assert!(err.starts_with("POV-Ray 3.7 compatible (durer "), "{err}");
+        let all = if options.contains("+W80") { "4800 of 4800" } else { "48 of 48" };
+        let last = err.rsplit("Rendered ").next().unwrap();
+        assert!(last.starts_with(&format!("{all} pixels (100%)\r\n")), "{err}");
+        assert!(err.ends_with("POV-Ray finished\n") && err.is_ascii(), "{err}");
+        let places: Vec<_> = ["= [Parsing...] =", "= [Rendering...] =", "Rendered"].map(|line| err.find(line)).into();
+        assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{err}");
+    }
+    let (_, err) = scratch.exits(0, "-V ball.scene +W8 +H6");
+    assert!(!err.contains("Rendered") && err.contains("\nRender Statistics\nImage Resolution 8 x 6\n----"), "{err}");
+    assert!(err.contains("\n  Trace Time:       0 hours  0 minutes  0 seconds (0."), "{err}");
+    for silent in ["-GA", "-GS"] {
+        assert!(!scratch.exits(0, &format!("ball.scene +W8 +H6 {silent}")).1.contains("Statistics"), "{silent}");
+    }
+    assert_eq!(scratch.exits(0, "+Iball.scene +W8 +H6 -q").1, "");
+    // Programs decode messages as ASCII.
+    scratch.put("short.pov", "sphere { <0, 1, 2> }\n");
+    let (_, err) = scratch.exits(1, "short.pov +W8");
+    assert!(err.contains("the end of `sphere {...}`") && err.is_ascii(), "{err}");
+    let (_, err) = scratch.exits(1, "+W8");
+    assert!(err.starts_with("Problem with option setting\nNo input file provided\n"), "{err}");
 }
 
 #[test]

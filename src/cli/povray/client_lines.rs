@@ -20,16 +20,20 @@ pub fn progress(done: usize, total: usize) -> String {
     format!("Rendered {done} of {total} pixels ({}%)\r", done * 100 / total.max(1))
 }
 
-/// Returns POV-Ray's lines about the times of parsing and tracing.
-pub fn times(times: [Duration; 2]) -> String {
+/// Line that separates the parts of POV-Ray's statistics.
+const RULE: &str = "----------------------------------------------------------------------------\n";
+
+/// Returns POV-Ray's statistics of a picture: width and height, and the times of parsing and tracing.
+pub fn statistics(size: [usize; 2], times: [Duration; 2]) -> String {
     let line = |name: &str, time: Duration| {
         let seconds = time.as_secs();
         let [hours, minutes, rest] = [seconds / 3600, seconds / 60 % 60, seconds % 60];
         let seconds = time.as_secs_f64();
         format!("  {name} Time: {hours:7} hours {minutes:2} minutes {rest:2} seconds ({seconds:.3} seconds)\n")
     };
-    let [parse, trace] = times;
-    line("Parse", parse) + &line("Trace", trace)
+    let ([width, height], [parse, trace]) = (size, times);
+    let times = line("Parse", parse) + &line("Trace", trace);
+    format!("{RULE}Render Statistics\nImage Resolution {width} x {height}\n{RULE}{times}{RULE}")
 }
 
 /// Prefixes of the codes of warnings that POV-Ray does not have: about options without effect, and advice about pictures.
@@ -40,6 +44,9 @@ const NOT_OF_POVRAY: &[&str] = &["W001", "W04"];
 pub fn fault_line(sources: &Sources, diagnostic: &Diagnostic) -> String {
     if diagnostic.code == codes::UNKNOWN_OPTION {
         return "Problem with option setting\nFailed to parse command-line option\n".into();
+    }
+    if diagnostic.code == codes::NO_SCENE {
+        return "Problem with option setting\nNo input file provided\n".into();
     }
     if NOT_OF_POVRAY.iter().any(|prefix| diagnostic.code.0.starts_with(prefix)) {
         return String::new();
@@ -55,10 +62,22 @@ pub fn fault_line(sources: &Sources, diagnostic: &Diagnostic) -> String {
     }
 }
 
-/// Returns the last line of the output.
-pub fn ending_line(exit: Exit) -> &'static str {
+/// Replaces the characters of durer's messages that are not ASCII, which some programs cannot decode. Characters of the
+/// scene's text stay.
+pub fn to_ascii(text: &str) -> String {
+    text.replace('…', "...")
+        .replace('·', "*")
+        .replace('×', "x")
+        .replace('²', "^2")
+        .replace(['“', '”'], "\"")
+        .replace(['‘', '’'], "'")
+}
+
+/// Returns the last lines of the output.
+pub fn ending_lines(exit: Exit) -> &'static str {
     match exit {
         Exit::Fine => "POV-Ray finished\n",
+        Exit::Scene => "Fatal error in parser: Cannot parse input.\nRender failed\n",
         exit if exit.is_signal() => "Render cancelled by user\n",
         _ => "Render failed\n",
     }

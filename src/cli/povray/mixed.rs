@@ -22,7 +22,8 @@ pub enum Form {
 pub fn form(words: &[OsString]) -> Form {
     let Some((at, first)) = first_word(words) else { return Form::Durer };
     let command = commands();
-    if ["--help", "-h", "--version", "-V", "help"].contains(&&*first) {
+    // `-V` before other words is POV-Ray's.
+    if ["--help", "-h", "--version", "help"].contains(&&*first) || first == "-V" && words.len() == at + 1 {
         return Form::Durer;
     }
     match command.find_subcommand(&first) {

@@ -62,7 +62,8 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
         return Translated { words: vec!["durer".into(), "--version".into()], ..Translated::default() };
     }
     let untrusted = environment_is_untrusted() || words.iter().any(|word| word == "--untrusted");
-    match mixed::form(&words) {
+    let form = if is_named_povray(&words) && words.len() == 1 { mixed::Form::Povray } else { mixed::form(&words) };
+    match form {
         mixed::Form::Durer => Translated { words, ..Translated::default() },
         mixed::Form::Mixed(at) => Translation::new(sources, untrusted).mixed(&words, at),
         mixed::Form::Povray => {
@@ -73,6 +74,7 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
                 translation = Translation::of_line(sources, &words, untrusted, user_ini.as_deref());
             }
             translation.settings.is_povray_line = translation.any_switch && translation.command.is_none();
+            translation.check_scene();
             translation.finish(words.first().cloned().unwrap_or_default())
         }
     }
@@ -80,9 +82,14 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
 
 /// True for a command line that asks POV-Ray for its version. True for `--version` if durer is called `povray`.
 pub fn asks_version(words: &[OsString]) -> bool {
-    let [program, word] = words else { return false };
-    let is_named_povray = || Path::new(program).file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case("povray"));
-    ["-version", "--V"].iter().any(|version| word == version) || word == "--version" && is_named_povray()
+    let [_, word] = words else { return false };
+    ["-version", "--V"].iter().any(|version| word == version) || word == "--version" && is_named_povray(words)
+}
+
+/// True if durer is called by the name `povray`. All command lines without a command of durer are then POV-Ray's.
+pub fn is_named_povray(words: &[OsString]) -> bool {
+    let stem = words.first().and_then(|program| Path::new(program).file_stem());
+    stem.is_some_and(|stem| stem.eq_ignore_ascii_case("povray"))
 }
 
 /// Option on POV-Ray's command line that prevents durer from reading the user's INI file.
@@ -121,7 +128,7 @@ struct Translation<'s> {
     options: Vec<Own>,
     /// Name of the durer command, if the command line names one.
     command: Option<String>,
-    /// True if an option on the command line has POV-Ray's form.
+    /// True if an option on the command line has POV-Ray's form, or if durer is called `povray`.
     any_switch: bool,
     faults: Vec<Diagnostic>,
     idle: Vec<Diagnostic>,
@@ -162,6 +169,7 @@ impl<'s> Translation<'s> {
     /// Translates the words of POV-Ray's command line after the program's name, and before them the INI file `ini`.
     fn of_line(sources: &'s Sources, words: &[OsString], untrusted: bool, ini: Option<&Path>) -> Self {
         let mut translation = Self::new(sources, untrusted);
+        translation.any_switch = is_named_povray(words);
         ini.iter().for_each(|ini| translation.ini(&ini.to_string_lossy(), Origin::default()));
         let mut rest = words.iter().skip(1).filter(|word| *word != NO_INI).peekable();
         while let Some(word) = rest.next() {
@@ -212,6 +220,15 @@ impl<'s> Translation<'s> {
             self.set_input(text, origin)
         };
         self.faults.extend(done.err());
+    }
+
+    /// Adds an error if POV-Ray's command line names no scene.
+    fn check_scene(&mut self) {
+        let has_scene = self.settings.input.is_some() || !self.scenes.is_empty();
+        if self.settings.is_povray_line && !has_scene && self.faults.is_empty() {
+            let fault = Diagnostic::new(codes::NO_SCENE, Span::NONE, "no input file provided");
+            self.faults.push(fault.help("name the scene: `+Iscene.pov`"));
+        }
     }
 
     /// Sets the scene to render, unless a later word names another one.

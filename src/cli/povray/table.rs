@@ -120,7 +120,7 @@ pub const ROWS: &[Row] = &[
     both("", "Display_Gamma", Text, Idle(NO_WINDOW)),
     both("", "Real_Time_Raytracing", Nothing, Same),
     row("P", "Pause_When_Done", Nothing, Idle(NO_WINDOW), Same),
-    row("V", "Verbose", Nothing, Flag("--progress=always"), Same),
+    row("V", "Verbose", Nothing, Flag("--progress=always"), Flag("--progress=never")),
     row("UD", "Draw_Vistas", Nothing, Idle(NO_WINDOW), Same),
     both("SP", "Preview_Start_Size", Number, Idle(NO_WINDOW)),
     both("EP", "Preview_End_Size", Number, Idle(NO_WINDOW)),

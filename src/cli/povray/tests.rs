@@ -265,14 +265,55 @@ fn help_is_printed_for_a_single_word() {
 }
 
 #[test]
+fn all_lines_of_a_link_named_povray_are_povrays() {
+    let translate = |line: &str| {
+        let words = ["/tmp/bin/povray"].into_iter().chain(line.split_whitespace()).map(OsString::from).collect();
+        translate(&Sources::default(), words)
+    };
+    for line in ["a.pov", "-V a.pov", "a"] {
+        let Translated { words, is_povray_line, diagnostics, .. } = translate(line);
+        assert!(is_povray_line && diagnostics.is_empty() && words.contains(&"--aa=off".into()), "{line} {words:?}");
+    }
+    for line in ["", "-V -D", "+W8"] {
+        let Translated { is_povray_line, diagnostics, .. } = translate(line);
+        assert!(is_povray_line, "{line}");
+        assert_eq!(diagnostics.iter().map(|d| d.code).collect::<Vec<_>>(), [codes::NO_SCENE], "{line}");
+    }
+    assert!(!translate("check a.pov").is_povray_line);
+}
+
+#[test]
+fn progress_is_printed_unless_it_is_turned_off() {
+    same("a.pov +V", "--aa=off --progress=always -- a.pov");
+    same("-V a.pov", "--aa=off --progress=never -- a.pov");
+    same("a.pov +V Verbose=off", "--aa=off --progress=never -- a.pov");
+}
+
+#[test]
 fn command_lines_of_durer_are_unchanged() {
-    for line in
-        ["", "--help", "-h", "render a.scene", "-q render a.scene", "--color never check a.scene", "test a.scene"]
-    {
+    for line in [
+        "",
+        "--help",
+        "-h",
+        "-V",
+        "-q -V",
+        "render a.scene",
+        "-q render a.scene",
+        "--color never check a.scene",
+        "test a.scene",
+    ] {
         assert_eq!(mixed::form(&words(line)), Form::Durer, "{line}");
     }
-    for line in ["a.scene", "+Ia.pov", "Width=4", "-D a.pov", "-q a.scene", "--size 4x3 a.scene", "+W4 render a.scene"]
-    {
+    for line in [
+        "a.scene",
+        "+Ia.pov",
+        "Width=4",
+        "-D a.pov",
+        "-q a.scene",
+        "--size 4x3 a.scene",
+        "+W4 render a.scene",
+        "-V -D a.pov",
+    ] {
         assert_eq!(mixed::form(&words(line)), Form::Povray, "{line}");
     }
     for line in ["render a.scene +W4", "render -D a.scene", "-q check a.scene Width=4", "pick a.scene 1,2 -A"] {

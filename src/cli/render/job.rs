@@ -16,7 +16,6 @@ use crate::cli::journal::finished_frames::FinishedFrames;
 use crate::cli::journal::identity::{self, Begun, Work};
 use crate::cli::journal::{self, Journal};
 use crate::cli::povray::client_lines;
-use crate::cli::povray::text_output::Stream;
 use crate::cli::session;
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
@@ -213,7 +212,9 @@ impl<'a> Job<'a> {
     ) -> Result<Rendered> {
         let (console, config) = (self.console, self.config);
         console.povray_line(client_lines::RENDERING);
-        let progress = Progress::new(config.progress, console, self.sources.name(self.file));
+        let drawing = config.drawing(timing);
+        let pixels = drawing.region.map_or(drawing.width * drawing.height, |region| region.width * region.height);
+        let progress = Progress::new(config.progress, console, self.sources.name(self.file), pixels);
         let mut monitor = Monitor::new(progress, token.clone());
         monitor.is_silent = config.cancel.is_some();
         monitor.journal = journal.cloned();
@@ -289,7 +290,9 @@ impl<'a> Job<'a> {
         drop(deferred);
 
         self.advise(&world, timing, config.circumstances(is_incomplete, is_black));
-        console.copy(Stream::Statistics, &client_lines::times([built.parse_time + built.build_time, trace_time]));
+        let drawing = config.drawing(timing);
+        let times = [built.parse_time + built.build_time, trace_time];
+        console.povray_statistics(&client_lines::statistics([drawing.width, drawing.height], times));
         if let Some(stats) = &config.stats {
             let times = [built.parse_time, built.build_time, trace_time, encode_time, start.elapsed()];
             self.done.reports.push(Report::new(times, rays, &config.drawing(timing)));

@@ -5,6 +5,7 @@ use crate::cli::console::{Console, print_message};
 use crate::cli::povray::client_lines;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 /// Display of a render's progress.
@@ -20,15 +21,23 @@ pub enum Progress {
         /// Tenths of the progress that are printed so far.
         printed: AtomicUsize,
     },
-    /// Progress display for programs that start POV-Ray: a line per percent; the number is the last printed one.
-    PovrayLines(AtomicUsize),
+    /// Progress display for programs that start POV-Ray: a line per percent.
+    PovrayLines {
+        /// Number of pixels of the picture or of its region.
+        pixels: usize,
+        /// Last printed percentage. Its lock keeps the lines of several threads in ascending order.
+        printed: Mutex<usize>,
+    },
 }
 
 impl Progress {
-    /// Creates the display that `--progress` selects; a bar is labelled with the scene's `name`.
-    pub fn new(when: When, console: &Console, name: &str) -> Self {
+    /// Creates the display that `--progress` selects for a number of pixels; a bar is labelled with the scene's `name`.
+    pub fn new(when: When, console: &Console, name: &str, pixels: usize) -> Self {
         match when {
-            When::Always if console.has_povray_lines() => Self::PovrayLines(AtomicUsize::new(0)),
+            // POV-Ray prints the progress unless `-V` turns it off.
+            When::Always | When::Auto if console.has_povray_lines() => {
+                Self::PovrayLines { pixels, printed: Mutex::default() }
+            }
             When::Always if !console.terminal => Self::Lines { start: Instant::now(), printed: AtomicUsize::new(0) },
             When::Always => Self::bar(name),
             When::Auto if console.terminal && !console.quiet => Self::bar(name),
@@ -45,7 +54,7 @@ impl Progress {
         Self::Bar(bar)
     }
 
-    /// Updates the display: `done` of `total` pixels are finished.
+    /// Updates the display: `done` of `total` pixels of all passes are finished.
     pub fn advance(&self, done: usize, total: usize) {
         match self {
             Self::Silent => {}
@@ -53,10 +62,12 @@ impl Progress {
                 bar.set_length(total as u64);
                 bar.set_position(done as u64);
             }
-            Self::PovrayLines(printed) => {
+            Self::PovrayLines { pixels, printed } => {
                 let percent = done * 100 / total.max(1);
-                if percent > printed.fetch_max(percent, Relaxed) {
-                    print_message(&client_lines::progress(done, total));
+                let mut printed = printed.lock().unwrap_or_else(PoisonError::into_inner);
+                if percent > *printed {
+                    *printed = percent;
+                    print_message(&client_lines::progress(pixels * done / total.max(1), *pixels));
                 }
             }
             Self::Lines { start, printed } => {
@@ -73,7 +84,7 @@ impl Progress {
     pub fn finish(&self) {
         match self {
             Self::Bar(bar) => bar.finish_and_clear(),
-            Self::PovrayLines(_) => print_message("\n"),
+            Self::PovrayLines { .. } => print_message("\n"),
             _ => {}
         }
     }

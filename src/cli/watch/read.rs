@@ -145,7 +145,7 @@ pub fn diagnostic_of(failure: Failure) -> Diagnostic {
 /// Returns a message in the form that the preview page displays.
 pub fn message(sources: &Sources, diagnostic: &Diagnostic) -> Message {
     use crate::diagnostic::draw;
-    let text = draw::render(diagnostic, sources, draw::Style { fancy: false, width: 100 });
+    let text = draw::render(diagnostic, sources, draw::Style { fancy: false, ascii: false, width: 100 });
     let severity = if diagnostic.severity == Severity::Error { "error" } else { "warning" };
     Message { severity, code: diagnostic.code.0, text, place: link(sources, diagnostic.span()) }
 }

@@ -76,7 +76,7 @@ fn picture(world: &durer::world::World) -> Option<String> {
 
 /// Checks a message: it has a span in a file, and can be rendered.
 fn fault_of(d: &Diagnostic, sources: &Sources) -> Option<String> {
-    let drawn = draw::render(d, sources, draw::Style { fancy: false, width: 100 });
+    let drawn = draw::render(d, sources, draw::Style { fancy: false, ascii: false, width: 100 });
     let labels = d.labels.iter().chain(&d.trace);
     let outside = labels.map(|l| l.span).find(|span| !is_inside(*span, sources));
     // `#warning ""` may be empty.
