@@ -87,19 +87,20 @@ impl<'w> Tracer<'w> {
     }
 
     /// Divides a stretch into intervals. If only spotlights and cylinder lights illuminate media, their beams divide the
-    /// stretch first, and `ratio` distributes the intervals (quirk: `media_intervals`).
+    /// stretch first, and `ratio` distributes the intervals. A medium without densities has one interval where no light
+    /// shines (quirk: `media_intervals`).
     fn media_intervals(&self, stretch: &MediaStretch, sampling: &MediaSampling) -> Vec<[f64; 2]> {
         let mut lit = vec![];
-        let (mut n_lights, mut is_all_lit) = (0, false);
+        let mut is_all_lit = false;
         for light in self.scattered_lights(stretch.media[0]).filter(|_| !stretch.is_shadow) {
-            n_lights += 1;
             match light.emitter.lit_stretches(stretch.ray, stretch.range) {
                 Some(stretches) => lit.extend(stretches),
                 None => is_all_lit = true,
             }
         }
+        let is_dark = lit.is_empty() && !is_all_lit;
+        let is_uniform = is_dark && !stretch.is_shadow && stretch.media[0].is_homogeneous();
         let pieces = if is_all_lit { vec![(stretch.range, true)] } else { beam_pieces(lit, stretch.range) };
-        let is_uniform = n_lights == 0 && !stretch.is_shadow && stretch.media[0].is_homogeneous();
         let intervals = if is_uniform { 1 } else { sampling.intervals as usize };
         let counts =
             interval_counts(&pieces.iter().map(|(_, lit)| *lit).collect::<Vec<_>>(), intervals, sampling.ratio);

@@ -112,7 +112,9 @@ impl Tracer<'_> {
             transmittance *= self.surface_transmittance(ray, &hit, from, &mut inside);
             from = hit.t();
         }
-        transmittance * self.shadow_segment(ray, &Span::new(from, segments.distance), &inside, &segments)
+        // Media of interiors end at surfaces: a light inside of a medium is not attenuated (quirk: `light_inside_media`).
+        let last = ShadowSegments { has_media: false, ..segments };
+        transmittance * self.shadow_segment(ray, &Span::new(from, last.distance), &inside, &last)
     }
 
     /// Returns the transmittance of a surface, with caustics, and of the interior that the ray leaves at the surface.
