@@ -7,6 +7,7 @@
 mod camera;
 mod csg;
 mod dark;
+mod media;
 mod overlap;
 mod unseen;
 
@@ -20,7 +21,8 @@ use std::path::Path;
 
 /// Returns warnings about a scene before it is rendered.
 pub fn scene_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
-    camera::several_cameras_warning(scene).into_iter().chain(csg::csg_warnings(scene, sources)).collect()
+    let csg = csg::csg_warnings(scene, sources);
+    camera::several_cameras_warning(scene).into_iter().chain(csg).chain(media::solid_media_warnings(scene)).collect()
 }
 
 /// Returns warnings about text that is unusual but mostly intended, for `--warn doubtful`.

@@ -297,6 +297,11 @@ is reported with `--warn doubtful` only."
 thousandth; let the objects that a `difference` subtracts stick out a little. Reported after rendering.
 
     difference { box { 0, 1 } cylinder { 0.5*(x + z), 0.5*(x + z) + y, 0.3 } }   // from below 0 to above 1"
+    SOLID_MEDIA "W0412" "media in an object that is not hollow"
+"An object without `hollow` is filled with the material of its surface, and holds no smoke, fire or fog. Write `hollow` into the object, and into every
+object around it, the one around the camera too.
+
+    sphere { 0, 1 pigment { rgbt 1 } hollow interior { media { emission 0.5 } } }"
     NOT_PORTABLE "W0420" "POV-Ray 3.7 would reject this"
 "Reported with `durer check --warn portable`. durer accepts it, POV-Ray 3.7 does not: a comma where it expects none, a vector for a colour, a texture's name without
 its `texture { }`, a missing `;`, or a word of durer's own."

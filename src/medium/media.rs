@@ -119,17 +119,17 @@ const MEDIA_ROWS: &[Row<Media>] = &[
         },
     ),
     word("confidence", Float, "0.9", "methods 1 and 2: how sure the mean is to have the `variance`")
-        .sets(|s, r| set(&mut s.sampling.confidence, read_between("confidence", r, 0.0, 1.0))),
+        .sets(|s, r| set(&mut s.sampling.confidence, read_confidence(r))),
     word("variance", Float, "0.0078125", "methods 1 and 2: how much the mean may vary")
         .sets(|s, r| set(&mut s.sampling.variance, r.float())),
     word("ratio", Float, "0.9", "the share of intervals where spotlights and cylinder lights shine")
-        .sets(|s, r| set(&mut s.sampling.ratio, read_between("ratio", r, 0.0, 1.0))),
+        .sets(|s, r| set(&mut s.sampling.ratio, r.float().map(|ratio| ratio.clamp(0.0, 1.0)))),
     word("jitter", Float, "0", "moves samples at random, by up to this part of their distance")
         .sets(|s, r| set(&mut s.sampling.jitter, r.float())),
     word("aa_level", Float, "3", "method 3: how often a stretch is halved, 1 or more")
         .sets(|s, r| set(&mut s.sampling.aa_level, read_count("aa_level", r))),
     word("aa_threshold", Float, "0.1", "method 3: the difference above which a stretch is halved")
-        .sets(|s, r| set(&mut s.sampling.aa_threshold, read_between("aa_threshold", r, 0.0, f64::INFINITY))),
+        .sets(|s, r| set(&mut s.sampling.aa_threshold, read_threshold(r))),
     word("collect", Flag, "on", "whether photons are stored in it").sets(|_, r| r.flag().map(drop)),
 ];
 
@@ -215,17 +215,22 @@ fn checked_count(word: &str, number: f64, at: Span) -> Result<u32> {
     Ok(number as u32)
 }
 
-/// Reads a number above `low` and below `high`.
-fn read_between(word: &str, r: &mut dyn Reader, low: f64, high: f64) -> Result<f64> {
+/// Reads a probability below 1.
+fn read_confidence(r: &mut dyn Reader) -> Result<f64> {
     let (at, number) = (r.span(), r.float()?);
-    if number > low && number < high {
+    if number < 1.0 {
+        return Ok(number.max(0.0));
+    }
+    Diagnostic::err(codes::BAD_ARGUMENT, at, format!("`confidence` is {number}; it is below 1"))
+}
+
+/// Reads a difference above 0.
+fn read_threshold(r: &mut dyn Reader) -> Result<f64> {
+    let (at, number) = (r.span(), r.float()?);
+    if number > 0.0 {
         return Ok(number);
     }
-    let message = match high.is_finite() {
-        true => format!("`{word}` is {number}; it is between {low} and {high}"),
-        false => format!("`{word}` is {number}; it is above {low}"),
-    };
-    Diagnostic::err(codes::BAD_ARGUMENT, at, message)
+    Diagnostic::err(codes::BAD_ARGUMENT, at, format!("`aa_threshold` is {number}; it is above 0"))
 }
 
 fn read_method(r: &mut dyn Reader) -> Result<SamplingMethod> {

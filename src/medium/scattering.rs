@@ -46,7 +46,7 @@ impl Default for Scattering {
 
 /// Words of a `scattering` block after the type and the colour, and how each is read.
 const SCATTERING_ROWS: &[Row<Scattering>] = &[
-    word("eccentricity", Float, "0", "type 5: above 0, light goes on forwards; below 0, back to where it came from")
+    word("eccentricity", Float, "0", "type 5: above 0, light continues forwards; below 0, backwards")
         .sets(|s, r| set(&mut s.eccentricity, r.float())),
     word("extinction", Float, "1", "factor of the light that scattering takes away")
         .sets(|s, r| set(&mut s.extinction, r.float())),

@@ -17,6 +17,7 @@ mod csg;
 mod image;
 mod language;
 mod light;
+mod media;
 mod options;
 mod pattern;
 mod shape;
@@ -72,6 +73,7 @@ pub const TOPICS: &[Topic] = &[
     Topic { title: "Surfaces: finish, reflection, refraction", quirks: surface::QUIRKS },
     Topic { title: "Lights and shadows", quirks: light::QUIRKS },
     Topic { title: "Sky, fog, rainbows", quirks: atmosphere::QUIRKS },
+    Topic { title: "Media", quirks: media::QUIRKS },
     Topic { title: "Cameras and sampling", quirks: camera::QUIRKS },
     Topic { title: "Pictures in and out", quirks: image::QUIRKS },
     Topic { title: "Command line and INI files", quirks: options::QUIRKS },

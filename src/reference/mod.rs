@@ -4,9 +4,10 @@ mod sorts;
 
 pub use sorts::{Sorts, sorts};
 
-use crate::medium::INTERIOR;
+use crate::medium::{INTERIOR, MEDIA, SCATTERING};
 use crate::pattern::{CellPattern, FieldPattern, Warp};
 use crate::shape::Shape;
+use crate::texture::DENSITY;
 use crate::texture::words::{FINISH, IMAGE_MAP, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
 use crate::value::{Family, Spec};
 use crate::{atmosphere, camera, interpreter, light, scene};
@@ -64,6 +65,9 @@ pub const BLOCKS: &[Entry] = &[
     Entry::block(&REFLECTION, "`reflection`", "finishes.md"),
     Entry::block(&IRID, "`irid`", "finishes.md"),
     Entry::block(&INTERIOR, "`interior`", "finishes.md"),
+    Entry::block(&MEDIA, "`media`", "media.md"),
+    Entry::block(&SCATTERING, "`scattering`", "media.md#scattering"),
+    Entry::block(&DENSITY, "`density`", "media.md#density"),
     Entry::block(&scene::words::SETTINGS, "`global_settings`", "settings.md"),
 ];
 

@@ -47,6 +47,14 @@ impl PointSample {
     }
 }
 
+/// Condition for the halving of a stretch between two samples.
+struct Halving {
+    max_level: u32,
+    /// Maximum difference of the light at the ends of a half that is not halved again, per world unit. For a whole
+    /// interval it is `aa_threshold` (quirk: `media_sampling`).
+    max_difference: f64,
+}
+
 /// Light and optical depth of the stretches so far, from the eye on.
 #[derive(Default)]
 struct Accumulated {
@@ -160,10 +168,14 @@ impl<'w> Tracer<'w> {
         let n = (sampling.min_samples / 2 + 2).max(3);
         let step = (to - from) / f64::from(n);
         let at = |i: u32| from + step * (f64::from(i) + sampling.jitter * draws.centered(i));
+        let halving = Halving {
+            max_level: sampling.aa_level.min(MAX_LEVEL),
+            max_difference: sampling.aa_threshold / (to - from),
+        };
         let mut before = (at(0), self.point_sample(stretch, at(0)));
         for i in 1..n {
             let next = (at(i), self.point_sample(stretch, at(i)));
-            let mean = self.mean_between(stretch, sampling, &before, &next, 1);
+            let mean = self.mean_between(stretch, &halving, &before, &next, 1);
             sum.add(&mean, (to - from) / f64::from(n - 1));
             before = next;
             if self.is_stopped() {
@@ -177,19 +189,19 @@ impl<'w> Tracer<'w> {
     fn mean_between(
         &mut self,
         stretch: &MediaStretch<'_, 'w>,
-        sampling: &MediaSampling,
+        halving: &Halving,
         start: &(f64, PointSample),
         end: &(f64, PointSample),
         level: u32,
     ) -> PointSample {
         let at = 0.5 * (start.0 + end.0);
         let middle = (at, self.point_sample(stretch, at));
-        let is_last = level >= sampling.aa_level.min(MAX_LEVEL) || self.is_stopped();
+        let is_last = level >= halving.max_level || self.is_stopped();
         let mut half = |outer: &(f64, PointSample)| {
-            if is_last || outer.1.difference(&middle.1) <= sampling.aa_threshold {
+            if is_last || outer.1.difference(&middle.1) <= halving.max_difference {
                 return PointSample::sum(&[(2.0 / 3.0, outer.1), (1.0 / 3.0, middle.1)]);
             }
-            self.mean_between(stretch, sampling, outer, &middle, level + 1)
+            self.mean_between(stretch, halving, outer, &middle, level + 1)
         };
         let (first, second) = (half(start), half(end));
         PointSample::sum(&[(0.5, first), (0.5, second)])

@@ -78,7 +78,8 @@ impl<'w> Tracer<'w> {
         inside.iter().any(|&i| world.filled[i as usize])
     }
 
-    /// Returns the segment of fogs, rainbows and media of the whole scene. Fogs and rainbows are in front of media.
+    /// Returns the segment of fogs, rainbows and media of the whole scene; fogs and rainbows are in front of media (quirk:
+    /// `media_in_front`).
     fn air(&mut self, ray: &Ray, span: &Span, inside: &Interiors, is_shadow: bool) -> Segment {
         let world = self.context.world;
         let start = if span.from == 0.0 { *ray } else { Ray::new(ray.at(span.from), ray.dir) };

@@ -6,7 +6,7 @@ use crate::shape::Shape;
 use crate::syntax::word::contextual;
 use crate::value::words::TRANSFORMS;
 use crate::value::{Family, Spec};
-use crate::{atmosphere, camera, interpreter, light, scene, texture};
+use crate::{atmosphere, camera, interpreter, light, medium, scene, texture};
 
 pub(super) fn scene_page() -> String {
     let shapes = list(Shape::SPECS.iter().map(|s| s.name));
@@ -107,6 +107,18 @@ pub(super) fn atmosphere_page() -> String {
         + &section(&atmosphere::FOG, "fog", &[])
         + fog
         + &section(&atmosphere::RAINBOW, "rainbow", &[])
+}
+
+pub(super) fn media_page() -> String {
+    let intro = "`media { … }` fills the `interior` of an object, or the whole scene if it is outside of objects. The chapter \
+                 [Smoke, fire and light shafts](../media.md) shows how to begin.\n\n";
+    let density = "A density begins like a [pigment](pigments.md): a colour, or a pattern with its words, its map and its \
+                   [transforms](objects.md#transforms). Without a map, a pattern has the colours that it has in a pigment.\n\n";
+    intro.to_string()
+        + &section(&medium::MEDIA, "media", &[])
+        + &section(&medium::SCATTERING, "scattering", &[])
+        + &section(&texture::DENSITY, "density", &[])
+        + density
 }
 
 pub(super) fn colors_page() -> String {

@@ -1,0 +1,65 @@
+//! Media: smoke, fire, dust.
+
+use super::{Quirk, emulated_quirk};
+
+pub(super) const QUIRKS: &[Quirk] = &[
+    emulated_quirk(
+        "light_inside_media",
+        "On the way to a light, the media of an interior count up to the surface where the way leaves the interior. A \
+         light inside of the medium shines without loss.",
+        &["light_cases/media_light_inside"],
+    ),
+    emulated_quirk(
+        "media_defaults",
+        "The manual's defaults are not the program's: without `samples` there are 10 samples and `aa_level` is 3. \
+         Before version 3.5 the method is 1 with one sample.",
+        &["light_cases/media_method_2", "light_cases/media_version_35", "light_cases/media_version_31_method_2"],
+    ),
+    emulated_quirk(
+        "media_in_front",
+        "The media of the whole scene are in front of those of interiors, along each stretch between two surfaces, and \
+         fog is in front of both.",
+        &["light_cases/media_atmosphere_and_fog"],
+    ),
+    emulated_quirk(
+        "media_intervals",
+        "If only spotlights and cylinder lights illuminate a medium, their beams divide the ray, and `ratio` distributes \
+         the intervals over lit and dark parts. Without densities, a ray that meets no beam, or a scene without \
+         lights, has one interval, whatever `intervals` says.",
+        &[
+            "src/transport/media.rs::intervals_are_distributed_by_ratio",
+            "light_cases/media_spotlight_ratio",
+            "light_cases/media_spotlight_homogeneous",
+        ],
+    ),
+    emulated_quirk(
+        "media_of_first",
+        "Several media at one place are sampled together, with the method and the numbers of the first one.",
+        &["light_cases/media_several", "light_cases/media_overlapping"],
+    ),
+    emulated_quirk(
+        "media_sampling",
+        "Method 3 takes samples at equal distances from the beginning of an interval on, `samples`/2 + 2 per interval \
+         and at least 3, but none at its end. Between two samples there is always a third; each half counts two thirds \
+         for its end and one for the middle, and is halved again if their light, times the length of the interval and \
+         summed over the channels, differs by more than `aa_threshold`. Light is attenuated by what is in front of the \
+         two samples. Methods 1 and 2 attenuate each sample by its own density from the beginning of the interval on.",
+        &["light_cases/media_method_3_levels", "light_cases/media_method_3_intervals", "light_cases/media_method_2"],
+    ),
+    emulated_quirk(
+        "phase_functions",
+        "Scattering of types 2 to 4 is multiplied by 0.5766554, 0.4957148 and 0.7993438, so that light is neither lost nor \
+         doubled as the physical laws demand. `eccentricity` above 0 scatters forwards.",
+        &[
+            "light_cases/media_scattering_2",
+            "light_cases/media_scattering_3",
+            "light_cases/media_scattering_4",
+            "light_cases/media_scattering_5_forward",
+        ],
+    ),
+    emulated_quirk(
+        "scattered_lights",
+        "Media do not scatter the light of `shadowless` lights.",
+        &["light_cases/media_light_flags"],
+    ),
+];

@@ -1,0 +1,7 @@
+#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <1,2,-6> look_at <0,.8,0> }
+plane { y, 0 pigment { checker rgb 1 rgb .4 } finish { ambient .1 } }
+light_source { <3,6,-4> rgb 1 }
+box { <.3,1.2,-1.4>, <1,1.9,-.9> pigment { rgb <.9,.7,.1> } }
+sphere { <-.4,1.2,-.3>, .3 pigment { rgbf <1,.2,.2,.8> } }
+sphere { <0,1,0>, 1.4 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } hollow interior { media { samples 8 scattering { 1, .7 } } } }

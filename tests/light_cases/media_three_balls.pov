@@ -1,0 +1,7 @@
+#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <1,2,-6> look_at <0,.8,0> }
+plane { y, 0 pigment { checker rgb 1 rgb .4 } finish { ambient .1 } }
+light_source { <3,6,-4> rgb 1 }
+sphere { <0,1,0>, .8 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } hollow interior { media { absorption .2 } } }
+sphere { <0,1,1.7>, .8 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } hollow interior { media { absorption .2 } } }
+sphere { <0,1,3.4>, .8 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } hollow interior { media { absorption .2 } } }
