@@ -52,6 +52,12 @@ pub struct Language {
     pub version: u32,
     /// True if a texture may hold the words of its pigment and finish, as before 3.0.
     pub bare_textures: bool,
+    /// True if the `filter` of a texture's layer transmits light untinted where another layer is below.
+    pub untinted_layers: bool,
+    /// True if the words of a camera take effect in their order.
+    pub ordered_cameras: bool,
+    /// True if operators are allowed outside of parentheses.
+    pub bare_operators: bool,
     /// Value of `assumed_gamma`, once `global_settings` has set it.
     pub assumed_gamma: Option<Gamma>,
     /// Working gamma of scenes without `assumed_gamma`.

@@ -35,6 +35,9 @@ impl SceneBuilder {
             language: Language {
                 version: compat::DEFAULT_VERSION,
                 bare_textures: false,
+                untinted_layers: false,
+                ordered_cameras: false,
+                bare_operators: true,
                 assumed_gamma: None,
                 other_gamma: compat::gamma_without_setting(None),
                 srgb_files: false,
@@ -49,6 +52,9 @@ impl SceneBuilder {
     pub(super) fn set_version(&mut self, version: u32) {
         self.language.version = version;
         self.language.bare_textures = compat::has_bare_textures(version);
+        self.language.ordered_cameras = compat::has_ordered_cameras(version);
+        self.language.untinted_layers = compat::has_untinted_layers(version);
+        self.language.bare_operators = compat::has_bare_operators(version);
         if self.scene.settings.noise_generator.is_none() {
             self.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
         }

@@ -178,6 +178,9 @@ impl Reader for Words {
         Language {
             version: 370,
             bare_textures: false,
+            untinted_layers: false,
+            ordered_cameras: false,
+            bare_operators: true,
             assumed_gamma: None,
             other_gamma: Gamma::Power(1.0),
             srgb_files: true,

@@ -1,0 +1,26 @@
+//! Cameras before `#version 3.5`, whose words take effect in their order (quirk: `camera_words_in_order`).
+
+use super::PovrayCamera;
+use crate::math::Transform;
+
+impl PovrayCamera {
+    /// Makes the words that follow take effect where they are written, on the vectors of the camera so far.
+    pub(super) fn begin_ordered(&mut self) {
+        let frame = self.frame();
+        self.location = frame.origin;
+        (self.direction, self.right, self.up) = (frame.direction, frame.right, frame.up);
+        self.transform = Transform::IDENTITY;
+        self.ordered = true;
+    }
+
+    /// Applies the word that was just read to the camera's vectors.
+    pub(super) fn apply_word(&mut self, word: &str) {
+        match word {
+            "look_at" if self.look_at != Some(self.location) => self.apply_look_at(),
+            "angle" if self.angle.is_some_and(|angle| angle > 0.0 && angle < 180.0) => self.apply_angle(),
+            "orthographic" => self.apply_orthographic(),
+            "focal_point" => self.blur.distance = Some(self.blur.focal_point.distance(self.location)),
+            _ => {}
+        }
+    }
+}
