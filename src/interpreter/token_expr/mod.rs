@@ -82,6 +82,10 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the operator that continues the value that was just read.
     fn operator_ahead(&mut self, compares: bool) -> Result<Option<Operator>> {
+        // quirk: operators_before_1_5
+        if !compares && !self.builder.language().bare_operators {
+            return Ok(None);
+        }
         loop {
             return Ok(match self.peek_after()? {
                 Some(Token::Sign(Sign::Operator(op))) if compares || op.adds() || op.multiplies() => Some(op),
