@@ -67,6 +67,8 @@ pub struct Layer {
     pub pigment: LayerColor,
     /// `quick_color` for low qualities, if it differs from the pigment.
     pub quick: Option<Box<LayerColor>>,
+    /// True if the pigment's filter transmits light untinted (quirk: `untinted_upper_layers`).
+    pub untinted: bool,
     /// Reflection of light; layers with the same finish share it.
     #[serde(flatten)]
     pub finish: Arc<LoweredFinish>,
@@ -140,7 +142,7 @@ impl Material {
             solid: layers
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
-            pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.transmittance()).product(),
+            pass: layers.iter().rev().filter_map(Layer::solid_transmittance).product(),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&sends_light_on)
                 || !texture.layers.iter().any(is_opaque)
@@ -182,22 +184,31 @@ fn lower_choice(choice: &texture::Choice, shared: &mut dyn SharedParts) -> Choic
 
 impl Layer {
     fn new(layer: &texture::Layer, shared: &mut dyn SharedParts) -> Self {
-        let texture::Layer { pigment, normal, finish, choice } = layer;
+        let texture::Layer { pigment, normal, finish, choice, untinted } = layer;
         Self {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, shared))),
             normal: normal.as_ref().filter(|normal| !normal.is_flat()).map(|normal| shared.normal(normal)),
             pigment: LayerColor::new(pigment),
             quick: pigment.at_low_quality().map(|quick| Box::new(LayerColor::new(&quick))),
+            untinted: *untinted,
             finish: shared.finish(finish),
         }
     }
 
+    /// Returns the transmittance of a layer with one colour everywhere; `None` for a patterned pigment.
+    fn solid_transmittance(&self) -> Option<Rgb> {
+        let LayerColor::Solid(color) = self.pigment else { return None };
+        let color = if self.untinted { color.without_tint() } else { color };
+        Some(color.transmittance())
+    }
+
     /// Returns the colour at a point of the texture's space; `quick` selects `quick_color`.
     pub fn color(&self, ctx: &TextureContext, quick: bool) -> Color {
-        match self.shown(quick) {
+        let color = match self.shown(quick) {
             LayerColor::Solid(color) => *color,
             LayerColor::PigmentProgram(pigment) => pigment.color_at(ctx),
-        }
+        };
+        if self.untinted { color.without_tint() } else { color }
     }
 
     /// True if the pigment has no colour at a point, for example beside an image map with `once`.
