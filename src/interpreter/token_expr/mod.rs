@@ -207,6 +207,13 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the word after a `.`.
     pub(super) fn component_name(&mut self) -> Result<Name> {
+        // A word is the name whatever follows, so that directives after it do not run yet.
+        if self.stream.look_ahead().is_none()
+            && let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_element()
+        {
+            self.stream.advance();
+            return Ok(Name { word: Some(word.name), span: *span });
+        }
         self.split_to_operand()?;
         let token = self.peek()?;
         let span = self.stream.next_span();
