@@ -168,6 +168,8 @@ pub(crate) struct Interpreter<'a> {
     open_files: Vec<directive::OpenFile>,
     /// Number of bytes that the scene's `#write` directives have written.
     written: u64,
+    /// True if the warning about a `#version` above 3.7 was reported.
+    newer_version_reported: bool,
 }
 
 impl<'a> Interpreter<'a> {
@@ -180,6 +182,7 @@ impl<'a> Interpreter<'a> {
             reporter: Reporter::new(inputs, debug),
             open_files: vec![],
             written: 0,
+            newer_version_reported: false,
         }
     }
 
