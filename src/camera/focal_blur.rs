@@ -56,8 +56,13 @@ pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
         "with `blur_samples`, how much is blurred that is not in focus: four times the lens's radius",
     )
     .sets(|s, r| set(&mut s.blur.aperture, r.float())),
-    word("focal_point", Vector, "<0, 0, 0>", "what is in focus, and all that lies ahead at the distance of this point from `location`")
-        .sets(|s, r| set(&mut s.blur.focal_point, r.vector())),
+    word(
+        "focal_point",
+        Vector,
+        "<0, 0, 0>",
+        "what is in focus, and all that lies ahead at the distance of this point from `location`",
+    )
+    .sets(|s, r| set(&mut s.blur.focal_point, r.vector())),
     word("blur_samples", Float, "0", "how many rays a pixel, or two numbers: at least and at most; 0 blurs nothing")
         .sets(|s, r| s.blur.read_samples(r)),
     word("confidence", Float, "0.9", "how sure it has to be that a pixel is as exact as `variance` says, from 0 to 1")

@@ -295,7 +295,7 @@ mod tests {
         for focal_point in [DVec3::new(6.0, 0.0, 8.0), DVec3::new(0.0, 0.0, -10.0)] {
             assert_eq!(lens(DVec3::ZERO, Transform::IDENTITY, focal_point).distance, 10.0);
         }
-        let doubled = Transform::scale(DVec3::splat(2.0));
+        let doubled = Transform::scale(DVec3::splat(2.0)).unwrap();
         assert_eq!(lens(DVec3::Z * -4.0, doubled, DVec3::Z * 8.0).distance, 12.0);
     }
 
