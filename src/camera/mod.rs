@@ -76,8 +76,9 @@ impl Camera {
             }
         }
         let ordered = r.language().ordered_cameras;
-        if ordered {
-            povray.begin_ordered();
+        match ordered {
+            true => povray.begin_ordered(),
+            false => povray.end_ordered(),
         }
         let mut unsupported = vec![];
         let mut lecture: Option<LectureCamera> = None;

@@ -1,6 +1,6 @@
 //! Cameras before `#version 3.5`, whose words take effect in their order (quirk: `camera_words_in_order`).
 
-use super::PovrayCamera;
+use super::{Kind, PovrayCamera};
 use crate::math::Transform;
 
 impl PovrayCamera {
@@ -11,6 +11,16 @@ impl PovrayCamera {
         (self.direction, self.right, self.up) = (frame.direction, frame.right, frame.up);
         self.transform = Transform::IDENTITY;
         self.ordered = true;
+    }
+
+    /// Makes the words that follow take effect in any order, on the vectors that earlier words made in their order.
+    pub(super) fn end_ordered(&mut self) {
+        if std::mem::take(&mut self.ordered) {
+            (self.look_at, self.sized) = (None, true);
+            if matches!(self.kind, Kind::Perspective | Kind::Orthographic) {
+                (self.angle, self.has_angle) = (None, false);
+            }
+        }
     }
 
     /// Applies the word that was just read to the camera's vectors.

@@ -14,12 +14,6 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "Rays do not hit a blob closer than 0.01 to their origin; for other shapes that distance is 0.0001.",
         &["light_cases/blob_thin_glass"],
     ),
-    differing_quirk(
-        "blob_thin_components",
-        "A blob of thousands of thin components has holes, where rays pass many components.",
-        "Every component is hit.",
-        &["light_cases/blob_thin_components"],
-    ),
     emulated_quirk(
         "blob_textures_move",
         "The textures of a blob's components move with the blob, even under `uv_mapping`, which keeps other textures \
@@ -30,6 +24,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "blob_textures_on_both_sides",
         "If a component of a blob has a texture, the blob's `interior_texture` is ignored.",
         &["light_cases/shadow_of_interior_texture"],
+    ),
+    differing_quirk(
+        "blob_thin_components",
+        "A blob of thousands of thin components has holes, where rays pass many components.",
+        "Every component is hit.",
+        &["light_cases/blob_thin_components"],
     ),
     emulated_quirk(
         "cone_negative_radii",
@@ -84,18 +84,18 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["conformance/objects/fractal1.pov"],
     ),
     differing_quirk(
-        "infinite_box",
-        "A `box` with an infinite corner has no end there, but a rotated one is lost unless it is part of an \
-         `intersection` or `difference`.",
-        "The box is left out with a warning, because infinity is mostly the result of a division by zero.",
-        &["light_cases/infinite_boxes"],
-    ),
-    differing_quirk(
         "hypercomplex_functions",
         "Hypercomplex Julia fractals of `exp`, `sin`, `tan` and similar functions show surfaces and normals that the manual does \
          not explain.",
         "The functions are evaluated for both complex parts of a hypercomplex number, as the manual defines them.",
         &["light_cases/julia_transcendental"],
+    ),
+    differing_quirk(
+        "infinite_box",
+        "A `box` with an infinite corner has no end there, but a rotated one is lost unless it is part of an \
+         `intersection` or `difference`.",
+        "The box is left out with a warning, because infinity is mostly the result of a division by zero.",
+        &["light_cases/infinite_boxes"],
     ),
     emulated_quirk(
         "inside_margins",

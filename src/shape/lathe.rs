@@ -184,11 +184,11 @@ mod tests {
     fn outside_near_the_axis() {
         // POV-Ray's `inside()`: the smallest distance from the axis counts, for a `bezier_spline` that of control points.
         let inside = |text: &str, x: f64| made(text).inside(DVec3::X * x);
-        let open = "linear_spline 4, <0.5,-2>, <1,-1>, <1,1>, <0.5,2>";
+        let open = "linear_spline 4 <0.5,-2> <1,-1> <1,1> <0.5,2>";
         assert!(!inside(open, 0.49) && inside(open, 0.5) && inside(open, 0.9) && !inside(open, 1.1));
-        let bezier = "bezier_spline 4, <0.5,-1> <0.1,-0.5> <0.1,0.5> <0.8,1>";
+        let bezier = "bezier_spline 4 <0.5,-1> <0.1,-0.5> <0.1,0.5> <0.8,1>";
         assert!(!inside(bezier, 0.09) && inside(bezier, 0.11));
-        let cubic = made("cubic_spline 6, <1,-3> <1,-2> <0.3,-1> <0.3,1> <1,2> <1,3>");
+        let cubic = made("cubic_spline 6 <1,-3> <1,-2> <0.3,-1> <0.3,1> <1,2> <1,3>");
         let at = |x: f64| cubic.inside(DVec3::new(x, 1.9, 0.0));
         assert!(!at(0.21) && at(0.22));
     }

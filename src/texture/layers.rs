@@ -24,9 +24,6 @@ pub struct Layer {
     /// Patterned textures of the layer, which replace its pigment, normal and finish.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub choice: Option<Box<Choice>>,
-    /// True if the layer's filter transmits light untinted (quirk: `untinted_upper_layers`).
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    pub untinted: bool,
 }
 
 /// A pattern and the textures that it chooses from (manual, "Patterned Textures").
@@ -221,11 +218,7 @@ impl Texture {
                 (Some(a), Some(b)) => a.parts.shares_allocation_with(&b.parts) && a.pattern == b.pattern,
                 (a, b) => a.is_none() && b.is_none(),
             };
-            normal
-                && choice
-                && a.untinted == b.untinted
-                && Arc::ptr_eq(&a.finish, &b.finish)
-                && a.pigment.is_certainly_equal(&b.pigment)
+            normal && choice && Arc::ptr_eq(&a.finish, &b.finish) && a.pigment.is_certainly_equal(&b.pigment)
         };
         self.layers.len() == other.layers.len() && self.layers.iter().zip(&other.layers).all(|(a, b)| same(a, b))
     }
@@ -255,7 +248,7 @@ impl Texture {
     /// Makes the filters of all layers but the lowest transmit light untinted, where the language version asks for it.
     pub fn untint_upper_layers(&mut self, language: &Language) {
         if language.untinted_layers {
-            self.layers.iter_mut().skip(1).for_each(|layer| layer.untinted = true);
+            self.layers.iter_mut().skip(1).for_each(|layer| layer.pigment.pattern.untinted = true);
         }
     }
 

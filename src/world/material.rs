@@ -67,8 +67,6 @@ pub struct Layer {
     pub pigment: LayerColor,
     /// `quick_color` for low qualities, if it differs from the pigment.
     pub quick: Option<Box<LayerColor>>,
-    /// True if the pigment's filter transmits light untinted (quirk: `untinted_upper_layers`).
-    pub untinted: bool,
     /// Reflection of light; layers with the same finish share it.
     #[serde(flatten)]
     pub finish: Arc<LoweredFinish>,
@@ -113,6 +111,9 @@ pub enum LayerColor {
     Solid(Color),
     /// A colour that is computed for each point.
     PigmentProgram(Box<PigmentProgram>),
+    /// A colour that is computed for each point, and whose filter transmits light untinted (quirk:
+    /// `untinted_upper_layers`).
+    Untinted(Box<PigmentProgram>),
 }
 
 /// A highlight: strength · cosⁿ.
@@ -184,13 +185,12 @@ fn lower_choice(choice: &texture::Choice, shared: &mut dyn SharedParts) -> Choic
 
 impl Layer {
     fn new(layer: &texture::Layer, shared: &mut dyn SharedParts) -> Self {
-        let texture::Layer { pigment, normal, finish, choice, untinted } = layer;
+        let texture::Layer { pigment, normal, finish, choice } = layer;
         Self {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, shared))),
             normal: normal.as_ref().filter(|normal| !normal.is_flat()).map(|normal| shared.normal(normal)),
             pigment: LayerColor::new(pigment),
             quick: pigment.at_low_quality().map(|quick| Box::new(LayerColor::new(&quick))),
-            untinted: *untinted,
             finish: shared.finish(finish),
         }
     }
@@ -198,24 +198,19 @@ impl Layer {
     /// Returns the transmittance of a layer with one colour everywhere; `None` for a patterned pigment.
     fn solid_transmittance(&self) -> Option<Rgb> {
         let LayerColor::Solid(color) = self.pigment else { return None };
-        let color = if self.untinted { color.without_tint() } else { color };
         Some(color.transmittance())
     }
 
     /// Returns the colour at a point of the texture's space; `quick` selects `quick_color`.
     pub fn color(&self, ctx: &TextureContext, quick: bool) -> Color {
-        let color = match self.shown(quick) {
-            LayerColor::Solid(color) => *color,
-            LayerColor::PigmentProgram(pigment) => pigment.color_at(ctx),
-        };
-        if self.untinted { color.without_tint() } else { color }
+        self.shown(quick).color_at(ctx)
     }
 
     /// True if the pigment has no colour at a point, for example beside an image map with `once`.
     pub fn is_nothing(&self, ctx: &TextureContext, quick: bool) -> bool {
         match self.shown(quick) {
             LayerColor::Solid(_) => false,
-            LayerColor::PigmentProgram(pigment) => pigment.has_no_color_at(ctx),
+            LayerColor::PigmentProgram(pigment) | LayerColor::Untinted(pigment) => pigment.has_no_color_at(ctx),
         }
     }
 
@@ -253,9 +248,20 @@ impl LoweredFinish {
 impl LayerColor {
     /// Lowers a pigment.
     pub(super) fn new(pigment: &Pigment) -> Self {
-        match pigment.as_solid() {
-            Some(color) => Self::Solid(color),
-            None => Self::PigmentProgram(Box::new(PigmentProgram::new(pigment))),
+        match (pigment.as_solid(), pigment.pattern.untinted) {
+            (Some(color), false) => Self::Solid(color),
+            (Some(color), true) => Self::Solid(color.without_tint()),
+            (None, false) => Self::PigmentProgram(Box::new(PigmentProgram::new(pigment))),
+            (None, true) => Self::Untinted(Box::new(PigmentProgram::new(pigment))),
+        }
+    }
+
+    /// Returns the colour at a point of the texture's space.
+    pub(super) fn color_at(&self, ctx: &TextureContext) -> Color {
+        match self {
+            Self::Solid(color) => *color,
+            Self::PigmentProgram(pigment) => pigment.color_at(ctx),
+            Self::Untinted(pigment) => pigment.color_at(ctx).without_tint(),
         }
     }
 }
