@@ -16,8 +16,10 @@ use std::sync::Arc;
 pub struct FocalBlur {
     /// Four times the radius of the lens (quirk: `aperture_is_four_radii`); 0 for no blur.
     pub aperture: f64,
-    /// A point of the plane in focus, in world space.
+    /// Point whose distance from the camera's `location` is that of the plane in focus (quirk: `focal_distance`).
     pub focal_point: DVec3,
+    /// Distance of the plane in focus; `None` if the final `location` decides.
+    pub distance: Option<f64>,
     /// Minimum and maximum number of rays a pixel for focal blur.
     pub samples: [u32; 2],
     /// Probability, from 0 to 1, with which the variance of a pixel must be below `variance`.
@@ -34,7 +36,14 @@ const USUAL_LEAST: u32 = 7;
 
 impl Default for FocalBlur {
     fn default() -> Self {
-        Self { aperture: 0.0, focal_point: DVec3::ZERO, samples: [0, 0], confidence: 0.9, variance: USUAL_VARIANCE }
+        Self {
+            aperture: 0.0,
+            focal_point: DVec3::ZERO,
+            distance: None,
+            samples: [0, 0],
+            confidence: 0.9,
+            variance: USUAL_VARIANCE,
+        }
     }
 }
 
@@ -47,8 +56,13 @@ pub(super) const BLUR_ROWS: &[Row<PovrayCamera>] = &[
         "with `blur_samples`, how much is blurred that is not in focus: four times the lens's radius",
     )
     .sets(|s, r| set(&mut s.blur.aperture, r.float())),
-    word("focal_point", Vector, "<0, 0, 0>", "what is in focus, and all that lies as far ahead")
-        .sets(|s, r| set(&mut s.blur.focal_point, r.vector())),
+    word(
+        "focal_point",
+        Vector,
+        "<0, 0, 0>",
+        "what is in focus, and all that lies ahead at the distance of this point from `location`",
+    )
+    .sets(|s, r| set(&mut s.blur.focal_point, r.vector())),
     word("blur_samples", Float, "0", "how many rays a pixel, or two numbers: at least and at most; 0 blurs nothing")
         .sets(|s, r| s.blur.read_samples(r)),
     word("confidence", Float, "0.9", "how sure it has to be that a pixel is as exact as `variance` says, from 0 to 1")
@@ -82,10 +96,10 @@ impl FocalBlur {
         Ok(())
     }
 
-    /// Lowers the settings of focal blur; `None` without blur. `origin` and `ahead`, of length 1, are the camera's, in
-    /// the same space as the focal point.
-    pub(super) fn lower_lens(&self, origin: DVec3, ahead: DVec3) -> Option<Lens> {
-        let distance = (self.focal_point - origin).dot(ahead);
+    /// Lowers the settings of focal blur; `None` without blur. `location` is the camera's, before its transforms
+    /// (quirk: `focal_distance`).
+    pub(super) fn lower_lens(&self, location: DVec3) -> Option<Lens> {
+        let distance = self.distance.unwrap_or_else(|| self.focal_point.distance(location));
         if self.aperture == 0.0 || self.samples[1] == 0 || distance == 0.0 || !distance.is_finite() {
             return None;
         }
@@ -200,7 +214,7 @@ mod tests {
             samples: [0, 37],
             ..FocalBlur::default()
         };
-        let lens = blur.lower_lens(DVec3::NEG_Z, DVec3::Z).unwrap();
+        let lens = blur.lower_lens(DVec3::NEG_Z).unwrap();
         let squares = |n: f64, white: f64| white * (n - white) / n;
         assert!(lens.has_converged(23, squares(23.0, 1.0)) && !lens.has_converged(19, squares(19.0, 1.0)));
         assert!(!lens.has_converged(35, squares(35.0, 17.0)) && lens.has_converged(7, 0.0));
@@ -215,7 +229,7 @@ mod tests {
             (200, 0.1, 0.01 / 16.0, 0.2, 54.7),
         ] {
             let blur = FocalBlur { confidence, variance, samples: [0, most], ..blur };
-            let lens = blur.lower_lens(DVec3::NEG_Z, DVec3::Z).unwrap();
+            let lens = blur.lower_lens(DVec3::NEG_Z).unwrap();
             let needed =
                 (1..=most).find(|n| lens.has_converged(*n, f64::from(*n) * difference * difference / 4.0)).unwrap();
             assert!((f64::from(needed) - seen).abs() < 0.05 * seen, "{most} {confidence}: {needed}, not {seen}");

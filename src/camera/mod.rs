@@ -7,6 +7,7 @@ mod frame;
 mod lecture;
 mod lowered;
 mod mesh_camera;
+mod ordered;
 mod perspective;
 mod povray;
 mod projection;
@@ -74,6 +75,11 @@ impl Camera {
                 }
             }
         }
+        let ordered = r.language().ordered_cameras;
+        match ordered {
+            true => povray.begin_ordered(),
+            false => povray.end_ordered(),
+        }
         let mut unsupported = vec![];
         let mut lecture: Option<LectureCamera> = None;
         let mut transform = Transform::IDENTITY;
@@ -85,12 +91,20 @@ impl Camera {
                 }
                 next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
-                        transform = transform.then(&step);
+                        match ordered && lecture.is_none() {
+                            true => povray.transform_vectors(&step),
+                            false => transform = transform.then(&step),
+                        }
                     }
                 }
-                next if read_row(POVRAY_ROWS, &mut povray, next, r)? => {}
-                next if read_row(KIND_ROWS, &mut povray, next, r)? => {}
-                next if read_row(BLUR_ROWS, &mut povray, next, r)? => {}
+                next if read_row(POVRAY_ROWS, &mut povray, next, r)?
+                    || read_row(KIND_ROWS, &mut povray, next, r)?
+                    || read_row(BLUR_ROWS, &mut povray, next, r)? =>
+                {
+                    if let (true, Next::Word(word)) = (ordered, next) {
+                        povray.apply_word(word);
+                    }
+                }
                 Next::Block("mesh_camera") => {
                     r.take_token()?;
                     povray.read_mesh_camera(r, mesh)?;

@@ -1,5 +1,6 @@
 //! POV-Ray's camera. The order of words does not matter (quirk: `camera_word_order`): `angle` sets the length of
-//! `direction`, then `look_at` turns the camera, and transforms come last.
+//! `direction`, then `look_at` turns the camera, and transforms come last. Before `#version 3.5` each word takes effect
+//! where it is written, see [`super::ordered`].
 
 use super::{FocalBlur, MeshCamera, MeshRays};
 use super::{Frame, LoweredCamera, Projection};
@@ -28,12 +29,16 @@ pub struct PovrayCamera {
     pub sky: DVec3,
     /// The point shown in the centre of the picture.
     pub look_at: Option<DVec3>,
-    /// Horizontal angle of view in degrees.
+    /// Horizontal angle of view in degrees; `None` for `angle 0`, too.
     pub angle: Option<f64>,
+    /// True if `angle` is stated, even as 0.
+    pub has_angle: bool,
     /// Vertical angle of view of a spherical camera, in degrees.
     pub vertical_angle: Option<f64>,
     /// True if `right` or `up` is stated, which fixes the window of an orthographic camera.
     pub sized: bool,
+    /// True if the words have taken effect in their order, so that `look_at` and `angle` are done.
+    pub ordered: bool,
     /// Span of the camera's angle of view.
     pub angle_span: Span,
     /// Settings of the camera's focal blur.
@@ -66,8 +71,10 @@ impl Default for PovrayCamera {
             sky: DVec3::Y,
             look_at: None,
             angle: None,
+            has_angle: false,
             vertical_angle: None,
             sized: false,
+            ordered: false,
             angle_span: Span::NONE,
             blur: FocalBlur::default(),
             mesh: None,
@@ -104,6 +111,7 @@ impl PovrayCamera {
         self.angle_span = r.span();
         let angle = r.float()?;
         self.angle = (angle != 0.0).then_some(angle);
+        self.has_angle = true;
         self.vertical_angle = r.optional_float()?;
         Ok(())
     }
@@ -154,26 +162,65 @@ impl PovrayCamera {
 
     /// Lowers POV-Ray's camera.
     pub fn lower(&self) -> LoweredCamera {
-        let (mut direction, mut right, mut up) = (self.direction, self.right, self.up);
+        let frame = self.frame();
+        let lens = self.blur.lower_lens(self.location);
+        LoweredCamera { frame, projection: self.projection(&frame), lens, bumps: None }
+    }
+
+    /// Returns the camera's location and window in world space.
+    pub(super) fn frame(&self) -> Frame {
+        let mut camera = self.clone();
+        if !self.ordered {
+            camera.apply_angle();
+            if self.has_angle || !self.sized {
+                camera.apply_orthographic();
+            }
+            camera.apply_look_at();
+        }
+        camera.transform_vectors(&self.transform);
+        Frame { origin: camera.location, direction: camera.direction, right: camera.right, up: camera.up }
+    }
+
+    /// Sets the length of `direction` from the angle of view: tan(angle/2) = half the window's width / the length.
+    pub(super) fn apply_angle(&mut self) {
         let flat = matches!(self.kind, Kind::Perspective | Kind::Orthographic);
         if let Some(angle) = self.angle.filter(|_| flat) {
-            // tan(angle/2) = half the window's width / the length of `direction`
-            direction = direction.normalize() * (right.length() / 2.0 / fp::tan(angle.to_radians() / 2.0));
+            let length = self.right.length() / 2.0 / fp::tan(angle.to_radians() / 2.0);
+            self.direction = self.direction.normalize() * length;
         }
-        if self.kind == Kind::Orthographic && (self.angle.is_some() || !self.sized) {
-            // quirk: orthographic_window
-            let scale = self.look_at.unwrap_or(DVec3::Z).distance(self.location) / direction.length();
-            (right, up) = (right * scale, up * scale);
+    }
+
+    /// Sets the window of an orthographic camera from the distance of `look_at` (quirk: `orthographic_window`).
+    pub(super) fn apply_orthographic(&mut self) {
+        if self.kind == Kind::Orthographic {
+            let scale = self.look_at.unwrap_or(DVec3::Z).distance(self.location) / self.direction.length();
+            (self.right, self.up) = (self.right * scale, self.up * scale);
         }
-        if let Some(target) = self.look_at {
-            (direction, right, up) = self.turn_towards(target, direction, right, up);
-        }
-        let t = &self.transform;
-        let (direction, right, up) = (t.transform_vector(direction), t.transform_vector(right), t.transform_vector(up));
-        let frame = Frame { origin: t.transform_point(self.location), direction, right, up };
-        let blur = FocalBlur { focal_point: t.transform_point(self.blur.focal_point), ..self.blur };
-        let lens = blur.lower_lens(frame.origin, direction.normalize_or_zero());
-        LoweredCamera { frame, projection: self.projection(&frame), lens, bumps: None }
+    }
+
+    /// Turns the camera's direction, right and up towards `look_at`; keeps lengths and handedness.
+    pub(super) fn apply_look_at(&mut self) {
+        let Some(target) = self.look_at else { return };
+        let Self { direction, right, up, .. } = *self;
+        // quirk: camera_without_handedness
+        let left_handed = up.cross(direction).dot(right) <= 0.0;
+        let ahead = (target - self.location).normalize();
+        let side = self.sky.normalize().cross(ahead);
+        // If the camera looks along `sky`, the given `right` is level.
+        let side = if side.length() < 1e-10 { right.normalize() } else { side.normalize() };
+        let top = ahead.cross(side).normalize_or(up);
+        let across = if left_handed { -side } else { side };
+        self.direction = ahead * direction.length();
+        self.right = across * right.length();
+        self.up = top * up.length();
+    }
+
+    /// Transforms location, direction, right and up, but neither `sky` nor `look_at`.
+    pub(super) fn transform_vectors(&mut self, by: &Transform) {
+        self.location = by.transform_point(self.location);
+        self.direction = by.transform_vector(self.direction);
+        self.right = by.transform_vector(self.right);
+        self.up = by.transform_vector(self.up);
     }
 
     fn projection(&self, frame: &Frame) -> Projection {
@@ -195,19 +242,6 @@ impl PovrayCamera {
                 Projection::Mesh(Arc::new(MeshRays::new(mesh, frame.origin, frame.direction)))
             }),
         }
-    }
-
-    /// Turns a camera's direction, right and up towards `target`; keeps lengths and handedness.
-    fn turn_towards(&self, target: DVec3, direction: DVec3, right: DVec3, up: DVec3) -> (DVec3, DVec3, DVec3) {
-        // quirk: camera_without_handedness
-        let left_handed = up.cross(direction).dot(right) <= 0.0;
-        let ahead = (target - self.location).normalize();
-        let side = self.sky.normalize().cross(ahead);
-        // If the camera looks along `sky`, the given `right` is level.
-        let side = if side.length() < 1e-10 { right.normalize() } else { side.normalize() };
-        let top = ahead.cross(side).normalize_or(up);
-        let across = if left_handed { -side } else { side };
-        (ahead * direction.length(), across * right.length(), top * up.length())
     }
 }
 
@@ -249,6 +283,20 @@ mod tests {
         assert!(window.across.y.abs() < 1e-15);
         let middle = window.ray(32.0, 24.0).dir;
         assert!(middle.distance((DVec3::new(-1.0, -4.0, 7.0)).normalize()) < 1e-15);
+    }
+
+    #[test]
+    fn focal_distance_is_euclidean() {
+        // POV-Ray's planes z = 10 and z = 4 are sharp.
+        let lens = |location, transform, focal_point| {
+            let blur = FocalBlur { aperture: 1.0, samples: [0, 9], focal_point, ..FocalBlur::default() };
+            PovrayCamera { location, transform, blur, ..PovrayCamera::default() }.lower().lens.unwrap()
+        };
+        for focal_point in [DVec3::new(6.0, 0.0, 8.0), DVec3::new(0.0, 0.0, -10.0)] {
+            assert_eq!(lens(DVec3::ZERO, Transform::IDENTITY, focal_point).distance, 10.0);
+        }
+        let doubled = Transform::scale(DVec3::splat(2.0)).unwrap();
+        assert_eq!(lens(DVec3::Z * -4.0, doubled, DVec3::Z * 8.0).distance, 12.0);
     }
 
     #[test]

@@ -62,6 +62,11 @@ impl Color {
         1.0 - filter - self.transmit
     }
 
+    /// Returns the colour with its filter as part of `transmit`.
+    pub fn without_tint(self) -> Self {
+        Self { filter: 0.0, transmit: self.filter + self.transmit, ..self }
+    }
+
     /// Transmittance for light from behind: filter · rgb + transmit.
     pub fn transmittance(&self) -> Rgb {
         self.rgb * self.filter + self.transmit

@@ -173,8 +173,9 @@ only below its own folder; `--allow-read DIR` allows more. No scene can start a 
 "The scene itself, or a file it includes, has something to say."
     DEPRECATED "W0203" "a name that should not be used any more"
 "Whoever declared it marked it as `deprecated` and says what to use instead."
-    NEWER_VERSION "W0204" "an unknown version of the language"
-"The scene may use words that durer does not support, or with another meaning."
+    NEWER_VERSION "W0204" "a version of the language newer than 3.7"
+"durer renders as POV-Ray 3.7 does. From 3.8 it reads dictionaries, mixed arrays, optional parameters, several names in one `#declare` and the
+prefixes `local.` and `global.`; other new words are errors. One warning a run, however often the version is stated."
     EMPTY_BLOCK "W0205" "an empty block"
 "It has no effect."
     NO_CAMERA "W0206" "a scene without a camera"

@@ -18,6 +18,11 @@ const MAX_ELEMENTS: usize = 50_000_000;
 /// Maximum number of dimensions, as in POV-Ray.
 const MAX_DIMENSIONS: usize = 5;
 
+/// Returns the dictionary of `#declare D = dictionary;` (3.8).
+pub(super) fn empty_dictionary<'a>() -> Slot<'a> {
+    Slot::Array(Rc::new(Array { sizes: Box::new([0]), items: vec![], keys: Some(vec![]) }))
+}
+
 impl<'a> Interpreter<'a> {
     /// Reads `array[2][3] { {1, 2, 3}, {4, 5, 6} }` from the word `array` on. The braces determine missing sizes (3.8).
     pub(super) fn read_array(&mut self) -> Result<Slot<'a>> {
@@ -183,6 +188,9 @@ impl<'a> Interpreter<'a> {
         let comma = self.stream.innermost().and_then(StackFrame::next).is_some_and(|e| e.comma);
         self.stream.set_comma(comma);
         self.stream.skip_element();
+        if let Some(level) = self.evaluator.level_of_prefix(symbol) {
+            return self.prefixed_name(level, span, before);
+        }
         let indices = self.indices_of(symbol)?;
         if indices.is_empty() {
             return Ok(self.stream.push_back(Token::Expr(name), span, before));
@@ -190,6 +198,15 @@ impl<'a> Interpreter<'a> {
         let whole = indices.last().map_or(span, |(_, at)| joined_span(span, Span { hi: at.hi + 1, ..*at }));
         let lvalue = self.lvalue_at(symbol, span, &indices, false)?;
         self.stream.set_element(lvalue);
+        Ok(self.stream.push_back(Token::Element(whole), whole, before))
+    }
+
+    /// Reads the `.A` of `local.A` or `global.A` (3.8), and pushes back one token for the whole.
+    fn prefixed_name(&mut self, level: u32, prefix: Span, before: bool) -> Result<Token<'a>> {
+        self.stream.advance();
+        let Some((symbol, span)) = self.stream.take_name() else { return Err(self.unexpected_token("a name").into()) };
+        self.stream.set_element(self.evaluator.scopes().resolve_at(symbol, level));
+        let whole = joined_span(prefix, span);
         Ok(self.stream.push_back(Token::Element(whole), whole, before))
     }
 
@@ -235,8 +252,12 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Returns the location of the element that `D.Key` or `D["key"].Key` names; `None` if `D` is no dictionary.
+    /// Returns the location of the element that `D.Key` or `D["key"].Key` names, or of `local.A`; `None` if `D` is no
+    /// dictionary.
     pub(super) fn dictionary_lvalue(&mut self, e: &'a Expr) -> Result<Option<LValue>> {
+        if let Some(lvalue) = self.evaluator.prefixed_lvalue(e) {
+            return Ok(Some(lvalue));
+        }
         let base = match &e.kind {
             ExprKind::Name(symbol) => match self.evaluator.scopes().get(*symbol) {
                 Some(Slot::Array(array)) if array.keys.is_some() => {

@@ -63,7 +63,9 @@ impl<'a> Interpreter<'a> {
             return self.slot_value(slot, e.span);
         }
         let (mut base, mut names) = (e, vec![]);
-        while let ExprKind::Dot(inner, name, _) = &base.kind {
+        while let ExprKind::Dot(inner, name, _) = &base.kind
+            && self.evaluator.prefixed_lvalue(base).is_none()
+        {
             names.push((name, inner.span));
             base = inner;
         }

@@ -168,6 +168,8 @@ pub(crate) struct Interpreter<'a> {
     open_files: Vec<directive::OpenFile>,
     /// Number of bytes that the scene's `#write` directives have written.
     written: u64,
+    /// True if the warning about a `#version` above 3.7 was reported.
+    newer_version_reported: bool,
 }
 
 impl<'a> Interpreter<'a> {
@@ -180,6 +182,7 @@ impl<'a> Interpreter<'a> {
             reporter: Reporter::new(inputs, debug),
             open_files: vec![],
             written: 0,
+            newer_version_reported: false,
         }
     }
 
@@ -192,6 +195,7 @@ impl<'a> Interpreter<'a> {
         // Faults at the end of the text are reported at the file's last offset.
         let end = self.inputs.sources.base(file) + self.inputs.sources.text(file).len();
         self.stream.push_frame(&ast.elements, FrameKind::File, Span::new(end, end));
+        self.split_old_expressions();
         if let Some(header) = &self.inputs.options.header
             && let Err(fault) = self.include(header, Span::NONE, Span::NONE)
         {
@@ -260,6 +264,15 @@ impl<'a> Interpreter<'a> {
     fn set_version(&mut self, version: u32) {
         self.builder.set_version(version);
         self.evaluator.set_version(version);
+        self.split_old_expressions();
+    }
+
+    /// Splits the rest of the file into tokens if operators are allowed only inside parentheses: the syntax tree has
+    /// `<1 -2 3>` as a vector of two numbers.
+    fn split_old_expressions(&mut self) {
+        if !self.builder.language().bare_operators {
+            self.stream.split_rest();
+        }
     }
 
     /// Reports a diagnostic with the present call trace.

@@ -14,6 +14,8 @@ pub struct ParsedFiles {
     pub(super) asts: elsa::FrozenVec<Box<Ast>>,
     /// Parts of split elements and expressions, by the address of the syntax tree's node.
     parts: elsa::FrozenMap<*const (), Box<[Element]>, FxBuildHasher>,
+    /// Tokens of the rests of files after an old `#version`, by the address of the first element.
+    rests: elsa::FrozenMap<*const (), Box<[Element]>, FxBuildHasher>,
     /// Indices of the trees in `asts`.
     trees: RefCell<FxHashMap<FileId, usize>>,
     /// Files by path, with their stamps, because a scene may write a file that the next frame includes.
@@ -33,6 +35,15 @@ impl ParsedFiles {
         match self.parts.get(&key) {
             Some(parts) => parts,
             None => self.parts.insert(key, make().into()),
+        }
+    }
+
+    /// Returns the tokens of the rest of a file; `make` is called once per first element.
+    pub(super) fn rest_from(&self, first: &Element, make: impl FnOnce() -> Vec<Element>) -> &[Element] {
+        let key: *const () = std::ptr::from_ref(first).cast();
+        match self.rests.get(&key) {
+            Some(rest) => rest,
+            None => self.rests.insert(key, make().into()),
         }
     }
 

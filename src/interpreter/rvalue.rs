@@ -1,6 +1,7 @@
 //! Reads the value of `#declare X = …` or of a macro's argument: any value that can have a name.
 
 use super::Interpreter;
+use super::array::empty_dictionary;
 use super::evaluator::Slot;
 use super::evaluator::is_callable;
 use super::reader::TransformThing;
@@ -33,6 +34,11 @@ impl<'a> Interpreter<'a> {
                     let slot = slot.clone();
                     self.stream.advance();
                     return Ok(slot);
+                }
+                // An empty dictionary (3.8).
+                if self.inputs.names.text(*symbol) == "dictionary" && !self.evaluator.is_declared(*symbol) {
+                    self.stream.advance();
+                    return Ok(empty_dictionary());
                 }
                 let value = self.evaluate_name(*symbol, *span)?;
                 let whole = self.next_is_complete(false);

@@ -12,12 +12,12 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Phase {
-    /// The same in all directions.
+    /// Equal scattering in all directions.
     #[default]
     Isotropic,
     /// Haze (Nishita, Miyawaki and Nakamae, A shading model for atmospheric scattering, 1987).
     MieHaze,
-    /// Murky air, by the same paper.
+    /// Murky air (Nishita, Miyawaki and Nakamae 1987).
     MieMurky,
     /// Small molecules (Rayleigh 1871).
     Rayleigh,

@@ -65,8 +65,16 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     emulated_quirk(
         "camera_word_order",
-        "The order of words in a `camera` does not matter: `angle`, `look_at` and transforms apply in this order.",
+        "The order of words in a `camera` does not matter since `#version 3.5`: `angle`, `look_at` and transforms \
+         apply in this order.",
         &["light_cases/cam_rotate"],
+    ),
+    emulated_quirk(
+        "camera_words_in_order",
+        "Before `#version 3.5` each word of a `camera` takes effect where it is written: `look_at`, `angle`, \
+         `orthographic` and transforms change the vectors so far, and later words replace them. The distance of \
+         `focal_point` is taken from the `location` so far.",
+        &["light_cases/cam_old_order", "light_cases/cam_old_orthographic"],
     ),
     emulated_quirk(
         "fisheye_disc",
@@ -82,6 +90,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "focal_blur_defaults",
         "`variance` is 1/10000 by default, not the 1/128 of the manual, and at least 7 rays are cast.",
         &["src/camera/focal_blur.rs::stops_where_pov_ray_does"],
+    ),
+    emulated_quirk(
+        "focal_distance",
+        "In focus is the plane straight ahead at the distance of `focal_point` from `location`, even if the point is to \
+         the side or behind. The camera's transforms do not change this distance.",
+        &["src/camera/povray.rs::focal_distance_is_euclidean"],
     ),
     emulated_quirk(
         "mesh_camera_bumps",
@@ -114,9 +128,13 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     emulated_quirk(
         "orthographic_window",
-        "Without `right` and `up`, the window of an orthographic camera is as large as that of a perspective camera \
-         at `look_at`.",
-        &["light_cases/cam_orthographic", "light_cases/cam_orthographic_in_plane"],
+        "Without `right` and `up`, or with `angle`, even `angle 0`, the window of an orthographic camera is as large as \
+         that of a perspective camera at `look_at`.",
+        &[
+            "light_cases/cam_orthographic",
+            "light_cases/cam_orthographic_in_plane",
+            "light_cases/cam_orthographic_angle_0",
+        ],
     ),
     emulated_quirk(
         "panoramic_formula",

@@ -40,6 +40,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
          disc, only within the bounding box of its surface.",
         &["light_cases/camera_in_inverse", "light_cases/camera_in_endless_blob", "light_cases/fog_inverse_quadric"],
     ),
+    differing_quirk(
+        "coplanar_boxes",
+        "Of boxes of different sizes with faces in one plane, the one that POV-Ray's bounding hierarchy tests first shows.",
+        "The box that comes first in the scene shows.",
+        &["light_cases/coplanar_boxes"],
+    ),
     emulated_quirk(
         "csg_extent_boxes",
         "The boxes that `min_extent` and `max_extent` return are not the smallest ones: each transform is applied to the box of a CSG object, and not to its parts.",

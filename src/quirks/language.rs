@@ -30,6 +30,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/lang/functions.scene"],
     ),
     emulated_quirk(
+        "first_assumed_gamma",
+        "Of several `assumed_gamma` in a scene the first one counts.",
+        &["light_cases/assumed_gamma_first"],
+    ),
+    emulated_quirk(
         "gamma_by_version",
         "Colours of a scene without `assumed_gamma` are not converted at all if the scene states an older version than 3.7, or none; with \
          `#version 3.7`, `assumed_gamma` is 1.",
@@ -74,6 +79,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "opacity_by_version",
         "Before `#version 3.7`, a surface with `filter` shows of its own light only the share that the filter's colour absorbs.",
         &["light_cases/opacity_before_37"],
+    ),
+    emulated_quirk(
+        "operators_before_1_5",
+        "Below `#version 1.5` binary operators are allowed only inside parentheses: `<1 -2 3>` has three components.",
+        &["tests/lang/old.scene"],
     ),
     emulated_quirk(
         "optional_argument_commas",

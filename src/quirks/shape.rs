@@ -25,6 +25,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "If a component of a blob has a texture, the blob's `interior_texture` is ignored.",
         &["light_cases/shadow_of_interior_texture"],
     ),
+    differing_quirk(
+        "blob_thin_components",
+        "A blob of thousands of thin components has holes, where rays pass many components.",
+        "Every component is hit.",
+        &["light_cases/blob_thin_components"],
+    ),
     emulated_quirk(
         "cone_negative_radii",
         "A `cone` with two negative radii is a cylinder of the smaller one, one negative radius with 0 is nothing, \
@@ -37,6 +43,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
          infinite shapes have 1e10, flat ones a thickness of 0.001, cones and cylinders the box of a cylinder, \
          splines that of their control points.",
         &["tests/library/values.scene"],
+    ),
+    differing_quirk(
+        "far_hits",
+        "Spheres, triangles and most other shapes farther away than 1e7 are not hit and cast no shadows; boxes are hit.",
+        "Only planes end there, because each shape would need a test of its own.",
+        &["light_cases/far_away"],
     ),
     differing_quirk(
         "flat_triangle_sides",
@@ -71,10 +83,30 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "`hypercomplex cube` squares in a julia fractal.",
         &["conformance/objects/fractal1.pov"],
     ),
+    differing_quirk(
+        "hypercomplex_functions",
+        "Hypercomplex Julia fractals of `exp`, `sin`, `tan` and similar functions show surfaces and normals that the manual does \
+         not explain.",
+        "The functions are evaluated for both complex parts of a hypercomplex number, as the manual defines them.",
+        &["light_cases/julia_transcendental"],
+    ),
+    differing_quirk(
+        "infinite_box",
+        "A `box` with an infinite corner has no end there, but a rotated one is lost unless it is part of an \
+         `intersection` or `difference`.",
+        "The box is left out with a warning, because infinity is mostly the result of a division by zero.",
+        &["light_cases/infinite_boxes"],
+    ),
     emulated_quirk(
         "inside_margins",
         "`inside()` and CSG count points 1e-10 beyond a plane as inside; closed cylinders and cones end 1e-10 before their surface, open ones 1e-10 beyond their ends.",
         &["tests/lang/geometry.scene"],
+    ),
+    differing_quirk(
+        "isosurface_csg_shadows",
+        "In CSG, shadow rays pass more surfaces of a transparent isosurface than `max_trace`.",
+        "`max_trace` limits all rays.",
+        &["light_cases/isosurface_csg_shadow"],
     ),
     emulated_quirk(
         "isosurface_hits",
@@ -104,6 +136,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["conformance/objects/fractal1.pov"],
     ),
     emulated_quirk(
+        "lathe_inner_radius",
+        "No point closer to the axis than the smallest radius of a `lathe` is inside, even if the lathe is open at both ends.",
+        &["src/shape/lathe.rs::outside_near_the_axis", "light_cases/lathe_open"],
+    ),
+    emulated_quirk(
         "lathe_uv",
         "v of a lathe or sor runs along the curve, where all segments count as equally long.",
         &["light_cases/lathe_uv"],
@@ -125,6 +162,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["src/shape/torus.rs::negative_radii"],
     ),
     emulated_quirk(
+        "open_wall_inside",
+        "The wall of an `open` cylinder or cone is inside: where two such walls coincide, a difference shows the wall that is taken away, and nothing once it is taken away twice.",
+        &["src/shape/cylinder.rs::inside_of_open_and_closed", "light_cases/open_walls"],
+    ),
+    emulated_quirk(
         "ovus_shape",
         "The band between the two balls of an `ovus` is an arc with twice the larger radius.",
         &["src/shape/ovus.rs::as_pov_ray_traces"],
@@ -138,6 +180,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "own_space_min_distance",
         "Rays do not hit tori, superellipsoids, cubics, quartics and polynomials closer than 0.0001 to their origin in units of the space of the shape.",
         &["light_cases/near_own_space"],
+    ),
+    differing_quirk(
+        "parametric_accuracy",
+        "A `parametric` with a coarse `accuracy` is blocky, swollen or has holes.",
+        "Hits are exact; `accuracy` is only the size of details that may be lost.",
+        &["light_cases/parametric_coarse"],
     ),
     emulated_quirk(
         "parametric_in_csg",
@@ -189,6 +237,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "smooth_triangle_normals",
         "The normals of a `smooth_triangle` have length 1 after scaling, before they are interpolated.",
         &["light_cases/smooth_stretched", "light_cases/twisted_by_scale"],
+    ),
+    differing_quirk(
+        "sor_sturm",
+        "Rays that pass a transparent `sor` with `sturm` miss some of its surfaces.",
+        "`sturm` has no effect: all surfaces are hit.",
+        &["light_cases/sor_sturm_transparent"],
     ),
     emulated_quirk(
         "sphere_sweep_negative_radius",

@@ -101,6 +101,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/old_finish"],
     ),
     emulated_quirk(
+        "finish_ior_of_parts",
+        "`ior` and `caustics` in the finish of a part of a CSG object apply to all its parts that have no `interior` \
+         block; of several the last one counts.",
+        &["light_cases/old_finish_of_parts"],
+    ),
+    emulated_quirk(
         "fresnel_of_last_entered",
         "Where a ray leaves one of several interiors, `fresnel` uses the index of that interior and the index of the \
          interior that was entered last, even if both are the same.",
@@ -169,6 +175,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "unlit_layers",
         "At quality 0 and 1, the lowest visible layer of a texture is shown alone.",
         &["light_cases/layers_unlit_q1"],
+    ),
+    emulated_quirk(
+        "untinted_upper_layers",
+        "At `#version 3.1` and below, the `filter` of a texture's layer transmits light untinted if another layer is \
+         below, as `transmit` does. The version where the layers are put together counts.",
+        &["light_cases/layers_before_3_5"],
     ),
     emulated_quirk(
         "upper_texture_first",

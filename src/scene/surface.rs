@@ -66,7 +66,9 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
         next = r.next_in_statement()?;
     }
     layers.shrink_to_fit();
-    Ok(Texture { layers })
+    let mut texture = Texture { layers };
+    texture.untint_upper_layers(&r.language());
+    Ok(texture)
 }
 
 /// A texture without layers.

@@ -70,7 +70,12 @@ pub(super) const SETTINGS_ROWS: &[Row<Settings>] = &[
         "see below",
         "gamma of the scene's colours: 1 for linear light (recommended), or `srgb`",
     )
-    .sets(|s, r| set(&mut s.gamma, read_gamma(r).map(Some))),
+    // quirk: first_assumed_gamma
+    .sets(|s, r| {
+        let gamma = read_gamma(r)?;
+        s.gamma.get_or_insert(gamma);
+        Ok(())
+    }),
     word("max_trace_level", Float, "5", "maximum number of reflections and refractions of a ray, 256 at most")
         .sets(Settings::read_max_trace_level),
     word("adc_bailout", Float, "1/255", "minimum weight of a ray; fainter rays are not traced")

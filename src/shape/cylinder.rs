@@ -96,8 +96,9 @@ mod tests {
 
     #[test]
     fn inside_of_open_and_closed() {
-        // POV-Ray's `inside()`: the surface itself is outside, ends of open cylinders are inside.
+        // POV-Ray's `inside()`: the surface itself is outside, ends and wall of open cylinders are inside.
         assert!(bar(false).inside(DVec3::Y) && !bar(false).inside(DVec3::new(1.0, 1.0, 0.0)));
+        assert!(bar(true).inside(DVec3::new(1.0, 1.0, 0.0)) && !bar(true).inside(DVec3::new(1.0 + 1e-9, 1.0, 0.0)));
         assert!(!bar(false).inside(DVec3::Y * 2.0) && bar(true).inside(DVec3::Y * 2.0));
         assert!(!bar(true).inside(DVec3::Y * 2.01));
     }

@@ -2,7 +2,7 @@
 //!
 //! Each point is a distance from the axis and a height. `linear_spline`, `quadratic_spline`, `cubic_spline` or
 //! `bezier_spline` before them says how they are joined. A point is inside if the curve is crossed an odd number of
-//! times on the way from it straight outwards.
+//! times on the way from it straight outwards, and if the point is not closer to the axis than all of the curve.
 //!
 //! ```pov
 //! lathe {
@@ -27,6 +27,9 @@ pub struct Lathe {
     pub interpolation: Interpolation,
     /// Curve of the lathe: distance from the axis and height.
     pub curve: Curve,
+    /// Distance from the axis below which no point is inside (quirk: `lathe_inner_radius`).
+    #[serde(skip)]
+    inner_radius: f64,
     #[serde(skip)]
     walls: Walls,
 }
@@ -36,12 +39,14 @@ impl Lathe {
     pub fn new(interpolation: Interpolation, points: &[DVec2]) -> Self {
         let curve = single_outline(interpolation, points);
         let (min, max) = curve.point_bounds();
+        let bezier = interpolation == Interpolation::Bezier;
+        let inner_radius = if bezier { curve.control_bounds().0.x } else { min.x };
         let segment = |i: usize| {
             let radius = curve.affine_coefficients(i, |p| p.x);
             (curve.affine_coefficients(i, |p| p.y), bernstein_product(&radius, &radius))
         };
         let walls = Walls::new((0..curve.segments.len()).map(segment), 0.5 * (min.y + max.y));
-        Self { interpolation, curve, walls }
+        Self { interpolation, curve, inner_radius, walls }
     }
 
     fn bounds_of_profile(&self, (min, max): (DVec2, DVec2)) -> Aabb {
@@ -103,7 +108,7 @@ impl Kernel for Lathe {
 
     fn inside(&self, p: DVec3) -> bool {
         let across = fp::hypot(p.x, p.z);
-        self.curve.is_crossed_oddly(p.y, |x| x > across)
+        across >= self.inner_radius && self.curve.is_crossed_oddly(p.y, |x| x > across)
     }
 
     /// Normal of the lathe, which points to the right of the curve's direction (quirk: `sweep_normal_side`).
@@ -173,6 +178,19 @@ mod tests {
             0.05,
             &[(-0.546327878874, -0.988148173923, 0.124034734589), (0.546327878874, 0.988148173923, 0.124034734589)],
         );
+    }
+
+    #[test]
+    fn outside_near_the_axis() {
+        // POV-Ray's `inside()`: the smallest distance from the axis counts, for a `bezier_spline` that of control points.
+        let inside = |text: &str, x: f64| made(text).inside(DVec3::X * x);
+        let open = "linear_spline 4 <0.5,-2> <1,-1> <1,1> <0.5,2>";
+        assert!(!inside(open, 0.49) && inside(open, 0.5) && inside(open, 0.9) && !inside(open, 1.1));
+        let bezier = "bezier_spline 4 <0.5,-1> <0.1,-0.5> <0.1,0.5> <0.8,1>";
+        assert!(!inside(bezier, 0.09) && inside(bezier, 0.11));
+        let cubic = made("cubic_spline 6 <1,-3> <1,-2> <0.3,-1> <0.3,1> <1,2> <1,3>");
+        let at = |x: f64| cubic.inside(DVec3::new(x, 1.9, 0.0));
+        assert!(!at(0.21) && at(0.22));
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::{Finish, Normal, Pigment};
 use crate::diagnostic::Result;
 use crate::math::Transform;
 use crate::pattern::{CellPattern, MaterialMap, Pattern, PatternKind};
-use crate::value::{Next, Readable, Reader, ReaderExt};
+use crate::value::{Language, Next, Readable, Reader, ReaderExt};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -242,6 +242,13 @@ impl Texture {
     pub fn transform(&mut self, by: &Transform) {
         for layer in &mut self.layers {
             layer.transform(by);
+        }
+    }
+
+    /// Makes the filters of all layers but the lowest transmit light untinted, where the language version asks for it.
+    pub fn untint_upper_layers(&mut self, language: &Language) {
+        if language.untinted_layers {
+            self.layers.iter_mut().skip(1).for_each(|layer| layer.pigment.pattern.untinted = true);
         }
     }
 

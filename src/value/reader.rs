@@ -54,6 +54,12 @@ pub struct Language {
     pub bare_textures: bool,
     /// True if media are sampled by method 1 unless they state a method, as before 3.5.
     pub random_media: bool,
+    /// True if the `filter` of a texture's layer transmits light untinted where another layer is below.
+    pub untinted_layers: bool,
+    /// True if the words of a camera take effect in their order.
+    pub ordered_cameras: bool,
+    /// True if operators are allowed outside of parentheses.
+    pub bare_operators: bool,
     /// Value of `assumed_gamma`, once `global_settings` has set it.
     pub assumed_gamma: Option<Gamma>,
     /// Working gamma of scenes without `assumed_gamma`.

@@ -111,6 +111,9 @@ pub enum LayerColor {
     Solid(Color),
     /// A colour that is computed for each point.
     PigmentProgram(Box<PigmentProgram>),
+    /// A colour that is computed for each point, and whose filter transmits light untinted (quirk:
+    /// `untinted_upper_layers`).
+    Untinted(Box<PigmentProgram>),
 }
 
 /// A highlight: strength · cosⁿ.
@@ -140,7 +143,7 @@ impl Material {
             solid: layers
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
-            pass: texture.layers.iter().filter_map(|l| l.pigment.as_solid()).map(|c| c.transmittance()).product(),
+            pass: layers.iter().rev().filter_map(Layer::solid_transmittance).product(),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&sends_light_on)
                 || !texture.layers.iter().any(is_opaque)
@@ -192,19 +195,22 @@ impl Layer {
         }
     }
 
+    /// Returns the transmittance of a layer with one colour everywhere; `None` for a patterned pigment.
+    fn solid_transmittance(&self) -> Option<Rgb> {
+        let LayerColor::Solid(color) = self.pigment else { return None };
+        Some(color.transmittance())
+    }
+
     /// Returns the colour at a point of the texture's space; `quick` selects `quick_color`.
     pub fn color(&self, ctx: &TextureContext, quick: bool) -> Color {
-        match self.shown(quick) {
-            LayerColor::Solid(color) => *color,
-            LayerColor::PigmentProgram(pigment) => pigment.color_at(ctx),
-        }
+        self.shown(quick).color_at(ctx)
     }
 
     /// True if the pigment has no colour at a point, for example beside an image map with `once`.
     pub fn is_nothing(&self, ctx: &TextureContext, quick: bool) -> bool {
         match self.shown(quick) {
             LayerColor::Solid(_) => false,
-            LayerColor::PigmentProgram(pigment) => pigment.has_no_color_at(ctx),
+            LayerColor::PigmentProgram(pigment) | LayerColor::Untinted(pigment) => pigment.has_no_color_at(ctx),
         }
     }
 
@@ -242,9 +248,20 @@ impl LoweredFinish {
 impl LayerColor {
     /// Lowers a pigment.
     pub(super) fn new(pigment: &Pigment) -> Self {
-        match pigment.as_solid() {
-            Some(color) => Self::Solid(color),
-            None => Self::PigmentProgram(Box::new(PigmentProgram::new(pigment))),
+        match (pigment.as_solid(), pigment.pattern.untinted) {
+            (Some(color), false) => Self::Solid(color),
+            (Some(color), true) => Self::Solid(color.without_tint()),
+            (None, false) => Self::PigmentProgram(Box::new(PigmentProgram::new(pigment))),
+            (None, true) => Self::Untinted(Box::new(PigmentProgram::new(pigment))),
+        }
+    }
+
+    /// Returns the colour at a point of the texture's space.
+    pub(super) fn color_at(&self, ctx: &TextureContext) -> Color {
+        match self {
+            Self::Solid(color) => *color,
+            Self::PigmentProgram(pigment) => pigment.color_at(ctx),
+            Self::Untinted(pigment) => pigment.color_at(ctx).without_tint(),
         }
     }
 }

@@ -60,12 +60,11 @@ impl Sky {
         }
         let p = self.place.inverse_transform_point(dir);
         let ctx = TextureContext { waves, world: dir, ray: dir, ..TextureContext::without_surface(p, noise) };
-        let colors = self.layers.iter().rev().map(|layer| {
-            match layer.quick.as_ref().filter(|_| quick).unwrap_or(&layer.color) {
-                LayerColor::Solid(color) => *color,
-                LayerColor::PigmentProgram(pigment) => pigment.color_at(&ctx),
-            }
-        });
+        let colors = self
+            .layers
+            .iter()
+            .rev()
+            .map(|layer| layer.quick.as_ref().filter(|_| quick).unwrap_or(&layer.color).color_at(&ctx));
         if self.by_share { self.by_share(colors, behind) } else { self.layered(colors, behind) }
     }
 

@@ -59,7 +59,7 @@ pub(super) fn cameras_page() -> String {
                 0, that it goes the other way.\n\n";
     let bumps = "A `normal { … }` turns the rays as bumps turn the normal of a surface, as glass with bumps would. Its pattern lies in \
                  the picture, which goes from -0.5 to 0.5 in x and y; for cameras of angles, in those, in radians.\n\n";
-    let blur = "What is not as far ahead as `focal_point` is blurred. More rays a pixel make it smoother: as many as the pixel needs, \
+    let blur = "What is not as far ahead as `focal_point` is from `location` is blurred. More rays a pixel make it smoother: as many as the pixel needs, \
                 up to the number of `blur_samples`.\n\n";
     let bokeh = "What is far out of focus shows the lens: a disc, or what `bokeh { pigment { … } }` says from <0, 0> to <1, 1>: more of the light \
                  passes where the pigment is lighter; y goes down. The picture as a whole stays as bright.\n\n";

@@ -137,6 +137,9 @@ impl<'a> Interpreter<'a> {
                 Ok(self.evaluator.scopes().at(&lvalue).is_some())
             }
             ExprKind::Dot(base, _, symbol) => {
+                if let Some(lvalue) = self.evaluator.prefixed_lvalue(e) {
+                    return Ok(self.evaluator.scopes().at(&lvalue).is_some());
+                }
                 let lvalue = self.dictionary_lvalue(base)?;
                 let key = self.inputs.names.text(*symbol);
                 Ok(

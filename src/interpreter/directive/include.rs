@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Result, Severity, codes, file, nearest};
 use crate::interpreter::Interpreter;
-use crate::interpreter::reporter::MAX_INCLUDES;
+use crate::interpreter::reporter::{MAX_INCLUDES, hints};
 use crate::interpreter::token_expr::joined_span;
 use crate::library;
 use crate::source::{FileId, Found, Span, read_text};
@@ -31,6 +31,7 @@ impl<'a> Interpreter<'a> {
         };
         self.evaluator.scopes_mut().enter_scope();
         self.stream.push_include(path, &ast.elements, span);
+        self.split_old_expressions();
         Ok(())
     }
 
@@ -135,6 +136,9 @@ impl<'a> Interpreter<'a> {
     fn missing_include_error(&self, name: &str, span: Span) -> Diagnostic {
         let folders = &self.inputs.options.search.folders;
         let d = Diagnostic::new(codes::MISSING_INCLUDE, span, format!("the file `{name}` was not found"));
+        if let Some(hint) = hints::newer_name(name) {
+            return d.help(hint);
+        }
         let there = folders.iter().flat_map(|folder| self.inputs.files.list(folder).unwrap_or_default());
         let there: Vec<String> = there.filter_map(|entry| entry.name.into_string().ok()).collect();
         if let Some(found) = similar_file(name, &there) {

@@ -15,9 +15,21 @@ impl Interpreter<'_> {
         }
         let (number, value_span) = self.read_number()?;
         let version = compat::version_number(number);
-        if version > compat::NEWEST_VERSION {
-            let message = format!("this scene states version {number} of the language; durer supports up to 3.8");
-            self.reporter.report(Diagnostic::new(codes::NEWER_VERSION, value_span, message));
+        // A scene may state its version many times.
+        if version > compat::DEFAULT_VERSION && !self.newer_version_reported {
+            self.newer_version_reported = true;
+            let (message, help) = if version > compat::NEWEST_VERSION {
+                (
+                    format!("this scene states version {number} of the language; durer supports up to 3.8"),
+                    "words that durer does not know are errors; the rest is rendered as in 3.7",
+                )
+            } else {
+                (
+                    format!("version {number} of the language is rendered as 3.7"),
+                    "dictionaries, mixed arrays, optional parameters and several names in one `#declare` are read as in 3.8",
+                )
+            };
+            self.reporter.report(Diagnostic::new(codes::NEWER_VERSION, value_span, message).help(help));
         }
         self.set_version(version);
         Ok(())

@@ -30,6 +30,26 @@ impl<'a> Evaluator<'a> {
         }
     }
 
+    /// Returns the level of the scope that a prefix names: `local` of `local.A` or `global` of `global.A` (3.8); `None`
+    /// for other names, and for a declared name.
+    pub fn level_of_prefix(&self, symbol: Symbol) -> Option<u32> {
+        if self.is_declared(symbol) {
+            return None;
+        }
+        match self.inputs.names.text(symbol) {
+            "local" => Some(self.scopes.level()),
+            "global" => Some(0),
+            _ => None,
+        }
+    }
+
+    /// Returns the location of `local.A` or `global.A` (3.8); `None` for other expressions.
+    pub fn prefixed_lvalue(&self, e: &Expr) -> Option<LValue> {
+        let ExprKind::Dot(base, _, symbol) = &e.kind else { return None };
+        let ExprKind::Name(prefix) = base.kind else { return None };
+        self.level_of_prefix(prefix).map(|level| self.scopes.resolve_at(*symbol, level))
+    }
+
     /// Returns the location of a dictionary's element by its keys. With `adds`, a new last key is added.
     pub fn key_lvalue(&mut self, lvalue: LValue, keys: &[(Value, Span)], adds: bool) -> Result<LValue> {
         let mut lvalue = lvalue;

@@ -151,9 +151,24 @@ impl<'a> Scopes<'a> {
         Some(LValue { symbol, depth, path: path.cloned() })
     }
 
+    /// Returns the location of a name that is bound at `level`; a location without contents if the name is not.
+    pub fn resolve_at(&self, symbol: Symbol, level: u32) -> LValue {
+        let stack = self.bindings.get(symbol.0 as usize).map_or(&[][..], Vec::as_slice);
+        let bound = stack.iter().rposition(|binding| binding.level == level);
+        match bound.and_then(|depth| self.find_binding_from(symbol, depth)) {
+            Some((symbol, depth, path)) => LValue { symbol, depth, path: path.cloned() },
+            None => LValue { symbol, depth: usize::MAX, path: None },
+        }
+    }
+
     /// Returns the parts of the location that [`Self::resolve`] returns, without copying the path.
     fn find_binding(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Path>)> {
         let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
+        self.find_binding_from(symbol, depth)
+    }
+
+    /// Follows the aliases that begin at the binding number `depth` of a symbol.
+    fn find_binding_from(&self, symbol: Symbol, depth: usize) -> Option<(Symbol, usize, Option<&Path>)> {
         let (mut symbol, mut depth, mut path) = (symbol, depth, None);
         // An alias is made from a resolved location. Its target can be another alias only after an `#undef`.
         for _ in 0..MAX_ALIASES {

@@ -56,7 +56,10 @@ impl<'a> Interpreter<'a> {
                 Some(Slot::Value(value)) => !matches!(value, Value::Thing(_)),
                 _ => false,
             },
-            Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Dot)) => self.evaluator.is_array(symbol),
+            Some(ElementKind::Entry(_)) => self.evaluator.is_array(symbol),
+            Some(ElementKind::Sign(Sign::Dot)) => {
+                self.evaluator.is_array(symbol) || self.evaluator.level_of_prefix(symbol).is_some()
+            }
             None if !element.comma => self.evaluator.is_array(symbol),
             _ => false,
         };

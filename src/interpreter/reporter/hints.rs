@@ -1,4 +1,15 @@
-//! Hints about words of other tools and of other blocks.
+//! Hints about words of other tools, of POV-Ray 3.8 and of other blocks.
+
+/// Returns a hint for a macro or an include file of POV-Ray 3.8 that 3.7 lacks.
+pub fn newer_name(name: &str) -> Option<&'static str> {
+    Some(match name.to_lowercase().as_str() {
+        "cie.inc" => "part of POV-Ray 3.8; durer reads the include files of 3.7: put the file next to the scene",
+        "get_screen_xy" | "get_xy_relative_to_screen" => {
+            "part of POV-Ray 3.8, whose screen.inc declares it; durer reads the include files of 3.7"
+        }
+        _ => return None,
+    })
+}
 
 /// Returns a hint for a word that POV-Ray's language lacks, but that other tools have.
 pub fn other_tools(word: &str) -> Option<&'static str> {
@@ -13,6 +24,10 @@ pub fn other_tools(word: &str) -> Option<&'static str> {
         "let" | "var" | "const" | "def" | "set" => "names get values by `#declare Name = value;` or `#local`",
         "blend_mode" | "blend_gamma" => {
             "this is of POV-Ray 3.8; durer blends colour components without gamma, as 3.7 does"
+        }
+        "lemon" | "user_defined" | "akima_spline" | "tcb_spline" | "basic_x_spline" | "extended_x_spline"
+        | "general_x_spline" | "oren_nayar" | "lommel_seeliger" | "potential" => {
+            "this is part of POV-Ray 3.8; durer renders what 3.7 has"
         }
         "func" | "fn" | "proc" => "`#macro Name(A, B) … #end` defines a macro",
         "rotation" | "rotatex" | "rotatey" | "rotatez" => "`rotate <x, y, z>` takes degrees",

@@ -39,6 +39,22 @@ pub fn has_opacity_by_color(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
+/// True if the `filter` of a texture's layer transmits light untinted where another layer is below (quirk:
+/// `untinted_upper_layers`).
+pub fn has_untinted_layers(version: u32) -> bool {
+    version <= 310
+}
+
+/// True if the words of a camera take effect in their order (quirk: `camera_words_in_order`).
+pub fn has_ordered_cameras(version: u32) -> bool {
+    version < 350
+}
+
+/// True if operators are allowed outside of parentheses (quirk: `operators_before_1_5`).
+pub fn has_bare_operators(version: u32) -> bool {
+    version >= 150
+}
+
 /// True if a pigment of a sky sphere transmits the pigments below it in proportion to its filter, whatever its colour,
 /// and pictures with alpha omit the sky. `version` is in force at the end of the scene (quirk: `sky_by_share`; manual,
 /// "Sky Sphere").

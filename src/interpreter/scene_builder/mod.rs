@@ -37,6 +37,9 @@ impl SceneBuilder {
                 version: compat::DEFAULT_VERSION,
                 bare_textures: false,
                 random_media: false,
+                untinted_layers: false,
+                ordered_cameras: false,
+                bare_operators: true,
                 assumed_gamma: None,
                 other_gamma: compat::gamma_without_setting(None),
                 srgb_files: false,
@@ -52,6 +55,9 @@ impl SceneBuilder {
         self.language.version = version;
         self.language.bare_textures = compat::has_bare_textures(version);
         self.language.random_media = compat::has_random_media(version);
+        self.language.ordered_cameras = compat::has_ordered_cameras(version);
+        self.language.untinted_layers = compat::has_untinted_layers(version);
+        self.language.bare_operators = compat::has_bare_operators(version);
         if self.scene.settings.noise_generator.is_none() {
             self.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
         }

@@ -1,6 +1,6 @@
 //! Splits parsed expressions and lists of literals into single tokens.
 
-use super::TokenStream;
+use super::{FrameKind, TokenStream};
 use crate::interpreter::Inputs;
 use crate::source::Span;
 use crate::syntax::ast::*;
@@ -27,6 +27,21 @@ impl<'a> TokenStream<'a> {
             let behind = parts.iter().enumerate().filter(|(_, e)| e.comma && item_ends(parts, e)).map(|(i, _)| i + 1);
             frame.at = if item.0 == 0 { 0 } else { behind.take(list.len()).nth(item.0 - 1).unwrap_or(0) };
         }
+    }
+
+    /// Replaces the elements that the innermost frame has not read yet by single tokens. A loop's frame, which is read
+    /// again, stays as it is.
+    pub fn split_rest(&mut self) {
+        let inputs = self.inputs;
+        let Some(frame) = self.frames.last_mut() else { return };
+        if !matches!(frame.kind(), FrameKind::File | FrameKind::Include | FrameKind::Branch) {
+            return;
+        }
+        let ([first, ..], [.., last]) = (frame.rest(), frame.rest()) else { return };
+        self.look_ahead = None;
+        let span = first.span.to(last.span);
+        frame.elements = inputs.parsed.rest_from(first, || inputs.tokens_of(span));
+        frame.at = 0;
     }
 }
 

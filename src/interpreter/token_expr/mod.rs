@@ -82,6 +82,10 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the operator that continues the value that was just read.
     fn operator_ahead(&mut self, compares: bool) -> Result<Option<Operator>> {
+        // quirk: operators_before_1_5
+        if !compares && !self.builder.language().bare_operators {
+            return Ok(None);
+        }
         loop {
             return Ok(match self.peek_after()? {
                 Some(Token::Sign(Sign::Operator(op))) if compares || op.adds() || op.multiplies() => Some(op),
@@ -203,6 +207,13 @@ impl<'a> Interpreter<'a> {
 
     /// Reads the word after a `.`.
     pub(super) fn component_name(&mut self) -> Result<Name> {
+        // A word is the name whatever follows, so that directives after it do not run yet.
+        if self.stream.look_ahead().is_none()
+            && let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_element()
+        {
+            self.stream.advance();
+            return Ok(Name { word: Some(word.name), span: *span });
+        }
         self.split_to_operand()?;
         let token = self.peek()?;
         let span = self.stream.next_span();

@@ -54,6 +54,9 @@ pub struct Pattern {
     /// True if `uv_mapping` is given for the texture around the pattern, not for the pattern itself.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub framed: bool,
+    /// True if the filter of the pattern's colours transmits light untinted (quirk: `untinted_upper_layers`).
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub untinted: bool,
     /// For a pattern that was mapped by uv when its block ended: the space around the mapping, which later transforms
     /// change. It shows only if a pattern is named later, whose map then is the one entry that is left (quirk:
     /// `uv_mapping_keeps_space`).
@@ -80,6 +83,7 @@ impl StaticDefault for Pattern {
             noise: None,
             uv: false,
             framed: false,
+            untinted: false,
             around: None,
         };
         &PLAIN

@@ -11,7 +11,7 @@ use crate::shape::{Kernel, Shape};
 use crate::source::Span;
 use crate::texture::Texture;
 use crate::value::words::{is_row, read_row};
-use crate::value::{Family, Next, Reader, ReaderExt, Value};
+use crate::value::{Family, Language, Next, Reader, ReaderExt, Value};
 use std::sync::Arc;
 
 /// Returns the CSG operation of a block's word; `None` for other blocks.
@@ -221,11 +221,11 @@ impl Object {
                 r.take_token()?;
                 let material = read_material(r, defaults, self.uncommon.interior.clone())?;
                 r.leave_block()?;
-                self.set_material(&material);
+                self.set_material(&material, &r.language());
             }
             Next::Thing("material") => {
                 if let Some(material) = r.thing::<Material>()? {
-                    self.set_material(&material);
+                    self.set_material(&material, &r.language());
                 }
             }
             Next::Block("radiosity") => self.uncommon.radiosity = Some(ObjectRadiosity::read(r)?),
@@ -240,14 +240,14 @@ impl Object {
         match next {
             Next::Block("texture") | Next::Thing("texture") => {
                 let texture = read_layers(r, defaults)?;
-                self.texture = Some(self.with_layers(self.texture.as_ref(), Arc::new(texture)));
+                self.texture = Some(self.with_layers(self.texture.as_ref(), Arc::new(texture), &r.language()));
             }
             Next::Block("interior_texture") => {
                 r.take_token()?;
                 let texture = Texture::read(r, &defaults.texture)?;
                 r.leave_block()?;
                 self.uncommon.interior_texture =
-                    Some(self.with_layers(self.uncommon.interior_texture.as_ref(), Arc::new(texture)));
+                    Some(self.with_layers(self.uncommon.interior_texture.as_ref(), Arc::new(texture), &r.language()));
             }
             _ => {
                 let mut texture = match &self.texture {
@@ -274,11 +274,12 @@ impl Object {
     }
 
     /// Adds layers to the object's own texture, even if a declaration set that texture (quirk: `textures_add_layers`).
-    fn with_layers(&self, below: Option<&Painted>, texture: Arc<Texture>) -> Painted {
+    fn with_layers(&self, below: Option<&Painted>, texture: Arc<Texture>, language: &Language) -> Painted {
         let layers = match below {
             Some(below) => {
                 let mut all = self.transformed_texture(below);
                 all.layers.extend(texture.layers.iter().cloned());
+                all.untint_upper_layers(language);
                 Arc::new(all)
             }
             None => texture,
@@ -322,13 +323,13 @@ impl Object {
         Ok(())
     }
 
-    fn set_material(&mut self, material: &Material) {
+    fn set_material(&mut self, material: &Material, language: &Language) {
         if let Some(texture) = &material.texture {
-            self.texture = Some(self.with_layers(self.texture.as_ref(), texture.clone()));
+            self.texture = Some(self.with_layers(self.texture.as_ref(), texture.clone(), language));
         }
         if let Some(texture) = &material.interior_texture {
             self.uncommon.interior_texture =
-                Some(self.with_layers(self.uncommon.interior_texture.as_ref(), texture.clone()));
+                Some(self.with_layers(self.uncommon.interior_texture.as_ref(), texture.clone(), language));
         }
         if let Some(interior) = &material.interior {
             self.uncommon.interior = Some(interior.clone());

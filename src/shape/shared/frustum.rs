@@ -196,12 +196,13 @@ impl Frustum {
         out
     }
 
-    /// True if the point is between the frustum's ends and nearer to the axis than the wall.
+    /// True if the point is between the frustum's ends and nearer to the axis than the wall. The boundary belongs to an
+    /// open frustum only (quirk: `open_wall_inside`).
     pub fn inside(&self, p: DVec3) -> bool {
         let at = self.to_axis_frame(p - self.base);
         let slack = if self.open { tolerance::INSIDE } else { -tolerance::INSIDE };
         let r = self.radius_at(at.w);
-        at.w > -slack && at.w < 1.0 + slack && at.across_squared() < r * r - tolerance::INSIDE
+        at.w > -slack && at.w < 1.0 + slack && at.across_squared() < r * r + slack
     }
 
     /// True if the frustum is convex: with both end discs and no hourglass.

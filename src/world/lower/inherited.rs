@@ -34,18 +34,26 @@ impl Inherited {
     }
 }
 
-/// Returns the interior of an object. In old scenes, the finish states a part of the interior; the topmost layer's
-/// finish has priority (quirk: `finish_ior_first`).
+/// Returns the interior of an object: that of its block, with `ior` and `caustics` of finishes, as in old scenes.
 pub fn interior_of(object: &Object) -> Option<Arc<Interior>> {
-    let said = object.uncommon.interior.clone();
-    let finish = object.texture.as_ref().and_then(|painted| painted.texture.layers.last()).map(|top| &top.finish);
-    match finish.map(|finish| &*finish.uncommon) {
-        Some(&Uncommon { ior, caustics, .. }) if ior.is_some() || caustics.is_some() => {
-            let inside = said.unwrap_or_default();
-            let (ior, caustics) = (ior.unwrap_or(inside.ior), caustics.unwrap_or(inside.caustics));
-            Some(Arc::new(Interior { ior, caustics, ..(*inside).clone() }))
-        }
-        _ => said,
+    let mut interior = object.uncommon.interior.clone();
+    add_finish_words(object, &mut interior);
+    interior
+}
+
+/// Writes `ior` and `caustics` of the topmost layer's finish to the interior (quirk: `finish_ior_first`). The parts of a
+/// group that have no `interior` block write to that of the group, one after the other (quirk: `finish_ior_of_parts`).
+fn add_finish_words(object: &Object, interior: &mut Option<Arc<Interior>>) {
+    let top = object.texture.as_ref().and_then(|painted| painted.texture.layers.last());
+    if let Some(&Uncommon { ior, caustics, .. }) = top.map(|top| &*top.finish.uncommon)
+        && (ior.is_some() || caustics.is_some())
+    {
+        let inside = Arc::make_mut(interior.get_or_insert_default());
+        inside.ior = ior.unwrap_or(inside.ior);
+        inside.caustics = caustics.unwrap_or(inside.caustics);
+    }
+    if let ObjectKind::Csg(_, parts) = &object.kind {
+        parts.iter().filter(|part| part.uncommon.interior.is_none()).for_each(|part| add_finish_words(part, interior));
     }
 }
 
@@ -57,7 +65,7 @@ pub fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
         ObjectKind::Shape(_) => Some(hollow),
         ObjectKind::Light(_) => None,
         ObjectKind::Csg(_, parts) => {
-            let open = parts.iter().rev().filter(|part| interior_of(part).is_none());
+            let open = parts.iter().rev().filter(|part| part.uncommon.interior.is_none());
             open.filter_map(|part| hollow_inside(part, hollow)).next()
         }
     }

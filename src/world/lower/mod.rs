@@ -233,7 +233,8 @@ impl Lowering {
         let look = |painted: &Option<Painted>| inherited.place.look(painted.as_ref(), object, &place);
         let texture = look(&object.texture)?;
         let inside = look(&object.uncommon.interior_texture)?;
-        let interior = interior_of(object);
+        let of_group = inherited.interior.is_some() && object.uncommon.interior.is_none();
+        let interior = if of_group { None } else { interior_of(object) };
         let flags = joined(object, inherited.flags);
         let lights = object.uncommon.light_group.map(|global| self.add_group(global));
         let group = lights.unwrap_or(inherited.lights);

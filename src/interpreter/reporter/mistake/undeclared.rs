@@ -20,7 +20,9 @@ impl Reporter<'_> {
             return d.because(Cause::new(Remedy::Include(file), name, span));
         }
         let d = d.because(Cause::new(Remedy::Declare, name, span));
-        let help = meant_name(name, declared)
+        let help = hints::newer_name(name)
+            .map(String::from)
+            .or_else(|| meant_name(name, declared))
             .or_else(|| hints::other_tools(name).map(String::from))
             .or_else(|| meant_word(name));
         let help = help.or_else(|| meant_include(name));
