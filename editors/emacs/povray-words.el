@@ -18,9 +18,9 @@
     "global_settings" "image_map" "interior" "interior_texture" "irid" "light_group" "light_source"
     "looks_like" "material" "material_map" "matrix" "media" "mesh_camera" "normal" "normal_indices"
     "normal_map" "normal_vectors" "pattern" "photons" "pigment" "pigment_map" "precompute"
-    "projected_through" "pwr" "radiosity" "rainbow" "reflection" "sky_sphere" "slope_map" "subsurface"
-    "texture" "texture_list" "texture_map" "tiles" "transform" "uv_indices" "uv_vectors" "vertex_vectors"
-    "warp" "xyz")
+    "projected_through" "pwr" "radiosity" "rainbow" "reflection" "scattering" "sky_sphere" "slope_map"
+    "subsurface" "texture" "texture_list" "texture_map" "tiles" "transform" "uv_indices" "uv_vectors"
+    "vertex_vectors" "warp" "xyz")
   "What else has braces.")
 
 (defconst povray-words-functions
@@ -66,11 +66,11 @@
     "ppm" "precision" "premultiplied" "pretrace_end" "pretrace_start" "quadratic_spline" "quaternion"
     "quick_color" "quick_colour" "quilted" "radial" "radius" "ramp_wave" "ratio" "read" "reciprocal"
     "recursion_limit" "red" "reflection_exponent" "refraction" "repeat" "rgb" "rgbf" "rgbft" "rgbt"
-    "right" "ripples" "rotate" "roughness" "samples" "save_file" "scale" "scallop_wave" "scattering"
-    "shadowless" "sine_wave" "sint16be" "sint16le" "sint32be" "sint32le" "sint8" "size" "sky" "slice"
-    "slope" "smooth" "solid" "spacing" "specular" "spherical" "spiral1" "spiral2" "spline" "split_union"
-    "spotlight" "spotted" "square" "srgb" "srgbf" "srgbft" "srgbt" "strength" "sturm" "sys" "target"
-    "tga" "thickness" "threshold" "tiff" "tightness" "tile2" "tiling" "tolerance" "toroidal" "translate"
+    "right" "ripples" "rotate" "roughness" "samples" "save_file" "scale" "scallop_wave" "shadowless"
+    "sine_wave" "sint16be" "sint16le" "sint32be" "sint32le" "sint8" "size" "sky" "slice" "slope" "smooth"
+    "solid" "spacing" "specular" "spherical" "spiral1" "spiral2" "spline" "split_union" "spotlight"
+    "spotted" "square" "srgb" "srgbf" "srgbft" "srgbt" "strength" "sturm" "sys" "target" "tga"
+    "thickness" "threshold" "tiff" "tightness" "tile2" "tiling" "tolerance" "toroidal" "translate"
     "translucency" "transmit" "triangle_wave" "triangular" "ttf" "turb_depth" "turbulence" "type"
     "u_steps" "uint16be" "uint16le" "uint8" "ultra_wide_angle" "up" "use_alpha" "use_color" "use_colour"
     "use_index" "utf8" "uv_mapping" "v_steps" "variance" "water_level" "waves" "width" "wood" "wrinkles"

@@ -1,39 +1,53 @@
 //! Warnings about media that cannot show.
 
 use crate::diagnostic::{Diagnostic, codes};
-use crate::scene::{Object, ObjectKind, Scene};
+use crate::scene::{Object, ObjectBody, ObjectKind, Scene};
 use crate::source::Span;
+use rustc_hash::FxHashSet;
+use std::sync::Arc;
 
 /// Maximum number of warnings about media.
 const MAX_WARNINGS: usize = 5;
 
 /// Returns warnings about media in objects that are not `hollow`.
 pub(super) fn solid_media_warnings(scene: &Scene) -> Vec<Diagnostic> {
-    let mut found = vec![];
-    scene.objects.iter().for_each(|object| add_solid_media(object, false, &mut found));
+    let mut search = Search::default();
+    scene.objects.iter().for_each(|object| search.examine(object, false));
     let warning = |(media, object): &(Span, Span)| {
-        let d =
-            Diagnostic::new(codes::SOLID_MEDIA, *media, "these media show nothing, because the object is not `hollow`");
-        d.also(*object, "add `hollow` to this object")
+        let text = "these media show nothing, because the object is not `hollow`";
+        Diagnostic::new(codes::SOLID_MEDIA, *media, text).also(*object, "add `hollow` to this object")
     };
-    found.iter().map(warning).collect()
+    search.found.iter().map(warning).collect()
 }
 
-/// Adds the spans of media and of the object for each solid object with media; `is_hollow` is true within a hollow
-/// group.
-fn add_solid_media(object: &Object, is_hollow: bool, found: &mut Vec<(Span, Span)>) {
-    let is_hollow = is_hollow || object.uncommon.flags.hollow;
-    let parts: &[Object] = match &object.kind {
-        ObjectKind::Csg(_, parts) => parts,
-        _ => &[],
-    };
-    let media = object.uncommon.interior.as_ref().and_then(|interior| interior.media.first());
-    let has_hollow_part = parts.iter().any(|part| part.uncommon.flags.hollow);
-    if let Some(media) = media.filter(|_| !is_hollow && !has_hollow_part)
-        && found.len() < MAX_WARNINGS
-        && found.iter().all(|(known, _)| *known != media.source)
-    {
-        found.push((media.source, object.source));
+/// Search for media in solid objects.
+#[derive(Default)]
+struct Search {
+    /// Spans of media, each with the span of the first solid object that holds them.
+    found: Vec<(Span, Span)>,
+    /// Addresses of the examined contents, each within hollow or within solid groups. Copies share their contents, so
+    /// that a scene can have far more parts than memory.
+    examined: FxHashSet<(*const ObjectBody, bool)>,
+}
+
+impl Search {
+    /// Examines an object and its parts; `is_hollow` is true within a hollow group.
+    fn examine(&mut self, object: &Object, is_hollow: bool) {
+        if self.found.len() >= MAX_WARNINGS || !self.examined.insert((Arc::as_ptr(&object.body), is_hollow)) {
+            return;
+        }
+        let is_hollow = is_hollow || object.uncommon.flags.hollow;
+        let parts: &[Object] = match &object.kind {
+            ObjectKind::Csg(_, parts) => parts,
+            _ => &[],
+        };
+        let media = object.uncommon.interior.as_ref().and_then(|interior| interior.media.first());
+        let has_hollow_part = parts.iter().any(|part| part.uncommon.flags.hollow);
+        if let Some(media) = media.filter(|_| !is_hollow && !has_hollow_part)
+            && self.found.iter().all(|(known, _)| *known != media.source)
+        {
+            self.found.push((media.source, object.source));
+        }
+        parts.iter().for_each(|part| self.examine(part, is_hollow));
     }
-    parts.iter().for_each(|part| add_solid_media(part, is_hollow, found));
 }

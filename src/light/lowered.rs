@@ -5,6 +5,7 @@ use super::{Area, Beam, Light};
 use crate::color::Rgb;
 use crate::math::{DVec3, Ray, fp};
 use serde::Serialize;
+use smallvec::SmallVec;
 
 /// Lowered light source, in world space.
 #[derive(Clone, Debug, Serialize)]
@@ -95,7 +96,7 @@ impl LoweredLight {
 
     /// Returns the stretches of a ray, in order, within the beam of a spotlight or cylinder light: pairs of distances
     /// between `from` and `to`. `None` for a light that shines in all directions.
-    pub fn lit_stretches(&self, ray: &Ray, [from, to]: [f64; 2]) -> Option<Vec<[f64; 2]>> {
+    pub fn lit_stretches(&self, ray: &Ray, [from, to]: [f64; 2]) -> Option<SmallVec<[[f64; 2]; 2]>> {
         let (start, along) = (ray.origin - self.location, ray.dir.dot(self.axis));
         let (ahead, cos) = match self.profile {
             Profile::Round => return None,
@@ -113,7 +114,7 @@ impl LoweredLight {
         let b = along * ahead - share * start.dot(ray.dir);
         let c = ahead * ahead - share * start.length_squared() + constant;
         let root = (b * b - a * c).max(0.0).sqrt();
-        let mut ends = vec![from, to, (-b - root) / a, (-b + root) / a, -ahead / along];
+        let mut ends = SmallVec::from([from, to, (-b - root) / a, (-b + root) / a, -ahead / along]);
         ends.retain(|t| (from..=to).contains(t));
         ends.sort_by(f64::total_cmp);
         let is_lit = |t: f64| a * t * t + 2.0 * b * t + c > 0.0 && ahead + along * t > 0.0;

@@ -24,7 +24,7 @@ const INTERIOR_ROWS: &[Row<Interior>] = &[
         "the ratio of violet's index of refraction to red's: 1.01 to 1.1 shows the colours of a prism",
     )
     .sets(|s, r| set(&mut s.dispersion, r.float())),
-    word("dispersion_samples", Float, "7", "into how many colours light splits, 2 or more")
+    word("dispersion_samples", Float, "7", "into how many colours light splits, from 2 to 10000")
         .sets(|s, r| set(&mut s.dispersion_samples, read_samples(r))),
     word(
         "fade_distance",
@@ -180,14 +180,17 @@ impl Interior {
     }
 }
 
-/// Reads the number of `dispersion_samples`.
+/// Maximum number of colours into which dispersion splits light; each is a ray of its own.
+const MAX_DISPERSION_SAMPLES: f64 = 10_000.0;
+
+/// Reads the number of `dispersion_samples`; larger numbers count as the maximum.
 fn read_samples(r: &mut dyn Reader) -> Result<u32> {
     let (at, number) = (r.span(), r.float()?);
     if number < 2.0 {
         let message = format!("`dispersion_samples` is {number}; light splits into at least 2 colours");
         return Err(Diagnostic::new(codes::BAD_ARGUMENT, at, message).help("7 is usual, 30 looks smooth").into());
     }
-    Ok(number as u32)
+    Ok(number.min(MAX_DISPERSION_SAMPLES) as u32)
 }
 
 #[cfg(test)]

@@ -97,11 +97,11 @@ impl Scattering {
         match self.phase {
             Phase::Isotropic => 1.0,
             // K·(1 + 9·cos¹⁶(θ/2))
-            Phase::MieHaze => 0.5766554 * (1.0 + 9.0 * fp::integer_power((1.0 + cos) / 2.0, 8)),
+            Phase::MieHaze => 0.576656 * (1.0 + 9.0 * fp::integer_power((1.0 + cos) / 2.0, 8)),
             // K·(1 + 50·cos⁶⁴(θ/2))
-            Phase::MieMurky => 0.4957148 * (1.0 + 50.0 * fp::integer_power((1.0 + cos) / 2.0, 32)),
+            Phase::MieMurky => 0.495716 * (1.0 + 50.0 * fp::integer_power((1.0 + cos) / 2.0, 32)),
             // K·(1 + cos²θ)
-            Phase::Rayleigh => 0.7993438 * (1.0 + cos * cos),
+            Phase::Rayleigh => 0.799372 * (1.0 + cos * cos),
             // (1 - g²) / (1 + g² - 2g·cosθ)^³ᐟ²
             Phase::HenyeyGreenstein => {
                 let g = self.eccentricity;

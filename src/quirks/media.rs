@@ -48,7 +48,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     emulated_quirk(
         "phase_functions",
-        "Scattering of types 2 to 4 is multiplied by 0.5766554, 0.4957148 and 0.7993438, so that light is neither lost nor \
+        "Scattering of types 2 to 4 is multiplied by 0.576656, 0.495716 and 0.799372, so that light is neither lost nor \
          doubled as the physical laws demand. `eccentricity` above 0 scatters forwards.",
         &[
             "light_cases/media_scattering_2",

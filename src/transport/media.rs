@@ -9,9 +9,13 @@ use crate::color::Rgb;
 use crate::math::{DVec3, Ray, fp};
 use crate::medium::{MediaSampling, SamplingMethod};
 use crate::world::{LightSource, Medium};
+use smallvec::SmallVec;
 
 /// Maximum depth of halving: further halves of a stretch do not differ from it.
 const MAX_LEVEL: u32 = 24;
+
+/// Optical depth beyond which no light is left that a picture could show: exp(-25) is 1e-11.
+const OPAQUE_DEPTH: f64 = 25.0;
 
 /// A stretch of a ray in media.
 pub(super) struct MediaStretch<'a, 'w> {
@@ -65,7 +69,9 @@ struct Accumulated {
 impl Accumulated {
     /// Adds a stretch of the length `length` with these mean properties, behind the others.
     fn add(&mut self, mean: &PointSample, length: f64) {
-        self.light += transmittance(self.depth) * mean.light * length;
+        if mean.light != Rgb::ZERO {
+            self.light += transmittance(self.depth) * mean.light * length;
+        }
         self.depth += mean.extinction * length;
     }
 }
@@ -75,55 +81,95 @@ fn transmittance(depth: Rgb) -> Rgb {
     if depth == Rgb::ZERO { Rgb::ONE } else { (-depth).map(fp::exp) }
 }
 
+/// A light that a medium scatters, and where on a ray the light shines.
+struct BeamOnRay<'w> {
+    light: &'w LightSource,
+    /// Stretches of the ray within the light's beam; `None` for a light that shines in all directions.
+    stretches: Option<SmallVec<[[f64; 2]; 2]>>,
+}
+
+impl BeamOnRay<'_> {
+    /// True if the light shines on a part of the interval, or touches it.
+    fn reaches(&self, [from, to]: [f64; 2]) -> bool {
+        let slack = 1e-6 * (to - from);
+        let touches = |[start, end]: &[f64; 2]| *start <= to + slack && *end >= from - slack;
+        self.stretches.as_ref().is_none_or(|stretches| stretches.iter().any(touches))
+    }
+}
+
+/// An interval of a stretch in media.
+struct Interval<'a, 'w> {
+    range: [f64; 2],
+    /// For each medium, the lights that it scatters in the interval.
+    lights: &'a [LightList<'w>],
+    draws: Draws,
+}
+
+/// Lights that a medium scatters.
+type LightList<'w> = SmallVec<[&'w LightSource; 4]>;
+
 impl<'w> Tracer<'w> {
     /// Returns the light that media add along a stretch of a ray, and their transmittance.
     pub(super) fn media_segment(&mut self, stretch: &MediaStretch<'_, 'w>) -> Segment {
+        let is_homogeneous = stretch.media.iter().all(|medium| medium.is_homogeneous());
+        if stretch.is_shadow && is_homogeneous {
+            let extinction: Rgb = stretch.media.iter().map(|medium| medium.extinction).sum();
+            let depth = extinction * (stretch.range[1] - stretch.range[0]);
+            return Segment { radiance: Rgb::ZERO, transmittance: transmittance(depth) };
+        }
         let sampling = stretch.media[0].sampling;
         let random = self.random.sequence(Purpose::Media);
+        let beams: SmallVec<[_; 2]> = stretch.media.iter().map(|medium| self.beams(stretch, medium)).collect();
         let mut sum = Accumulated::default();
-        for (number, interval) in (0..).zip(self.media_intervals(stretch, &sampling)) {
-            let draws = Draws { random, first: number << 32 };
+        for (number, range) in (0..).zip(media_intervals(stretch, &beams[0], &sampling)) {
+            let reaching = |(medium, beams): (&&Medium, &Vec<BeamOnRay<'w>>)| -> LightList<'w> {
+                let scatters = medium.scattering.color != Rgb::ZERO;
+                beams.iter().filter(|beam| scatters && beam.reaches(range)).map(|beam| beam.light).collect()
+            };
+            let lights: SmallVec<[_; 2]> = stretch.media.iter().zip(&beams).map(reaching).collect();
+            let interval = Interval { range, lights: &lights, draws: Draws { random, first: number << 32 } };
             match sampling.method {
-                SamplingMethod::Adaptive => self.add_adaptive(stretch, &sampling, interval, draws, &mut sum),
-                _ => self.add_sampled(stretch, &sampling, interval, draws, &mut sum),
+                SamplingMethod::Adaptive if is_homogeneous && lights.iter().all(SmallVec::is_empty) => {
+                    self.add_constant(stretch, &sampling, &interval, &mut sum);
+                }
+                SamplingMethod::Adaptive => self.add_adaptive(stretch, &sampling, &interval, &mut sum),
+                _ => self.add_sampled(stretch, &sampling, &interval, &mut sum),
             }
-            if self.is_stopped() {
+            if self.is_stopped() || sum.depth.min_element() > OPAQUE_DEPTH {
                 break;
             }
         }
         Segment { radiance: sum.light, transmittance: transmittance(sum.depth) }
     }
 
-    /// Divides a stretch into intervals. If only spotlights and cylinder lights illuminate media, their beams divide the
-    /// stretch first, and `ratio` distributes the intervals. A medium without densities has one interval where no light
-    /// shines (quirk: `media_intervals`).
-    fn media_intervals(&self, stretch: &MediaStretch, sampling: &MediaSampling) -> Vec<[f64; 2]> {
-        let mut lit = vec![];
-        let mut is_all_lit = false;
-        for light in self.scattered_lights(stretch.media[0]).filter(|_| !stretch.is_shadow) {
-            match light.emitter.lit_stretches(stretch.ray, stretch.range) {
-                Some(stretches) => lit.extend(stretches),
-                None => is_all_lit = true,
-            }
+    /// Returns the lights that a medium scatters; none for a shadow ray.
+    fn beams(&self, stretch: &MediaStretch, medium: &Medium) -> Vec<BeamOnRay<'w>> {
+        if stretch.is_shadow {
+            return vec![];
         }
-        let is_dark = lit.is_empty() && !is_all_lit;
-        let is_uniform = is_dark && !stretch.is_shadow && stretch.media[0].is_homogeneous();
-        let pieces = if is_all_lit { vec![(stretch.range, true)] } else { beam_pieces(lit, stretch.range) };
-        let intervals = if is_uniform { 1 } else { sampling.intervals as usize };
-        let counts =
-            interval_counts(&pieces.iter().map(|(_, lit)| *lit).collect::<Vec<_>>(), intervals, sampling.ratio);
-        let parts = pieces.iter().zip(counts).flat_map(|(([from, to], _), count)| {
-            let at = move |i: usize| from + (to - from) * (i as f64 / count as f64);
-            (0..count).map(move |i| [at(i), at(i + 1)])
-        });
-        parts.collect()
+        let world = self.context.world;
+        let lights = world.lit_by[medium.lights as usize].iter().map(|&number| &world.lights[number as usize]);
+        let beam = |light: &'w LightSource| BeamOnRay {
+            light,
+            stretches: light.emitter.lit_stretches(stretch.ray, stretch.range),
+        };
+        lights.filter(|light| light.emitter.scattered).map(beam).collect()
     }
 
-    /// Returns the lights that a medium scatters.
-    fn scattered_lights(&self, medium: &Medium) -> impl Iterator<Item = &'w LightSource> + use<'w> {
-        let world = self.context.world;
-        let numbers = world.lit_by[medium.lights as usize].iter();
-        numbers.map(|&number| &world.lights[number as usize]).filter(|light| light.emitter.scattered)
+    /// Adds an interval in which all samples of method 3 are equal.
+    fn add_constant(
+        &mut self,
+        stretch: &MediaStretch<'_, 'w>,
+        sampling: &MediaSampling,
+        interval: &Interval<'_, 'w>,
+        sum: &mut Accumulated,
+    ) {
+        let [from, to] = interval.range;
+        let mean = self.point_sample(stretch, interval, from);
+        let n = f64::from(adaptive_count(sampling) - 1);
+        for _ in 1..adaptive_count(sampling) {
+            sum.add(&mean, (to - from) / n);
+        }
     }
 
     /// Adds an interval by methods 1 and 2: the mean of samples, each attenuated by its own extinction.
@@ -131,11 +177,11 @@ impl<'w> Tracer<'w> {
         &mut self,
         stretch: &MediaStretch<'_, 'w>,
         sampling: &MediaSampling,
-        [from, to]: [f64; 2],
-        draws: Draws,
+        interval: &Interval<'_, 'w>,
         sum: &mut Accumulated,
     ) {
-        let length = to - from;
+        let [from, to] = interval.range;
+        let (length, draws) = (to - from, interval.draws);
         let mut mean = RunningMean::default();
         let (least, most) = (sampling.min_samples, sampling.max_samples);
         for i in 0..most {
@@ -144,12 +190,12 @@ impl<'w> Tracer<'w> {
             }
             let share = match sampling.method {
                 SamplingMethod::Even if i < least => {
-                    (f64::from(i) + 0.5 + sampling.jitter * draws.centered(i)) / f64::from(least)
+                    (f64::from(i) + 0.5 + draws.jittered(sampling.jitter, i)) / f64::from(least)
                 }
                 _ => draws.centered(i) + 0.5,
             };
             let distance = share * length;
-            let sample = self.point_sample(stretch, from + distance);
+            let sample = self.point_sample(stretch, interval, from + distance);
             mean.add(&PointSample { light: sample.light * transmittance(sample.extinction * distance), ..sample });
         }
         sum.add(&mean.value(), length);
@@ -161,24 +207,24 @@ impl<'w> Tracer<'w> {
         &mut self,
         stretch: &MediaStretch<'_, 'w>,
         sampling: &MediaSampling,
-        [from, to]: [f64; 2],
-        draws: Draws,
+        interval: &Interval<'_, 'w>,
         sum: &mut Accumulated,
     ) {
-        let n = (sampling.min_samples / 2 + 2).max(3);
+        let ([from, to], draws) = (interval.range, interval.draws);
+        let n = adaptive_count(sampling);
         let step = (to - from) / f64::from(n);
-        let at = |i: u32| from + step * (f64::from(i) + sampling.jitter * draws.centered(i));
+        let at = |i: u32| from + step * (f64::from(i) + draws.jittered(sampling.jitter, i));
         let halving = Halving {
             max_level: sampling.aa_level.min(MAX_LEVEL),
             max_difference: sampling.aa_threshold / (to - from),
         };
-        let mut before = (at(0), self.point_sample(stretch, at(0)));
+        let mut before = (at(0), self.point_sample(stretch, interval, at(0)));
         for i in 1..n {
-            let next = (at(i), self.point_sample(stretch, at(i)));
-            let mean = self.mean_between(stretch, &halving, &before, &next, 1);
+            let next = (at(i), self.point_sample(stretch, interval, at(i)));
+            let mean = self.mean_between(stretch, interval, &halving, &before, &next, 1);
             sum.add(&mean, (to - from) / f64::from(n - 1));
             before = next;
-            if self.is_stopped() {
+            if self.is_stopped() || sum.depth.min_element() > OPAQUE_DEPTH {
                 return;
             }
         }
@@ -189,51 +235,55 @@ impl<'w> Tracer<'w> {
     fn mean_between(
         &mut self,
         stretch: &MediaStretch<'_, 'w>,
+        interval: &Interval<'_, 'w>,
         halving: &Halving,
         start: &(f64, PointSample),
         end: &(f64, PointSample),
         level: u32,
     ) -> PointSample {
         let at = 0.5 * (start.0 + end.0);
-        let middle = (at, self.point_sample(stretch, at));
+        let middle = (at, self.point_sample(stretch, interval, at));
         let is_last = level >= halving.max_level || self.is_stopped();
         let mut half = |outer: &(f64, PointSample)| {
             if is_last || outer.1.difference(&middle.1) <= halving.max_difference {
                 return PointSample::sum(&[(2.0 / 3.0, outer.1), (1.0 / 3.0, middle.1)]);
             }
-            self.mean_between(stretch, halving, outer, &middle, level + 1)
+            self.mean_between(stretch, interval, halving, outer, &middle, level + 1)
         };
         let (first, second) = (half(start), half(end));
         PointSample::sum(&[(0.5, first), (0.5, second)])
     }
 
     /// Returns the properties of all media at a distance along the ray.
-    fn point_sample(&mut self, stretch: &MediaStretch<'_, 'w>, t: f64) -> PointSample {
+    fn point_sample(&mut self, stretch: &MediaStretch<'_, 'w>, interval: &Interval<'_, 'w>, t: f64) -> PointSample {
         self.is_stopped_at_next_surface();
         let world = self.context.world;
         let p = stretch.ray.at(t);
         let mut sum = PointSample::default();
-        for medium in stretch.media {
+        for (medium, lights) in stretch.media.iter().zip(interval.lights) {
             let density = medium.density_at(p, stretch.ray.dir, world.noise, world.waves);
             if density == Rgb::ZERO {
                 continue;
             }
             sum.extinction += density * medium.extinction;
             if !stretch.is_shadow {
-                sum.light += density * (medium.emission + self.scattered_light(stretch, medium, p));
+                sum.light += density * (medium.emission + self.scattered_light(stretch, medium, lights, p));
             }
         }
         sum
     }
 
     /// Returns the light that a medium scatters at a point towards the eye.
-    fn scattered_light(&mut self, stretch: &MediaStretch<'_, 'w>, medium: &Medium, p: DVec3) -> Rgb {
+    fn scattered_light(
+        &mut self,
+        stretch: &MediaStretch<'_, 'w>,
+        medium: &Medium,
+        lights: &[&'w LightSource],
+        p: DVec3,
+    ) -> Rgb {
         let scattering = &medium.scattering;
-        if scattering.color == Rgb::ZERO {
-            return Rgb::ZERO;
-        }
         let mut sum = Rgb::ZERO;
-        for light in self.scattered_lights(medium) {
+        for light in lights {
             let sample = light.emitter.sample(p, DVec3::ZERO);
             if sample.light == Rgb::ZERO || !sample.from.is_finite() {
                 continue;
@@ -256,6 +306,11 @@ impl Draws {
     /// Returns the number of a sample, in [-0.5, 0.5).
     fn centered(self, sample: u32) -> f64 {
         self.random.at(self.first + u64::from(sample)) - 0.5
+    }
+
+    /// Returns the offset of a sample by `jitter`, relative to the distance of samples.
+    fn jittered(self, jitter: f64, sample: u32) -> f64 {
+        if jitter == 0.0 { 0.0 } else { jitter * self.centered(sample) }
     }
 }
 
@@ -286,6 +341,29 @@ impl RunningMean {
         let variance = (self.squares / self.count - mean * mean).max_element() / self.count;
         variance <= sampling.variance * (1.0 - sampling.confidence)
     }
+}
+
+/// Returns the number of samples of an interval by method 3 before it is refined.
+fn adaptive_count(sampling: &MediaSampling) -> u32 {
+    (sampling.min_samples / 2 + 2).max(3)
+}
+
+/// Divides a stretch into intervals. If only spotlights and cylinder lights illuminate media, their beams divide the
+/// stretch first, and `ratio` distributes the intervals. A medium without densities has one interval where no light
+/// shines (quirk: `media_intervals`).
+fn media_intervals(stretch: &MediaStretch, beams: &[BeamOnRay], sampling: &MediaSampling) -> Vec<[f64; 2]> {
+    let is_all_lit = beams.iter().any(|beam| beam.stretches.is_none());
+    let lit: Vec<[f64; 2]> = beams.iter().flat_map(|beam| beam.stretches.iter().flatten().copied()).collect();
+    let is_dark = lit.is_empty() && !is_all_lit;
+    let is_uniform = is_dark && !stretch.is_shadow && stretch.media[0].is_homogeneous();
+    let pieces = if is_all_lit { vec![(stretch.range, true)] } else { beam_pieces(lit, stretch.range) };
+    let intervals = if is_uniform { 1 } else { sampling.intervals as usize };
+    let counts = interval_counts(&pieces.iter().map(|(_, lit)| *lit).collect::<Vec<_>>(), intervals, sampling.ratio);
+    let parts = pieces.iter().zip(counts).flat_map(|(([from, to], _), count)| {
+        let at = move |i: usize| from + (to - from) * (i as f64 / count as f64);
+        (0..count).map(move |i| [at(i), at(i + 1)])
+    });
+    parts.collect()
 }
 
 /// Divides a range at the ends of the lit stretches; overlapping stretches are united. Each piece states whether it is

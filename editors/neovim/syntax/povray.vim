@@ -12,8 +12,9 @@ syntax keyword povrayBlock array bokeh bounded_by bump_map camera clipped_by col
 syntax keyword povrayBlock density density_map exterior face_indices finish fog function global_settings image_map interior
 syntax keyword povrayBlock interior_texture irid light_group light_source looks_like material material_map matrix media
 syntax keyword povrayBlock mesh_camera normal normal_indices normal_map normal_vectors pattern photons pigment pigment_map
-syntax keyword povrayBlock precompute projected_through pwr radiosity rainbow reflection sky_sphere slope_map subsurface texture
-syntax keyword povrayBlock texture_list texture_map tiles transform uv_indices uv_vectors vertex_vectors warp xyz
+syntax keyword povrayBlock precompute projected_through pwr radiosity rainbow reflection scattering sky_sphere slope_map
+syntax keyword povrayBlock subsurface texture texture_list texture_map tiles transform uv_indices uv_vectors vertex_vectors warp
+syntax keyword povrayBlock xyz
 syntax keyword povrayFunction abs acos acosh asc asin asinh atan atan2 atanh bitwise_and bitwise_or bitwise_xor ceil chr concat cos
 syntax keyword povrayFunction cosh cube datetime defined degrees dimension_size dimensions div exp file_exists floor inside int
 syntax keyword povrayFunction internal ln log max max_extent min min_extent mod pow prod radians rand seed select sin sinh sqr sqrt
@@ -43,10 +44,10 @@ syntax keyword povrayWord onion open orient orientation orthographic panoramic p
 syntax keyword povrayWord phase phong phong_size pigment_pattern planar png point_at poly_wave pot ppm precision premultiplied
 syntax keyword povrayWord pretrace_end pretrace_start quadratic_spline quaternion quick_color quick_colour quilted radial
 syntax keyword povrayWord radius ramp_wave ratio read reciprocal recursion_limit red reflection_exponent refraction repeat rgb
-syntax keyword povrayWord rgbf rgbft rgbt right ripples rotate roughness samples save_file scale scallop_wave scattering
-syntax keyword povrayWord shadowless sine_wave sint16be sint16le sint32be sint32le sint8 size sky slice slope smooth solid
-syntax keyword povrayWord spacing specular spherical spiral1 spiral2 spline split_union spotlight spotted square srgb srgbf
-syntax keyword povrayWord srgbft srgbt strength sturm sys target tga thickness threshold tiff tightness tile2 tiling tolerance
+syntax keyword povrayWord rgbf rgbft rgbt right ripples rotate roughness samples save_file scale scallop_wave shadowless
+syntax keyword povrayWord sine_wave sint16be sint16le sint32be sint32le sint8 size sky slice slope smooth solid spacing
+syntax keyword povrayWord specular spherical spiral1 spiral2 spline split_union spotlight spotted square srgb srgbf srgbft
+syntax keyword povrayWord srgbt strength sturm sys target tga thickness threshold tiff tightness tile2 tiling tolerance
 syntax keyword povrayWord toroidal translate translucency transmit triangle_wave triangular ttf turb_depth turbulence type
 syntax keyword povrayWord u_steps uint16be uint16le uint8 ultra_wide_angle up use_alpha use_color use_colour use_index utf8
 syntax keyword povrayWord uv_mapping v_steps variance water_level waves width wood wrinkles write

@@ -14,7 +14,7 @@ const LARGE_PICTURE: &str = "box { 0, 1 pigment { image_map { function 16384, 16
 
 /// All cases.
 pub fn cases() -> Vec<Case> {
-    [endless(), growing(), deep(), long(), many()].into_iter().flatten().collect()
+    [endless(), growing(), deep(), long(), many(), media()].into_iter().flatten().collect()
 }
 
 fn endless() -> Vec<Case> {
@@ -41,6 +41,42 @@ fn endless() -> Vec<Case> {
         case("for_counter_is_text", "#for (I, 0, 9)\n#declare I = \"x\";\n#end\n", 1, &["E0200", "a.scene:1:"]),
         case("for_counter_is_gone", "#for (I, 0, 9)\n#undef I\n#end\n", 1, &["a.scene:"]),
         case("error_in_endless_loop", "#while (1)\nboxx { }\n#end\n", 1, &["a.scene:2:1"]).args(FEW_STEPS),
+    ]
+}
+
+/// Media and interiors with numbers that no picture needs.
+fn media() -> Vec<Case> {
+    const LIMITED: &str = "render a.scene -o out.png --size 8x6 --threads 2 --max-time 0.5";
+    let smoke =
+        |words: &str| format!("sphere {{ 0, 1 pigment {{ rgbt 1 }} hollow interior {{ media {{ {words} }} }} }}");
+    let nested: String = (1..65)
+        .map(|i| format!("sphere {{ 0, {i} pigment {{ rgbt 1 }} hollow interior {{ media {{ emission 0.01 }} }} }}\n"))
+        .collect();
+    vec![
+        drawn(
+            "media_many_intervals",
+            smoke("emission 1 intervals 999999 samples 999999 density { bozo }"),
+            4,
+            &["E0241"],
+        )
+        .args(LIMITED),
+        drawn("media_many_samples", smoke("method 1 scattering { 1, 1 } samples 1, 999999 variance -1"), 4, &["E0241"])
+            .args(LIMITED),
+        drawn(
+            "media_many_levels",
+            smoke("emission 1 aa_level 999999 aa_threshold 1e-300 density { granite }"),
+            4,
+            &["E0241"],
+        )
+        .args(LIMITED),
+        drawn("media_not_numbers", smoke("emission 0/0 absorption 1/0 density { function { 0/0 } }"), 0, &[]),
+        drawn("media_nested", nested, 0, &[]),
+        drawn(
+            "dispersion_of_many_colours",
+            "sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 dispersion 1.1 dispersion_samples 4294967296 } }",
+            0,
+            &[],
+        ),
     ]
 }
 
