@@ -1,7 +1,7 @@
 //! Warnings about media that cannot show.
 
 use crate::diagnostic::{Diagnostic, codes};
-use crate::scene::{Object, ObjectBody, ObjectKind, Scene};
+use crate::scene::{Object, ObjectKind, Scene};
 use crate::source::Span;
 use rustc_hash::FxHashSet;
 use std::sync::Arc;
@@ -25,20 +25,26 @@ pub(super) fn solid_media_warnings(scene: &Scene) -> Vec<Diagnostic> {
 struct Search {
     /// Spans of media, each with the span of the first solid object that holds them.
     found: Vec<(Span, Span)>,
-    /// Addresses of the examined contents, each within hollow or within solid groups. Copies share their contents, so
-    /// that a scene can have far more parts than memory.
-    examined: FxHashSet<(*const ObjectBody, bool)>,
+    /// Addresses of the examined parts of groups that have copies, each within hollow or within solid groups. Copies
+    /// share their parts, so that a scene can have far more parts than memory.
+    examined: FxHashSet<(*const Object, bool)>,
 }
 
 impl Search {
     /// Examines an object and its parts; `is_hollow` is true within a hollow group.
     fn examine(&mut self, object: &Object, is_hollow: bool) {
-        if self.found.len() >= MAX_WARNINGS || !self.examined.insert((Arc::as_ptr(&object.body), is_hollow)) {
+        if self.found.len() >= MAX_WARNINGS {
             return;
         }
         let is_hollow = is_hollow || object.uncommon.flags.hollow;
         let parts: &[Object] = match &object.kind {
-            ObjectKind::Csg(_, parts) => parts,
+            ObjectKind::Csg(_, parts) => {
+                let has_copies = Arc::strong_count(parts) > 1 || Arc::strong_count(&object.body) > 1;
+                if has_copies && !self.examined.insert((parts.as_ptr(), is_hollow)) {
+                    return;
+                }
+                parts
+            }
             _ => &[],
         };
         let media = object.uncommon.interior.as_ref().and_then(|interior| interior.media.first());
