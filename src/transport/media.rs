@@ -99,6 +99,7 @@ impl BeamOnRay<'_> {
 
 /// An interval of a stretch in media.
 struct Interval<'a, 'w> {
+    stretch: &'a MediaStretch<'a, 'w>,
     range: [f64; 2],
     /// For each medium, the lights that it scatters in the interval.
     lights: &'a [LightList<'w>],
@@ -127,13 +128,13 @@ impl<'w> Tracer<'w> {
                 beams.iter().filter(|beam| scatters && beam.reaches(range)).map(|beam| beam.light).collect()
             };
             let lights: SmallVec<[_; 2]> = stretch.media.iter().zip(&beams).map(reaching).collect();
-            let interval = Interval { range, lights: &lights, draws: Draws { random, first: number << 32 } };
+            let interval = Interval { stretch, range, lights: &lights, draws: Draws { random, first: number << 32 } };
             match sampling.method {
                 SamplingMethod::Adaptive if is_homogeneous && lights.iter().all(SmallVec::is_empty) => {
-                    self.add_constant(stretch, &sampling, &interval, &mut sum);
+                    self.add_constant(&sampling, &interval, &mut sum);
                 }
-                SamplingMethod::Adaptive => self.add_adaptive(stretch, &sampling, &interval, &mut sum),
-                _ => self.add_sampled(stretch, &sampling, &interval, &mut sum),
+                SamplingMethod::Adaptive => self.add_adaptive(&sampling, &interval, &mut sum),
+                _ => self.add_sampled(&sampling, &interval, &mut sum),
             }
             if self.is_stopped() || sum.depth.min_element() > OPAQUE_DEPTH {
                 break;
@@ -157,15 +158,9 @@ impl<'w> Tracer<'w> {
     }
 
     /// Adds an interval in which all samples of method 3 are equal.
-    fn add_constant(
-        &mut self,
-        stretch: &MediaStretch<'_, 'w>,
-        sampling: &MediaSampling,
-        interval: &Interval<'_, 'w>,
-        sum: &mut Accumulated,
-    ) {
+    fn add_constant(&mut self, sampling: &MediaSampling, interval: &Interval<'_, 'w>, sum: &mut Accumulated) {
         let [from, to] = interval.range;
-        let mean = self.point_sample(stretch, interval, from);
+        let mean = self.point_sample(interval, from);
         let n = f64::from(adaptive_count(sampling) - 1);
         for _ in 1..adaptive_count(sampling) {
             sum.add(&mean, (to - from) / n);
@@ -173,13 +168,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Adds an interval by methods 1 and 2: the mean of samples, each attenuated by its own extinction.
-    fn add_sampled(
-        &mut self,
-        stretch: &MediaStretch<'_, 'w>,
-        sampling: &MediaSampling,
-        interval: &Interval<'_, 'w>,
-        sum: &mut Accumulated,
-    ) {
+    fn add_sampled(&mut self, sampling: &MediaSampling, interval: &Interval<'_, 'w>, sum: &mut Accumulated) {
         let [from, to] = interval.range;
         let (length, draws) = (to - from, interval.draws);
         let mut mean = RunningMean::default();
@@ -195,7 +184,7 @@ impl<'w> Tracer<'w> {
                 _ => draws.centered(i) + 0.5,
             };
             let distance = share * length;
-            let sample = self.point_sample(stretch, interval, from + distance);
+            let sample = self.point_sample(interval, from + distance);
             mean.add(&PointSample { light: sample.light * transmittance(sample.extinction * distance), ..sample });
         }
         sum.add(&mean.value(), length);
@@ -203,13 +192,7 @@ impl<'w> Tracer<'w> {
 
     /// Adds an interval by method 3: samples at equal distances from its start on, and more between two of them if their
     /// light differs.
-    fn add_adaptive(
-        &mut self,
-        stretch: &MediaStretch<'_, 'w>,
-        sampling: &MediaSampling,
-        interval: &Interval<'_, 'w>,
-        sum: &mut Accumulated,
-    ) {
+    fn add_adaptive(&mut self, sampling: &MediaSampling, interval: &Interval<'_, 'w>, sum: &mut Accumulated) {
         let ([from, to], draws) = (interval.range, interval.draws);
         let n = adaptive_count(sampling);
         let step = (to - from) / f64::from(n);
@@ -218,10 +201,10 @@ impl<'w> Tracer<'w> {
             max_level: sampling.aa_level.min(MAX_LEVEL),
             max_difference: sampling.aa_threshold / (to - from),
         };
-        let mut before = (at(0), self.point_sample(stretch, interval, at(0)));
+        let mut before = (at(0), self.point_sample(interval, at(0)));
         for i in 1..n {
-            let next = (at(i), self.point_sample(stretch, interval, at(i)));
-            let mean = self.mean_between(stretch, interval, &halving, &before, &next, 1);
+            let next = (at(i), self.point_sample(interval, at(i)));
+            let mean = self.mean_between(interval, &halving, &before, &next, 1);
             sum.add(&mean, (to - from) / f64::from(n - 1));
             before = next;
             if self.is_stopped() || sum.depth.min_element() > OPAQUE_DEPTH {
@@ -234,7 +217,6 @@ impl<'w> Tracer<'w> {
     /// ends differs.
     fn mean_between(
         &mut self,
-        stretch: &MediaStretch<'_, 'w>,
         interval: &Interval<'_, 'w>,
         halving: &Halving,
         start: &(f64, PointSample),
@@ -242,22 +224,22 @@ impl<'w> Tracer<'w> {
         level: u32,
     ) -> PointSample {
         let at = 0.5 * (start.0 + end.0);
-        let middle = (at, self.point_sample(stretch, interval, at));
+        let middle = (at, self.point_sample(interval, at));
         let is_last = level >= halving.max_level || self.is_stopped();
         let mut half = |outer: &(f64, PointSample)| {
             if is_last || outer.1.difference(&middle.1) <= halving.max_difference {
                 return PointSample::sum(&[(2.0 / 3.0, outer.1), (1.0 / 3.0, middle.1)]);
             }
-            self.mean_between(stretch, interval, halving, outer, &middle, level + 1)
+            self.mean_between(interval, halving, outer, &middle, level + 1)
         };
         let (first, second) = (half(start), half(end));
         PointSample::sum(&[(0.5, first), (0.5, second)])
     }
 
     /// Returns the properties of all media at a distance along the ray.
-    fn point_sample(&mut self, stretch: &MediaStretch<'_, 'w>, interval: &Interval<'_, 'w>, t: f64) -> PointSample {
+    fn point_sample(&mut self, interval: &Interval<'_, 'w>, t: f64) -> PointSample {
         self.is_stopped_at_next_surface();
-        let world = self.context.world;
+        let (world, stretch) = (self.context.world, interval.stretch);
         let p = stretch.ray.at(t);
         let mut sum = PointSample::default();
         for (medium, lights) in stretch.media.iter().zip(interval.lights) {
