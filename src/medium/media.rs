@@ -194,11 +194,6 @@ impl Media {
     pub fn transform(&mut self, by: &Transform) {
         self.densities.iter_mut().for_each(|density| density.transform(by));
     }
-
-    /// True if the medium changes light.
-    pub fn has_effect(&self) -> bool {
-        [self.absorption, self.emission, self.scattering.color].iter().any(|color| *color != Rgb::ZERO)
-    }
 }
 
 /// Reads a number of intervals, samples or halvings.

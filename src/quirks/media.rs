@@ -58,6 +58,12 @@ pub(super) const QUIRKS: &[Quirk] = &[
         ],
     ),
     emulated_quirk(
+        "phase_of_several",
+        "Where several media overlap, all scatter by the mean of their phase functions; a medium that scatters nothing \
+         counts as type 1.",
+        &["light_cases/media_several_phases"],
+    ),
+    emulated_quirk(
         "scattered_lights",
         "Media do not scatter the light of `shadowless` lights.",
         &["light_cases/media_light_flags"],

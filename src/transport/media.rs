@@ -263,17 +263,19 @@ impl<'w> Tracer<'w> {
         lights: &[&'w LightSource],
         p: DVec3,
     ) -> Rgb {
-        let scattering = &medium.scattering;
         let mut sum = Rgb::ZERO;
         for light in lights {
             let sample = light.emitter.sample(p, DVec3::ZERO);
             if sample.light == Rgb::ZERO || !sample.from.is_finite() {
                 continue;
             }
-            let phase = scattering.phase_factor(stretch.ray.dir.dot(sample.from));
-            sum += phase * sample.light * self.visibility(light, p, &sample, stretch.inside);
+            // quirk: phase_of_several
+            let cos = stretch.ray.dir.dot(sample.from);
+            let phases: f64 = stretch.media.iter().map(|medium| medium.scattering.phase_factor(cos)).sum();
+            sum +=
+                phases / stretch.media.len() as f64 * sample.light * self.visibility(light, p, &sample, stretch.inside);
         }
-        scattering.color * sum
+        medium.scattering.color * sum
     }
 }
 

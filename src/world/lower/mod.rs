@@ -123,9 +123,9 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
     })
 }
 
-/// Lowers the media that have an effect.
+/// Lowers media; those without effect count, too (quirk: `phase_of_several`).
 fn lowered_media(media: &[Media], place: &Transform, lights: u32) -> Box<[Medium]> {
-    media.iter().filter(|media| media.has_effect()).map(|media| Medium::new(media, place, lights)).collect()
+    media.iter().map(|media| Medium::new(media, place, lights)).collect()
 }
 
 /// Lowers one object into a geometry of its own.

@@ -1,0 +1,6 @@
+#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <1,2,-6> look_at <0,.8,0> }
+plane { y, 0 pigment { checker rgb 1 rgb .4 } finish { ambient .1 } }
+light_source { <3,6,-4> rgb 1 }
+sphere { <0,1,0>, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } hollow interior { media { samples 4 scattering { 2, <.5,.2,.1> } } media { absorption .1 } } }
+sphere { <.9,1,.2>, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } hollow interior { media { scattering { 4, <.1,.2,.6> } density { spherical translate <.9,1,.2> } } media { } } }
