@@ -44,6 +44,8 @@ pub mod flag {
     pub const UNMATCHED: u16 = 1 << 9;
     /// Flag: the atom is one of several layered textures of a declaration.
     pub const LAYER: u16 = 1 << 10;
+    /// Flag: the atom is a `#` that begins no directive, and ends its line.
+    pub const LONE: u16 = 1 << 11;
     /// Flags of any comment, line or block.
     pub const COMMENT: u16 = LINE_COMMENT | BLOCK_COMMENT;
 }
@@ -95,4 +97,11 @@ pub struct Atoms {
     pub row: Vec<Atom>,
     /// Arms of each directive with bodies in the text.
     pub arms: Vec<Vec<Arm>>,
+}
+
+impl Atoms {
+    /// True if a token is part of no construct: a bracket without its partner, a misplaced sign, a `#` alone.
+    pub fn is_irregular(&self) -> bool {
+        self.row.iter().any(|atom| atom.flags & (flag::UNMATCHED | flag::LONE) != 0 || atom.item == Item::Sign)
+    }
 }

@@ -14,7 +14,8 @@
 //!
 //! `gather` makes a list of `atoms` from tokens, comments and tree; `layout` distributes them over lines, `run` breaks
 //! lines of one long expression, `columns` and `table` keep columns aligned. A broken line is never joined again, so
-//! that formatting is idempotent.
+//! that formatting is idempotent. Brackets without a partner and other tokens that are part of no construct, as in
+//! macros that open a block, are laid out again until the layout is stable.
 
 mod atoms;
 mod columns;
@@ -35,6 +36,9 @@ pub const WIDTH: usize = 120;
 /// Indentation of each level, in columns.
 const STEP: usize = 2;
 
+/// Maximum number of passes over a text with irregular tokens.
+const MAX_PASSES: usize = 8;
+
 /// Formats a text. New lines end with `\n`. Lines have at most `width` characters where they can be broken. `base` is
 /// the global offset of the text's first byte, for messages.
 ///
@@ -42,11 +46,35 @@ const STEP: usize = 2;
 /// The faults of a text that can't be formatted: strings, comments and directives without an end, brackets that nest
 /// too deeply.
 pub fn format(text: &str, base: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
+    let Pass { text: mut formatted, is_irregular } = pass(text, base, width)?;
+    if !is_irregular {
+        return Ok(formatted);
+    }
+    // Where brackets have no partner, a line that was broken may have another structure when it is parsed again.
+    for _ in 1..MAX_PASSES {
+        let next = pass(&formatted, base, width)?.text;
+        if next == formatted {
+            return Ok(formatted);
+        }
+        formatted = next;
+    }
+    // Without a stable layout the author's lines stay.
+    Ok(text.to_string())
+}
+
+/// Result of laying out a text once.
+struct Pass {
+    text: String,
+    /// True if the text has tokens that are part of no construct, so that the layout may change in the next pass.
+    is_irregular: bool,
+}
+
+fn pass(text: &str, base: usize, width: usize) -> Result<Pass, Vec<Diagnostic>> {
     let (ast, faults) = parse_text(text, base, &Names::default(), Granularity::Whole);
     if faults.iter().any(|fault| fault.severity == Severity::Error) {
         return Err(faults);
     }
     let atoms = gather::gather(text, base, &ast);
     drop(ast);
-    Ok(layout::lay_out(text, &atoms, width))
+    Ok(Pass { text: layout::lay_out(text, &atoms, width), is_irregular: atoms.is_irregular() })
 }

@@ -107,6 +107,23 @@ fn mutants_are_formatted() {
     hold(mutants, &[WIDTH]);
 }
 
+/// Texts that the fuzzer `format` found.
+#[test]
+fn irregular_tokens_are_kept_and_formatting_is_idempotent() {
+    let loose_characters = format!(", {}{}}}a{{}}", "\u{84}".repeat(14), "\u{ff}".repeat(3));
+    let texts = [
+        // A lone `#` before a word
+        "#\u{1}A",
+        "#\u{1a}C",
+        "union { #\u{1}declare sphere { 0, 1 } }",
+        // Lines that are broken where a bracket has no partner
+        &loose_characters,
+        "camera { location <0, 2, -5> look_at 0 }\ntriangle { 0, x, 2*macromooth_triangle { 0, y, x, y, z, -y }",
+        "camera { location <0, 2, 0, 1< pigment { Red } <d\n",
+    ];
+    hold(texts.map(|text| (format!("{text:?}"), text.to_string())), &[WIDTH, 40]);
+}
+
 #[test]
 fn expected_results() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/format");

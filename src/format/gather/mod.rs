@@ -111,7 +111,7 @@ impl<'a> Gatherer<'a> {
         let skipped = |c: char| c <= ' ' || is_ignored_char(c);
         while let Some(from) = text[self.at..end].find(|c| !skipped(c)).map(|i| self.at + i) {
             let to = text[from..end].find(skipped).map_or(end, |i| from + i);
-            self.push(from, to, 0);
+            self.push(from, to, LONE);
         }
     }
 
@@ -160,7 +160,13 @@ impl<'a> Gatherer<'a> {
         if flags & COMMENT != 0 {
             flags &= !NO_BLANK_BEFORE;
         }
-        self.out.row.push(Atom { lo: lo as u32, hi: hi as u32, flags, lines, ..Atom::default() });
+        let mut atom = Atom { lo: lo as u32, hi: hi as u32, flags, lines, ..Atom::default() };
+        // A word after blanks and a lone `#` would become a directive.
+        if previous.is_some_and(|p| p.flags & LONE != 0) {
+            atom.flags &= !(NO_BLANK_BEFORE | SAME_LINE);
+            atom.lines = atom.lines.max(1);
+        }
+        self.out.row.push(atom);
         self.at = hi;
     }
 
