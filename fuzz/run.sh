@@ -15,9 +15,10 @@ programs=${CARGO_TARGET_DIR:-target}/x86_64-unknown-linux-gnu/release
 logs=$(mktemp -d)
 
 run() {
-    local target=$1 dictionary=() log=$logs/$1
+    local target=$1 words=$1 dictionary=() log=$logs/$1
     mkdir -p "corpus/$target" "artifacts/$target"
-    [ ! -f "dictionaries/$target.dict" ] || dictionary=("-dict=dictionaries/$target.dict")
+    case $target in parse | format | interpret | render) words=language ;; esac
+    [ ! -f "dictionaries/$words.dict" ] || dictionary=("-dict=dictionaries/$words.dict")
     if "$programs/$target" "corpus/$target" "${dictionary[@]}" "-artifact_prefix=artifacts/$target/" \
         "-max_total_time=$seconds" -timeout=30 -rss_limit_mb=4096 -print_final_stats=1 >"$log" 2>&1; then
         printf '%-20s %10s executions\n' "$target" "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")"

@@ -1,7 +1,8 @@
-//! The editors' grammars equal those generated from durer's tables. `UPDATE_EDITORS=1 cargo test --test suite
-//! editors::` regenerates them. `tests/editor/` tests them in the editors themselves.
+//! The editors' grammars and the fuzzers' dictionaries equal those generated from durer's tables. `UPDATE_EDITORS=1 cargo
+//! test --test suite editors::` regenerates them. `tests/editor/` tests the grammars in the editors themselves.
 
 mod emacs;
+mod fuzz_dictionaries;
 mod neovim;
 mod tree_sitter;
 mod vscode;
@@ -23,6 +24,7 @@ fn files() -> Vec<File> {
         neovim::files(&sorts, &options),
         emacs::files(&sorts, &options),
         tree_sitter::files(&sorts),
+        fuzz_dictionaries::files(&sorts, &options),
     ]
     .concat()
 }
