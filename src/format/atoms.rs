@@ -44,7 +44,8 @@ pub mod flag {
     pub const UNMATCHED: u16 = 1 << 9;
     /// Flag: the atom is one of several layered textures of a declaration.
     pub const LAYER: u16 = 1 << 10;
-    /// Flag: the atom is a `#` that begins no directive, and ends its line.
+    /// Flag: the atom is a `#` that begins no directive, or a quotation mark without its partner. Each ends its line, so
+    /// that it does not become one token with the text after it.
     pub const LONE: u16 = 1 << 11;
     /// Flags of any comment, line or block.
     pub const COMMENT: u16 = LINE_COMMENT | BLOCK_COMMENT;
@@ -100,7 +101,7 @@ pub struct Atoms {
 }
 
 impl Atoms {
-    /// True if a token is part of no construct: a bracket without its partner, a misplaced sign, a `#` alone.
+    /// True if a token is part of no construct: a bracket without its partner, a misplaced sign, a lone `#` or quotation mark.
     pub fn is_irregular(&self) -> bool {
         self.row.iter().any(|atom| atom.flags & (flag::UNMATCHED | flag::LONE) != 0 || atom.item == Item::Sign)
     }

@@ -34,7 +34,7 @@ pub(super) struct Setter<'a> {
     line: u32,
     /// Indentation of the current output line.
     indent: usize,
-    /// True if the current output line ends in a comment, so that the line must end.
+    /// True if the current output line ends in a comment or a lone `#`, so that the line must end.
     commented: bool,
     trailing: Vec<Trailing>,
 }
@@ -105,9 +105,14 @@ impl<'a> Setter<'a> {
     /// True if the atom must begin a line.
     fn begins_line(&self, i: usize) -> bool {
         let Some(previous) = i.checked_sub(1) else { return false };
-        let after_comment = self.has(previous, flag::LINE_COMMENT) || self.is_multi_line_comment(previous);
+        let after_comment = self.ends_line(previous) || self.is_multi_line_comment(previous);
         let joined = self.has(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE) || self.closes_block(i);
         after_comment || self.atoms.row[i].lines > 0 && !joined
+    }
+
+    /// True if no atom may follow this one on its line.
+    fn ends_line(&self, i: usize) -> bool {
+        self.has(i, flag::LINE_COMMENT | flag::LONE)
     }
 
     /// True for a brace that ends a body and can stay at the end of a line.
@@ -179,7 +184,7 @@ impl<'a> Setter<'a> {
             // A comma, or another atom that no other rule breaks lines before.
             self.new_line(self.indent, false);
         }
-        self.commented = self.has(i, flag::LINE_COMMENT);
+        self.commented = self.ends_line(i);
         if self.has(i, flag::LINE_COMMENT) && !self.at_start() {
             return self.put_trailing(i);
         }

@@ -116,6 +116,9 @@ fn irregular_tokens_are_kept_and_formatting_is_idempotent() {
         "#\u{1}A",
         "#\u{1a}C",
         "union { #\u{1}declare sphere { 0, 1 } }",
+        // A quotation mark without its partner before a comma, and quoted text on the next line
+        "sphere { 'A\n, 'B' }",
+        "sphere { ‘}\n, 'B'",
         // Lines that are broken where a bracket has no partner
         &loose_characters,
         "camera { location <0, 2, -5> look_at 0 }\ntriangle { 0, x, 2*macromooth_triangle { 0, y, x, y, z, -y }",

@@ -134,6 +134,7 @@ impl<'a> Gatherer<'a> {
             [_, _, ..] if sign => self.list(lo, hi),
             [b'(' | b'[' | b'{'] => self.push(lo, hi, flags | OPEN),
             [b')' | b']' | b'}'] => self.push(lo, hi, flags | CLOSE),
+            _ if matches!(text, "'" | "“" | "‘") => self.push(lo, hi, flags | LONE),
             _ => self.push(lo, hi, flags),
         }
     }
@@ -160,13 +161,7 @@ impl<'a> Gatherer<'a> {
         if flags & COMMENT != 0 {
             flags &= !NO_BLANK_BEFORE;
         }
-        let mut atom = Atom { lo: lo as u32, hi: hi as u32, flags, lines, ..Atom::default() };
-        // A word after blanks and a lone `#` would become a directive.
-        if previous.is_some_and(|p| p.flags & LONE != 0) {
-            atom.flags &= !(NO_BLANK_BEFORE | SAME_LINE);
-            atom.lines = atom.lines.max(1);
-        }
-        self.out.row.push(atom);
+        self.out.row.push(Atom { lo: lo as u32, hi: hi as u32, flags, lines, ..Atom::default() });
         self.at = hi;
     }
 
