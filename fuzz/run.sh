@@ -9,7 +9,8 @@ targets=("${@:2}")
 [ ${#targets[@]} -gt 0 ] || mapfile -t targets < <(basename -s .rs fuzz_targets/*.rs)
 
 # Without a sanitizer of memory: durer has no unsafe code outside of its allocator, and runs twice as fast.
-cargo +nightly fuzz build -s none --codegen-units 16
+# (`-O` leaves debug assertions to the profile in Cargo.toml.)
+cargo +nightly fuzz build -O -s none --codegen-units 16
 bash seed.sh
 programs=${CARGO_TARGET_DIR:-target}/x86_64-unknown-linux-gnu/release
 logs=$(mktemp -d)
@@ -24,6 +25,7 @@ run() {
         printf '%-20s %10s executions\n' "$target" "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")"
     else
         printf '%-20s FAULT\n' "$target"
+        grep -v '^#\|^INFO\|^Dictionary' "$log" | grep -m1 -A3 panicked || true
         grep -v '^#\|^INFO\|^Dictionary' "$log" | tail -40
         return 1
     fi

@@ -1,10 +1,9 @@
 //! Decoders of picture files.
 
-use super::{Frame, bmp, netpbm, radiance, tga, tiff_palette};
+use super::{Frame, bmp, netpbm, open_exr, radiance, tga, tiff_palette};
 use crate::color::transfer;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::source::{Activity, Files, ReadError, Span};
-use exr::prelude::{ReadChannels, ReadLayers, ReadSpecificChannel};
 use image::{DynamicImage, ImageFormat, ImageReader};
 use std::io::Cursor;
 use std::path::Path;
@@ -102,8 +101,7 @@ fn decode_by_signature(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
     }
     match bytes {
         [0x76, 0x2f, 0x31, 0x01, ..] => {
-            let pixels = decode_exr(bytes).or_else(|fault| decode_gray_exr(bytes).map_err(|_| fault));
-            return pixels.map(Decoded::from).map_err(|e| e.to_string());
+            return open_exr::decode_exr(bytes).map(Decoded::from);
         }
         [b'#', b'?', ..] => return radiance::decode_radiance(bytes).map(Decoded::from),
         [b'F', b'O', b'R', b'M', ..] => return Err("iff pictures are not read, as they are not by POV-Ray 3.7".into()),
@@ -132,53 +130,6 @@ fn decode_by_signature(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
 fn decode_with_image_crate(bytes: &[u8]) -> Result<Pixels, String> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
     reader.decode().map(Pixels::from).map_err(|e| e.to_string())
-}
-
-fn decode_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
-    let image = exr::prelude::read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .rgba_channels(
-            |size, _| Frame::new(size.width(), size.height()),
-            |frame: &mut Frame, at, (r, g, b, a): (f32, f32, f32, f32)| {
-                let k = if a == 0.0 { 1.0 } else { 1.0 / a };
-                frame.pixels[at.y() * frame.width + at.x()] = [r * k, g * k, b * k, a];
-            },
-        )
-        .first_valid_layer()
-        .all_attributes()
-        .non_parallel()
-        .from_buffered(Cursor::new(bytes))?;
-    let frame = image.layer_data.channel_data.pixels;
-    let samples = Samples::F32(frame.pixels.into_iter().flatten().collect());
-    Ok(Pixels { width: frame.width, height: frame.height, channels: 4, samples })
-}
-
-/// Decodes an OpenEXR file that has luminance alone.
-fn decode_gray_exr(bytes: &[u8]) -> exr::error::Result<Pixels> {
-    let image = exr::prelude::read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .specific_channels()
-        .required("Y")
-        .collect_pixels(
-            |size, _| Pixels {
-                width: size.width(),
-                height: size.height(),
-                channels: 1,
-                samples: Samples::F32(vec![0.0; size.area()]),
-            },
-            |pixels: &mut Pixels, at, (y,): (f32,)| {
-                if let Samples::F32(samples) = &mut pixels.samples {
-                    samples[at.y() * pixels.width + at.x()] = y;
-                }
-            },
-        )
-        .first_valid_layer()
-        .all_attributes()
-        .non_parallel()
-        .from_buffered(Cursor::new(bytes))?;
-    Ok(image.layer_data.channel_data.pixels)
 }
 
 impl From<DynamicImage> for Pixels {

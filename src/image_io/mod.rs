@@ -8,6 +8,7 @@ mod encode;
 mod format;
 mod frame;
 mod netpbm;
+mod open_exr;
 mod picture;
 mod png_writer;
 mod quantize;

@@ -1,6 +1,6 @@
 //! The point at which a pattern is evaluated, and the parameters that patterns share.
 
-use super::{LocalBounds, Modifiers, TurbulenceParams, Wave};
+use super::{LocalBounds, Modifiers, Support, TurbulenceParams, Wave};
 use crate::color::Color;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec2, DVec3};
@@ -85,6 +85,11 @@ pub trait Field {
     /// Returns bounds on the pattern's numbers within a radius of the point, before frequency, phase and wave.
     fn bounds_near(&self, _at: &TextureContext, _params: &FieldParams, _radius: f64) -> LocalBounds {
         LocalBounds::UNKNOWN
+    }
+
+    /// Returns a region outside of which the pattern's number is 0, before frequency, phase and wave.
+    fn support(&self) -> Option<Support> {
+        None
     }
 
     /// True if the pattern uses `turbulence` in its own way; for all others the point is displaced.

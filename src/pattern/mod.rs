@@ -39,6 +39,7 @@ mod spiral1;
 mod spiral2;
 mod spotted;
 mod square;
+mod support;
 mod tiling;
 mod triangular;
 mod warp;
@@ -88,6 +89,7 @@ pub use spiral1::Spiral1;
 pub use spiral2::Spiral2;
 pub use spotted::Spotted;
 pub use square::Square;
+pub use support::Support;
 pub use tiling::Tiling;
 pub use triangular::Triangular;
 pub use warp::{
@@ -172,6 +174,7 @@ delegate! {
         fn value(&self, at: &TextureContext) -> f64;
         fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64;
         fn bounds_near(&self, at: &TextureContext, params: &FieldParams, radius: f64) -> LocalBounds;
+        fn support(&self) -> Option<Support>;
         fn default_wave(&self) -> Option<Wave>;
         fn starts_with_zero_frequency(&self) -> bool;
         fn owns_turbulence(&self) -> bool;

@@ -4,7 +4,7 @@
 //! box { <-1, -1, 0>, <1, 1, 1> pigment { spherical color_map { [0 color rgb <0, 0, 1>] [1 color rgb 1] } } }
 //! ```
 
-use super::{Field, FieldParams, LocalBounds, TextureContext};
+use super::{Field, FieldParams, LocalBounds, Support, TextureContext};
 use crate::diagnostic::Result;
 use crate::value::{Readable, Reader, Spec};
 use serde::Serialize;
@@ -29,6 +29,10 @@ impl Field for Spherical {
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         LocalBounds::from_steepest(self.value(at), 1.0, radius).clamp_range(0.0, 1.0)
+    }
+
+    fn support(&self) -> Option<Support> {
+        Some(Support::Ball)
     }
 }
 

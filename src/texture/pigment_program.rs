@@ -1,9 +1,9 @@
 //! Pigments in the form that rays evaluate: a list of nodes instead of a tree.
 
 use super::{Blend, ColorMap, ImageMap, Paint, Pigment};
-use crate::color::{Color, gray};
+use crate::color::{Color, Rgb, gray};
 use crate::function::LocalBounds;
-use crate::math::cancel;
+use crate::math::{Ray, cancel};
 use crate::pattern::{Pattern, PatternKind, PatternProgram, PigmentBrightness, TextureContext};
 use serde::Serialize;
 use std::sync::Arc;
@@ -91,6 +91,28 @@ impl PigmentProgram {
                 map.bounds_near(pattern.bounds_near(ctx, radius))
             }
             _ => [LocalBounds::UNKNOWN; 5],
+        }
+    }
+
+    /// True if [`Self::support_on_ray`] returns the ends of a region.
+    pub fn has_support(&self) -> bool {
+        self.supported_pattern().is_some()
+    }
+
+    /// Returns distances along a ray of the outer space outside of which the pigment is black; `None` if no such region
+    /// is known.
+    pub fn support_on_ray(&self, ray: &Ray) -> Option<[f64; 2]> {
+        self.supported_pattern()?.support_on_ray(ray)
+    }
+
+    /// Returns the pigment's pattern if the pigment is black outside of the pattern's support.
+    fn supported_pattern(&self) -> Option<&PatternProgram> {
+        match self.nodes.last() {
+            Some(PigmentNode { shows: Shows::Colors(map), pattern }) => {
+                let outside = pattern.number_outside_support()?;
+                (map.color_at(outside).rgb == Rgb::ZERO).then_some(pattern)
+            }
+            _ => None,
         }
     }
 

@@ -2,6 +2,7 @@
 //! samples are placed and how they are weighted is POV-Ray's way (quirk: `media_sampling`).
 
 use super::interface::Interiors;
+use super::media_intervals::{BeamOnRay, media_intervals};
 use super::random::{Purpose, RandomSequence};
 use super::tracer::Tracer;
 use crate::atmosphere::Segment;
@@ -14,8 +15,8 @@ use smallvec::SmallVec;
 /// Maximum depth of halving: further halves of a stretch do not differ from it.
 const MAX_LEVEL: u32 = 24;
 
-/// Optical depth beyond which no light is left that a picture could show: exp(-25) is 1e-11.
-const OPAQUE_DEPTH: f64 = 25.0;
+/// Optical depth beyond which hardly any light is left: exp(-16) is 1e-7.
+const OPAQUE_DEPTH: f64 = 16.0;
 
 /// A stretch of a ray in media.
 pub(super) struct MediaStretch<'a, 'w> {
@@ -78,22 +79,28 @@ impl Accumulated {
 
 /// Returns the transmittance of an optical depth.
 fn transmittance(depth: Rgb) -> Rgb {
-    if depth == Rgb::ZERO { Rgb::ONE } else { (-depth).map(fp::exp) }
+    if depth == Rgb::ZERO {
+        Rgb::ONE
+    } else if depth.x == depth.y && depth.y == depth.z {
+        Rgb::splat(fp::exp(-depth.x))
+    } else {
+        (-depth).map(fp::exp)
+    }
 }
 
-/// A light that a medium scatters, and where on a ray the light shines.
-struct BeamOnRay<'w> {
-    light: &'w LightSource,
-    /// Stretches of the ray within the light's beam; `None` for a light that shines in all directions.
-    stretches: Option<SmallVec<[[f64; 2]; 2]>>,
+/// A medium along a stretch of a ray.
+struct MediumOnRay<'w> {
+    medium: &'w Medium,
+    /// Distances outside of which the medium's density is 0.
+    extent: [f64; 2],
+    /// Lights that the medium scatters.
+    beams: Vec<BeamOnRay<'w>>,
 }
 
-impl BeamOnRay<'_> {
-    /// True if the light shines on a part of the interval, or touches it.
-    fn reaches(&self, [from, to]: [f64; 2]) -> bool {
-        let slack = 1e-6 * (to - from);
-        let touches = |[start, end]: &[f64; 2]| *start <= to + slack && *end >= from - slack;
-        self.stretches.as_ref().is_none_or(|stretches| stretches.iter().any(touches))
+impl MediumOnRay<'_> {
+    /// True if the medium's density is 0 between two distances.
+    fn is_empty(&self, [from, to]: [f64; 2]) -> bool {
+        to < self.extent[0] || from > self.extent[1]
     }
 }
 
@@ -101,6 +108,7 @@ impl BeamOnRay<'_> {
 struct Interval<'a, 'w> {
     stretch: &'a MediaStretch<'a, 'w>,
     range: [f64; 2],
+    media: &'a [MediumOnRay<'w>],
     /// For each medium, the lights that it scatters in the interval.
     lights: &'a [LightList<'w>],
     draws: Draws,
@@ -109,26 +117,44 @@ struct Interval<'a, 'w> {
 /// Lights that a medium scatters.
 type LightList<'w> = SmallVec<[&'w LightSource; 4]>;
 
+/// Light of some sources at one point, times the phase function towards the eye.
+type KnownLights<'w> = SmallVec<[(&'w LightSource, Rgb); 4]>;
+
 impl<'w> Tracer<'w> {
     /// Returns the light that media add along a stretch of a ray, and their transmittance.
     pub(super) fn media_segment(&mut self, stretch: &MediaStretch<'_, 'w>) -> Segment {
+        if stretch.is_shadow && stretch.media.iter().all(|medium| medium.extinction == Rgb::ZERO) {
+            return Segment::NONE;
+        }
         let is_homogeneous = stretch.media.iter().all(|medium| medium.is_homogeneous());
         if stretch.is_shadow && is_homogeneous {
             let extinction: Rgb = stretch.media.iter().map(|medium| medium.extinction).sum();
             let depth = extinction * (stretch.range[1] - stretch.range[0]);
             return Segment { radiance: Rgb::ZERO, transmittance: transmittance(depth) };
         }
+        let on_ray = |medium: &&'w Medium| MediumOnRay {
+            medium,
+            extent: medium.extent_on_ray(stretch.ray),
+            beams: self.beams(stretch, medium),
+        };
+        let media: SmallVec<[_; 2]> = stretch.media.iter().map(on_ray).collect();
+        if media.iter().all(|medium| medium.is_empty(stretch.range)) {
+            return Segment::NONE;
+        }
         let sampling = stretch.media[0].sampling;
         let random = self.random.sequence(Purpose::Media);
-        let beams: SmallVec<[_; 2]> = stretch.media.iter().map(|medium| self.beams(stretch, medium)).collect();
         let mut sum = Accumulated::default();
-        for (number, range) in (0..).zip(media_intervals(stretch, &beams[0], &sampling)) {
-            let reaching = |(medium, beams): (&&Medium, &Vec<BeamOnRay<'w>>)| -> LightList<'w> {
+        for (number, range) in (0..).zip(media_intervals(stretch, &media[0].beams, &sampling)) {
+            if media.iter().all(|medium| medium.is_empty(range)) {
+                continue;
+            }
+            let reaching = |MediumOnRay { medium, beams, .. }: &MediumOnRay<'w>| -> LightList<'w> {
                 let scatters = medium.scattering.color != Rgb::ZERO;
                 beams.iter().filter(|beam| scatters && beam.reaches(range)).map(|beam| beam.light).collect()
             };
-            let lights: SmallVec<[_; 2]> = stretch.media.iter().zip(&beams).map(reaching).collect();
-            let interval = Interval { stretch, range, lights: &lights, draws: Draws { random, first: number << 32 } };
+            let lights: SmallVec<[_; 2]> = media.iter().map(reaching).collect();
+            let draws = Draws { random, first: number << 32 };
+            let interval = Interval { stretch, range, media: &media, lights: &lights, draws };
             match sampling.method {
                 SamplingMethod::Adaptive if is_homogeneous && lights.iter().all(SmallVec::is_empty) => {
                     self.add_constant(&sampling, &interval, &mut sum);
@@ -242,40 +268,60 @@ impl<'w> Tracer<'w> {
         let (world, stretch) = (self.context.world, interval.stretch);
         let p = stretch.ray.at(t);
         let mut sum = PointSample::default();
-        for (medium, lights) in stretch.media.iter().zip(interval.lights) {
+        let mut known = KnownLights::new();
+        for (part, lights) in interval.media.iter().zip(interval.lights) {
+            let medium = part.medium;
+            if part.is_empty([t, t]) || (stretch.is_shadow && medium.extinction == Rgb::ZERO) {
+                continue;
+            }
             let density = medium.density_at(p, stretch.ray.dir, world.noise, world.waves);
             if density == Rgb::ZERO {
                 continue;
             }
             sum.extinction += density * medium.extinction;
             if !stretch.is_shadow {
-                sum.light += density * (medium.emission + self.scattered_light(stretch, medium, lights, p));
+                let scattered = medium.scattering.color * self.phased_light(stretch, lights, p, &mut known);
+                sum.light += density * (medium.emission + scattered);
             }
         }
         sum
     }
 
-    /// Returns the light that a medium scatters at a point towards the eye.
-    fn scattered_light(
+    /// Returns the light that arrives at a point, times the phase function towards the eye. `known` caches the light of
+    /// each source at the point, since several media may scatter it.
+    fn phased_light(
         &mut self,
         stretch: &MediaStretch<'_, 'w>,
-        medium: &Medium,
         lights: &[&'w LightSource],
         p: DVec3,
+        known: &mut KnownLights<'w>,
     ) -> Rgb {
         let mut sum = Rgb::ZERO;
         for light in lights {
-            let sample = light.emitter.sample(p, DVec3::ZERO);
-            if sample.light == Rgb::ZERO || !sample.from.is_finite() {
-                continue;
-            }
-            // quirk: phase_of_several
-            let cos = stretch.ray.dir.dot(sample.from);
-            let phases: f64 = stretch.media.iter().map(|medium| medium.scattering.phase_factor(cos)).sum();
-            sum +=
-                phases / stretch.media.len() as f64 * sample.light * self.visibility(light, p, &sample, stretch.inside);
+            let cached = known.iter().find(|(source, _)| std::ptr::eq(*source, *light));
+            let phased = match cached {
+                Some((_, phased)) => *phased,
+                None => {
+                    let phased = self.phased_light_of(stretch, light, p);
+                    known.push((light, phased));
+                    phased
+                }
+            };
+            sum += phased;
         }
-        medium.scattering.color * sum
+        sum
+    }
+
+    /// Returns the light that arrives at a point from one source, times the phase function towards the eye.
+    fn phased_light_of(&mut self, stretch: &MediaStretch<'_, 'w>, light: &'w LightSource, p: DVec3) -> Rgb {
+        let sample = light.emitter.sample(p, DVec3::ZERO);
+        if sample.light == Rgb::ZERO || !sample.from.is_finite() {
+            return Rgb::ZERO;
+        }
+        // quirk: phase_of_several
+        let cos = stretch.ray.dir.dot(sample.from);
+        let phases: f64 = stretch.media.iter().map(|medium| medium.scattering.phase_factor(cos)).sum();
+        phases / stretch.media.len() as f64 * sample.light * self.visibility(light, p, &sample, stretch.inside)
     }
 }
 
@@ -330,93 +376,4 @@ impl RunningMean {
 /// Returns the number of samples of an interval by method 3 before it is refined.
 fn adaptive_count(sampling: &MediaSampling) -> u32 {
     (sampling.min_samples / 2 + 2).max(3)
-}
-
-/// Divides a stretch into intervals. If only spotlights and cylinder lights illuminate media, their beams divide the
-/// stretch first, and `ratio` distributes the intervals. A medium without densities has one interval where no light
-/// shines (quirk: `media_intervals`).
-fn media_intervals(stretch: &MediaStretch, beams: &[BeamOnRay], sampling: &MediaSampling) -> Vec<[f64; 2]> {
-    let is_all_lit = beams.iter().any(|beam| beam.stretches.is_none());
-    let lit: Vec<[f64; 2]> = beams.iter().flat_map(|beam| beam.stretches.iter().flatten().copied()).collect();
-    let is_dark = lit.is_empty() && !is_all_lit;
-    let is_uniform = is_dark && !stretch.is_shadow && stretch.media[0].is_homogeneous();
-    let pieces = if is_all_lit { vec![(stretch.range, true)] } else { beam_pieces(lit, stretch.range) };
-    let intervals = if is_uniform { 1 } else { sampling.intervals as usize };
-    let counts = interval_counts(&pieces.iter().map(|(_, lit)| *lit).collect::<Vec<_>>(), intervals, sampling.ratio);
-    let parts = pieces.iter().zip(counts).flat_map(|(([from, to], _), count)| {
-        let at = move |i: usize| from + (to - from) * (i as f64 / count as f64);
-        (0..count).map(move |i| [at(i), at(i + 1)])
-    });
-    parts.collect()
-}
-
-/// Divides a range at the ends of the lit stretches; overlapping stretches are united. Each piece states whether it is
-/// lit.
-fn beam_pieces(mut lit: Vec<[f64; 2]>, [from, to]: [f64; 2]) -> Vec<([f64; 2], bool)> {
-    lit.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let mut pieces: Vec<([f64; 2], bool)> = vec![];
-    let mut last = from;
-    for [start, end] in lit {
-        match pieces.last_mut() {
-            Some((piece, true)) if start <= piece[1] => piece[1] = piece[1].max(end),
-            _ => {
-                if start > last {
-                    pieces.push(([last, start], false));
-                }
-                pieces.push(([start, end], true));
-            }
-        }
-        last = last.max(end);
-    }
-    if last < to || pieces.is_empty() {
-        pieces.push(([last, to], false));
-    }
-    pieces
-}
-
-/// Distributes intervals over pieces of a stretch: each gets one, and a share by `ratio` if it is lit, by 1 - `ratio`
-/// otherwise; the last one gets the rest.
-fn interval_counts(lit: &[bool], intervals: usize, ratio: f64) -> Vec<usize> {
-    let weight = |lit: bool| if lit { ratio } else { 1.0 - ratio };
-    let total: f64 = lit.iter().map(|lit| weight(*lit)).sum();
-    let n_pieces = lit.len();
-    let mut left = intervals.max(n_pieces);
-    let counts = (1..=lit.len()).zip(lit).map(|(number, lit)| {
-        let n_after = n_pieces - number;
-        let wanted = (weight(*lit) / total * intervals as f64).ceil() as usize;
-        let count = if n_after == 0 { left } else { wanted.clamp(1, left - n_after) };
-        left -= count;
-        count
-    });
-    counts.collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// With POV-Ray's own numbers.
-    #[test]
-    fn intervals_are_distributed_by_ratio() {
-        let one = [false, true, false];
-        for (intervals, ratio, counts) in [
-            (1, 0.9, [1, 1, 1]),
-            (5, 0.9, [1, 3, 1]),
-            (10, 0.9, [1, 8, 1]),
-            (20, 0.9, [2, 17, 1]),
-            (10, 0.5, [4, 4, 2]),
-            (10, 0.1, [5, 1, 4]),
-        ] {
-            assert_eq!(interval_counts(&one, intervals, ratio), counts, "{intervals} {ratio}");
-        }
-        assert_eq!(interval_counts(&[false, true, false, true, false], 10, 0.9), [1, 5, 1, 2, 1]);
-    }
-
-    #[test]
-    fn beams_divide_a_stretch() {
-        let pieces = |lit: &[[f64; 2]]| beam_pieces(lit.to_vec(), [0.0, 1.0]);
-        assert_eq!(pieces(&[]), [([0.0, 1.0], false)]);
-        assert_eq!(pieces(&[[0.5, 0.7], [0.2, 0.6]]), [([0.0, 0.2], false), ([0.2, 0.7], true), ([0.7, 1.0], false)]);
-        assert_eq!(pieces(&[[0.0, 1.0]]), [([0.0, 1.0], true)]);
-    }
 }

@@ -11,6 +11,7 @@ mod direct_light;
 mod dispersion;
 mod interface;
 mod media;
+mod media_intervals;
 mod radiance;
 mod random;
 mod ray_state;

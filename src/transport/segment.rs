@@ -84,11 +84,14 @@ impl<'w> Tracer<'w> {
         let world = self.context.world;
         let start = if span.from == 0.0 { *ray } else { Ray::new(ray.at(span.from), ray.dir) };
         let length = span.to - span.from;
-        let fogs = atmosphere::combine_fogs(&world.fogs, &start, length, world.noise);
-        let random = &mut self.random;
-        let air = fogs.in_front_of(atmosphere::combine_rainbows(&world.rainbows, &start, length, &mut || {
-            random.next(Purpose::Rainbow)
-        }));
+        let mut air = Segment::NONE;
+        if !world.fogs.is_empty() || !world.rainbows.is_empty() {
+            let fogs = atmosphere::combine_fogs(&world.fogs, &start, length, world.noise);
+            let random = &mut self.random;
+            air = fogs.in_front_of(atmosphere::combine_rainbows(&world.rainbows, &start, length, &mut || {
+                random.next(Purpose::Rainbow)
+            }));
+        }
         if world.air.is_empty() || length <= 0.0 {
             return air;
         }

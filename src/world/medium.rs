@@ -2,10 +2,10 @@
 
 use crate::color::Rgb;
 use crate::math::noise::NoiseGenerator;
-use crate::math::{DVec3, Transform};
+use crate::math::{DVec3, Ray, Transform};
 use crate::medium::{Media, MediaSampling, Scattering};
 use crate::pattern::TextureContext;
-use crate::texture::PigmentProgram;
+use crate::texture::{Density, PigmentProgram};
 use serde::Serialize;
 
 /// A medium in world space.
@@ -21,6 +21,7 @@ pub struct Medium {
     pub sampling: MediaSampling,
     /// Number of the set of lights that illuminate the medium, see [`super::World::lit_by`].
     pub lights: u32,
+    /// Densities whose product is the medium's, those first that are known to be 0 outside of a region.
     densities: Box<[PigmentProgram]>,
     /// Transform from the space of the densities to world space; `None` for the identity.
     place: Option<Box<Transform>>,
@@ -30,13 +31,17 @@ impl Medium {
     /// Lowers a medium; `place` transforms its densities to world space.
     pub(super) fn new(media: &Media, place: &Transform, lights: u32) -> Self {
         let scattered = media.scattering.color * media.scattering.extinction;
+        let program = |density: &Density| PigmentProgram::new(density.as_pigment());
+        let mut densities: Vec<PigmentProgram> = media.densities.iter().map(program).collect();
+        // Where one density is 0, the others are not evaluated.
+        densities.sort_by_key(|density| !density.has_support());
         Self {
             emission: media.emission,
             extinction: media.absorption + scattered,
             scattering: media.scattering,
             sampling: media.sampling,
             lights,
-            densities: media.densities.iter().map(|density| PigmentProgram::new(density.as_pigment())).collect(),
+            densities: densities.into(),
             place: (!place.is_identity() && !media.densities.is_empty()).then(|| Box::new(*place)),
         }
     }
@@ -53,6 +58,25 @@ impl Medium {
         }
         let p = self.place.as_ref().map_or(world, |place| place.inverse_transform_point(world));
         let ctx = TextureContext { waves, world, ray: dir, ..TextureContext::without_surface(p, noise) };
-        self.densities.iter().map(|density| density.color_at(&ctx).rgb).product()
+        let mut product = Rgb::ONE;
+        for density in &self.densities {
+            product *= density.color_at(&ctx).rgb;
+            if product == Rgb::ZERO {
+                break;
+            }
+        }
+        product
+    }
+
+    /// Returns distances along a ray in world space outside of which the density is 0; they are infinite where none are
+    /// known.
+    pub fn extent_on_ray(&self, ray: &Ray) -> [f64; 2] {
+        let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
+        if !self.densities.first().is_some_and(PigmentProgram::has_support) {
+            return everywhere;
+        }
+        let local = self.place.as_ref().map_or(*ray, |place| place.inverse_transform_ray(ray));
+        let extents = self.densities.iter().filter_map(|density| density.support_on_ray(&local));
+        extents.fold(everywhere, |[from, to], [start, end]| [from.max(start), to.min(end)])
     }
 }

@@ -45,14 +45,23 @@ impl Cell {
     /// Calls `look` with the random points of the unit cube and of those around it. Each thread caches some of them,
     /// since neighbouring points need the same ones.
     pub fn with_neighbour_points<T>(self, look: impl FnOnce(&Around) -> T) -> T {
-        let [x, y, z] = self.0;
         REMEMBERED.with_borrow_mut(|remembered| {
-            let around = &mut remembered[x & 3 | (y & 3) << 2 | (z & 3) << 4];
+            let around = &mut remembered[self.cache_slot()];
             if !(around.known && around.cell == self) {
                 around.fill_points(self);
             }
             look(around)
         })
+    }
+}
+
+impl Cell {
+    /// Returns the entry of the unit cube in the cache. The 64 cubes of a block of 4x4x4 have different entries; their
+    /// order differs between blocks, so that two patterns that are some blocks apart do not replace each other's cubes.
+    fn cache_slot(self) -> usize {
+        let [x, y, z] = self.0;
+        let block = (x >> 2).wrapping_mul(7) ^ (y >> 2).wrapping_mul(13) ^ (z >> 2).wrapping_mul(29);
+        (x & 3 | (y & 3) << 2 | (z & 3) << 4) ^ (block & 63)
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::local_bounds::max_stretch;
 use super::{Modifiers, Pattern, PatternKind, Step, TurbulenceParams};
-use crate::math::DVec3;
 use crate::math::noise::{self, NoiseGenerator, Turbulence};
+use crate::math::{DVec3, Ray};
 use crate::pattern::warp::Bend;
 use crate::pattern::{CellPattern, Cells, Field, FieldParams, FieldPattern, LocalBounds, TextureContext, Warp};
 use glam::DAffine3;
@@ -133,6 +133,29 @@ impl PatternProgram {
             )),
         };
         LocalBounds { steepest: if near.steepest == 0.0 { 0.0 } else { near.steepest * longer }, ..near }
+    }
+
+    /// Returns the number that the map receives outside of the lowered pattern's support; `None` if no support is known.
+    pub fn number_outside_support(&self) -> Option<f64> {
+        let Value::Field(number) = &self.value else { return None };
+        let is_affine = !self.uv && matches!(&*self.way, [] | [Move::Affine(_)]);
+        (is_affine && number.field.support().is_some()).then(|| number.modifiers.apply_to_number(0.0))
+    }
+
+    /// Returns distances along a ray of the outer space outside of which the lowered pattern's number is that of
+    /// [`Self::number_outside_support`]; `None` if no support is known.
+    pub fn support_on_ray(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let Value::Field(number) = &self.value else { return None };
+        let support = number.field.support()?;
+        match &*self.way {
+            _ if self.uv => None,
+            [] => Some(support.range_on_line(ray.origin, ray.dir)),
+            [Move::Affine(inverse)] => {
+                let dir = inverse.transform_vector3(ray.dir);
+                Some(support.range_on_line(inverse.transform_point3(ray.origin), dir))
+            }
+            _ => None,
+        }
     }
 
     /// Returns the normal `n` with bumps that the lowered pattern computes itself, at a point in the pattern's space.
