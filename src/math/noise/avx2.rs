@@ -59,18 +59,15 @@ fn broadcast_components(v: __m256d) -> [__m256d; 3] {
     [_mm256_permute4x64_pd::<0x00>(v), _mm256_permute4x64_pd::<0x55>(v), _mm256_permute4x64_pd::<0xaa>(v)]
 }
 
-/// Returns the contributions to the noise of four lattice corners with one z, a lane for each corner. `x`, `y` and `z`
-/// are from each corner to the point.
+/// Returns the value of a lattice point and its three slopes, each times its coordinate from the lattice point; `near` and
+/// `far` are (1, x, y, z) from the first and the last corner of the cell. FAR is a bit for each lane that is taken from
+/// `far`: twice the number of the corner.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn corner_contributions(hashes: &[usize; 4], x: __m256d, y: __m256d, z: __m256d) -> __m256d {
-    let [r0, r1, r2, r3] = [0, 1, 2, 3].map(|i: usize| load_row(&CORNERS[hashes[i] & 0xff]));
-    // Transpose rows of v, gx, gy, gz.
-    let (a, b) = (_mm256_unpacklo_pd(r0, r1), _mm256_unpackhi_pd(r0, r1));
-    let (c, d) = (_mm256_unpacklo_pd(r2, r3), _mm256_unpackhi_pd(r2, r3));
-    let (v, gx) = (_mm256_permute2f128_pd::<0x20>(a, c), _mm256_permute2f128_pd::<0x20>(b, d));
-    let (gy, gz) = (_mm256_permute2f128_pd::<0x31>(a, c), _mm256_permute2f128_pd::<0x31>(b, d));
-    add(add(add(v, gx, x), gy, y), gz, z)
+fn corner_contributions<const FAR: i32>(hashes: &[[usize; 4]; 2], near: __m256d, far: __m256d) -> __m256d {
+    let corner = FAR as usize / 2;
+    let row = load_row(&CORNERS[hashes[corner >> 2][corner & 3] & 0xff]);
+    _mm256_mul_pd(row, _mm256_blend_pd::<FAR>(near, far))
 }
 
 /// Computes [`super::value::scalar_noise`] with AVX2.
@@ -78,19 +75,19 @@ fn corner_contributions(hashes: &[usize; 4], x: __m256d, y: __m256d, z: __m256d)
 #[inline]
 pub fn scalar_noise(p: DVec3) -> f64 {
     let (hashes, t) = cell_corner_hashes(p);
-    let [tx, ty, tz] = broadcast_components(t);
-    let (x, y) =
-        (_mm256_sub_pd(tx, _mm256_setr_pd(0.0, 1.0, 0.0, 1.0)), _mm256_sub_pd(ty, _mm256_setr_pd(0.0, 0.0, 1.0, 1.0)));
-    let (near, far) = (
-        corner_contributions(&hashes[0], x, y, tz),
-        corner_contributions(&hashes[1], x, y, _mm256_sub_pd(tz, _mm256_set1_pd(1.0))),
-    );
+    let near = _mm256_blend_pd::<1>(_mm256_permute4x64_pd::<0x93>(t), _mm256_set1_pd(1.0));
+    let far = _mm256_sub_pd(near, _mm256_setr_pd(0.0, 1.0, 1.0, 1.0));
     let [sx, sy, sz] = broadcast_components(s_curve(t));
-    // Interpolate corners 0, 4, 2, 6 and their neighbours along x.
-    let along_x = lerp(_mm256_unpacklo_pd(near, far), _mm256_unpackhi_pd(near, far), sx);
-    let along_y = lerp(along_x, _mm256_permute2f128_pd::<0x11>(along_x, along_x), sy);
-    let along_z = lerp(along_y, _mm256_unpackhi_pd(along_y, along_y), sz);
-    _mm256_cvtsd_f64(along_z)
+    let along_x = [
+        lerp(corner_contributions::<0>(&hashes, near, far), corner_contributions::<2>(&hashes, near, far), sx),
+        lerp(corner_contributions::<4>(&hashes, near, far), corner_contributions::<6>(&hashes, near, far), sx),
+        lerp(corner_contributions::<8>(&hashes, near, far), corner_contributions::<10>(&hashes, near, far), sx),
+        lerp(corner_contributions::<12>(&hashes, near, far), corner_contributions::<14>(&hashes, near, far), sx),
+    ];
+    let sum = lerp(lerp(along_x[0], along_x[1], sy), lerp(along_x[2], along_x[3], sy), sz);
+    // (value + x) + (y + z)
+    let pairs = _mm_hadd_pd(_mm256_castpd256_pd128(sum), _mm256_extractf128_pd::<1>(sum));
+    _mm_cvtsd_f64(_mm_add_sd(pairs, _mm_unpackhi_pd(pairs, pairs)))
 }
 
 /// Computes [`super::value::vector_noise`] with AVX2.

@@ -1,7 +1,7 @@
 //! The noise of generators 1 and 2, and the vector noise: each lattice point has a value and a gradient.
 
 use super::super::DVec3;
-use super::lattice::{blend_corners, lattice_cell, offset_from_corner, s_curve};
+use super::lattice::{lattice_cell, offset_from_corner, s_curve};
 use super::tables::{CORNERS, HASH, Row, table_entry};
 
 /// Number that POV-Ray adds to the index of a lattice cell before the lookup of its hash.
@@ -32,25 +32,38 @@ fn cell_corner_hashes(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
     (corner_hashes([ix, iy, iz]), [tx, ty, tz])
 }
 
-/// Returns the noise of generators 1 and 2 before its range is mapped: the first component of [`vector_noise`], about
-/// -1.2 to 1.2.
-#[inline(always)]
-pub fn scalar_noise(p: DVec3) -> f64 {
-    let (hashes, t) = cell_corner_hashes(p);
-    let corner = |i: usize| {
-        let ([x, y, z], Row([v, gx, gy, gz])) = (offset_from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
-        v + gx * x + gy * y + gz * z
-    };
-    // Unrolled: `map` over eight corners takes twice the time.
-    blend_corners([corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)], t)
-}
-
 /// Four numbers that the processor computes side by side.
 type Lanes = [f64; 4];
 
 #[inline(always)]
 fn lanewise(a: Lanes, b: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
     [f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])]
+}
+
+#[inline(always)]
+fn lerp(a: Lanes, b: Lanes, s: f64) -> Lanes {
+    lanewise(a, b, |a, b| a + s * (b - a))
+}
+
+/// Interpolates the contributions of a lattice cell's corners, lane by lane, at the point `t` of the cell.
+#[inline(always)]
+fn blend_lanes(corner: impl Fn(usize) -> Lanes, t: [f64; 3]) -> Lanes {
+    let [sx, sy, sz] = t.map(s_curve);
+    let along_x = |i: usize| lerp(corner(i), corner(i + 1), sx);
+    lerp(lerp(along_x(0), along_x(2), sy), lerp(along_x(4), along_x(6), sy), sz)
+}
+
+/// Returns the noise of generators 1 and 2 before its range is mapped: the first component of [`vector_noise`], about
+/// -1.2 to 1.2. The value and the three slopes of the lattice points are interpolated side by side and added last.
+#[inline(always)]
+pub fn scalar_noise(p: DVec3) -> f64 {
+    let (hashes, t) = cell_corner_hashes(p);
+    let corner = |i: usize| {
+        let ([x, y, z], Row([v, gx, gy, gz])) = (offset_from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
+        [v, gx * x, gy * y, gz * z]
+    };
+    let [v, x, y, z] = blend_lanes(corner, t);
+    (v + x) + (y + z)
 }
 
 /// Table of noise with the entries of the three components of [`vector_noise`] side by side; the last lane is unused. A
@@ -79,9 +92,6 @@ pub fn vector_noise(p: DVec3) -> DVec3 {
         let add = |sum: Lanes, place: usize, x: f64| lanewise(sum, LANES[at + place].0, |sum, g| sum + g * x);
         add(add(add(LANES[at].0.map(|v| 0.5 * v), 1, x), 2, y), 3, z)
     };
-    let [sx, sy, sz] = t.map(s_curve);
-    let lerp = |a: Lanes, b: Lanes, s: f64| lanewise(a, b, |a, b| a + s * (b - a));
-    let along_x = |i: usize| lerp(corner(i), corner(i + 1), sx);
-    let [x, y, z, _] = lerp(lerp(along_x(0), along_x(2), sy), lerp(along_x(4), along_x(6), sy), sz);
+    let [x, y, z, _] = blend_lanes(corner, t);
     DVec3::new(x, y, z)
 }
