@@ -8,10 +8,10 @@ use std::sync::Arc;
 /// Numbers of the interiors that contain a ray's origin; the last entered is on top.
 pub(super) type Interiors = SmallVec<[u32; 6]>;
 
-/// Returns a copy of the list; faster than `clone` for the usual, empty list.
+/// Returns a copy of the list; faster than `clone`, which copies number by number.
 #[inline]
 pub(super) fn copy_of(interiors: &Interiors) -> Interiors {
-    if interiors.is_empty() { Interiors::new() } else { interiors.clone() }
+    Interiors::from_slice(interiors)
 }
 
 /// Both sides of a surface that a ray hits.

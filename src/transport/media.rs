@@ -94,7 +94,7 @@ struct MediumOnRay<'w> {
     /// Distances outside of which the medium's density is 0.
     extent: [f64; 2],
     /// Lights that the medium scatters.
-    beams: Vec<BeamOnRay<'w>>,
+    beams: BeamList<'w>,
 }
 
 impl MediumOnRay<'_> {
@@ -113,6 +113,9 @@ struct Interval<'a, 'w> {
     lights: &'a [LightList<'w>],
     draws: Draws,
 }
+
+/// Lights that a medium scatters, with the stretches that they illuminate.
+type BeamList<'w> = SmallVec<[BeamOnRay<'w>; 2]>;
 
 /// Lights that a medium scatters.
 type LightList<'w> = SmallVec<[&'w LightSource; 4]>;
@@ -170,9 +173,9 @@ impl<'w> Tracer<'w> {
     }
 
     /// Returns the lights that a medium scatters; none for a shadow ray.
-    fn beams(&self, stretch: &MediaStretch, medium: &Medium) -> Vec<BeamOnRay<'w>> {
+    fn beams(&self, stretch: &MediaStretch, medium: &Medium) -> BeamList<'w> {
         if stretch.is_shadow {
-            return vec![];
+            return BeamList::new();
         }
         let world = self.context.world;
         let lights = world.lit_by[medium.lights as usize].iter().map(|&number| &world.lights[number as usize]);

@@ -25,14 +25,22 @@ impl BeamOnRay<'_> {
 /// Divides a stretch into intervals. If only spotlights and cylinder lights illuminate media, their beams divide the
 /// stretch first, and `ratio` distributes the intervals. A medium without densities has one interval where no light
 /// shines (quirk: `media_intervals`).
-pub(super) fn media_intervals(stretch: &MediaStretch, beams: &[BeamOnRay], sampling: &MediaSampling) -> Vec<[f64; 2]> {
+pub(super) fn media_intervals(
+    stretch: &MediaStretch,
+    beams: &[BeamOnRay],
+    sampling: &MediaSampling,
+) -> SmallVec<[[f64; 2]; 8]> {
     let is_all_lit = beams.iter().any(|beam| beam.stretches.is_none());
-    let lit: Vec<[f64; 2]> = beams.iter().flat_map(|beam| beam.stretches.iter().flatten().copied()).collect();
+    let lit: SmallVec<[[f64; 2]; 8]> = beams.iter().flat_map(|beam| beam.stretches.iter().flatten().copied()).collect();
     let is_dark = lit.is_empty() && !is_all_lit;
     let is_uniform = is_dark && !stretch.is_shadow && stretch.media[0].is_homogeneous();
-    let pieces = if is_all_lit { vec![(stretch.range, true)] } else { beam_pieces(lit, stretch.range) };
+    let pieces = if is_all_lit { Pieces::from_elem((stretch.range, true), 1) } else { beam_pieces(lit, stretch.range) };
     let intervals = if is_uniform { 1 } else { sampling.intervals as usize };
-    let counts = interval_counts(&pieces.iter().map(|(_, lit)| *lit).collect::<Vec<_>>(), intervals, sampling.ratio);
+    let counts = interval_counts(
+        &pieces.iter().map(|(_, lit)| *lit).collect::<SmallVec<[bool; 8]>>(),
+        intervals,
+        sampling.ratio,
+    );
     let parts = pieces.iter().zip(counts).flat_map(|(([from, to], _), count)| {
         let at = move |i: usize| from + (to - from) * (i as f64 / count as f64);
         (0..count).map(move |i| [at(i), at(i + 1)])
@@ -40,11 +48,14 @@ pub(super) fn media_intervals(stretch: &MediaStretch, beams: &[BeamOnRay], sampl
     parts.collect()
 }
 
+/// Pieces of a range; true marks those that are lit.
+type Pieces = SmallVec<[([f64; 2], bool); 8]>;
+
 /// Divides a range at the ends of the lit stretches; overlapping stretches are united. Each piece states whether it is
 /// lit.
-fn beam_pieces(mut lit: Vec<[f64; 2]>, [from, to]: [f64; 2]) -> Vec<([f64; 2], bool)> {
+fn beam_pieces(mut lit: SmallVec<[[f64; 2]; 8]>, [from, to]: [f64; 2]) -> Pieces {
     lit.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let mut pieces: Vec<([f64; 2], bool)> = vec![];
+    let mut pieces = Pieces::new();
     let mut last = from;
     for [start, end] in lit {
         match pieces.last_mut() {
@@ -66,7 +77,7 @@ fn beam_pieces(mut lit: Vec<[f64; 2]>, [from, to]: [f64; 2]) -> Vec<([f64; 2], b
 
 /// Distributes intervals over pieces of a stretch: each gets one, and a share by `ratio` if it is lit, by 1 - `ratio`
 /// otherwise; the last one gets the rest.
-fn interval_counts(lit: &[bool], intervals: usize, ratio: f64) -> Vec<usize> {
+fn interval_counts(lit: &[bool], intervals: usize, ratio: f64) -> SmallVec<[usize; 8]> {
     let weight = |lit: bool| if lit { ratio } else { 1.0 - ratio };
     let total: f64 = lit.iter().map(|lit| weight(*lit)).sum();
     let n_pieces = lit.len();
@@ -97,16 +108,19 @@ mod tests {
             (10, 0.5, [4, 4, 2]),
             (10, 0.1, [5, 1, 4]),
         ] {
-            assert_eq!(interval_counts(&one, intervals, ratio), counts, "{intervals} {ratio}");
+            assert_eq!(interval_counts(&one, intervals, ratio)[..], counts, "{intervals} {ratio}");
         }
-        assert_eq!(interval_counts(&[false, true, false, true, false], 10, 0.9), [1, 5, 1, 2, 1]);
+        assert_eq!(interval_counts(&[false, true, false, true, false], 10, 0.9)[..], [1, 5, 1, 2, 1]);
     }
 
     #[test]
     fn beams_divide_a_stretch() {
-        let pieces = |lit: &[[f64; 2]]| beam_pieces(lit.to_vec(), [0.0, 1.0]);
-        assert_eq!(pieces(&[]), [([0.0, 1.0], false)]);
-        assert_eq!(pieces(&[[0.5, 0.7], [0.2, 0.6]]), [([0.0, 0.2], false), ([0.2, 0.7], true), ([0.7, 1.0], false)]);
-        assert_eq!(pieces(&[[0.0, 1.0]]), [([0.0, 1.0], true)]);
+        let pieces = |lit: &[[f64; 2]]| beam_pieces(lit.into(), [0.0, 1.0]);
+        assert_eq!(pieces(&[])[..], [([0.0, 1.0], false)]);
+        assert_eq!(
+            pieces(&[[0.5, 0.7], [0.2, 0.6]])[..],
+            [([0.0, 0.2], false), ([0.2, 0.7], true), ([0.7, 1.0], false)]
+        );
+        assert_eq!(pieces(&[[0.0, 1.0]])[..], [([0.0, 1.0], true)]);
     }
 }

@@ -107,7 +107,9 @@ impl Tracer<'_> {
         segments: ShadowSegments,
     ) -> Rgb {
         let (mut transmittance, mut from) = (Rgb::ONE, 0.0);
-        for hit in surfaces(self.context.world, ray, range, filters) {
+        let world = self.context.world;
+        let surfaces = if world.see_through { surfaces(world, ray, range, filters) } else { vec![] };
+        for hit in surfaces {
             transmittance *= self.shadow_segment(ray, &Span::new(from, hit.t()), &inside, &segments);
             transmittance *= self.surface_transmittance(ray, &hit, from, &mut inside);
             from = hit.t();

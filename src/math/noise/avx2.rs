@@ -73,7 +73,7 @@ fn corner_contributions<const FAR: i32>(hashes: &[[usize; 4]; 2], near: __m256d,
 /// Computes [`super::value::scalar_noise`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn scalar_noise(p: DVec3) -> f64 {
+pub fn scalar_noise<const CALLER: u8>(p: DVec3) -> f64 {
     let (hashes, t) = cell_corner_hashes(p);
     let near = _mm256_blend_pd::<1>(_mm256_permute4x64_pd::<0x93>(t), _mm256_set1_pd(1.0));
     let far = _mm256_sub_pd(near, _mm256_setr_pd(0.0, 1.0, 1.0, 1.0));
@@ -93,7 +93,7 @@ pub fn scalar_noise(p: DVec3) -> f64 {
 /// Computes [`super::value::vector_noise`] with AVX2.
 #[target_feature(enable = "avx2")]
 #[inline]
-pub fn vector_noise(p: DVec3) -> DVec3 {
+pub fn vector_noise<const CALLER: u8>(p: DVec3) -> DVec3 {
     let (hashes, t) = cell_corner_hashes(p);
     let (near, far) = (broadcast_components(t), broadcast_components(_mm256_sub_pd(t, _mm256_set1_pd(1.0))));
     let along = |axis: usize, i: usize| if i >> axis & 1 == 1 { far[axis] } else { near[axis] };

@@ -56,7 +56,7 @@ fn blend_lanes(corner: impl Fn(usize) -> Lanes, t: [f64; 3]) -> Lanes {
 /// Returns the noise of generators 1 and 2 before its range is mapped: the first component of [`vector_noise`], about
 /// -1.2 to 1.2. The value and the three slopes of the lattice points are interpolated side by side and added last.
 #[inline(always)]
-pub fn scalar_noise(p: DVec3) -> f64 {
+pub fn scalar_noise<const CALLER: u8>(p: DVec3) -> f64 {
     let (hashes, t) = cell_corner_hashes(p);
     let corner = |i: usize| {
         let ([x, y, z], Row([v, gx, gy, gz])) = (offset_from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
@@ -85,7 +85,7 @@ const fn lane_table() -> [Row; 259] {
 
 /// Returns the vector noise at a point: three noises on the same lattice, computed at once.
 #[inline(always)]
-pub fn vector_noise(p: DVec3) -> DVec3 {
+pub fn vector_noise<const CALLER: u8>(p: DVec3) -> DVec3 {
     let (hashes, t) = cell_corner_hashes(p);
     let corner = |i: usize| {
         let ([x, y, z], at) = (offset_from_corner(i, t), hashes[i >> 2][i & 3] & 0xff);

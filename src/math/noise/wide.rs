@@ -1,4 +1,5 @@
-//! Chooses between [`super::value`] and its AVX2 implementation. Both give the same bits.
+//! Chooses between [`super::value`] and its AVX2 implementation. Both give the same bits. Each caller has a number, so
+//! that it has a copy of the noise of its own, which the compiler inlines: a call would pass points through memory.
 
 use super::super::DVec3;
 use super::{Turbulence, value};
@@ -30,7 +31,7 @@ macro_rules! twins {
 twins! {
     /// Computes the noise [`value::scalar_noise`] at a point, with AVX2 if the processor has it.
     scalar_at(scalar_noise; p: DVec3) -> f64 {
-        scalar_noise(p)
+        scalar_noise::<0>(p)
     }
 }
 
@@ -38,7 +39,7 @@ twins! {
     /// Computes the noise [`value::scalar_noise`] at several points, with AVX2 if the processor has it.
     scalars(scalar_noise; points: &[DVec3], out: &mut [f64]) {
         for (p, out) in points.iter().zip(out) {
-            *out = scalar_noise(*p);
+            *out = scalar_noise::<1>(*p);
         }
     }
 }
@@ -46,7 +47,7 @@ twins! {
 twins! {
     /// Computes the vector noise [`value::vector_noise`], with AVX2 if the processor has it.
     vector_at(vector_noise; p: DVec3) -> DVec3 {
-        vector_noise(p)
+        vector_noise::<0>(p)
     }
 }
 
@@ -55,7 +56,7 @@ twins! {
     turbulence(vector_noise; p: DVec3, series: Turbulence) -> DVec3 {
         let mut sum = DVec3::ZERO;
         for (frequency, weight) in series.octaves() {
-            sum += weight * vector_noise(p * frequency);
+            sum += weight * vector_noise::<1>(p * frequency);
         }
         sum
     }
@@ -74,7 +75,7 @@ mod tests {
         let mut out = vec![0.0; points.len()];
         scalars(&points, &mut out);
         for (p, out) in points.iter().zip(&out) {
-            let (scalar_noise, vector) = (value::scalar_noise(*p), value::vector_noise(*p));
+            let (scalar_noise, vector) = (value::scalar_noise::<0>(*p), value::vector_noise::<0>(*p));
             // (The payload of a NaN does not matter.)
             let same = |a: f64, b: f64| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
             assert!(same(*out, scalar_noise) && same(scalar_at(*p), scalar_noise), "{p}");
