@@ -343,6 +343,7 @@ fn lower_outcome(
     };
     let world = lowered.and_then(|world| world.map_err(|e| diagnostics.push(*e)).ok());
     let build_time = options.host.elapsed().saturating_sub(start);
+    diagnostics.extend(world.iter().flat_map(advice::world_warnings));
     Built {
         scene,
         world,

@@ -1,8 +1,12 @@
-//! Warnings about media that cannot show.
+//! Warnings about media that cannot show, or that take hours.
 
+use crate::color::Rgb;
 use crate::diagnostic::{Diagnostic, codes};
+use crate::medium::SamplingMethod;
+use crate::render;
 use crate::scene::{Object, ObjectKind, Scene};
 use crate::source::Span;
+use crate::world::{Medium, World};
 use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
@@ -18,6 +22,83 @@ pub(super) fn solid_media_warnings(scene: &Scene) -> Vec<Diagnostic> {
         Diagnostic::new(codes::SOLID_MEDIA, *media, text).also(*object, "add `hollow` to this object")
     };
     search.found.iter().map(warning).collect()
+}
+
+/// Returns the warning about media that scatter light in a scene whose lights do not reach them.
+pub(super) fn unlit_media_warning(world: &World) -> Option<Diagnostic> {
+    let is_unlit = |medium: &&Medium| {
+        let mut lights = world.lit_by[medium.lights as usize].iter().map(|&number| &world.lights[number as usize]);
+        let scatters = medium.scattering.color != Rgb::ZERO && medium.emission == Rgb::ZERO;
+        scatters && !lights.any(|light| light.emitter.scattered)
+    };
+    let medium = all_media(world).find(is_unlit)?;
+    let text = "these media scatter the light of lights, but no light shines on them";
+    let help = "add a `light_source`, or give the media an `emission`";
+    Some(Diagnostic::new(codes::UNLIT_MEDIA, medium.source, text).help(help))
+}
+
+/// Returns warnings about media whose density is 0 in all of their object.
+pub(super) fn empty_density_warnings(world: &World) -> Vec<Diagnostic> {
+    let mut found: Vec<Span> = vec![];
+    for item in world.geometry.items() {
+        let interior = item.first_shape().map(|(_, part)| world.parts[part as usize].interior);
+        let media = interior.and_then(|interior| world.media.get(&interior)).into_iter().flatten();
+        for medium in media.filter(|medium| medium.is_empty_in(&item.bounds())) {
+            if !found.contains(&medium.source) && found.len() < MAX_WARNINGS {
+                found.push(medium.source);
+            }
+        }
+    }
+    let text = "these media show nothing, because their density is 0 in all of the object";
+    let help = "the density's pattern ends one unit from the origin: `scale` and `translate` it to where the object is";
+    found.into_iter().map(|span| Diagnostic::new(codes::EMPTY_DENSITY, span, text).help(help)).collect()
+}
+
+/// Time that a sample of a medium takes, in seconds.
+const SAMPLE_TIME: f64 = 2e-7;
+
+/// Returns the warning about media whose samples take more than an hour.
+pub(super) fn slow_media_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
+    let lists = world.media.values().chain([&world.air]).filter(|media| !media.is_empty());
+    let (samples, slowest) =
+        lists.map(|media| (samples_per_ray(world, media), &media[0])).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let pixels = options.region.map_or(options.width * options.height, |region| region.width * region.height);
+    let threads = match options.threads {
+        0 => std::thread::available_parallelism().map_or(1, usize::from),
+        threads => threads,
+    };
+    let hours = pixels as f64 * samples * SAMPLE_TIME / threads as f64 / 3600.0;
+    if hours < 1.0 {
+        return None;
+    }
+    let text = format!("with these media, the picture takes about {hours:.0} hours");
+    let diagnostic = Diagnostic::new(codes::SLOW_MEDIA, slowest.source, text);
+    Some(diagnostic.label(format!("about {samples:.0} samples for each pixel")).help("lower `samples` or `intervals`"))
+}
+
+/// Returns the number of samples of media that are sampled together on a ray, those of its shadow rays included.
+fn samples_per_ray(world: &World, media: &[Medium]) -> f64 {
+    let sampling = media[0].sampling;
+    let of_interval = match sampling.method {
+        SamplingMethod::Adaptive => sampling.min_samples + 1,
+        _ => sampling.min_samples,
+    };
+    let on_ray = f64::from(sampling.intervals) * f64::from(of_interval);
+    let on_shadow_ray = |medium: &Medium| {
+        let is_sampled = !medium.is_homogeneous() && medium.extinction != Rgb::ZERO;
+        1.0 + if is_sampled { on_ray } else { 0.0 }
+    };
+    let scattering = media.iter().filter(|medium| medium.scattering.color != Rgb::ZERO);
+    let lights = |medium: &Medium| {
+        let lights = world.lit_by[medium.lights as usize].iter().map(|&number| &world.lights[number as usize]);
+        lights.filter(|light| light.emitter.scattered).count() as f64
+    };
+    on_ray * (1.0 + scattering.map(|medium| lights(medium) * on_shadow_ray(medium)).fold(0.0, f64::max))
+}
+
+/// Returns the media of the whole scene and of all interiors.
+fn all_media(world: &World) -> impl Iterator<Item = &Medium> {
+    world.air.iter().chain(world.media.values().flatten())
 }
 
 /// Search for media in solid objects.

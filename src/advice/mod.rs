@@ -1,6 +1,7 @@
 //! Warnings about scenes that are valid but probably not intended: "the picture is black: …".
 //!
-//! Advice never changes a picture. [`scene_warnings`] examines the Scene before the World is built.
+//! Advice never changes a picture. [`scene_warnings`] examines the Scene before the World is built, [`world_warnings`] and
+//! [`time_warning`] the World before it is rendered.
 //! [`picture_warnings`] examines a rendered picture with as few rays as possible. Warnings that concern a single word
 //! come from the reader of that word. Each family of warnings has a file.
 
@@ -23,6 +24,16 @@ use std::path::Path;
 pub fn scene_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     let csg = csg::csg_warnings(scene, sources);
     camera::several_cameras_warning(scene).into_iter().chain(csg).chain(media::solid_media_warnings(scene)).collect()
+}
+
+/// Returns warnings about a World, before it is rendered.
+pub fn world_warnings(world: &World) -> Vec<Diagnostic> {
+    media::unlit_media_warning(world).into_iter().chain(media::empty_density_warnings(world)).collect()
+}
+
+/// Returns the warning about a picture that takes hours, before it is rendered.
+pub fn time_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
+    media::slow_media_warning(world, options)
 }
 
 /// Returns warnings about text that is unusual but mostly intended, for `--warn doubtful`.

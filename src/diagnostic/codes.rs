@@ -303,6 +303,20 @@ thousandth; let the objects that a `difference` subtracts stick out a little. Re
 object around it, the one around the camera too.
 
     sphere { 0, 1 pigment { rgbt 1 } hollow interior { media { emission 0.5 } } }"
+    UNLIT_MEDIA "W0413" "media that scatter light, without a light"
+"`scattering` sends the light of `light_source`s towards the camera. The scene has none, or all have `media_interaction off`. Add a light, or give
+the media an `emission`, which needs none.
+
+    light_source { <5, 8, -5> rgb 2 }
+    media { scattering { 1, 0.1 } }"
+    EMPTY_DENSITY "W0414" "a density that is 0 in all of its object"
+"`spherical`, `boxed`, `cylindrical` and `planar` are above 0 at most one unit from the origin, before the transforms that follow them. Write the object and the
+density around the origin, and move both together.
+
+    sphere { 0, 1 pigment { rgbt 1 } hollow interior { media { emission 1 density { spherical } } } translate 5*y }"
+    SLOW_MEDIA "W0415" "media that take hours"
+"The number of samples on a ray is `intervals` times `samples`, and each of them asks for the light of each light source, whose rays may pass media
+again. The estimate is reported before the render begins. Lower `samples`, `intervals` or `aa_level`, or render a small picture first."
     NOT_PORTABLE "W0420" "POV-Ray 3.7 would reject this"
 "Reported with `durer check --warn portable`. durer accepts it, POV-Ray 3.7 does not: a comma where it expects none, a vector for a colour, a texture's name without
 its `texture { }`, a missing `;`, or a word of durer's own."

@@ -1,6 +1,6 @@
 //! Regions outside of which a pattern's number is 0.
 
-use crate::math::DVec3;
+use crate::math::{Aabb, DVec3};
 
 /// Region around the origin, at most one unit away, outside of which a pattern's number is 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +31,18 @@ impl Support {
                 let [x, y, z] = ranges;
                 [x[0].max(y[0]).max(z[0]), x[1].min(y[1]).min(z[1])]
             }
+        }
+    }
+
+    /// True if a box is entirely outside of the region.
+    pub fn misses_box(self, bounds: &Aabb) -> bool {
+        // The point of the box that is nearest to the origin along each axis.
+        let nearest = DVec3::ZERO.clamp(bounds.min, bounds.max).abs();
+        match self {
+            Self::Ball => nearest.length() > EXTENT,
+            Self::Cube => nearest.max_element() > EXTENT,
+            Self::Cylinder => nearest.x.hypot(nearest.z) > EXTENT,
+            Self::Slab => nearest.y > EXTENT,
         }
     }
 }
@@ -88,6 +100,19 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn boxes_beside_the_regions() {
+        let small = |center: DVec3| Aabb::from_corners(center - 0.4, center + 0.4);
+        let missed = |center: DVec3| {
+            [Support::Ball, Support::Cube, Support::Cylinder, Support::Slab]
+                .map(|support| support.misses_box(&small(center)))
+        };
+        assert_eq!(missed(DVec3::splat(0.9)), [false; 4]);
+        assert_eq!(missed(DVec3::splat(1.3)), [true, false, true, false]);
+        assert_eq!(missed(DVec3::X * 1.5), [true, true, true, false]);
+        assert_eq!(missed(DVec3::NEG_Y * 1.5), [true, true, false, true]);
     }
 
     #[test]

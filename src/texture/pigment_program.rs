@@ -3,7 +3,7 @@
 use super::{Blend, ColorMap, ImageMap, Paint, Pigment};
 use crate::color::{Color, Rgb, gray};
 use crate::function::LocalBounds;
-use crate::math::{Ray, cancel};
+use crate::math::{DVec3, Ray, cancel};
 use crate::pattern::{Pattern, PatternKind, PatternProgram, PigmentBrightness, TextureContext};
 use serde::Serialize;
 use std::sync::Arc;
@@ -103,6 +103,11 @@ impl PigmentProgram {
     /// is known.
     pub fn support_on_ray(&self, ray: &Ray) -> Option<[f64; 2]> {
         self.supported_pattern()?.support_on_ray(ray)
+    }
+
+    /// True if the pigment is certainly black everywhere in the box with these corners, in the outer space.
+    pub fn is_black_between(&self, corners: [DVec3; 8]) -> bool {
+        self.supported_pattern().is_some_and(|pattern| pattern.is_outside_support(corners))
     }
 
     /// Returns the pigment's pattern if the pigment is black outside of the pattern's support.

@@ -2,9 +2,10 @@
 
 use crate::color::Rgb;
 use crate::math::noise::NoiseGenerator;
-use crate::math::{DVec3, Ray, Transform};
+use crate::math::{Aabb, DVec3, Ray, Transform};
 use crate::medium::{Media, MediaSampling, Scattering};
 use crate::pattern::TextureContext;
+use crate::source::Span;
 use crate::texture::{Density, PigmentProgram};
 use serde::Serialize;
 
@@ -21,6 +22,9 @@ pub struct Medium {
     pub sampling: MediaSampling,
     /// Number of the set of lights that illuminate the medium, see [`super::World::lit_by`].
     pub lights: u32,
+    /// Span of the `media` block.
+    #[serde(skip)]
+    pub source: Span,
     /// Densities whose product is the medium's, those first that are known to be 0 outside of a region.
     densities: Box<[PigmentProgram]>,
     /// Transform from the space of the densities to world space; `None` for the identity.
@@ -41,6 +45,7 @@ impl Medium {
             scattering: media.scattering,
             sampling: media.sampling,
             lights,
+            source: media.source,
             densities: densities.into(),
             place: (!place.is_identity() && !media.densities.is_empty()).then(|| Box::new(*place)),
         }
@@ -66,6 +71,12 @@ impl Medium {
             }
         }
         product
+    }
+
+    /// True if the density is certainly 0 everywhere in a box in world space.
+    pub fn is_empty_in(&self, bounds: &Aabb) -> bool {
+        let corners = bounds.corners().map(|p| self.place.as_ref().map_or(p, |place| place.inverse_transform_point(p)));
+        bounds.is_finite() && self.densities.iter().any(|density| density.is_black_between(corners))
     }
 
     /// Returns distances along a ray in world space outside of which the density is 0; they are infinite where none are

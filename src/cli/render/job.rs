@@ -118,12 +118,11 @@ impl<'a> Job<'a> {
         built
     }
 
-    /// Reports advice about a finished picture.
-    fn advise(&mut self, world: &World, timing: Timing, circumstances: advice::Circumstances) {
+    /// Reports advice about a picture, unless it was reported for an earlier frame.
+    fn advise(&mut self, mut advice: Vec<Diagnostic>) {
         if self.console.quiet {
             return;
         }
-        let mut advice = advice::picture_warnings(world, &self.config.drawing(timing), circumstances);
         advice.retain(|d| !self.reported.contains(d));
         self.console.report(self.sources, &advice);
         self.reported.extend(advice);
@@ -283,14 +282,17 @@ impl<'a> Job<'a> {
             Some(Dump::World) => return self.dump(&world),
             None => {}
         }
+        self.advise(advice::time_warning(&world, &config.drawing(timing)).into_iter().collect());
         let deferred = Deferred::begin();
         let Rendered { rays, is_black, trace_time, encode_time } =
             self.render_to_draft(target, &world, timing, journal.as_ref(), token)?;
         self.finish_picture(target, timing, journal.as_deref(), finished);
         drop(deferred);
 
-        self.advise(&world, timing, config.circumstances(is_incomplete, is_black));
         let drawing = config.drawing(timing);
+        if !console.quiet {
+            self.advise(advice::picture_warnings(&world, &drawing, config.circumstances(is_incomplete, is_black)));
+        }
         let times = [built.parse_time + built.build_time, trace_time];
         console.povray_statistics(&client_lines::statistics([drawing.width, drawing.height], times));
         if let Some(stats) = &config.stats {

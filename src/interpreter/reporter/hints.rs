@@ -29,6 +29,13 @@ pub fn other_tools(word: &str) -> Option<&'static str> {
         | "general_x_spline" | "oren_nayar" | "lommel_seeliger" | "potential" => {
             "this is part of POV-Ray 3.8; durer renders what 3.7 has"
         }
+        "halo" => {
+            "POV-Ray 3.1 replaced `halo` by media: write `hollow interior { media { emission 0.5 density { spherical } } }`, with \
+             `emission` for `emitting` and `glowing`, `absorption` for `attenuating`, `scattering { 1, 0.5 }` for `dust`"
+        }
+        "atmosphere" => {
+            "POV-Ray 3.1 replaced `atmosphere` by media: write `media { scattering { 1, 0.02 } }`, with the same number of the type"
+        }
         "func" | "fn" | "proc" => "`#macro Name(A, B) … #end` defines a macro",
         "rotation" | "rotatex" | "rotatey" | "rotatez" => "`rotate <x, y, z>` takes degrees",
         "and" => "the logical and is `&`",

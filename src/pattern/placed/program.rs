@@ -3,7 +3,7 @@
 use super::local_bounds::max_stretch;
 use super::{Modifiers, Pattern, PatternKind, Step, TurbulenceParams};
 use crate::math::noise::{self, NoiseGenerator, Turbulence};
-use crate::math::{DVec3, Ray};
+use crate::math::{Aabb, DVec3, Ray};
 use crate::pattern::warp::Bend;
 use crate::pattern::{CellPattern, Cells, Field, FieldParams, FieldPattern, LocalBounds, TextureContext, Warp};
 use glam::DAffine3;
@@ -156,6 +156,18 @@ impl PatternProgram {
             }
             _ => None,
         }
+    }
+
+    /// True if the box with these corners, in the outer space, is certainly outside of the lowered pattern's support.
+    pub fn is_outside_support(&self, corners: [DVec3; 8]) -> bool {
+        let Value::Field(number) = &self.value else { return false };
+        let corners = match &*self.way {
+            _ if self.uv => return false,
+            [] => corners,
+            [Move::Affine(inverse)] => corners.map(|p| inverse.transform_point3(p)),
+            _ => return false,
+        };
+        number.field.support().is_some_and(|support| support.misses_box(&Aabb::from_points(corners)))
     }
 
     /// Returns the normal `n` with bumps that the lowered pattern computes itself, at a point in the pattern's space.
