@@ -57,21 +57,17 @@ pub(super) fn empty_density_warnings(world: &World) -> Vec<Diagnostic> {
 /// Time that a sample of a medium takes, in seconds.
 const SAMPLE_TIME: f64 = 2e-7;
 
-/// Returns the warning about media whose samples take more than an hour.
+/// Returns the warning about media whose samples take more than an hour of one processor.
 pub(super) fn slow_media_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
     let lists = world.media.values().chain([&world.air]).filter(|media| !media.is_empty());
     let (samples, slowest) =
         lists.map(|media| (samples_per_ray(world, media), &media[0])).max_by(|a, b| a.0.total_cmp(&b.0))?;
     let pixels = options.region.map_or(options.width * options.height, |region| region.width * region.height);
-    let threads = match options.threads {
-        0 => std::thread::available_parallelism().map_or(1, usize::from),
-        threads => threads,
-    };
-    let hours = pixels as f64 * samples * SAMPLE_TIME / threads as f64 / 3600.0;
+    let hours = pixels as f64 * samples * SAMPLE_TIME / 3600.0;
     if hours < 1.0 {
         return None;
     }
-    let text = format!("with these media, the picture takes about {hours:.0} hours");
+    let text = format!("with these media, the picture takes about {hours:.0} hours of one processor");
     let diagnostic = Diagnostic::new(codes::SLOW_MEDIA, slowest.source, text);
     Some(diagnostic.label(format!("about {samples:.0} samples for each pixel")).help("lower `samples` or `intervals`"))
 }

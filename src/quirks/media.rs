@@ -27,7 +27,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
          the intervals over lit and dark parts. Without densities, a ray that meets no beam, or a scene without \
          lights, has one interval, whatever `intervals` says.",
         &[
-            "src/transport/media.rs::intervals_are_distributed_by_ratio",
+            "src/transport/media_intervals.rs::intervals_are_distributed_by_ratio",
             "light_cases/media_spotlight_ratio",
             "light_cases/media_spotlight_homogeneous",
         ],
