@@ -206,8 +206,8 @@ little. The environment variable DURER_FONTS names other folders in which to loo
     pigment { Wood uv_mapping }              // pigment { uv_mapping Wood }"
     INFINITE "W0213" "a number that is used is infinite or not a number"
 "POV-Ray continues with such numbers, and so does durer where it can: a shape with such a number or transform is
-invisible; in a colour, infinity is white light and black paint, and NaN is black. Look for a division by zero, or for
-a number that grows in a loop."
+invisible, but a `box` with an infinite corner has no end there; in a colour, infinity is white light and black paint,
+and NaN is black. Look for a division by zero, or for a number that grows in a loop."
     MESH_PARTLY "W0214" "a part of a mesh's file is left out"
 "A mesh file names its materials, which may be in another file: that file is missing, or has features that durer doesn't render. The mesh's own
 texture replaces them."

@@ -81,7 +81,8 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     emulated_quirk(
         "infinite_shapes_vanish",
-        "A shape with a number that is not finite is not seen, nor is an object that such a number transforms.",
+        "A shape with a number that is not finite is not seen, except a `box` with an infinite corner, nor is an \
+         object that such a number transforms.",
         &["light_cases/infinite_shapes"],
     ),
     emulated_quirk(

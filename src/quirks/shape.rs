@@ -90,11 +90,9 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "The functions are evaluated for both complex parts of a hypercomplex number, as the manual defines them.",
         &["light_cases/julia_transcendental"],
     ),
-    differing_quirk(
+    emulated_quirk(
         "infinite_box",
-        "A `box` with an infinite corner has no end there, but a rotated one is lost unless it is part of an \
-         `intersection` or `difference`.",
-        "The box is left out with a warning, because infinity is mostly the result of a division by zero.",
+        "A `box` with an infinite corner has no end there.",
         &["light_cases/infinite_boxes"],
     ),
     emulated_quirk(
@@ -224,6 +222,13 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "quadric_keeps_sides",
         "`inverse` does not exchange `texture` and `interior_texture` of a quadric, as it does for other shapes.",
         &["light_cases/interior_texture_quadric_inverse"],
+    ),
+    differing_quirk(
+        "rotated_infinite_box",
+        "A rotated `box` with an infinite corner is lost, or a part of it if it belongs to an `intersection` or \
+         `difference`; its `max_extent` is not a number.",
+        "The whole box is drawn, and `min_extent` and `max_extent` end at 1e10.",
+        &["light_cases/infinite_boxes_rotated"],
     ),
     differing_quirk(
         "smooth_triangle_normal_steps",

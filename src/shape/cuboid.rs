@@ -1,23 +1,24 @@
 //! `box { corner_1, corner_2 }`: a brick with its faces parallel to the coordinate planes.
 //!
-//! The corners are any two opposite ones. A box without thickness is a rectangle.
+//! The corners are any two opposite ones. A box without thickness is a rectangle. A box with an infinite corner has no
+//! end there.
 //!
 //! ```pov
 //! box { <-1, 0, -1>, <1, 0.5, 1> pigment { color rgb <0.6, 0.4, 0.2> } }
 //! ```
 
-use super::{Crossing, End, HalfSpaces, Hit, Hits, Kernel, Shape, check_finite};
-use crate::diagnostic::Result;
-use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
+use super::{Crossing, End, HUGE, HalfSpaces, Hit, Hits, Kernel, Shape, check_finite, transformed_box};
+use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform};
 use crate::value::{Param, Readable, Reader, Spec, ValueKind};
 use serde::Serialize;
 
 /// Axis-aligned box of the scene language (`Box` is a type of Rust).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cuboid {
-    /// Corner of the box with the smaller coordinates.
+    /// Corner of the box with the smaller coordinates, which are finite or -∞.
     pub min: DVec3,
-    /// Corner of the box with the larger coordinates.
+    /// Corner of the box with the larger coordinates, which are finite or ∞.
     pub max: DVec3,
 }
 
@@ -25,6 +26,14 @@ impl Cuboid {
     /// Creates the box between two opposite corners.
     pub fn new(a: DVec3, b: DVec3) -> Self {
         Self { min: a.min(b), max: a.max(b) }
+    }
+
+    /// Reads a box whose corners must be finite.
+    ///
+    /// # Errors
+    /// A diagnostic at the first item that is not a finite vector.
+    pub fn read_finite(r: &mut dyn Reader) -> Result<Self> {
+        Ok(Self::new(r.vector()?, r.vector()?))
     }
 
     /// Returns where the ray enters and leaves the box, each with its face: axis · 2, plus 1 on the side of `max`
@@ -68,8 +77,17 @@ impl Readable for Cuboid {
 
     fn read(r: &mut dyn Reader) -> Result<Self> {
         let span = r.span();
-        let (a, b) = (r.vector()?, r.vector()?);
-        check_finite(span, &[a, b], &[])?;
+        let (a, b) = (r.unchecked_vector()?, r.unchecked_vector()?);
+        if a.is_finite() && b.is_finite() {
+            return Ok(Self::new(a, b));
+        }
+        // quirk: infinite_box
+        let is_at_infinity = |axis: usize| a[axis] == b[axis] && a[axis].is_infinite();
+        if a.is_nan() || b.is_nan() || (0..3).any(is_at_infinity) {
+            check_finite(span, &[a, b], &[])?;
+        }
+        let warning = Diagnostic::new(codes::INFINITE, span, "this `box` has no end: a corner is infinite");
+        r.report(warning.help("look for a division by zero; for a half-space take `plane`"));
         Ok(Self::new(a, b))
     }
 }
@@ -77,6 +95,11 @@ impl Readable for Cuboid {
 impl Kernel for Cuboid {
     fn bounds(&self) -> Aabb {
         Aabb { min: self.min, max: self.max }
+    }
+
+    fn pov_bounds(&self, m: &Transform) -> Aabb {
+        let around = transformed_box(m, &self.bounds());
+        if self.bounds().is_finite() { around } else { around.intersection(HUGE) }
     }
 
     fn half_spaces(&self) -> HalfSpaces {
@@ -114,9 +137,10 @@ impl Kernel for Cuboid {
     /// Returns surface coordinates on a cross of six squares, into which the box is unfolded, four wide and three high
     /// (manual, picture "UV Boxmap").
     fn uv(&self, p: DVec3, hit: &Hit) -> DVec2 {
-        // 0 … 1 along each edge; a flat box has 0.
+        // 0 … 1 along each edge; 0 along an edge without length or end.
         let size = self.max - self.min;
-        let f = DVec3::select(size.cmpgt(DVec3::ZERO), (p - self.min) / size, DVec3::ZERO);
+        let has_length = size.cmpgt(DVec3::ZERO) & size.cmplt(DVec3::INFINITY);
+        let f = DVec3::select(has_length, (p - self.min) / size, DVec3::ZERO);
         let (u, v) = match hit.part {
             0 => (f.z, 1.0 + f.y),
             1 => (3.0 - f.z, 1.0 + f.y),
@@ -191,9 +215,25 @@ mod tests {
     }
 
     #[test]
+    fn endless() {
+        let beam = read_shape::<Cuboid>("<-inf,-1,-1> <inf,1,1>").0.unwrap();
+        let across = Ray::new(DVec3::new(1e9, 0.5, -5.0), DVec3::Z);
+        assert_eq!(all_hits(&beam, &across), [Hit::on_piece(4.0, 4), Hit::on_piece(6.0, 5)]);
+        assert_eq!(all_hits(&beam, &Ray::new(DVec3::ZERO, DVec3::X)), []);
+        assert_eq!(beam.closest(&Ray::new(DVec3::ZERO, -DVec3::X), Range::FORWARD), None);
+        assert!(beam.inside(DVec3::X * -1e300) && !beam.inside(DVec3::Y * 2.0));
+        assert_eq!(beam.uv(DVec3::new(7.0, 0.5, -1.0), &Hit::on_piece(4.0, 4)), DVec2::new(1.0, 1.75 / 3.0));
+        let turned = Transform::rotate(DVec3::new(10.0, 20.0, 30.0));
+        assert_eq!(beam.bounds_under(&turned), Aabb::INFINITE);
+        assert_eq!(beam.pov_bounds(&turned), HUGE);
+    }
+
+    #[test]
     fn reading() {
         let shape = read_shape::<Cuboid>("1 -1").0.unwrap();
         assert_eq!(shape, unit());
-        assert_eq!(read_shape::<Cuboid>("<1,nan,0> 0").0.unwrap_err().code.0, "E0210");
+        for bad in ["<1,nan,0> 0", "<inf,1,1> <inf,-1,-1>"] {
+            assert_eq!(read_shape::<Cuboid>(bad).0.unwrap_err().code.0, "E0210", "{bad}");
+        }
     }
 }

@@ -121,6 +121,8 @@ pub trait Reader {
     fn optional_float(&mut self) -> Result<Option<f64>>;
     /// Reads a vector of three components; a number fills all three.
     fn vector(&mut self) -> Result<DVec3>;
+    /// Reads a vector of three components, which may be infinite or NaN; a number fills all three.
+    fn unchecked_vector(&mut self) -> Result<DVec3>;
     /// Reads a vector of two components; a number fills both.
     fn vector2(&mut self) -> Result<DVec2>;
     /// Reads exactly `n` numbers in `< >`; more than five only as a literal, as in `matrix`.

@@ -50,7 +50,7 @@ const DIFFERS: &[(&str, &str)] = &[
     ("blob_thin_components", "quirk: blob_thin_components"),
     ("coplanar_boxes", "quirk: coplanar_boxes"),
     ("far_away", "quirk: far_hits"),
-    ("infinite_boxes", "quirk: infinite_box"),
+    ("infinite_boxes_rotated", "quirk: rotated_infinite_box"),
     ("isosurface_csg_shadow", "quirk: isosurface_csg_shadows"),
     ("julia_transcendental", "quirk: hypercomplex_functions"),
     ("parametric_coarse", "quirk: parametric_accuracy"),

@@ -159,6 +159,12 @@ impl Reader for Interpreter<'_> {
         finite(as_vector(&value, span)?, span)
     }
 
+    fn unchecked_vector(&mut self) -> Result<DVec3> {
+        self.expect_value("a vector")?;
+        let (value, span) = self.read_value()?;
+        as_vector(&value, span)
+    }
+
     fn vector2(&mut self) -> Result<DVec2> {
         let v = self.vector()?;
         Ok(DVec2::new(v.x, v.y))

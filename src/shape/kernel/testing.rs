@@ -141,6 +141,10 @@ impl Reader for Words {
         }
     }
 
+    fn unchecked_vector(&mut self) -> Result<DVec3> {
+        self.vector()
+    }
+
     fn vector2(&mut self) -> Result<DVec2> {
         self.vector().map(|v| v.truncate())
     }

@@ -97,7 +97,7 @@ impl Container {
         let container = match r.next()? {
             Next::Block("box") => {
                 r.take_token()?;
-                Self::Box(Cuboid::read(r)?)
+                Self::Box(Cuboid::read_finite(r)?)
             }
             Next::Block("sphere") => {
                 r.take_token()?;
