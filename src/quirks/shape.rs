@@ -100,10 +100,9 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "`inside()` and CSG count points 1e-10 beyond a plane as inside; closed cylinders and cones end 1e-10 before their surface, open ones 1e-10 beyond their ends.",
         &["tests/lang/geometry.scene"],
     ),
-    differing_quirk(
+    emulated_quirk(
         "isosurface_csg_shadows",
-        "In CSG, shadow rays pass more surfaces of a transparent isosurface than `max_trace`.",
-        "`max_trace` limits all rays.",
+        "At each transparent surface that a shadow ray passes, `max_trace` counts the hits on an isosurface in CSG anew.",
         &["light_cases/isosurface_csg_shadow"],
     ),
     emulated_quirk(

@@ -147,6 +147,9 @@ impl Tracer<'_> {
 /// before than the minimum distance is skipped: a thinner box filters once, and so does the edge of its shadow (quirk:
 /// `shadow_min_distance`).
 fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32) -> bool) -> Vec<Intersection<'w>> {
+    if world.restarts_shadow_rays {
+        return surfaces_one_by_one(world, ray, range, filters);
+    }
     let mut surfaces = vec![];
     let _ = world.geometry.visit(ray, range, filters, &mut |hit| {
         surfaces.push(hit);
@@ -161,5 +164,29 @@ fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32)
         }
         counts
     });
+    surfaces
+}
+
+/// Returns the same surfaces as [`surfaces`], but each is found by a ray that starts at the surface before (quirk:
+/// `isosurface_csg_shadows`).
+fn surfaces_one_by_one<'w>(
+    world: &'w World,
+    ray: &Ray,
+    range: Range,
+    filters: impl Fn(u32) -> bool,
+) -> Vec<Intersection<'w>> {
+    let mut surfaces: Vec<Intersection> = vec![];
+    let (mut onward, mut left, mut start) = (*ray, range, 0.0);
+    while let Some(mut hit) = world.geometry.closest(&onward, left, &filters) {
+        hit.hit.t += start;
+        // Far away, a step can be smaller than the rounding error of the distance.
+        if hit.t() <= start {
+            break;
+        }
+        start = hit.t();
+        surfaces.push(hit);
+        onward.origin = ray.at(start);
+        left = Range { min: world.epsilon.shadow, max: range.max - start };
+    }
     surfaces
 }

@@ -96,6 +96,8 @@ pub struct World {
     pub opacity_by_color: bool,
     /// True if any object transmits light.
     pub see_through: bool,
+    /// True if a shadow ray starts anew at each surface that it passes (quirk: `isosurface_csg_shadows`).
+    pub restarts_shadow_rays: bool,
     /// True if any interior refracts light.
     pub bends: bool,
     /// True if any interior disperses light.

@@ -51,7 +51,6 @@ const DIFFERS: &[(&str, &str)] = &[
     ("coplanar_boxes", "quirk: coplanar_boxes"),
     ("far_away", "quirk: far_hits"),
     ("infinite_boxes_rotated", "quirk: rotated_infinite_box"),
-    ("isosurface_csg_shadow", "quirk: isosurface_csg_shadows"),
     ("julia_transcendental", "quirk: hypercomplex_functions"),
     ("parametric_coarse", "quirk: parametric_accuracy"),
     ("sor_sturm_transparent", "quirk: sor_sturm"),

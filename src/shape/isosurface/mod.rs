@@ -17,7 +17,7 @@ mod search;
 mod walk;
 
 use super::formula::{self, Container, Formula};
-use super::{Hit, Hits, Kernel, check_finite};
+use super::{Hit, Hits, Kernel, Quirks, check_finite};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::function::Interval;
 use crate::math::{Aabb, DVec3, Range, Ray, tolerance};
@@ -295,6 +295,8 @@ impl Readable for Isosurface {
 }
 
 impl Kernel for Isosurface {
+    const QUIRKS: Quirks = Quirks { hits_depend_on_origin: true, ..Quirks::NONE };
+
     fn bounds(&self) -> Aabb {
         self.container.bounds()
     }

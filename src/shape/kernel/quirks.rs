@@ -24,6 +24,8 @@ pub struct Quirks {
     pub embedded_textures_on_both_sides: bool,
     /// True if embedded textures move with the shape even under `uv_mapping` (quirk: `blob_textures_move`).
     pub moves_embedded_textures: bool,
+    /// True if the hits on this kind of shape depend on the ray's origin (quirk: `isosurface_csg_shadows`).
+    pub hits_depend_on_origin: bool,
 }
 
 /// Effect of `bounded_by` on a single shape.
@@ -47,5 +49,6 @@ impl Quirks {
         keeps_texture_sides: false,
         embedded_textures_on_both_sides: false,
         moves_embedded_textures: false,
+        hits_depend_on_origin: false,
     };
 }

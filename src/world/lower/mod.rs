@@ -88,6 +88,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
     let lit_by = lowering.lights_of_groups();
     let noise = scene.settings.noise_generator.unwrap_or_default();
     let Lowering { parts, objects, cuts, materials, interiors, media, filled, lights, photons, .. } = lowering;
+    let restarts_shadow_rays = lowering.has_origin_dependent_hits;
     let eye = scene.camera.lower(noise, scene.settings.number_of_waves);
     let geometry = Geometry::from(builder);
     Ok(World {
@@ -96,6 +97,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
         camera_source: scene.cameras.last().copied().unwrap_or(Span::NONE),
         geometry,
         see_through: objects.iter().any(|o| !o.opaque),
+        restarts_shadow_rays,
         bends: interiors.iter().any(|interior| interior.ior != 1.0 || interior.dispersion != 1.0),
         disperses: interiors.iter().any(|interior| interior.dispersion != 1.0),
         colors_light: interiors.iter().any(|interior| interior.colors_light()),
@@ -169,6 +171,8 @@ struct Lowering {
     groups: Vec<Group>,
     /// Numbers of the lights outside of all groups.
     global: Vec<u32>,
+    /// True if the hits on any lowered shape depend on the ray's origin (quirk: `isosurface_csg_shadows`).
+    has_origin_dependent_hits: bool,
 }
 
 /// A `light_group` while it is lowered.
@@ -326,6 +330,7 @@ impl Lowering {
         if bounds.min.is_nan() || bounds.max.is_nan() {
             return not_finite(object.source);
         }
+        self.has_origin_dependent_hits |= shape.quirks().hits_depend_on_origin;
         let look = own.texture.clone().unwrap_or_else(|| self.default_look());
         let outside = self.lower_look(&look);
         let hides_inside = shape.quirks().embedded_textures_on_both_sides && object.uncommon.embedded.is_some();
