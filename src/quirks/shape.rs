@@ -88,7 +88,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "Hypercomplex Julia fractals of other functions than `sqr` have hits up to a step of 1/`precision` off the \
          surface, specks on the ball of radius 4, and normals in other directions than the gradient of the orbit's length.",
         "Hits are exact, and normals are gradients: rounding decides where POV-Ray's specks are, and its normals \
-         follow no product of the iterates and their derivatives.",
+         follow no product of two iterates or derivatives.",
         &["light_cases/julia_transcendental"],
     ),
     emulated_quirk(
