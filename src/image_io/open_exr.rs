@@ -104,7 +104,7 @@ mod tests {
         let (mut bytes, place) = black(64, 32);
         let pixels = decode_exr(&bytes).unwrap();
         assert_eq!((pixels.width, pixels.height, pixels.channels), (64, 32, 4));
-        for corner in [[0x00ff_ffff, 0x00ff_ffff], [0x7fff_fff0, 31], [63, 0x000f_ffff]] {
+        for corner in [[0x00ff_ffff, 0x00ff_ffff], [0x0fff_fff0, 31], [63, 0x000f_ffff]] {
             bytes[place..place + 8].copy_from_slice(&corner.map(i32::to_le_bytes).concat());
             let fault = decode_exr(&bytes).unwrap_err();
             assert!(fault.contains("too small"), "{fault}");

@@ -12,6 +12,7 @@ mod quadratic;
 mod ray;
 pub mod rng;
 mod sheared;
+pub mod statistics;
 pub mod tolerance;
 mod transform;
 

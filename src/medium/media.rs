@@ -59,7 +59,7 @@ pub struct MediaSampling {
 
 impl MediaSampling {
     /// Returns the default parameters; with `random`, those before version 3.5 (quirk: `media_defaults`).
-    fn new(random: bool) -> Self {
+    pub fn new(random: bool) -> Self {
         Self {
             method: if random { SamplingMethod::Random } else { SamplingMethod::Adaptive },
             intervals: if random { 10 } else { 1 },

@@ -1,6 +1,6 @@
 //! Regions outside of which a pattern's number is 0.
 
-use crate::math::{Aabb, DVec3};
+use crate::math::{Aabb, DVec3, fp};
 
 /// Region around the origin, at most one unit away, outside of which a pattern's number is 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ impl Support {
         match self {
             Self::Ball => nearest.length() > EXTENT,
             Self::Cube => nearest.max_element() > EXTENT,
-            Self::Cylinder => nearest.x.hypot(nearest.z) > EXTENT,
+            Self::Cylinder => fp::hypot(nearest.x, nearest.z) > EXTENT,
             Self::Slab => nearest.y > EXTENT,
         }
     }

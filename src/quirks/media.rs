@@ -47,6 +47,13 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/media_method_3_levels", "light_cases/media_method_3_intervals", "light_cases/media_method_2"],
     ),
     emulated_quirk(
+        "media_confidence",
+        "Methods 1 and 2 stop after n of at most m samples if in each channel the variance of the mean light, times the \
+         squared length of the interval, is at most `variance` χ²(n) / χ²(m - 1), with the quantiles of the chi-square \
+         distribution for 1 - `confidence`.",
+        &["src/transport/media.rs::sampling_stops_where_pov_ray_does"],
+    ),
+    emulated_quirk(
         "phase_functions",
         "Scattering of types 2 to 4 is multiplied by 0.576656, 0.495716 and 0.799372, so that light is neither lost nor \
          doubled as the physical laws demand. `eccentricity` above 0 scatters forwards.",

@@ -7,7 +7,7 @@ use super::random::{Purpose, RandomSequence};
 use super::tracer::Tracer;
 use crate::atmosphere::Segment;
 use crate::color::Rgb;
-use crate::math::{DVec3, Ray, fp};
+use crate::math::{DVec3, Ray, fp, statistics};
 use crate::medium::{MediaSampling, SamplingMethod};
 use crate::world::{LightSource, Medium};
 use smallvec::SmallVec;
@@ -202,8 +202,10 @@ impl<'w> Tracer<'w> {
         let (length, draws) = (to - from, interval.draws);
         let mut mean = RunningMean::default();
         let (least, most) = (sampling.min_samples, sampling.max_samples);
+        let rule = (least < most).then(|| StoppingRule::new(sampling, length));
         for i in 0..most {
-            if i >= least && mean.is_certain(sampling) || self.is_stopped_at_next_surface() {
+            let is_certain = i >= least && rule.as_ref().is_none_or(|rule| rule.is_certain(&mean));
+            if is_certain || self.is_stopped_at_next_surface() {
                 break;
             }
             let share = match sampling.method {
@@ -367,16 +369,72 @@ impl RunningMean {
         PointSample::sum(&[(weight, self.sum)])
     }
 
-    /// True if the variance of the mean is below `variance` with the probability `confidence`, by Chebyshev's
-    /// inequality.
-    fn is_certain(&self, sampling: &MediaSampling) -> bool {
+    /// Returns the largest variance of the mean light of all channels.
+    fn variance_of_mean(&self) -> f64 {
         let mean = self.sum.light / self.count;
-        let variance = (self.squares / self.count - mean * mean).max_element() / self.count;
-        variance <= sampling.variance * (1.0 - sampling.confidence)
+        (self.squares / self.count - mean * mean).max_element() / self.count
+    }
+}
+
+/// Rule by which methods 1 and 2 stop between the minimum and the maximum number of samples (quirk: `media_confidence`).
+struct StoppingRule {
+    /// Maximum variance of the mean, per squared world unit, times the chi-square quantile for the maximum number of
+    /// samples.
+    scaled_variance: f64,
+    /// Quantile of the standard normal distribution for 1 - `confidence`.
+    normal_quantile: f64,
+}
+
+impl StoppingRule {
+    /// Creates the rule for an interval of the length `length`.
+    fn new(sampling: &MediaSampling, length: f64) -> Self {
+        let normal_quantile = statistics::normal_quantile(1.0 - sampling.confidence);
+        let most = f64::from(sampling.max_samples.max(2) - 1);
+        let per_sample = sampling.variance / statistics::chi_square_quantile(most, normal_quantile);
+        Self { scaled_variance: per_sample / (length * length), normal_quantile }
+    }
+
+    /// True if no further sample is needed.
+    fn is_certain(&self, mean: &RunningMean) -> bool {
+        let quantile = statistics::chi_square_quantile(mean.count, self.normal_quantile);
+        mean.variance_of_mean() <= self.scaled_variance * quantile
     }
 }
 
 /// Returns the number of samples of an interval by method 3 before it is refined.
 fn adaptive_count(sampling: &MediaSampling) -> u32 {
     (sampling.min_samples / 2 + 2).max(3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With POV-Ray's own numbers: the largest amplitude of light, at every other sample, at which n samples are enough.
+    #[test]
+    fn sampling_stops_where_pov_ray_does() {
+        // Samples, maximum, confidence, length, and POV-Ray's squared amplitude / 4 / `variance`.
+        for (n, most, confidence, length, found) in [
+            (8, 5000, 0.5, 2.0, 0.00294),
+            (8, 5000, 0.5, 4.0, 0.00294 / 4.0),
+            (8, 500, 0.5, 2.0, 0.02948),
+            (8, 50, 0.5, 2.0, 0.3039),
+            (32, 5000, 0.9, 2.0, 0.03657),
+            (64, 5000, 0.1, 2.0, 0.24607),
+            (64, 5000, 0.99, 2.0, 0.13637),
+        ] {
+            let mut sampling = MediaSampling::new(false);
+            (sampling.variance, sampling.confidence, sampling.max_samples) = (0.01, confidence, most);
+            let is_certain = |squared: f64| {
+                let mut mean = RunningMean::default();
+                let amplitude = (4.0 * 0.01 * squared).sqrt();
+                for i in 0..n {
+                    let light = Rgb::splat(amplitude * f64::from(i % 2));
+                    mean.add(&PointSample { light, extinction: Rgb::ZERO });
+                }
+                StoppingRule::new(&sampling, length).is_certain(&mean)
+            };
+            assert!(is_certain(0.98 * found) && !is_certain(1.02 * found), "{n} of {most}, {confidence}, {length}");
+        }
+    }
 }
