@@ -119,6 +119,9 @@ fn irregular_tokens_are_kept_and_formatting_is_idempotent() {
         // A quotation mark without its partner before a comma, and quoted text on the next line
         "sphere { 'A\n, 'B' }",
         "sphere { ‘}\n, 'B'",
+        // A control character between a `.` and a word
+        "#declare C = A.\u{f}B;",
+        "#declare C = A.\u{7f}B;",
         // Lines that are broken where a bracket has no partner
         &loose_characters,
         "camera { location <0, 2, -5> look_at 0 }\ntriangle { 0, x, 2*macromooth_triangle { 0, y, x, y, z, -y }",
