@@ -47,18 +47,7 @@ fn world(text: &str) -> World {
 fn frames(c: &mut Criterion) {
     let mut group = c.benchmark_group("frame");
     group.sample_size(10);
-    let options = |width, height, antialias| Options {
-        width,
-        height,
-        antialias,
-        sampling: Default::default(),
-        quality: 9,
-        threads: 0,
-        region: None,
-        outside_alpha: 0.0,
-        frame: 0,
-        alpha: false,
-    };
+    let options = |width, height, antialias| Options { antialias, threads: 0, ..Options::new(width, height) };
     let small = world(SMALL);
     let many = world(MANY);
     let cases = [

@@ -140,16 +140,13 @@ const DEFAULT_QUALITY: u8 = 9;
 pub fn drawing_options(scene: &SceneArgs, look: &LookArgs, threads: usize, timing: Timing) -> render::Options {
     let Size { width, height } = scene.size();
     render::Options {
-        width,
-        height,
         antialias: look.aa.map_or(Some(DEFAULT_THRESHOLD), |aa| aa.0),
         sampling: sampling(look),
         quality: look.quality.unwrap_or(DEFAULT_QUALITY),
         threads,
-        region: None,
-        outside_alpha: 0.0,
         frame: timing.frame,
         alpha: look.alpha,
+        ..render::Options::new(width, height)
     }
 }
 

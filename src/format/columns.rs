@@ -1,5 +1,7 @@
 //! Alignment of comments at the ends of lines: comments that the author aligned stay aligned.
 
+use rustc_hash::FxHashMap;
+
 /// A comment at the end of a line, after other text.
 pub struct Trailing {
     /// Offset of the comment's first byte in the new text.
@@ -32,18 +34,22 @@ pub fn align(text: &str, comments: &[Trailing]) -> String {
     out
 }
 
+/// Returns the new column of each comment. Comments that share a column of the author's text are a group as long as each
+/// is near the previous one. A group's widest line decides its column, so that groups with equal new columns have the
+/// same column after the next pass, in which they are one group.
 fn columns(comments: &[Trailing]) -> Vec<usize> {
     let mut groups: Vec<Vec<usize>> = vec![];
+    // Index of the latest group in each column of the author's text.
+    let mut latest: FxHashMap<usize, usize> = FxHashMap::default();
     for (i, comment) in comments.iter().enumerate() {
-        // The groups of the last lines; earlier ones are too far away.
-        let near = |group: &&mut Vec<usize>| {
-            group.last().is_some_and(|last| {
-                comments[*last].written == comment.written && comment.line - comments[*last].line <= NEAR
-            })
-        };
-        match groups.iter_mut().rev().take(NEAR as usize).find(near) {
-            Some(group) => group.push(i),
-            None => groups.push(vec![i]),
+        let near =
+            |group: &&usize| groups[**group].last().is_some_and(|last| comment.line - comments[*last].line <= NEAR);
+        match latest.get(&comment.written).filter(near) {
+            Some(group) => groups[*group].push(i),
+            None => {
+                latest.insert(comment.written, groups.len());
+                groups.push(vec![i]);
+            }
         }
     }
     let mut columns = vec![0; comments.len()];
@@ -52,4 +58,30 @@ fn columns(comments: &[Trailing]) -> Vec<usize> {
         group.iter().for_each(|i| columns[*i] = column);
     }
     columns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Trailing, columns};
+
+    #[test]
+    fn comments_in_columns_that_were_assigned_keep_them() {
+        let mut seed = 1525u32;
+        let mut random = |n: u32| {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (seed >> 16) % n
+        };
+        for _ in 0..1000 {
+            let mut line = 0;
+            let comment = |_| {
+                line += 1 + random(8) / 7 * random(9);
+                let end = random(8) as usize;
+                Trailing { at: 0, line, end, written: end + random(12) as usize }
+            };
+            let mut comments: Vec<Trailing> = (0..40).map(comment).collect();
+            let once = columns(&comments);
+            comments.iter_mut().zip(&once).for_each(|(comment, column)| comment.written = *column);
+            assert_eq!(columns(&comments), once);
+        }
+    }
 }

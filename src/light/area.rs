@@ -7,6 +7,7 @@ use crate::value::Reader;
 use crate::value::ValueKind::{Flag, Float, Nothing, Vector};
 use crate::value::words::{Row, set, word};
 use serde::Serialize;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Grid of an area light's point lights about its location.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -66,6 +67,8 @@ pub(super) const AREA_ROWS: &[Row<Light>] = &[
 const MOST: f64 = 1e5;
 /// Displacement of the lights of a circular area light, as a share of half a side (quirk: `circular_area_light`).
 const BESIDE: f64 = 0.002;
+/// Distance from the outermost lights to the sides of the hull of an area light, as a share of half a side.
+const OUTWARDS: f64 = BESIDE + 1e-6;
 
 impl Light {
     fn read_area(&mut self, r: &mut dyn Reader) -> Result<()> {
@@ -100,8 +103,7 @@ impl Area {
         };
         // Map to [-1, 1]
         let (mut u, mut v) = (place(0), place(1));
-        // quirk: oriented_area_is_circular
-        if (self.circular || self.orient) && self.size.iter().all(|n| *n > 1) {
+        if self.is_disc() {
             (u, v) = (u + BESIDE, v + BESIDE);
             // Map the square to a disc.
             let shrink = u.abs().max(v.abs()) / (u * u + v * v).sqrt().max(f64::MIN_POSITIVE);
@@ -109,6 +111,32 @@ impl Area {
         }
         let [a, b] = if self.orient { self.sides_facing(toward) } else { self.axes };
         (a * u + b * v) * 0.5
+    }
+
+    /// Returns the offsets of the corners, in order around it, of a parallelogram that contains the lights from `low` to
+    /// `high`, with any jitter. `toward` is the direction to the illuminated point, length 1.
+    pub fn hull(&self, low: [u32; 2], high: [u32; 2], toward: DVec3) -> [DVec3; 4] {
+        let place = |i: usize, cell: u32, outwards: f64| {
+            let steps = f64::from(self.size[i].max(2) - 1);
+            let middle = if self.size[i] == 1 { 0.5 * steps } else { f64::from(cell) };
+            let jitter = if self.jitter { 1.0 / steps } else { 0.0 };
+            2.0 * middle / steps - 1.0 + outwards * (jitter + OUTWARDS)
+        };
+        // The map to a disc multiplies coordinates by a factor between √½ and 1.
+        let least_factor = if self.is_disc() { FRAC_1_SQRT_2 } else { 1.0 };
+        let ends = |i: usize| {
+            let (start, end) = (place(i, low[i], -1.0), place(i, high[i], 1.0));
+            [start.min(start * least_factor), end.max(end * least_factor)]
+        };
+        let [a, b] = if self.orient { self.sides_facing(toward) } else { self.axes };
+        let ([u0, u1], [v0, v1]) = (ends(0), ends(1));
+        [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].map(|[u, v]| (a * u + b * v) * 0.5)
+    }
+
+    /// True if the grid is mapped to a disc (quirk: `oriented_area_is_circular`).
+    #[inline]
+    fn is_disc(&self) -> bool {
+        (self.circular || self.orient) && self.size.iter().all(|n| *n > 1)
     }
 
     /// Returns the sides of an area light's grid that faces a direction: the first side is perpendicular to z, or to y
@@ -152,6 +180,36 @@ mod tests {
             assert!(offset.dot(toward).abs() < 1e-15);
             // Corners are as far from the centre as the middles of sides.
             assert!((offset.length() - 1.5).abs() < 1.5 * 1.001 * BESIDE);
+        }
+    }
+
+    #[test]
+    fn hulls_contain_the_lights_of_their_pieces() {
+        let toward = DVec3::new(0.48, -0.6, 0.64);
+        let axes = [DVec3::X * 3.0, DVec3::new(0.5, 2.0, 0.0)];
+        for (size, options) in [([9, 7], 0), ([9, 7], 7), ([1, 12], 3), ([12, 1], 7)]
+            .iter()
+            .flat_map(|(size, most)| (0..=*most).map(move |options| (*size, options)))
+        {
+            let [jitter, circular, orient] = [1, 2, 4].map(|bit| options & bit != 0);
+            let area = Area { axes, size, jitter, circular, orient, ..Area::default() };
+            for (low, high) in
+                [([0, 0], [8, 6]), ([0, 0], [3, 3]), ([4, 2], [5, 6]), ([7, 6], [8, 6]), ([2, 2], [2, 2])]
+            {
+                let [low, high] =
+                    [low, high].map(|cell: [u32; 2]| [cell[0].min(size[0] - 1), cell[1].min(size[1] - 1)]);
+                let [corner, right, _, up] = area.hull(low, high, toward);
+                let (u, v) = (right - corner, up - corner);
+                let normal = u.cross(v);
+                for cell in (low[0]..=high[0]).flat_map(|i| (low[1]..=high[1]).map(move |j| [i, j])) {
+                    for random in [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.3, 0.6]] {
+                        let p = area.light_offset(cell, toward, jitter.then_some(random)) - corner;
+                        let at = [p.cross(v).dot(normal), u.cross(p).dot(normal)].map(|x| x / normal.length_squared());
+                        assert!(at.iter().all(|x| (0.0..=1.0).contains(x)), "{area:?} {cell:?} {at:?}");
+                        assert!(p.dot(normal).abs() < 1e-12 * normal.length());
+                    }
+                }
+            }
         }
     }
 }

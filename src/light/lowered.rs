@@ -66,6 +66,11 @@ impl LoweredLight {
         }
     }
 
+    /// True if all rays of the light are parallel.
+    pub fn is_parallel(&self) -> bool {
+        self.parallel
+    }
+
     /// Returns the light that reaches the point `p` from the light at `offset` from the location.
     pub fn sample(&self, p: DVec3, offset: DVec3) -> LightSample {
         // quirk: area_light_tube

@@ -25,7 +25,7 @@ use sampler::FrameCamera;
 use workers::Workers;
 
 /// Options of a render. Size, anti-aliasing, quality, region, frame and alpha determine every byte of the picture; the
-/// number of threads does not.
+/// number of threads and shafts do not.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// Width of the whole picture in pixels.
@@ -48,6 +48,9 @@ pub struct Options {
     pub frame: u32,
     /// True for a picture with alpha (`+UA`), whose background is transparent.
     pub alpha: bool,
+    /// True to trace no shadow rays to the parts of an area light that a shaft test proves to be visible. Shafts change
+    /// no byte of the picture.
+    pub has_shafts: bool,
 }
 
 impl Options {
@@ -64,6 +67,7 @@ impl Options {
             outside_alpha: 0.0,
             frame: 0,
             alpha: false,
+            has_shafts: true,
         }
     }
 }

@@ -20,5 +20,6 @@ pub(super) fn prepare<'w>(
         return Err(Cancelled);
     }
     let origin = CameraOrigin { origin: camera.view.common_origin(), reach: camera.view.max_distance() };
-    Ok(FrameContext::new(world, Quality::new(options.quality), origin, options.frame, options.alpha))
+    let quality = Quality::new(options.quality);
+    Ok(FrameContext::new(world, quality, origin, options.frame, options.alpha, options.has_shafts))
 }

@@ -6,6 +6,7 @@ use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::light::{Area, LightSample};
 use crate::math::DVec3;
+use crate::math::bvh::Shaft;
 use crate::world::LightSource;
 use rustc_hash::FxHashMap;
 
@@ -14,6 +15,10 @@ use rustc_hash::FxHashMap;
 const MAX_DIFFERENCE: f64 = 0.1;
 /// Maximum number of lights of a grid whose visibilities are stored in an array.
 const MAX_ARRAY: usize = 1 << 16;
+/// Minimum number of lights of a grid for shaft tests, each of which costs as much as a few shadow rays.
+const MIN_LIGHTS: usize = 25;
+/// Minimum number of lights of a part of a grid for a shaft test.
+const MIN_PART: usize = 64;
 
 /// One evaluation of the visibility of a grid of lights.
 struct GridVisibility<'a> {
@@ -35,6 +40,59 @@ enum Known {
     Map(FxHashMap<[u32; 2], Rgb>),
 }
 
+impl Default for Known {
+    fn default() -> Self {
+        Self::Map(FxHashMap::default())
+    }
+}
+
+/// A rectangle of lights in a grid, both ends included.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    low: [u32; 2],
+    high: [u32; 2],
+}
+
+impl Piece {
+    /// Returns the number of lights.
+    fn count(&self) -> usize {
+        (0..2).map(|i| (self.high[i] - self.low[i] + 1) as usize).product()
+    }
+
+    /// Divides the piece in halves along each side with more than one light, so that each light is in one part.
+    fn parts(&self) -> [Option<Piece>; 4] {
+        let Self { low, high } = *self;
+        let ends = |i: usize| {
+            let middle = low[i] + (high[i] - low[i]) / 2;
+            [Some((low[i], middle)), (middle < high[i]).then_some((middle + 1, high[i]))]
+        };
+        let ([a, b], [c, d]) = (ends(0), ends(1));
+        [(a, c), (b, c), (a, d), (b, d)].map(|(columns, rows)| {
+            let ((left, right), (bottom, top)) = (columns?, rows?);
+            Some(Piece { low: [left, bottom], high: [right, top] })
+        })
+    }
+
+    /// Returns the weight of all lights of the piece in the mean of the grid; see [`cumulative_weights`].
+    fn weight(&self, cumulative: &[Vec<f64>; 2]) -> f64 {
+        let along = |i: usize| cumulative[i][self.high[i] as usize + 1] - cumulative[i][self.low[i] as usize];
+        along(0) * along(1)
+    }
+}
+
+impl GridVisibility<'_> {
+    /// Stores the visibility of each light of a piece, in a grid whose visibilities are in an array.
+    fn store(&mut self, piece: Piece, visibility: Rgb) {
+        let width = self.area.size[0] as usize;
+        let [first, last] = [piece.low[0], piece.high[0]].map(|column| column as usize);
+        if let Known::Array(all) = &mut self.known {
+            for row in piece.low[1] as usize..=piece.high[1] as usize {
+                all[row * width..][first..=last].fill(visibility);
+            }
+        }
+    }
+}
+
 impl Tracer<'_> {
     /// Returns the mean visibility of a grid of lights. The grid is halved both ways down to single lights; a piece
     /// counts as the mean of its corners, so inner lights count twice and four times as much as those at edges and
@@ -49,30 +107,113 @@ impl Tracer<'_> {
     ) -> Rgb {
         let [n, m] = area.size;
         let count = n as usize * m as usize;
-        let known = match count <= MAX_ARRAY {
-            true => Known::Array(vec![Rgb::NAN; count]),
-            false => Known::Map(FxHashMap::default()),
-        };
+        let all = Piece { low: [0, 0], high: [n - 1, m - 1] };
         let random = self.random.sequence(Purpose::AreaLight);
-        let mut grid = GridVisibility { light, area, point, center, inside, random, known };
-        if count > MAX_ARRAY && area.adaptive.is_none() {
-            return self.mean_of_all_lights(&grid);
+        let mut grid = GridVisibility { light, area, point, center, inside, random, known: Known::default() };
+        let mut has_shafts = self.has_shafts(light, area, point);
+        let is_stored = count <= MAX_ARRAY;
+        // Trace two shadow rays that are needed in any case: in full shadow, no shaft is clear.
+        let is_traced = has_shafts && is_stored;
+        let ends = [all.low, all.high].map(|end| (end, is_traced.then(|| self.light_visibility(&grid, end))));
+        if has_shafts {
+            let is_lit = ends.iter().all(|(_, visibility)| visibility.is_none_or(|visibility| visibility == Rgb::ONE));
+            if is_lit && self.is_clear(&grid, all) {
+                return Rgb::ONE;
+            }
+            has_shafts = !self.is_surrounded(light, point);
         }
-        self.piece_visibility(&mut grid, [0, 0], [n - 1, m - 1], 0)
+        if !is_stored && area.adaptive.is_none() {
+            let weights = area.size.map(cumulative_weights);
+            return self.weighted_visibility(&grid, &weights, all, has_shafts);
+        }
+        if is_stored {
+            grid.known = Known::Array(vec![Rgb::NAN; count]);
+        }
+        for (end, visibility) in ends {
+            visibility.into_iter().for_each(|visibility| grid.store(Piece { low: end, high: end }, visibility));
+        }
+        if has_shafts {
+            self.find_clear_parts(&mut grid, all);
+        }
+        self.piece_visibility(&mut grid, all.low, all.high, 0)
     }
 
-    /// Returns the mean visibility of a large grid that is not adaptive, without storing the lights' visibilities. The
-    /// weight of a light is the product of the weights of its column and row.
-    fn mean_of_all_lights(&mut self, grid: &GridVisibility) -> Rgb {
-        let [columns, rows] = grid.area.size.map(weights_of_halving);
-        let mut sum = Rgb::ZERO;
-        for (row, row_weight) in (0..).zip(&rows) {
-            for (column, weight) in (0..).zip(&columns) {
-                if self.is_stopped_at_next_surface() {
-                    return sum;
-                }
-                sum += self.light_visibility(grid, [column, row]) * (row_weight * weight);
+    /// True if shaft tests may replace shadow rays from the point: all lights of the grid count, they are many, and nothing
+    /// attenuates a shadow ray without hits. Air attenuates such a ray, but interiors around the point do not, since their
+    /// media end at a surface (quirk: `light_inside_media`).
+    fn has_shafts(&self, light: &LightSource, area: &Area, point: DVec3) -> bool {
+        let count = area.size[0] as usize * area.size[1] as usize;
+        self.context.has_shafts
+            && area.adaptive.is_none()
+            && count >= MIN_LIGHTS
+            && light.through.is_none()
+            && !light.emitter.is_parallel()
+            && !(light.emitter.attenuated && self.has_air())
+            && !self.is_surrounded(light, point)
+    }
+
+    /// True if the object that the last shaft to the light may hit is an object that every shaft from the point may hit.
+    fn is_surrounded(&self, light: &LightSource, point: DVec3) -> bool {
+        self.shaft_occluders[light.number].is_some_and(|last| last.surrounds(point))
+    }
+
+    /// True only if no object occludes any light of the piece: no object that casts shadows is in the shaft from the
+    /// point to the lights.
+    fn is_clear(&mut self, grid: &GridVisibility, piece: Piece) -> bool {
+        let world = self.context.world;
+        let hull = grid.area.hull(piece.low, piece.high, -grid.center.from);
+        let corners = hull.map(|offset| grid.light.emitter.location + offset);
+        let casts_shadow = |id: u32| world.objects[id as usize].shadow;
+        let last = &mut self.shaft_occluders[grid.light.number];
+        Shaft::new(grid.point, corners)
+            .is_some_and(|shaft| world.geometry.is_clear(&shaft, world.epsilon.shadow, casts_shadow, last))
+    }
+
+    /// Stores the visibilities of all lights in the clear parts of a piece that is not clear.
+    fn find_clear_parts(&mut self, grid: &mut GridVisibility, piece: Piece) {
+        if piece.count() <= MIN_PART {
+            return;
+        }
+        for part in piece.parts().into_iter().flatten().filter(|part| part.count() >= MIN_PART) {
+            let is_lit = [part.low, part.high].iter().all(|end| self.cell_visibility(grid, *end) == Rgb::ONE);
+            match is_lit && self.is_clear(grid, part) {
+                true => grid.store(part, Rgb::ONE),
+                false => self.find_clear_parts(grid, part),
             }
+        }
+    }
+
+    /// Returns the sum of the visibilities of a piece's lights, each times the weights of its column and row, without
+    /// storing the visibilities. The weights of clear parts are added without shadow rays. All sums of weights are exact,
+    /// so that shafts change no bit of the result.
+    fn weighted_visibility(
+        &mut self,
+        grid: &GridVisibility,
+        weights: &[Vec<f64>; 2],
+        piece: Piece,
+        has_shafts: bool,
+    ) -> Rgb {
+        let mut sum = Rgb::ZERO;
+        if piece.count() < MIN_PART {
+            for row in piece.low[1]..=piece.high[1] {
+                for column in piece.low[0]..=piece.high[0] {
+                    if self.is_stopped_at_next_surface() {
+                        return sum;
+                    }
+                    let weight = Piece { low: [column, row], high: [column, row] }.weight(weights);
+                    sum += self.light_visibility(grid, [column, row]) * weight;
+                }
+            }
+            return sum;
+        }
+        for part in piece.parts().into_iter().flatten() {
+            if self.is_stopped() {
+                break;
+            }
+            sum += match has_shafts && part.count() >= MIN_PART && self.is_clear(grid, part) {
+                true => Rgb::splat(part.weight(weights)),
+                false => self.weighted_visibility(grid, weights, part, has_shafts),
+            };
         }
         sum
     }
@@ -109,7 +250,7 @@ impl Tracer<'_> {
         known.unwrap_or_else(|| {
             let visibility = self.light_visibility(grid, cell);
             match &mut grid.known {
-                Known::Array(row) => row[at] = visibility,
+                Known::Array(all) => all[at] = visibility,
                 Known::Map(map) => drop(map.insert(cell, visibility)),
             }
             visibility
@@ -117,6 +258,7 @@ impl Tracer<'_> {
     }
 
     /// Returns the visibility of one light of the grid by a shadow ray.
+    #[inline]
     fn light_visibility(&mut self, grid: &GridVisibility, cell: [u32; 2]) -> Rgb {
         let offset = offset(grid.area, cell, -grid.center.from, grid.random);
         let sample = grid.light.emitter.sample(grid.point, offset);
@@ -153,6 +295,17 @@ pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomS
 fn is_uniform(corners: &[Rgb; 4], light: Rgb) -> bool {
     let apart = |a: Rgb, b: Rgb| ((a - b) * light).abs().element_sum() > MAX_DIFFERENCE;
     !(0..4).any(|i| (0..i).any(|j| apart(corners[i], corners[j])))
+}
+
+/// Returns the sums of the weights of the first 0, 1, 2, … lights along one side of a grid; see [`weights_of_halving`].
+/// All weights are multiples of a power of two, so that the sums are exact.
+fn cumulative_weights(n_lights: u32) -> Vec<f64> {
+    let mut sum = 0.0;
+    let sums = weights_of_halving(n_lights).into_iter().map(|weight| {
+        sum += weight;
+        sum
+    });
+    std::iter::once(0.0).chain(sums).collect()
 }
 
 #[cfg(test)]

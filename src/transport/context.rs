@@ -55,6 +55,8 @@ pub struct FrameContext<'w> {
     pub(super) frame: u32,
     /// True if the picture has an alpha channel.
     pub(super) keeps_alpha: bool,
+    /// True if shafts may replace shadow rays to area lights.
+    pub(super) has_shafts: bool,
     /// Interiors that contain the common origin of camera rays.
     camera_interiors: Interiors,
     /// True if rays keep a list of the interiors around them.
@@ -63,11 +65,18 @@ pub struct FrameContext<'w> {
 
 impl<'w> FrameContext<'w> {
     /// Creates the context of a frame, and finds the interiors that contain the camera.
-    pub fn new(world: &'w World, quality: Quality, camera: CameraOrigin, frame: u32, keeps_alpha: bool) -> Self {
+    pub fn new(
+        world: &'w World,
+        quality: Quality,
+        camera: CameraOrigin,
+        frame: u32,
+        keeps_alpha: bool,
+        has_shafts: bool,
+    ) -> Self {
         let tracks_interiors = world.needs_interior_lists();
         let around = |origin| interiors_around(world, origin);
         let camera_interiors = camera.origin.filter(|_| tracks_interiors).map_or_else(Interiors::new, around);
-        Self { world, quality, camera, frame, keeps_alpha, camera_interiors, tracks_interiors }
+        Self { world, quality, camera, frame, keeps_alpha, has_shafts, camera_interiors, tracks_interiors }
     }
 
     /// Returns the interiors that contain the origin of a camera ray.

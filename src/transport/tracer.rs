@@ -3,7 +3,7 @@
 use super::context::FrameContext;
 use super::random::Random;
 use super::ray_state::RayState;
-use crate::world::Blocker;
+use crate::world::{Blocker, ShaftOccluder};
 use serde::Serialize;
 
 /// Number of surfaces between two polls of the cancel flag. Two mirrors can make one camera ray take hours.
@@ -49,6 +49,8 @@ pub struct Tracer<'w> {
     surfaces_since_poll: u32,
     /// Last occluder of each light: a hint for the next shadow ray, which never changes a result.
     pub(super) occluders: Vec<Option<Blocker>>,
+    /// Last object in a shaft to each light: a hint for the next shaft test, which never changes a result.
+    pub(super) shaft_occluders: Vec<Option<ShaftOccluder>>,
     /// Rays that are still to be traced, the next one last.
     pub(super) queue: Vec<RayState>,
 }
@@ -64,6 +66,7 @@ impl<'w> Tracer<'w> {
             stopped: false,
             surfaces_since_poll: 0,
             occluders: vec![None; context.world.lights.len()],
+            shaft_occluders: vec![None; context.world.lights.len()],
             queue: vec![],
         }
     }

@@ -1,9 +1,10 @@
 //! All objects that rays can hit, with a bounding volume hierarchy.
 
+use super::halfspace::HalfSpaces;
 use super::instance::Instance;
 use super::leaf::{Intersection, Intersections, Leaf};
 use super::node::{NodeParts, SolidKind, SolidNode};
-use crate::math::bvh::{self, Bvh};
+use crate::math::bvh::{self, Bvh, Shaft};
 use crate::math::{Aabb, DVec3, Range, Ray};
 use crate::value::Family;
 use serde::Serialize;
@@ -33,6 +34,23 @@ enum Item {
 /// Index of the object that occluded a shadow ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Blocker(usize);
+
+/// An object that a shaft may hit.
+#[derive(Clone, Copy, Debug)]
+pub struct ShaftOccluder {
+    index: usize,
+    /// Box of the object, which every shaft from a point in the box may hit; `None` for an object with flat faces, whose
+    /// box such a shaft can leave without a hit.
+    bounds: Option<Aabb>,
+}
+
+impl ShaftOccluder {
+    /// True if every shaft from the point may hit the object.
+    #[inline]
+    pub fn surrounds(&self, p: DVec3) -> bool {
+        self.bounds.is_some_and(|bounds| bounds.contains(p))
+    }
+}
 
 /// A solid with the instance that it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -192,6 +210,40 @@ impl Geometry {
         before.is_some()
     }
 
+    /// Returns true only if no ray of the shaft hits an accepted object at the distance `min` or farther away. Returns
+    /// false in other cases and for many shafts without hits, because only boxes and flat faces of objects are tested.
+    /// Tests the object `last` first, which was in an earlier shaft from nearby, and stores the new one there.
+    pub fn is_clear(
+        &self,
+        shaft: &Shaft,
+        min: f64,
+        accept: impl Fn(u32) -> bool,
+        last: &mut Option<ShaftOccluder>,
+    ) -> bool {
+        let before = last.map(|occluder| occluder.index);
+        let mut is_missed = |index: usize| {
+            let item = &self.items[index];
+            if !accept(item.object()) {
+                return true;
+            }
+            let (bounds, planes) = (item.bounds(), item.half_spaces());
+            if !shaft.may_intersect(&bounds) || planes.iter().any(|plane| plane.is_left_by(shaft, min)) {
+                return true;
+            }
+            *last = Some(ShaftOccluder { index, bounds: planes.is_empty().then_some(bounds) });
+            false
+        };
+        let unbounded = self.finite..self.items.len();
+        let mut is_clear = before.into_iter().chain(unbounded).all(&mut is_missed);
+        if is_clear {
+            self.bvh.visit_leaves_in_shaft(shaft, |i| {
+                is_clear = is_missed(i);
+                if is_clear { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            });
+        }
+        is_clear
+    }
+
     /// Calls `visit` with each hit in the range on accepted objects, in no particular order, until it returns `Break`.
     pub fn visit<'a>(
         &'a self,
@@ -293,6 +345,15 @@ impl Item {
 
     fn is_unbounded(&self) -> bool {
         matches!(self, Self::Solid(node) if node.is_unbounded())
+    }
+
+    /// Returns half-spaces that contain the surface of the object; none for an instance and for most objects without flat
+    /// faces.
+    fn half_spaces(&self) -> HalfSpaces {
+        match self {
+            Self::Solid(node) => node.half_spaces(),
+            Self::Instance(_) => HalfSpaces::new(),
+        }
     }
 
     #[inline]

@@ -3,6 +3,7 @@
 //! A box is clipped by one half-space after the other, as a convex polyhedron (Sutherland and Hodgman, Reentrant
 //! polygon clipping, 1974, face by face). All rounding is outwards: both the half-spaces and the box get a margin.
 
+use crate::math::bvh::Shaft;
 use crate::math::{Aabb, DVec3, Transform, tolerance};
 use crate::shape::{Kernel, Shape};
 use smallvec::SmallVec;
@@ -15,6 +16,9 @@ const FAR: f64 = 1e4;
 const FARTHEST: f64 = 1e100;
 /// Distance by which each half-space is moved outwards, relative to the box's largest coordinate.
 const MARGIN: f64 = 1e-10;
+
+/// Rounding error of the height above a half-space, relative to the coordinates, with a reserve.
+const NOISE: f64 = 1e-12;
 
 /// Half-space of all points p with normal·p ≤ distance.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +39,18 @@ impl HalfSpace {
         let (length, distance) = (n.length(), distance - normal.dot(m.inv.translation));
         let plane = Self { normal: n / length, distance: distance / length };
         (length > 0.0 && plane.normal.is_finite() && plane.distance.is_finite()).then_some(plane)
+    }
+
+    /// True if each ray of the shaft leaves the half-space within half the distance `min` and does not return, so that
+    /// it hits nothing in the half-space at `min` or farther away.
+    pub fn is_left_by(&self, shaft: &Shaft, min: f64) -> bool {
+        let height = |p: DVec3| self.normal.dot(p) - self.distance;
+        let noise = NOISE * (self.distance.abs() + shaft.apex.abs().max_element());
+        let start = height(shaft.apex) - noise;
+        let end = shaft.corners.iter().map(|p| height(*p)).fold(f64::INFINITY, f64::min);
+        let length = shaft.corners.iter().map(|p| p.distance(shaft.apex)).fold(0.0, f64::max);
+        // Heights are linear along a ray.
+        end > 0.0 && start * length + (end - start) * (0.5 * min) > 0.0
     }
 
     fn is_slanted(&self) -> bool {

@@ -15,7 +15,7 @@ mod probe;
 mod ray_epsilon;
 mod sky;
 
-pub use geometry::{Blocker, Geometry, PlacedSolid};
+pub use geometry::{Blocker, Geometry, PlacedSolid, ShaftOccluder};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
 pub use lower::{lower, lower_away};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};

@@ -355,19 +355,7 @@ fn options(folder: &Path) -> Options {
 }
 
 fn drawing(width: usize, height: usize) -> render::Options {
-    let antialias = Some(0.1);
-    render::Options {
-        width,
-        height,
-        antialias,
-        sampling: render::Sampling::default(),
-        quality: 9,
-        threads: 1,
-        region: None,
-        outside_alpha: 0.0,
-        frame: 0,
-        alpha: false,
-    }
+    render::Options { antialias: Some(0.1), ..render::Options::new(width, height) }
 }
 
 /// Warnings about a scene's picture.

@@ -119,12 +119,26 @@ fn irregular_tokens_are_kept_and_formatting_is_idempotent() {
         // A quotation mark without its partner before a comma, and quoted text on the next line
         "sphere { 'A\n, 'B' }",
         "sphere { ‘}\n, 'B'",
+        // A control character between a `.` and a word
+        "#declare C = A.\u{f}B;",
+        "#declare C = A.\u{7f}B;",
         // Lines that are broken where a bracket has no partner
         &loose_characters,
         "camera { location <0, 2, -5> look_at 0 }\ntriangle { 0, x, 2*macromooth_triangle { 0, y, x, y, z, -y }",
         "camera { location <0, 2, 0, 1< pigment { Red } <d\n",
     ];
     hold(texts.map(|text| (format!("{text:?}"), text.to_string())), &[WIDTH, 40]);
+}
+
+/// The comments at the ends of the lines 1, 5 and 6, whose names are long, get one column, and so does the last one. Six
+/// comments in columns of their own are between the first and the last of them.
+#[test]
+fn formatting_of_interrupted_columns_of_comments_is_idempotent() {
+    // Length of the name and column of the comment
+    let lines = [(20, 40), (1, 41), (2, 42), (3, 43), (20, 40), (20, 50), (4, 44), (5, 45), (6, 46), (9, 50)];
+    let line = |(length, column)| format!("{:column$}// c\n", format!("#declare {} = 1;", "A".repeat(length)));
+    let text: String = lines.map(line).concat();
+    hold([("columns of comments".to_string(), text)], &[WIDTH, 40]);
 }
 
 #[test]

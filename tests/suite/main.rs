@@ -7,6 +7,7 @@
 
 mod animation;
 mod architecture;
+mod area_lights;
 mod cameras;
 mod cli;
 mod commands;

@@ -43,6 +43,11 @@ fn changes_if_spaced(before: u8, first: u8) -> bool {
     numeric(before) && numeric(first) || before == b'>' && first == b'='
 }
 
+/// True for a character between tokens that is not in the formatted text.
+fn is_dropped(c: char) -> bool {
+    c <= ' ' || is_ignored_char(c)
+}
+
 struct Gatherer<'a> {
     text: &'a str,
     base: usize,
@@ -108,9 +113,8 @@ impl<'a> Gatherer<'a> {
     /// Adds the characters without meaning between two tokens, so that they stay in the text.
     fn between(&mut self, end: usize) {
         let text = self.text;
-        let skipped = |c: char| c <= ' ' || is_ignored_char(c);
-        while let Some(from) = text[self.at..end].find(|c| !skipped(c)).map(|i| self.at + i) {
-            let to = text[from..end].find(skipped).map_or(end, |i| from + i);
+        while let Some(from) = text[self.at..end].find(|c| !is_dropped(c)).map(|i| self.at + i) {
+            let to = text[from..end].find(is_dropped).map_or(end, |i| from + i);
             self.push(from, to, LONE);
         }
     }
@@ -169,7 +173,8 @@ impl<'a> Gatherer<'a> {
     fn is_access(&self, hi: usize) -> bool {
         let word = |byte: Option<&u8>| byte.is_some_and(|b| b.is_ascii_alphabetic() || *b == b'_');
         let first = self.out.row.last().and_then(|atom| self.text.as_bytes().get(atom.lo as usize));
-        word(self.text[hi..].trim_start_matches([' ', '\t']).as_bytes().first())
+        let is_blank = |c| is_dropped(c) && !matches!(c, '\n' | '\r');
+        word(self.text[hi..].trim_start_matches(is_blank).as_bytes().first())
             && (word(first) || matches!(first, Some(b')' | b']')))
     }
 

@@ -6,8 +6,10 @@
 mod build;
 mod node;
 mod pack;
+mod shaft;
 mod triangles;
 
+pub use shaft::Shaft;
 pub use triangles::Triangles;
 
 use crate::math::{Aabb, DVec3, Range, Ray};

@@ -63,6 +63,24 @@ impl SolidNode {
         self.boxes().surface
     }
 
+    /// Returns half-spaces that contain the surface of the solid; none for most solids without flat faces.
+    pub(in crate::world) fn half_spaces(&self) -> HalfSpaces {
+        let mut planes = HalfSpaces::new();
+        let mut push =
+            |leaf: &Leaf, inverse| halfspace::push_shape(&leaf.shape, &leaf.transform(), inverse, &mut planes);
+        match &self.kind {
+            // A plane's surface is in the half-spaces on both of its sides.
+            SolidKind::Leaf(leaf) => [false, true].into_iter().for_each(|inverse| push(leaf, inverse)),
+            SolidKind::Intersection(parts) => parts.iter().for_each(|part| {
+                if let SolidKind::Leaf(leaf) = &part.kind {
+                    push(leaf, leaf.inverse);
+                }
+            }),
+            SolidKind::Union(_) | SolidKind::Merge(_) => {}
+        }
+        planes
+    }
+
     /// Computes the boxes around surface and inside from the parts and the clipping solids.
     pub(super) fn measure(&mut self, clip: Box<[SolidNode]>, bounds: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
         let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(SolidNode::boxes).collect();
