@@ -362,7 +362,7 @@ impl<'s> Translation<'s> {
 
     /// Returns all options in durer's form. With `plain`, anti-aliasing is off unless `+A` turns it on.
     fn option_words(&mut self, plain: bool) -> Vec<OsString> {
-        let options = own::last_of_each(std::mem::take(&mut self.options));
+        let options = own::drop_overridden(std::mem::take(&mut self.options));
         let is_named = |name: &str| options.iter().any(|o| o.name == name);
         // Without a picture file, `+FN` and its kin have no effect.
         let is_idle =

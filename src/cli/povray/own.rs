@@ -22,16 +22,17 @@ impl Own {
 }
 
 /// Removes all but the last occurrence of options that POV-Ray accepts twice, such as `+Q3` and `+Q9`.
-pub fn last_of_each(options: Vec<Own>) -> Vec<Own> {
-    const ONCE: &[&str] = &["--quality", "--threads", "--progress", "--header", "--quiet", "--no-output", "--language"];
+pub fn drop_overridden(options: Vec<Own>) -> Vec<Own> {
+    const OVERRIDABLE: &[&str] =
+        &["--quality", "--threads", "--progress", "--header", "--quiet", "--no-output", "--language"];
     let names: Vec<_> = options.iter().map(|o| o.name.clone()).collect();
-    let again = |i: usize| ONCE.contains(&&*names[i]) && names[i + 1..].contains(&names[i]);
+    let again = |i: usize| OVERRIDABLE.contains(&&*names[i]) && names[i + 1..].contains(&names[i]);
     options.into_iter().enumerate().filter(|(i, _)| !again(*i)).map(|(_, option)| option).collect()
 }
 
-/// Recognizes an option of `durer render`; returns its long name, and true if its value is the next word. A short
-/// option counts as durer's if it has no attached value but POV-Ray's option of the same letter needs one, and `-j` if
-/// a number follows, since POV-Ray's `-J` has no value.
+/// Returns the long name of durer's option `text`, and true if the next word is its value; `None` for other words. Every
+/// `--name` counts as durer's, known or not. A short option of durer counts unless POV-Ray has an option of the same
+/// letter that is valid without a value. `-j` counts only if a number follows, attached or as the next word.
 pub fn option(text: &str, next: Option<&str>) -> Option<(String, bool)> {
     let command = commands();
     let render = command.find_subcommand("render")?;
