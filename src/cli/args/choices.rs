@@ -110,21 +110,21 @@ pub enum Deny {
 /// Warnings that `--warn` enables.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Warn {
-    /// Identifiers that are declared and never used
+    /// Warnings about identifiers that are declared and never used
     Unused,
-    /// Identifiers in macros that hide others
+    /// Warnings about identifiers in macros that hide others
     Shadow,
-    /// Options of POV-Ray without effect in durer
+    /// Warnings about options of POV-Ray without effect in durer
     Options,
-    /// Text that POV-Ray 3.7 would refuse
+    /// Warnings about text that POV-Ray 3.7 would refuse
     Portable,
-    /// Text that is often, but not always, a mistake
+    /// Warnings about text that is often, but not always, a mistake
     Doubtful,
 }
 
 /// Warnings that `--warn` enables while rendering.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DrawingWarn {
-    /// Options of POV-Ray without effect in durer
+    /// Warnings about options of POV-Ray without effect in durer
     Options,
 }
