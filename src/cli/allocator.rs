@@ -111,10 +111,11 @@ impl Default for MeteredHost {
 }
 
 impl MeteredHost {
-    /// Creates a host with this value of `now`; `None` for the present time.
-    pub fn new(now: Option<Duration>) -> Self {
+    /// Creates the clock and memory meter of a run. `since_1970` is the time since 1970 (UTC) for the scene's constant
+    /// `now`; `None` for the present time.
+    pub fn new(since_1970: Option<Duration>) -> Self {
         let machine = LocalHost::default();
-        let now = now.unwrap_or_else(|| machine.since_1970());
+        let now = since_1970.unwrap_or_else(|| machine.since_1970());
         Self { machine, now, has_used_now: AtomicBool::new(false) }
     }
 

@@ -81,18 +81,18 @@ fn kind(kind: ValueKind) -> &'static str {
     }
 }
 
-/// Formats a table of words; those in `own` are marked as words that only durer has.
-fn word_table(words: &[WordSpec], own: &[&str]) -> String {
+/// Formats a table of words; the words in `durer_words` are marked as words that only durer has.
+fn word_table(words: &[WordSpec], durer_words: &[&str]) -> String {
     let row = |w: &WordSpec| {
-        let mark = if own.contains(&w.name) { " *(durer's own)*" } else { "" };
+        let mark = if durer_words.contains(&w.name) { " *(durer's own)*" } else { "" };
         [code(w.name) + mark, kind(w.kind).into(), w.default.into(), w.summary.into()]
     };
     table(["word", "takes", "default", ""], words.iter().map(row))
 }
 
-/// Formats the section about a block. Words in `own` are marked as words that only durer has.
-fn section(block: &Spec, title: &str, own: &[&str]) -> String {
-    let mut text = format!("## {title}\n\n{}.\n\n{}", sentence(block.summary), word_table(block.words, own));
+/// Formats the section about a block. Words in `durer_words` are marked as words that only durer has.
+fn section(block: &Spec, title: &str, durer_words: &[&str]) -> String {
+    let mut text = format!("## {title}\n\n{}.\n\n{}", sentence(block.summary), word_table(block.words, durer_words));
     if block.has_transforms {
         text += "It takes the [transforms](objects.md#transforms) too.\n\n";
     }
