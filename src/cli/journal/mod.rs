@@ -85,8 +85,9 @@ pub fn begin(console: &Console, journal: &Journal, work: Work, resume: bool, aft
     journal.begin(work, after);
 }
 
-/// Returns a line that says where the tiles of an unfinished picture are; `None` if there are none and nothing failed.
-pub fn unfinished_note(journal: &Journal) -> Option<String> {
+/// Closes the journal, which waits for the disk, and returns a line that says where the tiles of the unfinished picture
+/// are; `None` if there are none and nothing failed.
+pub fn close_with_note(journal: &Journal) -> Option<String> {
     let Some(path) = journal.close() else { return failure_note(journal) };
     let path = path.display();
     let stored = match journal.failure() {

@@ -221,7 +221,7 @@ impl<'a> Job<'a> {
             journal::begin(console, journal, self.work(timing), config.resume, config.keep_after);
         }
         self.render_and_write(target, world, timing, &monitor).map_err(|failure| {
-            journal.and_then(|journal| journal::unfinished_note(journal)).iter().for_each(|note| console.info(note));
+            journal.and_then(|journal| journal::close_with_note(journal)).iter().for_each(|note| console.info(note));
             match (interrupt::requested(), failure) {
                 // The signal that a file has reached its size limit is also an error of writing.
                 (Some(signal), fault @ Failure::Fault(_)) => {
@@ -260,7 +260,7 @@ impl<'a> Job<'a> {
             self.done.pictures.extend(target.file().map(Path::to_path_buf));
         }
         let journal = self.lock(target)?;
-        let _cleanup = journal.clone().map(|journal| Cleanup::begin(end_journal(journal, console.quiet)));
+        let _cleanup = journal.clone().map(|journal| Cleanup::begin(early_exit_handler(journal, console.quiet)));
         let (token, overrun) = match &config.cancel {
             Some(token) => (token.clone(), Overrun::Continues),
             None => {
@@ -313,10 +313,11 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Returns a function that stores the journal when the process ends early.
-fn end_journal(journal: Arc<Journal>, quiet: bool) -> impl Fn() + Send {
+/// Returns a function that, if the process ends early, stores the journal, prints its path unless `quiet`, and deletes
+/// an empty journal file.
+fn early_exit_handler(journal: Arc<Journal>, quiet: bool) -> impl Fn() + Send {
     move || {
-        if let Some(note) = journal::unfinished_note(&journal).filter(|_| !quiet) {
+        if let Some(note) = journal::close_with_note(&journal).filter(|_| !quiet) {
             print_message(&note);
         }
         journal.remove_empty();
