@@ -166,8 +166,8 @@ impl Console {
         }
     }
 
-    /// Formats diagnostics for a person, errors first, followed by their number.
-    pub fn text(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> String {
+    /// Formats diagnostics for a person, errors first, followed by their number, which is added to the console's count.
+    pub fn format_and_count(&self, sources: &Sources, diagnostics: &[Diagnostic]) -> String {
         let of = |severity| move |d: &&Diagnostic| d.severity == severity;
         let errors = diagnostics.iter().filter(of(Severity::Error));
         let warnings = diagnostics.iter().filter(of(Severity::Warning)).filter(|_| self.prints_warnings());
@@ -184,10 +184,10 @@ impl Console {
         if self.style.ascii { client_lines::to_ascii(&text) } else { text }
     }
 
-    /// Writes diagnostics as rendered by [`Console::text`] to stderr.
+    /// Writes diagnostics as rendered by [`Console::format_and_count`] to stderr.
     pub fn report(&self, sources: &Sources, diagnostics: &[Diagnostic]) {
         self.copy_diagnostics(sources, diagnostics);
-        print_message(&self.text(sources, diagnostics));
+        print_message(&self.format_and_count(sources, diagnostics));
     }
 
     /// True if the command prints warnings.
@@ -246,7 +246,9 @@ impl Console {
         match failure {
             Failure::Reported(exit) => (exit, String::new()),
             Failure::BrokenPipe => (Exit::Fine, String::new()),
-            Failure::Fault(fault) => (Exit::of(fault.code), self.text(sources, std::slice::from_ref(&fault))),
+            Failure::Fault(fault) => {
+                (Exit::of(fault.code), self.format_and_count(sources, std::slice::from_ref(&fault)))
+            }
             Failure::Usage(error) => (Exit::Usage, error.to_string()),
         }
     }

@@ -153,7 +153,7 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
     let options = session::reading_options(&header.scene, &case.scene, timing);
     let options = BuildOptions { cancel: deadline.token().clone(), ..options };
     let built = crate::build(sources, file, &options, &mut |_| {});
-    outcome.messages = console.text(sources, &built.diagnostics);
+    outcome.messages = console.format_and_count(sources, &built.diagnostics);
     let (exit, Some(world)) = (session::exit_code_of_run(built.limit_reached, &built.diagnostics), built.world) else {
         return Err(Failure::Reported(Exit::Scene));
     };
