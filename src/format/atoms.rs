@@ -15,7 +15,7 @@ pub struct Atom {
     /// Properties of the atom as a set of bits; see [`flag`].
     pub flags: u16,
     /// Kind of item that begins at the atom.
-    pub item: Item,
+    pub item: ItemKind,
     /// Number of line ends before the atom, at most 2.
     pub lines: u8,
 }
@@ -50,9 +50,9 @@ pub mod flag {
     /// Flags of any comment, line or block.
     pub const COMMENT: u16 = LINE_COMMENT | BLOCK_COMMENT;
 }
-/// Kinds of items that the formatter lays out.
+/// Kind of an item that the formatter lays out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Item {
+pub enum ItemKind {
     /// Item of the formatter: none, since no item of a body begins at the atom.
     #[default]
     None,
@@ -103,6 +103,6 @@ pub struct Atoms {
 impl Atoms {
     /// True if a token is part of no construct: a bracket without its partner, a misplaced sign, a lone `#` or quotation mark.
     pub fn is_irregular(&self) -> bool {
-        self.row.iter().any(|atom| atom.flags & (flag::UNMATCHED | flag::LONE) != 0 || atom.item == Item::Sign)
+        self.row.iter().any(|atom| atom.flags & (flag::UNMATCHED | flag::LONE) != 0 || atom.item == ItemKind::Sign)
     }
 }

@@ -1,7 +1,7 @@
 //! Layout of the formatter: decides which items of a body share a line, and which blocks take several lines.
 
 use super::STEP;
-use super::atoms::{Arm, Atoms, Item, flag};
+use super::atoms::{Arm, Atoms, ItemKind, flag};
 use super::columns::{self, Trailing};
 use super::table;
 
@@ -223,7 +223,7 @@ impl<'a> Setter<'a> {
 
     fn item_at(&self, from: usize) -> Range {
         let atom = &self.atoms.row[from];
-        let to = if atom.item == Item::None { from + 1 } else { atom.next as usize };
+        let to = if atom.item == ItemKind::None { from + 1 } else { atom.next as usize };
         Range { from, to: to.max(from + 1) }
     }
 
@@ -249,7 +249,7 @@ impl<'a> Setter<'a> {
         let mut rows = vec![];
         while at < to {
             let (items, next) = self.row_at(at, to);
-            let flat = self.is_flat(at, next) && items.iter().all(|item| self.kind(*item) != Item::Sign);
+            let flat = self.is_flat(at, next) && items.iter().all(|item| self.kind(*item) != ItemKind::Sign);
             rows.push(Row { from: at, to: next, flat });
             at = next;
         }
@@ -277,19 +277,19 @@ impl<'a> Setter<'a> {
 
     fn arms(&self, i: usize) -> Option<&'a [Arm]> {
         let atom = &self.atoms.row[i];
-        (atom.item == Item::Bodies).then(|| &self.atoms.arms[atom.link as usize][..])
+        (atom.item == ItemKind::Bodies).then(|| &self.atoms.arms[atom.link as usize][..])
     }
 
-    fn kind(&self, item: Range) -> Item {
+    fn kind(&self, item: Range) -> ItemKind {
         match self.atoms.row[item.from].item {
             // An additional comma, which the tree drops.
-            Item::None if self.read(item.from) == "," => Item::Separator,
+            ItemKind::None if self.read(item.from) == "," => ItemKind::Separator,
             kind => kind,
         }
     }
 
     fn is_on_several_lines(&self, item: Range) -> bool {
-        matches!(self.kind(item), Item::Block | Item::Group | Item::Entry | Item::Bodies)
+        matches!(self.kind(item), ItemKind::Block | ItemKind::Group | ItemKind::Entry | ItemKind::Bodies)
             && !self.has(item.from, flag::NO_BLANK_BEFORE)
     }
 
@@ -328,23 +328,25 @@ impl<'a> Setter<'a> {
     /// True if a line may be broken before `item`, which follows `piece`.
     fn may_break_before(&self, piece: &[Range], item: Range) -> bool {
         let (kind, before) = (self.kind(item), piece[piece.len() - 1]);
-        let directive = matches!(kind, Item::Declare | Item::Plain | Item::Bodies);
+        let directive = matches!(kind, ItemKind::Declare | ItemKind::Plain | ItemKind::Bodies);
         let layer = self.has(item.from, flag::LAYER);
-        if self.has(item.from, flag::NO_BLANK_BEFORE | flag::SAME_LINE) && !layer || kind == Item::Separator {
+        if self.has(item.from, flag::NO_BLANK_BEFORE | flag::SAME_LINE) && !layer || kind == ItemKind::Separator {
             return false;
         }
         if self.has(item.from, flag::COMMENT) || self.has(before.to - 1, flag::COMMENT) {
             return true;
         }
         match (self.kind(before), kind) {
-            (Item::Sign, _) => directive,
-            (_, Item::Sign) => false,
-            (Item::Declare, _) => layer,
-            (Item::Plain, _) => directive,
-            (Item::Word, Item::Block) | (Item::Word, Item::Entry) => true,
-            (Item::Word, _) => directive,
-            (Item::Value, Item::Value) => self.kind(piece[0]) == Item::Value || self.read(before.to - 1) != ",",
-            (Item::Value, Item::Group) => self.read(before.to - 1) == ",",
+            (ItemKind::Sign, _) => directive,
+            (_, ItemKind::Sign) => false,
+            (ItemKind::Declare, _) => layer,
+            (ItemKind::Plain, _) => directive,
+            (ItemKind::Word, ItemKind::Block) | (ItemKind::Word, ItemKind::Entry) => true,
+            (ItemKind::Word, _) => directive,
+            (ItemKind::Value, ItemKind::Value) => {
+                self.kind(piece[0]) == ItemKind::Value || self.read(before.to - 1) != ","
+            }
+            (ItemKind::Value, ItemKind::Group) => self.read(before.to - 1) == ",",
             _ => true,
         }
     }
@@ -373,13 +375,13 @@ impl<'a> Setter<'a> {
     /// Writes the atoms from `at` on and the body in brackets that follows them, on several lines.
     fn write_block(&mut self, at: usize, item: Range, indent: usize) {
         let open = match self.kind(item) {
-            Item::Block => self.atoms.row[item.from].link as usize,
+            ItemKind::Block => self.atoms.row[item.from].link as usize,
             _ => item.from,
         };
         let close = self.atoms.row[open].link as usize;
         self.run(at, open + 1, indent);
         if close > open + 1 {
-            let body = self.write_header(open + 1, close, self.kind(item) == Item::Entry, indent);
+            let body = self.write_header(open + 1, close, self.kind(item) == ItemKind::Entry, indent);
             self.write_body(body, close, indent + STEP, true);
         }
         self.new_line(indent, false);
@@ -390,8 +392,8 @@ impl<'a> Setter<'a> {
     fn write_header(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
         let (items, next) = self.row_at(from, to);
         // A comma never begins a line, unless it is the first item.
-        let stays = |item: &&Range| matches!(self.kind(**item), Item::Value | Item::Separator);
-        let begins = items.first().is_none_or(|first| self.kind(*first) == Item::Separator);
+        let stays = |item: &&Range| matches!(self.kind(**item), ItemKind::Value | ItemKind::Separator);
+        let begins = items.first().is_none_or(|first| self.kind(*first) == ItemKind::Separator);
         let values = if begins { 0 } else { items.iter().take_while(stays).count() };
         let trails = |item: &Range| self.has(item.from, flag::LINE_COMMENT);
         let small = items.iter().all(|item| !self.is_on_several_lines(*item) && !trails(item));

@@ -1,7 +1,7 @@
 //! Breaks lines outside of bodies: in expressions, parentheses and arguments.
 
 use super::STEP;
-use super::atoms::{Item, flag};
+use super::atoms::{ItemKind, flag};
 use super::layout::{Setter, indent_by};
 
 /// Open brackets, counted by the line that opens them.
@@ -74,7 +74,7 @@ impl Setter<'_> {
         let (mut depth, mut best) = (depth, None);
         for i in from..to {
             let width = self.flat_width(from, i);
-            if i > from && self.may_break(i) {
+            if i > from && self.may_break_before_atom(i) {
                 if width > room && best.is_some() {
                     break;
                 }
@@ -93,12 +93,12 @@ impl Setter<'_> {
     }
 
     fn is_item(&self, i: usize) -> bool {
-        self.atoms.row[i].item != Item::None
+        self.atoms.row[i].item != ItemKind::None
     }
 
-    /// True if a line may be broken before the atom: not before operators, and not between a word and its value.
-    fn may_break(&self, i: usize) -> bool {
-        let word = matches!(self.atoms.row[i - 1].item, Item::Word | Item::Plain);
+    /// True if a line may be broken before atom `i`: not before operators, and not between a word and its value.
+    fn may_break_before_atom(&self, i: usize) -> bool {
+        let word = matches!(self.atoms.row[i - 1].item, ItemKind::Word | ItemKind::Plain);
         let held = self.has(i, flag::NO_BLANK_BEFORE | flag::SAME_LINE | flag::OPERATOR | flag::COMMENT);
         !(held || word && self.is_item(i))
     }

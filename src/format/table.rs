@@ -1,6 +1,6 @@
 //! Alignment of tables: columns in rows of equal structure that the author aligned stay aligned.
 
-use super::atoms::{Item, flag};
+use super::atoms::{ItemKind, flag};
 use super::layout::{Row, Setter, columns_of};
 
 /// Adds the blanks that align the columns of tables, unless a line would get too long.
@@ -52,7 +52,7 @@ fn class<'a>(setter: &Setter<'a>, i: usize) -> &'a str {
     match text.as_bytes()[0] {
         b'-' | b'+' | b'.' | b'0'..=b'9' if !sign => "0",
         b'"' => "\"",
-        b'a'..=b'z' | b'A'..=b'Z' | b'_' if setter.atoms.row[i].item != Item::Word => "a",
+        b'a'..=b'z' | b'A'..=b'Z' | b'_' if setter.atoms.row[i].item != ItemKind::Word => "a",
         _ => text,
     }
 }

@@ -2,20 +2,20 @@
 
 use super::Gatherer;
 use crate::format::atoms::flag::*;
-use crate::format::atoms::{Arm, Atom, Item};
+use crate::format::atoms::{Arm, Atom, ItemKind};
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::word;
 
 impl Gatherer<'_> {
-    pub(super) fn directive(&mut self, directive: &Directive, span: Span) -> Item {
+    pub(super) fn directive(&mut self, directive: &Directive, span: Span) -> ItemKind {
         match directive {
             Directive::Declare(declare) => {
                 self.target(&declare.target);
                 declare.others.iter().for_each(|target| self.target(target));
-                return Item::Declare;
+                return ItemKind::Declare;
             }
-            Directive::DeclarePieces(_) | Directive::Plain(_) => return Item::Plain,
+            Directive::DeclarePieces(_) | Directive::Plain(_) => return ItemKind::Plain,
             _ => {}
         }
         let start = self.len();
@@ -51,7 +51,7 @@ impl Gatherer<'_> {
             Directive::Declare(_) | Directive::DeclarePieces(_) | Directive::Plain(_) => {}
         }
         self.finish_arms(start, arms, span);
-        Item::Bodies
+        ItemKind::Bodies
     }
 
     /// Adds a directive's arms to the list of atoms; the closing `#end` is in no arm.

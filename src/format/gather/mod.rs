@@ -3,7 +3,7 @@
 mod inside;
 
 use super::atoms::flag::*;
-use super::atoms::{Atom, Atoms, Item};
+use super::atoms::{Atom, Atoms, ItemKind};
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::syntax::{Piece, Tokens, is_ignored_char};
@@ -224,7 +224,7 @@ impl<'a> Gatherer<'a> {
                 }
                 _ => self.mark_layers(&std::mem::take(&mut layers)),
             }
-            if item == Item::Declare {
+            if item == ItemKind::Declare {
                 layers.push(start);
             }
             if matches!(e.kind, ElementKind::Numbers(_)) {
@@ -263,7 +263,7 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Marks the atoms from `start` to the last one as an item.
-    fn mark_item(&mut self, start: usize, item: Item) {
+    fn mark_item(&mut self, start: usize, item: ItemKind) {
         let end = self.len() as u32;
         let text = self.text;
         let read = |atom: &Atom| &text[atom.lo as usize..atom.hi as usize];
@@ -272,14 +272,15 @@ impl<'a> Gatherer<'a> {
         (first.item, first.next) = (item, end);
         let Some(last) = before.last().filter(|a| a.flags & COMMENT == 0) else { return };
         let after = read(last);
-        if item == Item::Entry && (after == "array" || after == "]" && last.flags & UNMATCHED == 0 && first.lines == 0)
+        if item == ItemKind::Entry
+            && (after == "array" || after == "]" && last.flags & UNMATCHED == 0 && first.lines == 0)
         {
             // The sizes of an array: no other construct has entries directly after a word or after each other.
             let chained = after == "array" || first.lo == last.hi;
             first.flags |= if chained { NO_BLANK_BEFORE } else { 0 };
         }
-        let group = item == Item::Group && !matches!(after, "{" | "}" | "," | ";");
-        if group || after == "=" && item != Item::Sign {
+        let group = item == ItemKind::Group && !matches!(after, "{" | "}" | "," | ";");
+        if group || after == "=" && item != ItemKind::Sign {
             first.flags |= SAME_LINE;
         }
     }
@@ -293,36 +294,36 @@ impl<'a> Gatherer<'a> {
             if depth == 0 && self.text.as_bytes()[atom.lo as usize] == b',' || i + 1 == end {
                 let alone = from == i && depth == 0 && self.text.as_bytes()[atom.lo as usize] == b',';
                 let first = &mut self.out.row[from];
-                (first.item, first.next) = (if alone { Item::Separator } else { Item::Value }, i as u32 + 1);
+                (first.item, first.next) = (if alone { ItemKind::Separator } else { ItemKind::Value }, i as u32 + 1);
                 from = i + 1;
             }
         }
     }
 
-    fn element(&mut self, e: &Element) -> Item {
+    fn element(&mut self, e: &Element) -> ItemKind {
         match &e.kind {
-            ElementKind::Word(_) => Item::Word,
+            ElementKind::Word(_) => ItemKind::Word,
             ElementKind::Expr(expr) => {
                 self.expr(expr);
-                Item::Value
+                ItemKind::Value
             }
-            ElementKind::Numbers(_) => Item::Value,
-            ElementKind::Block(block) => self.braces(e.span, block.name.span, Item::Block, &block.body),
-            ElementKind::Group(group) => self.braces(e.span, Span::NONE, Item::Group, &group.body),
-            ElementKind::Entry(group) => self.braces(e.span, Span::NONE, Item::Entry, &group.body),
+            ElementKind::Numbers(_) => ItemKind::Value,
+            ElementKind::Block(block) => self.braces(e.span, block.name.span, ItemKind::Block, &block.body),
+            ElementKind::Group(group) => self.braces(e.span, Span::NONE, ItemKind::Group, &group.body),
+            ElementKind::Entry(group) => self.braces(e.span, Span::NONE, ItemKind::Entry, &group.body),
             ElementKind::Function(function) => self.function(function, e.span),
             ElementKind::Directive(directive) => self.directive(directive, e.span),
-            ElementKind::Semicolon | ElementKind::Comma => Item::Separator,
+            ElementKind::Semicolon | ElementKind::Comma => ItemKind::Separator,
             ElementKind::Sign(Sign::Open(_) | Sign::Close(_)) => {
                 self.pending |= UNMATCHED;
-                Item::Sign
+                ItemKind::Sign
             }
-            ElementKind::Sign(_) => Item::Sign,
+            ElementKind::Sign(_) => ItemKind::Sign,
         }
     }
 
     /// Gathers the atoms of a body in brackets.
-    fn braces(&mut self, span: Span, name: Span, item: Item, body: &[Element]) -> Item {
+    fn braces(&mut self, span: Span, name: Span, item: ItemKind, body: &[Element]) -> ItemKind {
         let start = self.len();
         if !name.is_none() {
             self.gather_through(name);
@@ -350,7 +351,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    fn function(&mut self, function: &Function, span: Span) -> Item {
+    fn function(&mut self, function: &Function, span: Span) -> ItemKind {
         let start = self.len();
         self.gather_token();
         if self.next_token() == Some("(") {
@@ -362,11 +363,11 @@ impl<'a> Gatherer<'a> {
                 self.pending |= SAME_LINE;
             }
             if self.pieces.next.is_none() {
-                return Item::Value;
+                return ItemKind::Value;
             }
             self.gather_token();
         }
         self.enclosed(start, span, &function.body);
-        Item::Block
+        ItemKind::Block
     }
 }
