@@ -26,7 +26,7 @@ impl Span {
         self.hi == 0
     }
 
-    /// Returns the range from the start of this span to the end of the other.
+    /// Returns the smallest span that contains both; [`Self::NONE`] is neutral.
     pub fn to(self, other: Span) -> Span {
         if self.is_none() {
             other

@@ -11,7 +11,7 @@ pub mod lint;
 mod names;
 mod numbers;
 pub mod outline;
-pub use numbers::ListPlaces;
+pub use numbers::ItemSpans;
 mod parse;
 mod portable;
 mod tokens;

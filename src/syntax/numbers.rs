@@ -259,10 +259,10 @@ impl NumberList {
         self.data.is_empty()
     }
 
-    /// Returns the spans of the items of a number list that has the span `place` and the text `text`.
-    pub fn spans(text: &str, place: Span) -> impl Iterator<Item = Span> + '_ {
-        let mut places = ListPlaces::default();
-        (0..).map_while(move |item| places.find(text, place, item))
+    /// Returns the spans of the items of a number list that has the text `list_text` and the span `list_span`.
+    pub fn item_spans(list_text: &str, list_span: Span) -> impl Iterator<Item = Span> + '_ {
+        let mut spans = ItemSpans::default();
+        (0..).map_while(move |item| spans.find(list_text, list_span, item))
     }
 
     /// Returns the number of components of item `i` of the list.
@@ -277,15 +277,15 @@ impl NumberList {
 /// Finds the spans of a number list's items by scanning the text again. Spans are not stored, because a mesh has
 /// millions of items. Each search continues from the last item found.
 #[derive(Default)]
-pub struct ListPlaces {
+pub struct ItemSpans {
     list: Span,
     item: usize,
     at: usize,
     scanner: ListScanner,
 }
 
-impl ListPlaces {
-    /// Returns the span of the item `item` of the number list with the span `list` and the text `text`.
+impl ItemSpans {
+    /// Returns the span of item `item` of the number list with the span `list` and the text `text`.
     pub fn find(&mut self, text: &str, list: Span, item: usize) -> Option<Span> {
         let bytes = text.as_bytes();
         if self.list != list || item < self.item {

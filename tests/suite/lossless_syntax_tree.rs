@@ -168,7 +168,7 @@ impl Places<'_> {
         let text = self.text;
         let at = |place: usize| place - self.base;
         let (mut count, mut data, mut end) = (0, vec![], span.lo as usize);
-        for item in NumberList::spans(&text[at(span.lo as usize)..at(span.hi as usize)], span) {
+        for item in NumberList::item_spans(&text[at(span.lo as usize)..at(span.hi as usize)], span) {
             let written = &text[at(item.lo as usize)..at(item.hi as usize)];
             let between = &text[at(end)..at(item.lo as usize)];
             if between.trim_matches(|c| c <= ' ') != if count == 0 { "" } else { "," } {

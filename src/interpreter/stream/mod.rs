@@ -12,7 +12,7 @@ use super::Inputs;
 use super::evaluator::LValue;
 use crate::diagnostic::{Diagnostic, Label};
 use crate::source::Span;
-use crate::syntax::ListPlaces;
+use crate::syntax::ItemSpans;
 use crate::syntax::ast::*;
 pub(super) use bracket::OpenBracket;
 pub(super) use checkpoint::Checkpoint;
@@ -46,7 +46,7 @@ pub(super) struct TokenStream<'a> {
     /// Paths of the included files that are being read, the innermost last.
     include_paths: Vec<PathBuf>,
     /// Span of the last literal that was looked up in a list.
-    literal_spans: RefCell<ListPlaces>,
+    literal_spans: RefCell<ItemSpans>,
 }
 
 /// Mode of reading. `Interpreter::in_mode` changes it and restores it as a whole.

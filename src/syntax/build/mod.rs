@@ -178,7 +178,8 @@ impl<'n> Builder<'n> {
         self.tokens_as_elements(at..own.end, first, out);
     }
 
-    /// Makes each token an element, except for directives and for complete elements between brackets.
+    /// Appends the tokens of `pair` as one element each. A directive, block, group or function becomes a single element;
+    /// so does an expression, if `pair` has at most [`SMALL`] tokens or contains a directive.
     fn flatten(&self, pair: Pair<Rule>, context: Context, out: &mut Vec<Element>) {
         let context = if pair.as_rule() == Rule::function { Context::Function } else { context };
         let (first, own) = (out.len(), range(&pair));
