@@ -58,7 +58,8 @@ pub trait Sampler: std::fmt::Debug + Send + Sync {
     fn arity(&self) -> usize;
     /// Type of the result of the evaluation.
     fn result_type(&self) -> ResultType;
-    /// Evaluates the object; a number is the first of the five results, a colour is red, green, blue, filter, transmit.
+    /// Evaluates the object. A number fills the first component, a vector of `n` numbers the first `n`, a colour all five:
+    /// red, green, blue, filter, transmit. Unused components are 0.
     fn sample(&self, arguments: &[f64]) -> [f64; 5];
     /// Evaluates one component of the result.
     fn sample_component(&self, component: usize, arguments: &[f64]) -> f64 {

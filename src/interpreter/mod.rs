@@ -244,8 +244,8 @@ impl<'a> Interpreter<'a> {
     }
 
     fn outcome(mut self) -> Outcome {
-        let unused = self.evaluator.scopes().unused_faults().cloned().collect();
-        self.reporter.finish(unused);
+        let errors_in_unused = self.evaluator.scopes().unused_faults().cloned().collect();
+        self.reporter.report_deferred(errors_in_unused);
         let failed = self.reporter.error_count() > 0;
         let limit_reached = self.reporter.limit_reached();
         let (scene, origins) = self.builder.into_scene();
@@ -271,7 +271,7 @@ impl<'a> Interpreter<'a> {
     /// `<1 -2 3>` as a vector of two numbers.
     fn split_old_expressions(&mut self) {
         if !self.builder.language().bare_operators {
-            self.stream.split_rest();
+            self.stream.retokenize_unread();
         }
     }
 

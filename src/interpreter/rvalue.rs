@@ -51,9 +51,9 @@ impl<'a> Interpreter<'a> {
             }
             Token::Function(_) => Ok(Slot::Value(Value::Thing(self.read_function()?))),
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => {
-                self.read_plain_value()
+                self.read_expression_slot()
             }
-            Token::Sign(Sign::Not | Sign::Operator(_)) => self.read_plain_value(),
+            Token::Sign(Sign::Not | Sign::Operator(_)) => self.read_expression_slot(),
             Token::Element(span) => {
                 let slot = self.take_element()?;
                 match slot {
@@ -66,7 +66,7 @@ impl<'a> Interpreter<'a> {
             Token::Block(BlockName { word: None, span, .. }) if self.inputs.sources.snippet(span) == "dictionary" => {
                 self.read_dictionary()
             }
-            Token::Word(_) if self.is_at_color()? => self.read_plain_value(),
+            Token::Word(_) if self.is_at_color()? => self.read_expression_slot(),
             _ => match Reader::next(self)? {
                 Next::Block(word) => self.read_declarable_block(word).map(|thing| Slot::Value(Value::Thing(thing))),
                 _ => Err(self.unexpected_token("a value").into()),
@@ -74,7 +74,8 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    fn read_plain_value(&mut self) -> Result<Slot<'a>> {
+    /// Reads an expression of the scene, and returns its value as the contents of a variable.
+    fn read_expression_slot(&mut self) -> Result<Slot<'a>> {
         self.read_value().map(|(value, _)| Slot::Value(value))
     }
 

@@ -20,7 +20,7 @@ pub(super) const TABLE: &[Builtin] = &[
         summary: "the character of this number (Unicode)",
         arity: 1..=1,
         run: |a| match char::from_u32(a.float(0)? as u32) {
-            Some(c) => text(c.to_string()),
+            Some(c) => Ok(text_value(c.to_string())),
             None => a.domain_error(0, "no character has this number".into()),
         },
     },
@@ -29,14 +29,14 @@ pub(super) const TABLE: &[Builtin] = &[
         usage: "(Text, …)",
         summary: "all of them behind one another",
         arity: 1..=usize::MAX,
-        run: |a| (0..a.len()).map(|i| a.text(i)).collect::<Result<String>>().and_then(text),
+        run: |a| (0..a.len()).map(|i| a.text(i)).collect::<Result<String>>().map(text_value),
     },
     Builtin {
         name: "str",
         usage: "(Number, Width, Digits)",
         summary: "a number as text: at least so wide, with so many digits behind the point; a width below 0 fills with zeros",
         arity: 3..=3,
-        run: |a| text(format_number(a.float(0)?, a.float(1)? as i64, a.float(2)? as i64)),
+        run: |a| Ok(text_value(format_number(a.float(0)?, a.float(1)? as i64, a.float(2)? as i64))),
     },
     Builtin {
         name: "datetime",
@@ -64,14 +64,14 @@ pub(super) const TABLE: &[Builtin] = &[
         usage: "(Text)",
         summary: "in small letters",
         arity: 1..=1,
-        run: |a| text(a.text(0)?.to_lowercase()),
+        run: |a| Ok(text_value(a.text(0)?.to_lowercase())),
     },
     Builtin {
         name: "strupr",
         usage: "(Text)",
         summary: "in capitals",
         arity: 1..=1,
-        run: |a| text(a.text(0)?.to_uppercase()),
+        run: |a| Ok(text_value(a.text(0)?.to_uppercase())),
     },
     Builtin {
         name: "substr",
@@ -96,8 +96,8 @@ pub(super) const TABLE: &[Builtin] = &[
     },
 ];
 
-fn text(s: String) -> Result<Value> {
-    Ok(Value::Text(s.into()))
+fn text_value(s: String) -> Value {
+    Value::Text(s.into())
 }
 
 /// Returns the difference of the first two characters that differ, as `strcmp` does; 0 for equal strings.
@@ -136,7 +136,7 @@ fn datetime(a: &Arguments) -> Result<Value> {
     let Some(time) = time else { return a.domain_error(0, format!("there is no day {days}")) };
     let mut out = String::new();
     match write!(out, "{}", time.format(format)) {
-        Ok(()) => text(out),
+        Ok(()) => Ok(text_value(out)),
         Err(_) => a.domain_error(1, "this is no format of a date: `%Y-%m-%d %H:%M:%S` is one".into()),
     }
 }
@@ -153,7 +153,7 @@ fn substr(a: &Arguments) -> Result<Value> {
     }
     // In POV-Ray, it is what precedes the string in memory, which mostly is a 0.
     let len = if from == 0.0 { 0.0 } else { len };
-    text(s.chars().skip((from as usize).saturating_sub(1)).take(len as usize).collect())
+    Ok(text_value(s.chars().skip((from as usize).saturating_sub(1)).take(len as usize).collect()))
 }
 
 /// Evaluates `vstr(N, V, Separator, Width, Precision)`: formats a vector as a string.
@@ -163,5 +163,5 @@ fn vstr(a: &Arguments) -> Result<Value> {
     let Some(VecN { c, .. }) = numbers_of(value) else { return a.wrong(1, "a vector", value) };
     let (separator, width, precision) = (a.text(2)?, a.float(3)? as i64, a.float(4)? as i64);
     let parts: Vec<String> = c[..n].iter().map(|x| format_number(*x, width, precision)).collect();
-    text(parts.join(separator))
+    Ok(text_value(parts.join(separator)))
 }

@@ -69,8 +69,8 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Reads a condition whose `(` is in the branch's body, since a macro provides the `)`. The rest of the body is
-    /// next.
+    /// Reads a condition whose `)` comes from a macro. The parser then leaves the `(` as the body's first element; the
+    /// stream continues with the rest of the body.
     fn read_head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
         if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(Bracket::Paren)))) {
             return Err(self.syntax_error_at(span).into());

@@ -77,6 +77,7 @@ impl Sampler for TransformSampler {
         ResultType::Vector(3)
     }
 
+    /// Returns the coordinates of the transformed point and two unused components, which are 0.
     fn sample(&self, p: &[f64]) -> [f64; 5] {
         let v = self.0.transform_point(DVec3::new(p[0], p[1], p[2]));
         [v.x, v.y, v.z, 0.0, 0.0]

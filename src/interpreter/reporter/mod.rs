@@ -121,12 +121,13 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// Reports all deferred errors, and as warnings the errors `unused` of declarations that the scene does not use.
-    pub(super) fn finish(&mut self, unused: Vec<Diagnostic>) {
+    /// Reports all deferred errors, and as warnings the errors in declarations that the scene does not use.
+    pub(super) fn report_deferred(&mut self, errors_in_unused: Vec<Diagnostic>) {
         for d in std::mem::take(&mut self.deferred) {
             self.report(d);
         }
-        for mut fault in unused.into_iter().filter(|fault| !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS)) {
+        let is_wanted = |fault: &Diagnostic| !matches!(fault.code, codes::NOT_YET | codes::FOLLOWS);
+        for mut fault in errors_in_unused.into_iter().filter(is_wanted) {
             fault.severity = Severity::Warning;
             self.report(fault);
         }

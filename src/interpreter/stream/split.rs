@@ -31,7 +31,7 @@ impl<'a> TokenStream<'a> {
 
     /// Replaces the elements that the innermost frame has not read yet by single tokens. A loop's frame, which is read
     /// again, stays as it is.
-    pub fn split_rest(&mut self) {
+    pub fn retokenize_unread(&mut self) {
         let inputs = self.inputs;
         let Some(frame) = self.frames.last_mut() else { return };
         if !matches!(frame.kind(), FrameKind::File | FrameKind::Include | FrameKind::Branch) {
