@@ -3,7 +3,8 @@
 
 use super::antialias::Method;
 use super::pixel_rows::{Pixel, PixelRows};
-use super::sampler::{FrameCamera, Sampler};
+use super::prepare::FrameCamera;
+use super::sampler::Sampler;
 use super::workers::Workers;
 use super::{Cancelled, FINAL_PASS, FIRST_PASS, RayCounts, Region, Stopped, Tile};
 use crate::diagnostic;

@@ -21,7 +21,7 @@ use crate::math::cancel::CancelToken;
 use crate::source::Span;
 pub use crate::transport::RayCounts;
 use crate::world::World;
-use sampler::FrameCamera;
+use prepare::FrameCamera;
 use workers::Workers;
 
 /// Options of a render. Size, anti-aliasing, quality, region, frame and alpha determine every byte of the picture; the
@@ -164,7 +164,7 @@ pub struct Cancelled;
 
 impl Region {
     /// Returns the part of the region that is within a picture of this size.
-    fn within(self, width: usize, height: usize) -> Region {
+    fn clipped_to(self, width: usize, height: usize) -> Region {
         let (x, y) = (self.x.min(width), self.y.min(height));
         Region { x, y, width: self.width.min(width - x), height: self.height.min(height - y) }
     }
@@ -209,7 +209,7 @@ pub fn render(world: &World, options: &Options, watch: &dyn Watch) -> Result<(Fr
 pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn Rows) -> Result<RayCounts, Stopped> {
     let (width, height) = (options.width, options.height);
     let whole = Region { x: 0, y: 0, width, height };
-    let region = options.region.unwrap_or(whole).within(width, height);
+    let region = options.region.unwrap_or(whole).clipped_to(width, height);
     if region.width == 0 || region.height == 0 {
         outside_rows(rows, options, height)?;
         return Ok(RayCounts::default());

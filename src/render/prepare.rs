@@ -3,11 +3,29 @@
 //! Photon maps and radiosity belong here: each is an ordered map ([`Workers::map`]) whose result becomes a part of the
 //! [`FrameContext`], so that no ray of the picture can change it.
 
-use super::sampler::FrameCamera;
 use super::workers::Workers;
 use super::{Cancelled, Options};
+use crate::camera::{Lens, LoweredCamera, View};
+use crate::math::DVec3;
 use crate::transport::{CameraOrigin, FrameContext, Quality};
 use crate::world::World;
+
+/// The camera of a frame, prepared for a picture of one size.
+pub(super) struct FrameCamera {
+    pub view: View,
+    /// Lens of a camera with focal blur.
+    pub lens: Option<Lens>,
+    /// Unit vectors right, up and ahead, in world space.
+    pub axes: [DVec3; 3],
+}
+
+impl FrameCamera {
+    /// Creates the camera of a picture of `width` × `height` pixels.
+    pub fn new(camera: &LoweredCamera, width: usize, height: usize) -> Self {
+        let (axes, _) = camera.frame.unit_axes_and_lengths();
+        Self { view: camera.view(width, height), lens: camera.lens.clone(), axes }
+    }
+}
 
 /// Computes the data that all rays of a frame share.
 pub(super) fn prepare<'w>(

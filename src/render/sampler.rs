@@ -1,25 +1,10 @@
 //! Samples of the picture: radiances of camera rays through points of the picture.
 
-use crate::camera::{Lens, View};
+use super::prepare::FrameCamera;
+use crate::camera::Lens;
 use crate::color::Rgb;
-use crate::math::{DVec2, DVec3};
+use crate::math::DVec2;
 use crate::transport::{FrameContext, Purpose, Radiance, RandomSequence, RayCounts, Tracer};
-
-/// The camera of a frame, prepared for a picture of one size.
-pub(super) struct FrameCamera {
-    pub view: View,
-    /// Lens of a camera with focal blur.
-    pub lens: Option<Lens>,
-    /// Unit vectors right, up and ahead, in world space.
-    axes: [DVec3; 3],
-}
-
-impl FrameCamera {
-    pub fn new(camera: &crate::camera::LoweredCamera, width: usize, height: usize) -> Self {
-        let (axes, _) = camera.frame.unit_axes_and_lengths();
-        Self { view: camera.view(width, height), lens: camera.lens.clone(), axes }
-    }
-}
 
 /// Sampler that takes samples one by one, on one thread. Points are in pixels from the picture's top left corner.
 pub(super) struct Sampler<'w> {
