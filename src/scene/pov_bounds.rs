@@ -23,7 +23,7 @@ impl Object {
     }
 
     /// Returns the box of a CSG object before its transforms.
-    pub(super) fn parts_box(op: CsgOp, parts: &[Object]) -> Aabb {
+    pub(super) fn pov_bounds_of_parts(op: CsgOp, parts: &[Object]) -> Aabb {
         match op {
             CsgOp::Union | CsgOp::Merge => {
                 let all = parts.iter().map(Object::pov_bounds).reduce(Aabb::union);

@@ -10,10 +10,10 @@ use smallvec::SmallVec;
 
 /// Maximum number of half-spaces that clip a box.
 const MAX_HALF_SPACES: usize = 64;
-/// Size of the start box for an unbounded intersection, as a multiple of the largest distance of a half-space.
-const FAR: f64 = 1e4;
-/// Largest coordinate for which boxes are clipped.
-const FARTHEST: f64 = 1e100;
+/// Half-width of the start box for an unbounded intersection, as a multiple of the largest distance of a half-space.
+const START_EXTENT_FACTOR: f64 = 1e4;
+/// Half-width of the start box above which [`clip_box`] returns its argument unclipped.
+const MAX_START_EXTENT: f64 = 1e100;
 /// Distance by which each half-space is moved outwards, relative to the box's largest coordinate.
 const MARGIN: f64 = 1e-10;
 
@@ -77,8 +77,8 @@ pub fn clip_box(start: Aabb, planes: &[HalfSpace]) -> Aabb {
         let finite = |v: DVec3| v.map(|x| if x.is_finite() { x.abs() } else { 0.0 }).max_element();
         finite(b.min).max(finite(b.max))
     };
-    let far = FAR * planes.iter().map(|p| p.distance.abs()).fold(size(&start).max(1.0), f64::max);
-    if far > FARTHEST {
+    let far = START_EXTENT_FACTOR * planes.iter().map(|p| p.distance.abs()).fold(size(&start).max(1.0), f64::max);
+    if far > MAX_START_EXTENT {
         return start;
     }
     let mut bounds = start.intersection(Aabb::from_corners(DVec3::splat(-far), DVec3::splat(far)));

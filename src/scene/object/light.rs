@@ -99,7 +99,7 @@ impl Object {
                 _ => return Err(r.unknown_word_in(&LIGHT_GROUP)),
             }
         }
-        let pov_bounds = Self::parts_box(CsgOp::Union, &parts);
+        let pov_bounds = Self::pov_bounds_of_parts(CsgOp::Union, &parts);
         let kind = ObjectKind::Csg(CsgOp::Union, parts.into());
         let mut object = Box::new(Self::new(kind, "light_group", source, defaults));
         object.weight().check(source)?;

@@ -131,7 +131,7 @@ impl Object {
                 _ => break,
             }
         }
-        let pov_bounds = Self::parts_box(op, &parts);
+        let pov_bounds = Self::pov_bounds_of_parts(op, &parts);
         let mut object = Box::new(Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults));
         object.weight().check(source)?;
         object.bulk.get_or_insert_default().pov_bounds = Some(pov_bounds);

@@ -428,7 +428,8 @@ impl SolidNode {
         }
     }
 
-    /// Returns the distances at which a ray enters and leaves the box around all hits of a composite solid.
+    /// Returns the distances at which a ray enters and leaves the box around all hits of a composite solid; `None` for a
+    /// miss and for a bare shape.
     fn distances_through_box(&self, ray: &Ray, range: Range) -> Option<(f64, f64)> {
         let composite = self.composite.as_ref()?;
         composite.boxes.surface.slabs(ray, range)
