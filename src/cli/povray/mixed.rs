@@ -1,6 +1,6 @@
 //! Decides whether a command line is durer's or POV-Ray's, and translates POV-Ray options after a durer command.
 
-use super::own::Own;
+use super::own::DurerOption;
 use super::{Origin, Translated, Translation, find_switch};
 use crate::cli::commands;
 use clap::Command;
@@ -110,7 +110,7 @@ impl Translation<'_> {
     pub(super) fn mixed(mut self, words: &[OsString], at: usize) -> Translated {
         let all = commands();
         let Some(command) = words.get(at).and_then(|word| all.find_subcommand(word)) else {
-            return self.finish("durer".into());
+            return self.into_translated("durer".into());
         };
         let mut own = Vec::new();
         for (word, is_povray) in mark_povray_options(command, &words[at + 1..]) {
@@ -130,7 +130,8 @@ impl Translation<'_> {
                 && words.any(|w| w.split('=').next() == Some(name) || is_short(&w))
         };
         self.translate_text_options();
-        let options = self.option_words(false).into_iter().map(|word| Own::of(word.to_string_lossy().into_owned()));
+        let options =
+            self.option_words(false).into_iter().map(|word| DurerOption::new(word.to_string_lossy().into_owned()));
         let options = options
             .filter(|own| has_option(command.get_name(), &own.name) && !is_set(&own.name))
             .flat_map(|own| own.words);

@@ -25,7 +25,7 @@ use created_ini::NamedSettings;
 pub use files::is_ini;
 use files::{Files, with_ending};
 pub use mixed::first_word;
-use own::Own;
+use own::DurerOption;
 use settings::Settings;
 use std::ffi::OsString;
 use std::iter::Peekable;
@@ -75,7 +75,7 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
             }
             translation.settings.is_povray_line = translation.any_switch && translation.command.is_none();
             translation.check_scene();
-            translation.finish(words.first().cloned().unwrap_or_default())
+            translation.into_translated(words.first().cloned().unwrap_or_default())
         }
     }
 }
@@ -116,7 +116,7 @@ pub fn translate_ini(sources: &Sources, name: &Path, untrusted: bool) -> Transla
         let help = format!("add a line `Input_File_Name=scene.pov`, or name both: durer scene.pov {}", name.display());
         translation.faults.push(Diagnostic::new(codes::NO_SCENE, Span::NONE, message).help(help));
     }
-    translation.finish("durer".into())
+    translation.into_translated("durer".into())
 }
 
 struct Translation<'s> {
@@ -125,7 +125,7 @@ struct Translation<'s> {
     /// renders the last scene only.
     scenes: Vec<OsString>,
     /// Options of durer, in the order of the command line.
-    options: Vec<Own>,
+    options: Vec<DurerOption>,
     /// Name of the durer command, if the command line names one.
     command: Option<String>,
     /// True if an option on the command line has POV-Ray's form, or if durer is called `povray`.
@@ -184,7 +184,7 @@ impl<'s> Translation<'s> {
         match own::option(&text, rest.peek().map(|next| next.to_string_lossy()).as_deref()) {
             Some((name, takes_value)) => {
                 let words = std::iter::once(word).chain(rest.take(usize::from(takes_value))).cloned().collect();
-                self.options.push(Own { name, words });
+                self.options.push(DurerOption { name, words });
             }
             // `durer +W8 check a.pov`
             None if self.command.is_none() && self.scenes.is_empty() && mixed::is_command(&text) => {
@@ -281,7 +281,7 @@ impl<'s> Translation<'s> {
                 self.add_text_file(stream, value, origin)
             }
             Effect::Flag(flag) => {
-                self.options.push(Own::of(flag.into()));
+                self.options.push(DurerOption::new(flag.into()));
                 Ok(())
             }
             Effect::Option(name) => {
@@ -291,14 +291,14 @@ impl<'s> Translation<'s> {
                     "--language" => number::real(value).unwrap_or_default().clamp(1.0, 100.0).to_string(),
                     _ => value.into(),
                 };
-                self.options.push(Own::of(format!("{name}={value}")));
+                self.options.push(DurerOption::new(format!("{name}={value}")));
                 Ok(())
             }
             Effect::Whole(name, least, largest) => {
                 let n =
                     number::whole(value).ok_or_else(|| wrong_value_error(text, "it needs a whole number", origin))?;
                 let n = n.clamp(f64::from(least), f64::from(largest));
-                self.options.push(Own::of(format!("{name}={n}")));
+                self.options.push(DurerOption::new(format!("{name}={n}")));
                 Ok(())
             }
             Effect::Idle(reason) => {
@@ -332,7 +332,8 @@ impl<'s> Translation<'s> {
         }
     }
 
-    fn finish(mut self, program: OsString) -> Translated {
+    /// Returns the translated command line, which starts with the name `program`.
+    fn into_translated(mut self, program: OsString) -> Translated {
         let command = self.command.take().unwrap_or("render".into());
         if let Some(scene) = self.scenes.last().map(PathBuf::from) {
             self.settings.scene_folder = scene.parent().unwrap_or(Path::new("")).into();
@@ -367,7 +368,7 @@ impl<'s> Translation<'s> {
         // Without a picture file, `+FN` and its kin have no effect.
         let is_idle =
             |name: &str| is_named("--no-output") && ["--output", "--format", "--bit-depth", "--gray"].contains(&name);
-        let parts = self.settings.options(plain).into_iter().map(Own::of);
+        let parts = self.settings.options(plain).into_iter().map(DurerOption::new);
         // An option of durer's own overrides the default that anti-aliasing is off.
         let parts = parts.filter(|part| !is_named(&part.name) && !is_idle(&part.name));
         let parts: Vec<_> = parts.flat_map(|part| part.words).collect();

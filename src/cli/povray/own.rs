@@ -6,23 +6,23 @@ use crate::cli::commands;
 use std::ffi::OsString;
 
 /// An option of durer on a command line.
-pub struct Own {
+pub struct DurerOption {
     /// Long name of a durer option, such as `--output`.
     pub name: String,
     /// Words of the durer option on the command line: its name and its value.
     pub words: Vec<OsString>,
 }
 
-impl Own {
-    /// Splits a durer option of the form `--name` or `--name=value`.
-    pub fn of(word: String) -> Self {
+impl DurerOption {
+    /// Creates the durer option that `word` is, of the form `--name` or `--name=value`.
+    pub fn new(word: String) -> Self {
         let name = word.split('=').next().unwrap_or_default().to_string();
         Self { name, words: vec![word.into()] }
     }
 }
 
 /// Removes all but the last occurrence of options that POV-Ray accepts twice, such as `+Q3` and `+Q9`.
-pub fn drop_overridden(options: Vec<Own>) -> Vec<Own> {
+pub fn drop_overridden(options: Vec<DurerOption>) -> Vec<DurerOption> {
     const OVERRIDABLE: &[&str] =
         &["--quality", "--threads", "--progress", "--header", "--quiet", "--no-output", "--language"];
     let names: Vec<_> = options.iter().map(|o| o.name.clone()).collect();

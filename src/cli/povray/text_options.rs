@@ -3,7 +3,7 @@
 use super::ini_trust::is_plain_name;
 use super::text_output::{Stream, TextOutput};
 use super::{Origin, Translation, wrong_value_error};
-use crate::cli::povray::own::Own;
+use crate::cli::povray::own::DurerOption;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::source::Span;
 use std::path::{Path, PathBuf};
@@ -45,7 +45,7 @@ impl Translation<'_> {
     pub(super) fn translate_text_options(&mut self) {
         let TextOptions { files, silent } = std::mem::take(&mut self.text);
         if silent.iter().any(|(stream, _)| *stream == Stream::All) {
-            self.options.push(Own::of("--quiet".into()));
+            self.options.push(DurerOption::new("--quiet".into()));
         }
         if self.settings.is_povray_line {
             self.text_output = self.povray_text_output(files, silent);
