@@ -63,7 +63,7 @@ fn enclosing_object(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
 fn black_objects(world: &World, options: &render::Options) -> Option<(Span, String, String)> {
     let mut first = None;
     for found in unseen::sample(world, options) {
-        let material = world.parts.get(found.part() as usize)?.outside.material;
+        let material = world.parts.get(found.part_number() as usize)?.outside.material;
         let mut layers = world.materials.get(material as usize)?.layers.iter();
         let black = |color: &LayerColor| matches!(color, LayerColor::Solid(c) if c.rgb.max_element() <= 0.0);
         if !layers.all(|layer| layer.choice.is_none() && black(&layer.pigment)) {

@@ -108,7 +108,7 @@ fn first_shape_name(world: &World, item: PlacedSolid) -> Option<(&'static str, S
 
 /// Returns the word and the span of a hit shape.
 fn hit_shape_name(world: &World, found: &Intersection) -> (&'static str, Span) {
-    (found.leaf.shape.spec().name, source_of(world, found.part()))
+    (found.leaf.shape.spec().name, source_of(world, found.part_number()))
 }
 
 fn source_of(world: &World, part: u32) -> Span {

@@ -72,11 +72,11 @@ fn coincidences(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
     let normal = seen.surface(ray).normal;
     let mut out = vec![];
     world.geometry.shapes_at(ray, around, &mut |item, other| {
-        if other.part() != seen.part()
+        if other.part_number() != seen.part_number()
             && is_visible_to_camera(world, item.object())
             && let Some(kind) = kind_of(world, ray, &item, &seen, &other, normal)
         {
-            let (a, b) = (seen.part().min(other.part()), seen.part().max(other.part()));
+            let (a, b) = (seen.part_number().min(other.part_number()), seen.part_number().max(other.part_number()));
             out.push((a, b, kind));
         }
     });
@@ -101,7 +101,7 @@ fn kind_of(
         return Some(Coincidence::Skin);
     }
     let kept = !cut || item.inside(ray.at(seen.t()) - normal * (TOLERANCE.sqrt() * (1.0 + seen.t())));
-    let look = |found: &Intersection| world.parts.get(found.part() as usize).map(|part| &part.outside);
+    let look = |found: &Intersection| world.parts.get(found.part_number() as usize).map(|part| &part.outside);
     let (a, b) = (look(seen)?, look(other)?);
     let same = a.material == b.material && a.place.as_deref() == b.place.as_deref();
     (kept && !same).then_some(Coincidence::Materials)

@@ -103,7 +103,7 @@ fn nothing_visible_warning(world: &World, options: &render::Options) -> Diagnost
     if let Some(item) = nearest
         && let Some((word, source)) = first_shape_name(world, *item)
     {
-        let seen = Visibility::of(world, options, &item.bounds());
+        let seen = Visibility::classify(world, options, &item.bounds());
         let label = format!("the nearest object, this `{word}`, is {}", seen.description());
         let d = Diagnostic::new(codes::NOTHING_SEEN, source, message).label(label);
         return d.also(world.camera_source, "seen from here").help(seen.help(world, &item.bounds()));
@@ -131,7 +131,8 @@ enum Visibility {
 }
 
 impl Visibility {
-    fn of(world: &World, options: &render::Options, bounds: &Aabb) -> Self {
+    /// Returns the reason for which the picture does not show an object with these bounds.
+    fn classify(world: &World, options: &render::Options, bounds: &Aabb) -> Self {
         let (width, height) = (options.width as f64, options.height as f64);
         let view = world.eye.view(options.width, options.height);
         let Some(window) = view.flat_window() else { return Visibility::Missed };

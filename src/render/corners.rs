@@ -59,7 +59,8 @@ impl Corners<'_> {
 }
 
 impl Subdivision<'_, '_, '_, '_> {
-    fn at(&mut self, [right, down]: [u32; 2]) -> Pixel {
+    /// Returns the sample at a position, in smallest pieces from the pixel's top left corner. Each sample is taken once.
+    fn cached_sample(&mut self, [right, down]: [u32; 2]) -> Pixel {
         let pieces = self.corners.pieces();
         if right % pieces == 0 && down % pieces == 0 {
             return *self.corner_samples.at(self.x + (right / pieces) as usize, self.y + (down / pieces) as usize);
@@ -75,7 +76,7 @@ impl Subdivision<'_, '_, '_, '_> {
     /// Returns the mean of a square piece, subdivided where its corners differ.
     fn piece_mean(&mut self, [right, down]: [u32; 2], edge: u32) -> [f64; 4] {
         let places = [[right, down], [right + edge, down], [right, down + edge], [right + edge, down + edge]];
-        let corners = places.map(|place| self.at(place));
+        let corners = places.map(|place| self.cached_sample(place));
         let differ =
             (1..4).any(|i| (0..i).any(|j| self.corners.difference.reaches_threshold(&corners[i], &corners[j])));
         let parts = if edge == 1 || !differ || self.sampler.is_stopped() {

@@ -11,7 +11,7 @@ pub fn pick(world: &World, options: &Options, x: usize, y: usize) -> Option<Pick
     let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
     let found = world.geometry.closest(&ray, range, |id| world.objects[id as usize].image)?;
     let surface = found.surface(&ray);
-    let part = &world.parts[found.part() as usize];
+    let part = &world.parts[found.part_number() as usize];
     Some(Picked {
         shape: found.leaf.shape.spec().name,
         t: found.t(),

@@ -35,9 +35,10 @@ impl Painted {
         }
     }
 
-    /// Returns the transform from the texture's space to the block around the object, whose transform is `object`.
-    pub fn place<'t>(&'t self, object: &'t Transform) -> &'t Transform {
-        self.moved.as_deref().unwrap_or(object)
+    /// Returns the transform from the texture's space to the block around the object; `block_from_object` is the
+    /// object's transform.
+    pub fn block_from_texture<'t>(&'t self, block_from_object: &'t Transform) -> &'t Transform {
+        self.moved.as_deref().unwrap_or(block_from_object)
     }
 }
 

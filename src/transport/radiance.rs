@@ -102,7 +102,7 @@ impl<'w> Tracer<'w> {
             return Interface::NONE;
         }
         let world = self.context.world;
-        let own = world.parts[hit.part() as usize].interior;
+        let own = world.parts[hit.part_number() as usize].interior;
         let interface = Interface::new(&state.inside, own, &world.interiors);
         match state.hue {
             Some(hue) => interface.of_hue(hue, &state.inside, own, &world.interiors),

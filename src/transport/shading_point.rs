@@ -52,7 +52,7 @@ pub(super) struct ShadingPoint<'w> {
 impl<'w> ShadingPoint<'w> {
     /// Evaluates the materials at the hit `found` of `ray`; `interface` is the optical boundary at the hit.
     pub fn new(world: &'w World, ray: &Ray, found: &Intersection, quality: &Quality, interface: &Interface) -> Self {
-        let part = &world.parts[found.part() as usize];
+        let part = &world.parts[found.part_number() as usize];
         let surface = found.surface(ray);
         let against = ray.dir.dot(surface.normal);
         let normal = if against > 0.0 { -surface.normal } else { surface.normal };
@@ -237,7 +237,7 @@ fn each_material<'w>(
     from_inside: bool,
     mut visit: impl FnMut(&'w PlacedMaterial, f64),
 ) {
-    let part = &world.parts[found.part() as usize];
+    let part = &world.parts[found.part_number() as usize];
     let Some(uncommon) = &part.uncommon else { return visit(&part.outside, 1.0) };
     if let Some(inside) = uncommon.inside.as_ref().filter(|_| from_inside != found.keeps_texture_sides()) {
         return visit(inside, 1.0);
@@ -278,7 +278,7 @@ fn texture_context<'w>(
     ray: &Ray,
 ) -> (&'w Material, TextureContext) {
     let material = &world.materials[placed.material as usize];
-    let on_surface = world.parts[found.part() as usize].uv;
+    let on_surface = world.parts[found.part_number() as usize].uv;
     let uv = if on_surface || material.uv { found.mapped_uv(surface) } else { DVec2::ZERO };
     let ctx = TextureContext {
         p: placed.local(if on_surface { uv.extend(0.0) } else { surface.point }),
@@ -294,7 +294,7 @@ fn texture_context<'w>(
 
 /// Returns the transmittance of all layers where a shadow ray hits `found`; `quick` uses `quick_color`.
 pub(super) fn shadow_transmittance(world: &World, ray: &Ray, found: &Intersection, quick: bool) -> Rgb {
-    let part = &world.parts[found.part() as usize];
+    let part = &world.parts[found.part_number() as usize];
     let outside = &world.materials[part.outside.material as usize];
     if part.uncommon.is_none() && outside.solid && !quick {
         return outside.pass;

@@ -126,7 +126,7 @@ impl Tracer<'_> {
         if !self.context.tracks_interiors {
             return transmittance;
         }
-        let own = world.parts[hit.part() as usize].interior;
+        let own = world.parts[hit.part_number() as usize].interior;
         let interior = &world.interiors[own as usize];
         if let Some(at) = inside.iter().rposition(|&i| i == own) {
             inside.remove(at);
@@ -158,7 +158,7 @@ fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32)
     surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
     let (mut last, epsilon) = (f64::NEG_INFINITY, &world.epsilon);
     surfaces.retain(|hit| {
-        let counts = hit.t() - last > epsilon.shadow.max(epsilon.own(hit.leaf.shape.quirks().min_distance));
+        let counts = hit.t() - last > epsilon.shadow.max(epsilon.scaled_to_scene(hit.leaf.shape.quirks().min_distance));
         if counts {
             last = hit.t();
         }

@@ -48,18 +48,18 @@ impl Instance {
     }
 
     /// Returns the transform from instance to world space; `None` for the identity.
-    pub fn place(&self) -> Option<&Transform> {
+    pub fn world_from_instance(&self) -> Option<&Transform> {
         self.place.as_deref()
     }
 
     /// Transforms a ray from world to instance space, M⁻¹·ray.
     pub fn local(&self, ray: &Ray) -> Ray {
-        self.place().map_or(*ray, |m| m.inverse_transform_ray(ray))
+        self.world_from_instance().map_or(*ray, |m| m.inverse_transform_ray(ray))
     }
 
     /// Transforms a point from world to instance space, M⁻¹·p.
     pub fn local_point(&self, p: DVec3) -> DVec3 {
-        self.place().map_or(p, |m| m.inverse_transform_point(p))
+        self.world_from_instance().map_or(p, |m| m.inverse_transform_point(p))
     }
 
     /// Converts a hit on the shared shapes to a hit on this instance.
@@ -87,7 +87,7 @@ impl Instance {
 
     /// Returns a box around all hits of one of the shared solids, in world space.
     pub fn bounds_of(&self, node: &SolidNode) -> Aabb {
-        let Some(m) = self.place() else { return node.bounds() };
+        let Some(m) = self.world_from_instance() else { return node.bounds() };
         match node.kind() {
             SolidKind::Leaf(leaf) if node.is_whole() => loosened(leaf.shape.bounds_under(&leaf.transform().then(m))),
             _ => loosened(m.transform_aabb(&node.bounds())),

@@ -56,7 +56,7 @@ impl Leaf {
 
     /// Places a shape by a transform that other shapes share.
     pub(super) fn placed(shape: Shape, transform: &SharedDefault<Transform>, id: u32) -> Self {
-        Self { shape, place: place(transform), inverse: false, id }
+        Self { shape, place: non_identity(transform), inverse: false, id }
     }
 
     /// Returns the transform from object to world space.
@@ -134,7 +134,7 @@ impl Leaf {
 }
 
 /// Returns the transform; `None` for the identity.
-pub(super) fn place(transform: &SharedDefault<Transform>) -> Option<Arc<Transform>> {
+pub(super) fn non_identity(transform: &SharedDefault<Transform>) -> Option<Arc<Transform>> {
     transform.explicit_value().filter(|transform| !transform.is_identity()).cloned()
 }
 
@@ -152,13 +152,13 @@ impl Intersection<'_> {
     }
 
     /// Returns the index of the hit shape's properties in [`super::World::parts`].
-    pub fn part(&self) -> u32 {
+    pub fn part_number(&self) -> u32 {
         self.instance.map_or(self.leaf.id, |instance| instance.part_of(self.leaf))
     }
 
     /// True if this hit wins against `other`: closer, or at the same point on an object that was declared earlier.
     pub(super) fn wins_against(&self, other: &Intersection) -> bool {
-        self.hit.t < other.hit.t || (self.hit.t == other.hit.t && self.part() < other.part())
+        self.hit.t < other.hit.t || (self.hit.t == other.hit.t && self.part_number() < other.part_number())
     }
 
     /// True if the hit shape is inverted.
@@ -189,7 +189,7 @@ impl Intersection<'_> {
         let local = self.instance.map_or(*ray, |instance| instance.local(ray));
         let object_point = self.leaf.local(&local).at(self.hit.t);
         let normal = shape.normal(object_point, &self.hit);
-        let around = self.instance.and_then(Instance::place);
+        let around = self.instance.and_then(Instance::world_from_instance);
         let places = [place.as_deref(), around].into_iter().flatten();
         let (point, normal) =
             places.fold((object_point, normal), |(p, n), m| (m.transform_point(p), m.transform_normal(n)));

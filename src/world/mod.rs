@@ -51,7 +51,7 @@ pub struct World {
     pub geometry: Geometry,
     /// Minimum hit distances of rays.
     pub epsilon: RayEpsilon,
-    /// Properties of shapes, by [`Intersection::part`].
+    /// Properties of shapes, by [`Intersection::part_number`].
     pub parts: Vec<Part>,
     /// Properties of objects, by [`SolidNode::object`].
     pub objects: Vec<ObjectInfo>,

@@ -22,7 +22,7 @@ impl RayEpsilon {
 
     /// Returns POV-Ray's minimum distances. A scene too small and too near to `eye` for these gets distances in
     /// proportion to its size.
-    pub fn of(geometry: &Geometry, eye: DVec3) -> Self {
+    pub fn for_scene(geometry: &Geometry, eye: DVec3) -> Self {
         let mut all = Aabb::from_points([eye]);
         let boxes = geometry.items().map(|item| item.node().bounds()).filter(Aabb::is_finite);
         let mut sizes = boxes.map(|bounds| {
@@ -39,8 +39,8 @@ impl RayEpsilon {
         Self { surface: tolerance::SURFACE * part, shadow: tolerance::SHADOW * part }
     }
 
-    /// Scales the minimum hit distance of a shape to this scene.
-    pub fn own(&self, least: f64) -> f64 {
-        least * (self.surface / tolerance::SURFACE)
+    /// Scales a shape's minimum hit distance `min_distance` to the size of this scene.
+    pub fn scaled_to_scene(&self, min_distance: f64) -> f64 {
+        min_distance * (self.surface / tolerance::SURFACE)
     }
 }

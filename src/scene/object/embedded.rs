@@ -39,7 +39,8 @@ impl<'a> EmbeddedTextures<'a> {
         })
     }
 
-    fn of(&self, slot: u32) -> Texture {
+    /// Returns a copy of the texture with the number `slot`; the default texture for 0.
+    fn texture_in_slot(&self, slot: u32) -> Texture {
         (*slot.checked_sub(1).map_or(&self.defaults.texture, |i| &self.textures[i as usize])).as_ref().clone()
     }
 }
@@ -49,7 +50,7 @@ impl Paints for EmbeddedTextures<'_> {
         let texture = match next {
             Next::Block("texture") | Next::Thing("texture") => read_layers(r, self.defaults)?,
             _ => {
-                let mut texture = self.of(*slot);
+                let mut texture = self.texture_in_slot(*slot);
                 if !texture.read_part(r, next, &self.defaults.texture)? {
                     return Ok(false);
                 }
@@ -88,7 +89,7 @@ impl Paints for EmbeddedTextures<'_> {
 
     fn transform(&mut self, slot: &mut u32, by: &Transform) {
         if *slot != 0 {
-            let mut texture = self.of(*slot);
+            let mut texture = self.texture_in_slot(*slot);
             texture.transform(by);
             *slot = self.number(texture);
         }

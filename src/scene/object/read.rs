@@ -266,9 +266,9 @@ impl Object {
     /// Returns a copy of the object's texture with the object's transforms applied, for layers that are added now.
     fn transformed_texture(&self, painted: &Painted) -> Texture {
         let mut texture = (*painted.texture).clone();
-        let place = painted.place(&self.transform);
-        if !self.uncommon.flags.uv_mapping && *place != Transform::IDENTITY {
-            texture.transform(place);
+        let block_from_texture = painted.block_from_texture(&self.transform);
+        if !self.uncommon.flags.uv_mapping && *block_from_texture != Transform::IDENTITY {
+            texture.transform(block_from_texture);
         }
         texture
     }

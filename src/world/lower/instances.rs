@@ -8,7 +8,7 @@ use crate::value::SharedDefault;
 use crate::world::ObjectInfo;
 use crate::world::geometry::{Geometry, GeometryBuilder};
 use crate::world::instance::Instance;
-use crate::world::leaf::place;
+use crate::world::leaf::non_identity;
 use crate::world::node::{SolidKind, SolidNode};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -60,7 +60,7 @@ impl Lowering {
             Some(original) => original.clone(),
             None if few() => return Ok(None),
             None => {
-                let original = Original::of(object, parts)?.map(Arc::new);
+                let original = Original::lower(object, parts)?.map(Arc::new);
                 self.copies.known.insert(address, original.clone());
                 original
             }
@@ -70,14 +70,14 @@ impl Lowering {
             return Ok(None);
         }
         let shared = original.shared.clone();
-        let copied = Instance::new(shared, place(&object.transform), before.parts as u32, before.objects as u32);
+        let copied = Instance::new(shared, non_identity(&object.transform), before.parts as u32, before.objects as u32);
         Ok(Some(copied).filter(|copied| bvh::fits_single_precision(&copied.bounds())))
     }
 }
 
 impl Original {
     /// Lowers the original object; `None` if copies can't share it.
-    fn of(object: &Object, parts: &Arc<[Object]>) -> Result<Option<Self>> {
+    fn lower(object: &Object, parts: &Arc<[Object]>) -> Result<Option<Self>> {
         let mut alone = Lowering::default();
         let object = Object { transform: SharedDefault::DEFAULT, ..object.clone() };
         let Some(solid) = alone.lower_object(&object, &Inherited::default())? else { return Ok(None) };

@@ -9,7 +9,7 @@ mod shared;
 mod views;
 
 use super::geometry::GeometryBuilder;
-use super::leaf::place;
+use super::leaf::non_identity;
 use super::medium::Medium;
 use super::{
     Geometry, Leaf, LightSource, Material, ObjectInfo, Part, PlacedMaterial, RayEpsilon, Sky, SolidNode, UncommonPart,
@@ -92,7 +92,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
     let eye = scene.camera.lower(noise, scene.settings.number_of_waves);
     let geometry = Geometry::from(builder);
     Ok(World {
-        epsilon: RayEpsilon::of(&geometry, eye.frame.origin),
+        epsilon: RayEpsilon::for_scene(&geometry, eye.frame.origin),
         eye,
         camera_source: scene.cameras.last().copied().unwrap_or(Span::NONE),
         geometry,
@@ -234,7 +234,7 @@ impl Lowering {
     /// Returns the properties that the parts of an object inherit.
     fn inherited_by_parts(&mut self, object: &Object, inherited: &Inherited) -> Result<Inherited> {
         let place = inherited.place.inside(object)?;
-        let look = |painted: &Option<Painted>| inherited.place.look(painted.as_ref(), object, &place);
+        let look = |painted: &Option<Painted>| inherited.place.placed_texture(painted.as_ref(), object, &place);
         let texture = look(&object.texture)?;
         let inside = look(&object.uncommon.interior_texture)?;
         let of_group = inherited.interior.is_some() && object.uncommon.interior.is_none();
@@ -391,11 +391,11 @@ impl Lowering {
 
     fn lower_look(&mut self, look: &PlacedTexture) -> PlacedMaterial {
         let Self { textures, shared, materials, .. } = self;
-        let material = *textures.of(&look.texture, |texture| {
+        let material = *textures.get_or_lower(&look.texture, |texture| {
             materials.push(Material::new(texture, shared));
             materials.len() as u32 - 1
         });
-        let place = if self.materials[material as usize].solid { None } else { place(&look.transform) };
+        let place = if self.materials[material as usize].solid { None } else { non_identity(&look.transform) };
         PlacedMaterial { material, place }
     }
 
@@ -413,7 +413,7 @@ impl Lowering {
         let any = matches!(op, CsgOp::Union | CsgOp::Merge);
         for part in parts.iter().take(cut) {
             let place = around.inside(part)?;
-            let own = around.look(part.texture.as_ref(), part, &place)?;
+            let own = around.placed_texture(part.texture.as_ref(), part, &place)?;
             let look = own.as_ref().or(look);
             match (&part.kind, look) {
                 (ObjectKind::Csg(op, parts), look) => self.find_cut(*op, parts, &place, look, out)?,

@@ -35,7 +35,7 @@ impl BlockSpace {
     }
 
     /// Returns an object's texture with its transform to world space; `inside` is the space inside the object's block.
-    pub fn look(
+    pub fn placed_texture(
         &self,
         painted: Option<&Painted>,
         object: &Object,

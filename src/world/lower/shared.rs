@@ -30,11 +30,11 @@ impl Shared {
 
 impl SharedParts for Shared {
     fn finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish> {
-        self.finishes.of(finish, |finish| Arc::new(LoweredFinish::new(finish, self.ambient_light))).clone()
+        self.finishes.get_or_lower(finish, |finish| Arc::new(LoweredFinish::new(finish, self.ambient_light))).clone()
     }
 
     fn normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram> {
-        self.normals.of(normal, |normal| Arc::new(NormalProgram::new(normal))).clone()
+        self.normals.get_or_lower(normal, |normal| Arc::new(NormalProgram::new(normal))).clone()
     }
 }
 
@@ -52,7 +52,8 @@ impl<T, U> Default for LoweredTable<T, U> {
 }
 
 impl<T, U> LoweredTable<T, U> {
-    pub fn of(&mut self, thing: &Arc<T>, lower: impl FnOnce(&T) -> U) -> &U {
+    /// Returns the lowered `thing`, which `lower` makes if the table has none.
+    pub fn get_or_lower(&mut self, thing: &Arc<T>, lower: impl FnOnce(&T) -> U) -> &U {
         let address = Arc::as_ptr(thing);
         let (_, lowered) = self.known.entry(address).or_insert_with(|| {
             self.fresh.push(address);
