@@ -57,7 +57,7 @@ fn format_file(console: &Console, args: &FmtArgs, path: &Path) -> Result {
         return Ok(report(console, &sources, &[fault]));
     };
     match encoded.formatted(sources.base(file), args.width.into()) {
-        Ok(text) => finish(console, args, path, &encoded, &text),
+        Ok(text) => write_formatted(console, args, path, &encoded, &text),
         Err(faults) => {
             let exit = report(console, &sources, &faults);
             console.info(&format!("`{name}` is unchanged\n"));
@@ -87,7 +87,8 @@ fn diff(name: &str, old: &str, new: &str) -> String {
     diff.unified_diff().header(name, &format!("{name} (formatted)")).to_string()
 }
 
-fn finish(console: &Console, args: &FmtArgs, path: &Path, old: &Encoded, new: &str) -> Result {
+/// Writes the formatted text `new` to its file or to stdout; with `--check` or `--diff`, reports the changes only.
+fn write_formatted(console: &Console, args: &FmtArgs, path: &Path, old: &Encoded, new: &str) -> Result {
     let is_same = old.text == new;
     let name = path.display().to_string();
     if args.diff {

@@ -9,7 +9,7 @@ use super::table;
 pub fn lay_out(text: &str, atoms: &Atoms, width: usize) -> String {
     let mut setter = Setter::new(text, atoms, width);
     setter.write_body(0, atoms.row.len(), 0, false);
-    setter.finish()
+    setter.into_aligned_text()
 }
 
 /// State of the layout, with the text written so far.
@@ -212,7 +212,8 @@ impl<'a> Setter<'a> {
         self.out.push_str(self.read(i));
     }
 
-    fn finish(mut self) -> String {
+    /// Ends the text with a line feed, aligns its trailing comments, and returns it.
+    fn into_aligned_text(mut self) -> String {
         if !self.out.is_empty() {
             self.out.push('\n');
         }

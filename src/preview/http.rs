@@ -62,7 +62,7 @@ impl Request {
         let mut headers = [httparse::EMPTY_HEADER; 64];
         let mut request = httparse::Request::new(&mut headers);
         match request.parse(bytes) {
-            Ok(httparse::Status::Complete(head)) => Ok(Some((Self::of(&request), head))),
+            Ok(httparse::Status::Complete(head)) => Ok(Some((Self::from_head(&request), head))),
             Ok(httparse::Status::Partial) => Ok(None),
             Err(error) => Err(invalid(format!("the request is not HTTP/1.1: {error}"))),
         }
@@ -84,7 +84,8 @@ impl Request {
         Ok(length)
     }
 
-    fn of(request: &httparse::Request) -> Self {
+    /// Copies a parsed request head into a request without a body.
+    fn from_head(request: &httparse::Request) -> Self {
         let (path, query) =
             request.path.unwrap_or_default().split_once('?').unwrap_or((request.path.unwrap_or_default(), ""));
         let header =

@@ -93,7 +93,8 @@ impl Picture {
         Region { x: left - x, y: top - y, width: right - left, height: bottom - top }
     }
 
-    fn part(&self, Region { x, y, width, height }: Region) -> Image {
+    /// Returns a copy of this region of the picture.
+    fn crop(&self, Region { x, y, width, height }: Region) -> Image {
         let rows = self.image.pixels.chunks(self.image.width.max(1)).skip(y).take(height);
         Image { width, height, pixels: rows.flat_map(|row| &row[x..x + width]).copied().collect() }
     }
@@ -240,7 +241,7 @@ impl Contents {
             }
             let tile = |at| {
                 let area = picture.tile(at);
-                (area.x, area.y, picture.part(area))
+                (area.x, area.y, picture.crop(area))
             };
             update.tiles = fresh.into_iter().map(|(at, _)| tile(at)).collect();
             // The picture is not complete on the page while tiles are pending.

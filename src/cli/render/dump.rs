@@ -8,7 +8,7 @@ use serde_json::Value;
 const WIDTH: usize = 100;
 
 /// Formats a stage as JSON, with a line ending at the end.
-pub fn text(sources: &Sources, stage: &impl Serialize) -> String {
+pub fn to_json(sources: &Sources, stage: &impl Serialize) -> String {
     let mut value = serde_json::to_value(stage).unwrap_or_default();
     name_positions(sources, &mut value);
     let mut out = String::new();
@@ -120,7 +120,7 @@ mod tests {
             "at": {"lo": base + 9, "hi": base + 10}, "none": {"lo": 0, "hi": 0}, "point": [1, 2], "other": {"lo": 0.5, "hi": 1},
             "long": [long, []],
         });
-        let text = text(&sources, &value);
+        let text = to_json(&sources, &value);
         let start = "{\n  \"at\": \"a.scene:2:3\",\n  \"none\": null,\n  \"point\": [1, 2],\n  \"other\": {\"lo\": 0.5, \"hi\": 1},\n";
         assert!(text.starts_with(start) && text.contains("\n      1.5,\n"), "{text}");
         let read: Value = serde_json::from_str(&text).unwrap();

@@ -309,7 +309,7 @@ impl<'a> Job<'a> {
     }
 
     fn dump(&self, stage: &impl serde::Serialize) -> Result {
-        self.console.data(super::dump::text(self.sources, stage)).map(|()| Exit::Fine)
+        self.console.data(super::dump::to_json(self.sources, stage)).map(|()| Exit::Fine)
     }
 }
 

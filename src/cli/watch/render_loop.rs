@@ -107,7 +107,7 @@ impl RenderLoop {
             if read.files != LookedUpFiles::default() {
                 files.follow(&read.files, &self.args.input);
             }
-            *scene = take(state, read);
+            *scene = update_page(state, read);
         }
         if is_obsolete(cancel) {
             return;
@@ -193,7 +193,7 @@ fn part_of(options: &render::Options) -> Region {
 }
 
 /// Moves the result of a run into the page's state, and returns the scene.
-fn take(state: &mut PageState, read: Read) -> Option<Arc<Scene>> {
+fn update_page(state: &mut PageState, read: Read) -> Option<Arc<Scene>> {
     if let Some(size) = read.size {
         state.size = [size.width, size.height];
         state.clock = read.clock;

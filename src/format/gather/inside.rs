@@ -60,7 +60,7 @@ impl Gatherer<'_> {
         while let Some(piece) = self.pieces.next
             && piece.span().hi < span.hi
         {
-            self.pieces.take();
+            self.pieces.advance();
             self.add_piece(piece);
         }
         let end = self.len() as u32;
@@ -126,7 +126,7 @@ impl Gatherer<'_> {
                 Some(")") => -1,
                 _ => 0,
             };
-            self.pieces.take();
+            self.pieces.advance();
             self.add_piece(piece);
         }
         self.pending = 0;

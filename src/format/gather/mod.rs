@@ -13,7 +13,7 @@ const LONG_LIST: usize = 100_000;
 
 /// Returns the atoms of a text whose first byte has the global offset `base`.
 pub fn gather(text: &str, base: usize, ast: &Ast) -> Atoms {
-    let pieces = Pieces::of(&ast.tokens);
+    let pieces = Pieces::new(&ast.tokens);
     let mut gatherer = Gatherer { text, base, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
     gatherer.body(&ast.elements);
     gatherer.gather_up_to(text.len());
@@ -27,12 +27,13 @@ struct Pieces<'a> {
 }
 
 impl<'a> Pieces<'a> {
-    fn of(tokens: &'a Tokens) -> Self {
+    fn new(tokens: &'a Tokens) -> Self {
         let mut all = Box::new(tokens.pieces());
         Self { next: all.next(), all }
     }
 
-    fn take(&mut self) -> Option<Piece> {
+    /// Returns the next piece, and advances by one piece.
+    fn advance(&mut self) -> Option<Piece> {
         std::mem::replace(&mut self.next, self.all.next())
     }
 }
@@ -79,7 +80,7 @@ impl<'a> Gatherer<'a> {
         while let Some(piece) = self.pieces.next
             && self.local(piece.span().lo) < end
         {
-            self.pieces.take();
+            self.pieces.advance();
             self.add_piece(piece);
         }
     }
@@ -102,7 +103,7 @@ impl<'a> Gatherer<'a> {
 
     /// Adds the next token, and the comments before it.
     fn gather_token(&mut self) {
-        while let Some(piece) = self.pieces.take() {
+        while let Some(piece) = self.pieces.advance() {
             self.add_piece(piece);
             if matches!(piece, Piece::Token(_)) {
                 break;

@@ -64,11 +64,12 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
         insert_text: Some(format!("{name}($1)$0")),
         insert_text_format: Some(InsertTextFormat::SNIPPET),
         sort_text: Some(format!("3{name}")),
-        ..item(name, format!("{name}{usage}"), summary)
+        ..completion_item(name, format!("{name}{usage}"), summary)
     });
     out.extend(values);
     for (name, what) in CONSTANTS {
-        let constant = CompletionItem { kind: Some(CompletionItemKind::CONSTANT), ..item(name, String::new(), what) };
+        let constant =
+            CompletionItem { kind: Some(CompletionItemKind::CONSTANT), ..completion_item(name, String::new(), what) };
         out.push(CompletionItem { sort_text: Some(format!("3{name}")), ..constant });
     }
     let colors = interpreter::COLOR_WORDS.iter().map(item_of_word);
@@ -80,7 +81,8 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
     Some(out)
 }
 
-fn item(label: &str, detail: String, about: &str) -> CompletionItem {
+/// Creates a completion with this label; `about` is its documentation as Markdown. Empty texts are left out.
+fn completion_item(label: &str, detail: String, about: &str) -> CompletionItem {
     let text = MarkupContent { kind: MarkupKind::Markdown, value: about.to_string() };
     CompletionItem {
         label: label.into(),
@@ -111,7 +113,7 @@ fn item_of_word(taken: &WordSpec) -> CompletionItem {
         insert_text_format: snippet.is_some().then_some(InsertTextFormat::SNIPPET),
         insert_text: snippet,
         sort_text: Some(format!("1{}", taken.name)),
-        ..item(taken.name, detail, taken.summary)
+        ..completion_item(taken.name, detail, taken.summary)
     }
 }
 
@@ -120,7 +122,7 @@ fn directives() -> Vec<CompletionItem> {
     rows.flat_map(|row| row.names.iter().map(move |name| (name, row)))
         .map(|(name, row)| CompletionItem {
             kind: Some(CompletionItemKind::KEYWORD),
-            ..item(name, row.form.to_string(), row.summary)
+            ..completion_item(name, row.form.to_string(), row.summary)
         })
         .collect()
 }
@@ -167,7 +169,7 @@ fn item_of_name(one: &ReachableText, d: &Declaration, file: String) -> Completio
         insert_text_format: snippet.is_some().then_some(InsertTextFormat::SNIPPET),
         insert_text: snippet,
         sort_text: Some(format!("{}{}", if file.is_empty() { '0' } else { '4' }, d.name)),
-        ..item(&d.name, detail.trim().to_string(), "")
+        ..completion_item(&d.name, detail.trim().to_string(), "")
     }
 }
 
@@ -186,7 +188,7 @@ fn of_library(document: &Document, known: &[CompletionItem], typed: &str) -> Vec
             kind: Some(CompletionItemKind::VARIABLE),
             sort_text: Some(format!("5{name}")),
             additional_text_edits: Some(vec![actions::include(document, file)]),
-            ..item(name, format!("from {file}; adds its #include"), "")
+            ..completion_item(name, format!("from {file}; adds its #include"), "")
         })
     };
     library::standard_names().filter(fits).take(MAX_NAMES).filter_map(item).collect()
@@ -204,12 +206,12 @@ fn paths(document: &Document, typed: &str) -> Vec<CompletionItem> {
         }
         let is_folder = entry.path().is_dir();
         let kind = if is_folder { CompletionItemKind::FOLDER } else { CompletionItemKind::FILE };
-        out.push(CompletionItem { kind: Some(kind), ..item(&name, String::new(), "") });
+        out.push(CompletionItem { kind: Some(kind), ..completion_item(&name, String::new(), "") });
     }
     if folder.is_empty() {
         let standard = library::builtin_names().map(|name| CompletionItem {
             kind: Some(CompletionItemKind::FILE),
-            ..item(name, "standard include file".into(), "")
+            ..completion_item(name, "standard include file".into(), "")
         });
         out.extend(standard);
     }
