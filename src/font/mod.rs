@@ -54,7 +54,7 @@ impl Font {
     /// # Errors
     /// E0002 if it does not exist, E0003 if it can't be read, E0236 if it is not a font.
     pub fn read(files: &dyn Files, place: &FontLocation) -> Result<Self> {
-        let FontLocation::File(path, number) = place else { return Ok(Self::own()) };
+        let FontLocation::File(path, number) = place else { return Ok(Self::built_in()) };
         let data = files.read(path).map_err(|e| file::unreadable(files, path, &ReadError::Io(e)))?;
         match Face::parse(&data, *number) {
             Ok(_) => Ok(Self { place: place.clone(), data: data.into() }),
@@ -65,8 +65,8 @@ impl Font {
         }
     }
 
-    /// The built-in font, for machines without any: Latin, Greek and Cyrillic letters of Roboto.
-    pub fn own() -> Self {
+    /// Returns the built-in font, for machines without any: Latin, Greek and Cyrillic letters of Roboto.
+    pub fn built_in() -> Self {
         Self { place: FontLocation::Own, data: Cow::Borrowed(Self::OWN) }
     }
 

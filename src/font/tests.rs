@@ -3,7 +3,7 @@ use skrifa::raw::{FontData, FontRead, tables::kern::Kern};
 
 #[test]
 fn glyphs_are_placed_by_their_widths() {
-    let font = Font::own();
+    let font = Font::built_in();
     let line = font.set("lll");
     // The left edge of the first glyph is at 0, and all are equally wide.
     let left = font.outline(line[0].glyph).iter().flatten().map(|p| p.x).reduce(f64::min).unwrap();
@@ -16,7 +16,7 @@ fn glyphs_are_placed_by_their_widths() {
 
 #[test]
 fn outlines_are_closed() {
-    let font = Font::own();
+    let font = Font::built_in();
     for set in font.set("Ög&@8Ж") {
         let outline = font.outline(set.glyph);
         assert!(!outline.is_empty());

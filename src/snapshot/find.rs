@@ -23,7 +23,7 @@ pub fn is_snapshot(path: &Path) -> bool {
 }
 
 impl Case {
-    fn of(scene: &Path) -> Self {
+    fn of_scene(scene: &Path) -> Self {
         Self { scene: scene.to_path_buf(), picture: scene.with_extension(ENDING) }
     }
 }
@@ -37,10 +37,10 @@ pub fn find(files: &dyn Files, paths: &[PathBuf]) -> io::Result<Vec<Case>> {
     let mut cases = Vec::new();
     for path in paths {
         if files.metadata(path)?.kind == FileKind::Folder {
-            let all = scenes_below(files, path)?.into_iter().map(|scene| Case::of(&scene));
+            let all = scenes_below(files, path)?.into_iter().map(|scene| Case::of_scene(&scene));
             cases.extend(all.filter(|case| files.is_file(&case.picture)));
         } else {
-            cases.push(Case::of(&scene_of(files, path)));
+            cases.push(Case::of_scene(&scene_of(files, path)));
         }
     }
     cases.sort();

@@ -66,7 +66,8 @@ const UNSUITABLE: &[&str] =
     &["condensed", "narrow", "light", "thin", "black", "math", "symbol", "emoji", "dingbat", "logo", "icon", "caps"];
 
 impl Style {
-    fn of(name: &str) -> Self {
+    /// Guesses the style of a font from its name or file name.
+    fn of_font_name(name: &str) -> Self {
         let plain = letters_of(name);
         let family = FAMILIES.iter().find(|(part, _)| plain.contains(part)).map_or(Family::Sans, |(_, family)| *family);
         let holds = |parts: &[&str]| parts.iter().any(|part| plain.contains(part));
@@ -95,7 +96,7 @@ pub fn font_files(files: &dyn Files, folders: &[PathBuf]) -> Vec<PathBuf> {
 /// Returns the font file in and below these folders whose style is nearest to the style of the font `name`. The result
 /// depends only on the set of files that may be read.
 pub fn similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
-    let (mut found, wanted) = (font_files(files, folders), Style::of(name));
+    let (mut found, wanted) = (font_files(files, folders), Style::of_font_name(name));
     found.sort_by_cached_key(|file| (difference(wanted, file), file.clone()));
     found.into_iter().find(|file| files.may_read(file))
 }
@@ -127,7 +128,7 @@ pub fn is_font_file_name(path: &Path) -> bool {
 /// Ranks how much a font file differs from the wanted style, the most important criterion first.
 fn difference(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, String) {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
-    let (style, plain) = (Style::of(&name), letters_of(&name));
+    let (style, plain) = (Style::of_font_name(&name), letters_of(&name));
     let odd = UNSUITABLE.iter().any(|part| plain.contains(part));
     let rank = PREFERRED.iter().position(|p| plain.starts_with(p)).unwrap_or(PREFERRED.len());
     (odd, style.family != wanted.family, style.bold != wanted.bold, style.italic != wanted.italic, rank, plain)

@@ -19,7 +19,7 @@ impl Interpreter<'_> {
                     .or_else(|| self.substitute_font(name, &full, at).map(FontLocation::first_in_file))
                 {
                     Some(place) => place,
-                    None => return Ok(Arc::new(Font::own())),
+                    None => return Ok(Arc::new(Font::built_in())),
                 }
             }
         };

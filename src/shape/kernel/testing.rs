@@ -221,7 +221,7 @@ impl Reader for Words {
     }
 
     fn find_font(&mut self, _: &str, _: Span) -> Result<Arc<crate::font::Font>> {
-        Ok(Arc::new(crate::font::Font::own()))
+        Ok(Arc::new(crate::font::Font::built_in()))
     }
 
     fn skip_unsupported(&mut self, _: &mut Vec<Unsupported>) -> Result<()> {
