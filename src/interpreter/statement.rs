@@ -237,7 +237,7 @@ impl Interpreter<'_> {
         if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
         }
-        let row = self.stream.innermost()?.rest().iter();
+        let row = self.stream.innermost()?.unread().iter();
         let in_row = |e: &&Element| matches!(e.kind, ElementKind::Expr(_) | ElementKind::Sign(Sign::Operator(_)));
         let compares = |e: &Element| match e.kind {
             ElementKind::Sign(Sign::Operator(op)) => !op.adds() && !op.multiplies(),
@@ -249,7 +249,7 @@ impl Interpreter<'_> {
     /// Sets the properties that depend on the whole text, and closes open files.
     pub(super) fn finish_scene(&mut self) {
         self.close_files();
-        self.builder.finish();
+        self.builder.set_version_properties();
         if !self.builder.has_camera() && self.reporter.error_count() == 0 {
             let message = "the scene has no camera: the default one at <0, 0, 0> looks along z";
             self.reporter.report(

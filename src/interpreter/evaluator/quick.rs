@@ -22,7 +22,8 @@ pub trait QuickValue: Sized {
     fn combined(self, op: Operator, right: Self) -> Option<Self>;
     fn prefixed(self, prefix: Prefix) -> Option<Self>;
 
-    fn of(value: &Value) -> Option<Self> {
+    /// Converts a number or vector of the scene; `None` for other values.
+    fn from_value(value: &Value) -> Option<Self> {
         match value {
             Value::Float(x) => Some(Self::float(*x)),
             Value::Vector(v) => Self::vector(*v),
@@ -101,8 +102,8 @@ impl Evaluator<'_> {
             ExprKind::Vector(parts) if T::VECTORS => self.quick_vector(parts),
             ExprKind::Paren(inner) => self.quick(inner),
             ExprKind::Name(symbol) => match self.scopes.get(*symbol) {
-                Some(Slot::Value(value)) if self.deprecated.is_empty() => T::of(value),
-                None => T::of(self.constants.fixed_value(*symbol)?),
+                Some(Slot::Value(value)) if self.deprecated.is_empty() => T::from_value(value),
+                None => T::from_value(self.constants.fixed_value(*symbol)?),
                 _ => None,
             },
             ExprKind::Prefix(prefix, inner) => self.quick::<T>(inner)?.prefixed(*prefix),
@@ -176,7 +177,7 @@ impl Evaluator<'_> {
         let i = self.quick_number(index).filter(|i| *i >= 0.0)?;
         match self.scopes.get(symbol)? {
             Slot::Array(array) if array.sizes.len() == 1 => match array.items.get(i as usize)? {
-                Some(Slot::Value(value)) => T::of(value),
+                Some(Slot::Value(value)) => T::from_value(value),
                 _ => None,
             },
             _ => None,

@@ -422,7 +422,8 @@ impl Compiler {
         self.graph.add_operation(Operation::Choice(below, ids[1], rest))
     }
 
-    fn finish(self, me: &Interpreter, span: Span) -> Result<Arc<dyn Thing>> {
+    /// Compiles the operations to a function of the scene; an error if there are too many.
+    fn into_function(self, me: &Interpreter, span: Span) -> Result<Arc<dyn Thing>> {
         let parameters: Box<[Box<str>]> = self.parameters.iter().map(|p| me.inputs.names.text(*p).into()).collect();
         match Program::new(self.graph, parameters.len()) {
             Some(program) => Ok(Arc::new(Function { parameters, body: Body::Numeric(program) })),

@@ -115,7 +115,7 @@ impl<'a> Interpreter<'a> {
         if !self.peek()?.ends() {
             return Err(self.unexpected_token("an operator or the end of the function").into());
         }
-        compiler.finish(self, span)
+        compiler.into_function(self, span)
     }
 
     /// Reads a function that consists of `internal(61)` alone, a number of a function in functions.inc.

@@ -67,7 +67,7 @@ impl<'a> StackFrame<'a> {
     }
 
     /// Returns the frame's elements from the read position on.
-    pub fn rest(&self) -> &'a [Element] {
+    pub fn unread(&self) -> &'a [Element] {
         self.elements.get(self.at..).unwrap_or_default()
     }
 

@@ -195,7 +195,7 @@ impl<'a> TokenStream<'a> {
     /// Returns the expression that comes next, if a `;` follows the expression.
     #[inline]
     pub(super) fn expression_statement(&self) -> Option<&'a Expr> {
-        match self.frames.last()?.rest() {
+        match self.frames.last()?.unread() {
             [Element { kind: ElementKind::Expr(e), .. }, Element { kind: ElementKind::Semicolon, .. }, ..] => Some(e),
             _ => None,
         }

@@ -37,7 +37,7 @@ impl<'a> TokenStream<'a> {
         if !matches!(frame.kind(), FrameKind::File | FrameKind::Include | FrameKind::Branch) {
             return;
         }
-        let ([first, ..], [.., last]) = (frame.rest(), frame.rest()) else { return };
+        let ([first, ..], [.., last]) = (frame.unread(), frame.unread()) else { return };
         self.look_ahead = None;
         let span = first.span.to(last.span);
         frame.elements = inputs.parsed.rest_from(first, || inputs.tokens_of(span));

@@ -68,7 +68,7 @@ pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMista
     let text = source.after().trim_end();
     let comment = text.trim_start_matches(['#', ' ', '\t']);
     let help = format!("a comment begins with `//`: `// {}`", value_text(comment));
-    Some(CommonMistake::help(help).at(source.range_of(text)))
+    Some(CommonMistake::help(help).range(source.range_of(text)))
 }
 
 /// Recognizes the mistake `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
@@ -95,7 +95,7 @@ pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<CommonMista
     before.strip_suffix("else")?.trim_end_matches([' ', '\t']).strip_suffix('#')?;
     let habit = CommonMistake::help(format!("write `#elseif {}`", code_of(rest)));
     let start = source.line.start + before.rfind('#')?;
-    let habit = habit.message("`#else if` is written as one word: `#elseif`").at(start..source.at + 2);
+    let habit = habit.message("`#else if` is written as one word: `#elseif`").range(start..source.at + 2);
     Some(habit.code(codes::UNKNOWN_DIRECTIVE))
 }
 
@@ -125,7 +125,7 @@ pub(super) fn c_for(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake
     let message = if bare { "a loop begins with `#for`" } else { "`#for` takes a name, a first and a last value" };
     let start = source.statement_start();
     let end = start + statement.find('(').unwrap_or(0);
-    let habit = habit.message(message).at(start..start + statement[..end - start].trim_end().len());
+    let habit = habit.message(message).range(start..start + statement[..end - start].trim_end().len());
     Some(habit.code(codes::SYNTAX).declares(counter))
 }
 
@@ -144,7 +144,7 @@ pub(super) fn file_without_quotes(source: &SourceLine, _: &Diagnostic) -> Option
         return None;
     }
     let habit = CommonMistake::help(format!("write `#include \"{name}\"`"));
-    let habit = habit.message("the name of a file is written in double quotes").at(source.range_of(typed));
+    let habit = habit.message("the name of a file is written in double quotes").range(source.range_of(typed));
     Some(CommonMistake { file: Some(name.to_string()), ..habit.code(codes::SYNTAX) })
 }
 
@@ -193,5 +193,5 @@ pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<Common
     let names =
         typed.split(|c: char| !is_letter(c)).filter(|name| named && !name.is_empty()).map(str::to_string).collect();
     let loses_directive = !matches!(word, "end" | "break" | "local" | "undef" | "debug" | "warning" | "error");
-    Some(CommonMistake { names, loses_directive, ..habit.at(range).code(codes::UNKNOWN_DIRECTIVE) })
+    Some(CommonMistake { names, loses_directive, ..habit.range(range).code(codes::UNKNOWN_DIRECTIVE) })
 }

@@ -36,7 +36,7 @@ impl CommonMistake {
         self
     }
 
-    pub(super) fn at(mut self, range: Range<usize>) -> Self {
+    pub(super) fn range(mut self, range: Range<usize>) -> Self {
         self.range = Some(range);
         self
     }

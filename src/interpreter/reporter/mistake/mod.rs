@@ -51,7 +51,7 @@ impl Mistakes {
 impl Reporter<'_> {
     /// Replaces an error by its cause; `None` if it follows from another error or is merged into one.
     pub(super) fn with_cause(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
-        let Some(source) = SourceLine::of(self.inputs.sources, d.span()) else { return Some(d) };
+        let Some(source) = SourceLine::around(self.inputs.sources, d.span()) else { return Some(d) };
         let line = (source.file, source.line.start);
         let habit = habit::find(&source, &d);
         let is_habit = habit.is_some();

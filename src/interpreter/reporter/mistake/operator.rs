@@ -15,7 +15,7 @@ pub(super) fn not_equal(source: &SourceLine, d: &Diagnostic) -> Option<CommonMis
     let right = right.trim_start();
     let right = &right[..right.find(|c: char| !is_letter(c) && c != '.').unwrap_or(right.len())];
     let habit = CommonMistake::help(format!("write `{left} != {right}`")).message("`<>` does not compare");
-    Some(habit.at(at..at + 2).code(codes::SYNTAX))
+    Some(habit.range(at..at + 2).code(codes::SYNTAX))
 }
 
 fn trailing_operand(text: &str) -> &str {
@@ -42,7 +42,7 @@ pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Com
     let before = source.text[..source.at].trim_end().strip_suffix(';').filter(|_| d.code == codes::EXPECTED_VALUE)?;
     let sign = before.trim_end().chars().next_back().filter(|c| "+-*/".contains(*c))?;
     let habit = CommonMistake::help("an operator needs a value on both sides");
-    Some(habit.message(format!("expected a value after `{sign}`, found `;`")).at(before.len()..before.len() + 1))
+    Some(habit.message(format!("expected a value after `{sign}`, found `;`")).range(before.len()..before.len() + 1))
 }
 
 /// Recognizes the mistakes `A and B`, `not A` and `A mod 2`.
@@ -66,7 +66,7 @@ pub(super) fn operator_as_word(source: &SourceLine, d: &Diagnostic) -> Option<Co
         d.code,
         codes::UNDECLARED | codes::UNKNOWN_WORD | codes::EXPECTED | codes::EXPECTED_VALUE | codes::SYNTAX
     );
-    let habit = habit.message(format!("`{word}` is no operator")).at(source.at..source.at + word.len());
+    let habit = habit.message(format!("`{word}` is no operator")).range(source.at..source.at + word.len());
     tells.then(|| habit.code(codes::SYNTAX))
 }
 
@@ -103,7 +103,7 @@ pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Co
     let start = source.line.start + open - name.len();
     let habit = CommonMistake::help(format!("write `{name}{written}`"));
     let habit = habit.message("each index of an array has its own brackets");
-    Some(habit.at(start..source.line.start + close + 1))
+    Some(habit.range(start..source.line.start + close + 1))
 }
 
 /// Recognizes the mistake `<-1 -1 -1>`, a vector without commas.

@@ -19,7 +19,8 @@ pub(super) struct SourceLine<'t> {
 }
 
 impl<'t> SourceLine<'t> {
-    pub(super) fn of(sources: &'t Sources, span: Span) -> Option<Self> {
+    /// Finds the line around the start of `span`; `None` if the span is in no text.
+    pub(super) fn around(sources: &'t Sources, span: Span) -> Option<Self> {
         let (file, range) = sources.locate(span)?;
         let text = sources.text(file);
         let (from, to) = (range.start.saturating_sub(LONG), range.start.saturating_add(LONG));

@@ -21,7 +21,7 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
     let sign = source.range_of(value).start - 1;
     let body = value_text(value);
     let habit = CommonMistake::help(format!("write `#declare {name} = function({}) {{ {body} }};`", parameters.trim()));
-    let habit = habit.message(format!("`{name}(…) = …` defines no function")).at(sign..sign + 1);
+    let habit = habit.message(format!("`{name}(…) = …` defines no function")).range(sign..sign + 1);
     is_list.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
@@ -41,7 +41,7 @@ pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<CommonMist
     let end = source.range_of(rest).start + length;
     let shown = &source.text[start..end];
     let habit = CommonMistake::help(format!("write `#declare {name} = {name} {sign} {value};`"));
-    Some(habit.message(format!("`{shown}` does not change `{name}`")).at(start..end).code(codes::SYNTAX))
+    Some(habit.message(format!("`{shown}` does not change `{name}`")).range(start..end).code(codes::SYNTAX))
 }
 
 /// Recognizes the mistake `float A = 2;` or `let A = 2;` for a declaration.
@@ -52,7 +52,7 @@ pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Comm
     let value = rest.trim_start().strip_prefix('=')?;
     let start = source.statement_start();
     let habit = CommonMistake::help(format!("write `#declare {name} = {};`", value_text(value)));
-    let habit = habit.message(format!("`{kind}` declares nothing")).at(start..start + kind.len());
+    let habit = habit.message(format!("`{kind}` declares nothing")).range(start..start + kind.len());
     Some(habit.code(codes::SYNTAX).declares(name))
 }
 
@@ -64,7 +64,7 @@ pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMi
     let inside = source.at <= sign + 1 && d.code != codes::UNKNOWN_DIRECTIVE;
     let habit =
         CommonMistake::help(format!("to give `{name}` a value, write `#declare {name} = {};`", value_text(value)));
-    let habit = habit.message("`=` is not allowed here").at(sign..sign + 1);
+    let habit = habit.message("`=` is not allowed here").range(sign..sign + 1);
     inside.then(|| habit.code(codes::SYNTAX).declares(name))
 }
 
