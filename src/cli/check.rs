@@ -19,7 +19,7 @@ use std::path::Path;
 
 /// Checks all inputs; the worst result determines the exit code. `animation` comes from POV-Ray's options.
 pub fn run(console: &Console, args: &CheckArgs, animation: Option<Animation>) -> Result {
-    let inputs = Inputs::of(&args.inputs)?;
+    let inputs = Inputs::collect(&args.inputs)?;
     let human = args.format == CheckFormat::Human;
     if let ([input], false) = (&inputs.all[..], inputs.several) {
         let exit = check(console, args, &animation, input)?;

@@ -17,7 +17,7 @@ pub struct Inputs {
 
 impl Inputs {
     /// Collects the scenes that a command line names, also those in folders. Missing files are reported later.
-    pub fn of(named: &[PathBuf]) -> Result<Self> {
+    pub fn collect(named: &[PathBuf]) -> Result<Self> {
         let mut all = Vec::new();
         for input in named {
             let input = session::named(input);
@@ -56,9 +56,13 @@ mod tests {
         for name in ["z.scene", "a.pov", "a.inc", "b/c.scene", "b/.hidden/d.scene"] {
             std::fs::write(at(name), "").unwrap();
         }
-        let found = Inputs::of(&[at("z.scene"), folder.path().into()]).unwrap();
+        let found = Inputs::collect(&[at("z.scene"), folder.path().into()]).unwrap();
         assert_eq!(found.all, [at("z.scene"), at("a.pov"), at("b/c.scene")]);
-        assert!(found.several && Inputs::of(&[at("b")]).unwrap().several && !Inputs::of(&[at("a")]).unwrap().several);
-        assert!(Inputs::of(&[at("empty")]).is_err());
+        assert!(
+            found.several
+                && Inputs::collect(&[at("b")]).unwrap().several
+                && !Inputs::collect(&[at("a")]).unwrap().several
+        );
+        assert!(Inputs::collect(&[at("empty")]).is_err());
     }
 }

@@ -73,7 +73,7 @@ impl<'a> Interpreter<'a> {
                 let Some(lvalue) = self.stream.element().cloned() else {
                     return Err(self.unexpected_token("a value").into());
                 };
-                let (slot, depth) = (self.evaluator.scopes().at(&lvalue).cloned(), self.stream.call_depth());
+                let (slot, depth) = (self.evaluator.scopes().slot_at(&lvalue).cloned(), self.stream.call_depth());
                 self.stream.advance();
                 let ends = self.value_ends()?;
                 match slot {
@@ -161,7 +161,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
         match &argument.given {
             ArgumentForm::Name(symbol) => self.evaluator.is_declared(*symbol),
-            ArgumentForm::LValue(lvalue) => self.evaluator.scopes().at(lvalue).is_some(),
+            ArgumentForm::LValue(lvalue) => self.evaluator.scopes().slot_at(lvalue).is_some(),
             ArgumentForm::Slot(_) => false,
         }
     }

@@ -337,7 +337,7 @@ impl<'a> Interpreter<'a> {
         let mut rest = &numbers[..];
         while !rest.is_empty() {
             let at = indices[numbers.len() - rest.len()].1;
-            let slot = self.evaluator.scopes().at(&lvalue).and_then(|slot| slot.element(&path));
+            let slot = self.evaluator.scopes().slot_at(&lvalue).and_then(|slot| slot.element(&path));
             if let Some(slot @ Slot::Faulty(_)) = slot {
                 let slot = slot.clone();
                 self.slot_value(slot, span)?;
@@ -375,7 +375,7 @@ impl<'a> Interpreter<'a> {
                 None => return Ok(false),
             }
         }
-        Ok(self.evaluator.scopes().at(&lvalue).is_some())
+        Ok(self.evaluator.scopes().slot_at(&lvalue).is_some())
     }
 
     /// Returns the number of elements of an array's dimension; the first dimension is 1.

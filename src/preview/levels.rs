@@ -50,7 +50,7 @@ pub fn render_progressively(
     let watch = TileDisplay { world, options, screen, cancel };
     let rays = render::draw(world, options, &watch, &mut Discard)?;
     check()?;
-    screen.finish();
+    screen.mark_finished();
     Ok((rays, first.unwrap_or_default()))
 }
 

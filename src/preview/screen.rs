@@ -173,7 +173,7 @@ impl Screen {
     }
 
     /// Marks the picture on the screen as finished.
-    pub fn finish(&self) {
+    pub fn mark_finished(&self) {
         self.change(|contents, stamp| {
             if let Some(picture) = &mut contents.picture {
                 (picture.done, picture.progress) = (true, 1.0);
@@ -288,7 +288,7 @@ mod tests {
         screen.put(Region { x: 0, y: 16, width: 16, height: 16 }, &[[0.25; 4]; 256]);
         assert_eq!(collect(&screen, &mut page)[0].tiles.len(), 1);
         assert!(screen.finished().is_none());
-        screen.finish();
+        screen.mark_finished();
         assert!(screen.finished().is_some());
         screen.begin(View { area });
         assert_eq!(screen.previous().map(|image| image.pixels[0]), Some([0.25; 4]));
@@ -303,7 +303,7 @@ mod tests {
             let (x, y) = (at % 40 * 16, at / 40 * 16);
             screen.put(Region { x, y, width: 16, height: 16 }, &[[1.0; 4]; 256]);
         }
-        screen.finish();
+        screen.mark_finished();
         let update = collect(&screen, &mut page);
         assert_eq!(update.iter().map(|update| update.tiles.len()).sum::<usize>(), 1200);
         assert!(update.iter().all(|update| update.tiles.len() <= BATCH));

@@ -176,7 +176,7 @@ impl Lexer<'_> {
     fn number_or_sign(&mut self, b: u8) {
         if let Some((class, end)) = self.literal(b) {
             let index = self.out.lists.len() as u32;
-            self.out.lists.extend(self.lists.as_mut().map(ListScanner::take));
+            self.out.lists.extend(self.lists.as_mut().map(ListScanner::take_items));
             return self.push(class, end - self.at, index);
         }
         match b {

@@ -117,7 +117,7 @@ pub(super) struct ListScanner {
 impl ListScanner {
     /// Scans the longest list of literals that starts at the offset `at`: numbers and vectors with commas between them.
     /// The first may have a sign if `sign` is true. An item that is an operand of an operator is left out. Returns the
-    /// number of items, which [`Self::take`] yields, and their end.
+    /// number of items, which [`Self::take_items`] yields, and their end.
     pub(super) fn scan(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<(usize, usize)> {
         self.data.clear();
         self.widths = WidthsBuilder::default();
@@ -147,8 +147,8 @@ impl ListScanner {
     }
 
     /// Returns the items of the last scan.
-    pub(super) fn take(&mut self) -> NumberList {
-        let widths = std::mem::take(&mut self.widths).finish();
+    pub(super) fn take_items(&mut self) -> NumberList {
+        let widths = std::mem::take(&mut self.widths).into_widths();
         // (Copying a short list keeps the buffer for the next.)
         let data =
             if self.data.len() < LONG { self.data.as_slice().into() } else { std::mem::take(&mut self.data).into() };
@@ -237,7 +237,7 @@ impl WidthsBuilder {
         self.count += 1;
     }
 
-    fn finish(self) -> Widths {
+    fn into_widths(self) -> Widths {
         match self.mixed {
             Some(mixed) => Widths::Mixed(mixed.into()),
             None => Widths::Uniform(self.first.unwrap_or(1)),
@@ -311,7 +311,7 @@ mod tests {
     fn scan(text: &str) -> Option<(NumberList, usize)> {
         let mut scanner = ListScanner::default();
         let (_, end) = scanner.scan(text.as_bytes(), 0, true)?;
-        Some((scanner.take(), end))
+        Some((scanner.take_items(), end))
     }
 
     #[test]

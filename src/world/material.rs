@@ -128,9 +128,9 @@ pub struct Lobe {
 /// Lowering of finishes and normals that several textures share.
 pub trait SharedParts {
     /// Lowers a finish.
-    fn finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish>;
+    fn lower_finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish>;
     /// Lowers a normal.
-    fn normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram>;
+    fn lower_normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram>;
 }
 
 impl Material {
@@ -188,10 +188,10 @@ impl Layer {
         let texture::Layer { pigment, normal, finish, choice } = layer;
         Self {
             choice: choice.as_ref().map(|choice| Box::new(lower_choice(choice, shared))),
-            normal: normal.as_ref().filter(|normal| !normal.is_flat()).map(|normal| shared.normal(normal)),
+            normal: normal.as_ref().filter(|normal| !normal.is_flat()).map(|normal| shared.lower_normal(normal)),
             pigment: LayerColor::new(pigment),
             quick: pigment.at_low_quality().map(|quick| Box::new(LayerColor::new(&quick))),
-            finish: shared.finish(finish),
+            finish: shared.lower_finish(finish),
         }
     }
 

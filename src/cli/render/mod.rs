@@ -65,7 +65,7 @@ pub fn run(console: &Console, args: &RenderArgs, context: Context) -> (Result, L
 }
 
 fn render_all(console: &Console, args: &RenderArgs, context: &Context, done: &mut Done) -> Result {
-    let inputs = Inputs::of(&args.inputs)?;
+    let inputs = Inputs::collect(&args.inputs)?;
     if !inputs.several {
         let mut render = |input| render_scene(console, args, context, input, done).map(|(exit, _)| exit);
         return inputs.all.iter().try_fold(Exit::Fine, |_, input| render(input));

@@ -60,7 +60,7 @@ impl Monitor {
             return Err(self.reason());
         }
         let rendered = render::draw(world, options, self, rows);
-        self.progress.finish();
+        self.progress.clear();
         rendered.map_err(|stopped| match stopped {
             Stopped::Cancelled => self.reason(),
             Stopped::Fault(fault) => Failure::Fault(fault),

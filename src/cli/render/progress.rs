@@ -81,7 +81,7 @@ impl Progress {
     }
 
     /// Removes the progress bar from the terminal.
-    pub fn finish(&self) {
+    pub fn clear(&self) {
         match self {
             Self::Bar(bar) => bar.finish_and_clear(),
             Self::PovrayLines { .. } => print_message("\n"),

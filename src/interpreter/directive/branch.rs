@@ -134,16 +134,16 @@ impl<'a> Interpreter<'a> {
                     return self.has_keys(lvalue, indices);
                 }
                 let lvalue = self.element_lvalue(array, indices)?;
-                Ok(self.evaluator.scopes().at(&lvalue).is_some())
+                Ok(self.evaluator.scopes().slot_at(&lvalue).is_some())
             }
             ExprKind::Dot(base, _, symbol) => {
                 if let Some(lvalue) = self.evaluator.prefixed_lvalue(e) {
-                    return Ok(self.evaluator.scopes().at(&lvalue).is_some());
+                    return Ok(self.evaluator.scopes().slot_at(&lvalue).is_some());
                 }
                 let lvalue = self.dictionary_lvalue(base)?;
                 let key = self.inputs.names.text(*symbol);
                 Ok(
-                    matches!(lvalue.and_then(|p| self.evaluator.scopes().at(&p)), Some(Slot::Array(array)) if array.has_key(key)),
+                    matches!(lvalue.and_then(|p| self.evaluator.scopes().slot_at(&p)), Some(Slot::Array(array)) if array.has_key(key)),
                 )
             }
             ExprKind::Paren(inner) => self.is_declared(inner),

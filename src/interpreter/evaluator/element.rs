@@ -70,7 +70,7 @@ impl<'a> Evaluator<'a> {
 
     /// Returns the contents of a location; an error if the location has no value.
     pub fn slot_at(&self, lvalue: &LValue, span: Span) -> Result<Slot<'a>> {
-        match self.scopes.at(lvalue) {
+        match self.scopes.slot_at(lvalue) {
             Some(slot) => Ok(slot.clone()),
             None => self.no_value_error(span),
         }

@@ -204,7 +204,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// Returns the contents of a variable or array element; `None` if undeclared.
-    pub fn at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
+    pub fn slot_at(&self, lvalue: &LValue) -> Option<&Slot<'a>> {
         self.bindings.get(lvalue.symbol.0 as usize)?.get(lvalue.depth)?.slot.element(lvalue.path())
     }
 
@@ -227,7 +227,7 @@ impl<'a> Scopes<'a> {
 
     /// Returns the dictionary at an assignable location, if there is one.
     pub fn dictionary(&self, lvalue: &LValue) -> Option<&Array<'a>> {
-        match self.at(lvalue)? {
+        match self.slot_at(lvalue)? {
             Slot::Array(array) if array.keys.is_some() => Some(array),
             _ => None,
         }

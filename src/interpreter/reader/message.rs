@@ -48,7 +48,7 @@ impl Interpreter<'_> {
             Ok(Token::Expr(_) | Token::Numbers(_)) => "a value".to_string(),
             Ok(Token::Element(span))
                 if let Some(slot @ Slot::Faulty(_)) =
-                    self.stream.element().and_then(|lvalue| self.evaluator.scopes().at(lvalue)) =>
+                    self.stream.element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue)) =>
             {
                 let slot = slot.clone();
                 return match self.slot_value(slot, span) {

@@ -70,7 +70,8 @@ impl Reader for Interpreter<'_> {
                 }
             },
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.next_of_name(*symbol),
-            Token::Element(_) => match self.stream.element().and_then(|lvalue| self.evaluator.scopes().at(lvalue)) {
+            Token::Element(_) => match self.stream.element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue))
+            {
                 Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
                 _ => Next::Value,
             },
@@ -258,7 +259,7 @@ impl Reader for Interpreter<'_> {
                     && !matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Value(Value::Text(_))))
             }
             Token::Element(_) => {
-                let slot = self.stream.element().and_then(|lvalue| self.evaluator.scopes().at(lvalue));
+                let slot = self.stream.element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue));
                 matches!(slot, Some(Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
             }
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => true,

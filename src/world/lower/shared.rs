@@ -29,11 +29,11 @@ impl Shared {
 }
 
 impl SharedParts for Shared {
-    fn finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish> {
+    fn lower_finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish> {
         self.finishes.get_or_lower(finish, |finish| Arc::new(LoweredFinish::new(finish, self.ambient_light))).clone()
     }
 
-    fn normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram> {
+    fn lower_normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram> {
         self.normals.get_or_lower(normal, |normal| Arc::new(NormalProgram::new(normal))).clone()
     }
 }
