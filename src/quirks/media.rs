@@ -10,6 +10,13 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["light_cases/media_light_inside"],
     ),
     emulated_quirk(
+        "media_confidence",
+        "Methods 1 and 2 stop after n of at most m samples if in each channel the variance of the mean light, times the \
+         squared length of the interval, is at most `variance` χ²(n) / χ²(m - 1), with the quantiles of the chi-square \
+         distribution for 1 - `confidence`.",
+        &["src/transport/media.rs::sampling_stops_where_pov_ray_does"],
+    ),
+    emulated_quirk(
         "media_defaults",
         "The manual's defaults are not the program's: without `samples` there are 10 samples and `aa_level` is 3. \
          Before version 3.5 the method is 1 with one sample.",
@@ -45,13 +52,6 @@ pub(super) const QUIRKS: &[Quirk] = &[
          summed over the channels, differs by more than `aa_threshold`. Light is attenuated by what is in front of the \
          two samples. Methods 1 and 2 attenuate each sample by its own density from the beginning of the interval on.",
         &["light_cases/media_method_3_levels", "light_cases/media_method_3_intervals", "light_cases/media_method_2"],
-    ),
-    emulated_quirk(
-        "media_confidence",
-        "Methods 1 and 2 stop after n of at most m samples if in each channel the variance of the mean light, times the \
-         squared length of the interval, is at most `variance` χ²(n) / χ²(m - 1), with the quantiles of the chi-square \
-         distribution for 1 - `confidence`.",
-        &["src/transport/media.rs::sampling_stops_where_pov_ray_does"],
     ),
     emulated_quirk(
         "phase_functions",

@@ -110,21 +110,21 @@ pub enum Deny {
 /// Warnings that `--warn` enables.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Warn {
-    /// Warnings about identifiers that are declared and never used
+    /// Identifiers that are declared and never used
     Unused,
-    /// Warnings about identifiers in macros that hide others
+    /// Identifiers in macros that hide others
     Shadow,
-    /// Warnings about options of POV-Ray without effect in durer
+    /// Options of POV-Ray without effect in durer
     Options,
-    /// Warnings about text that POV-Ray 3.7 would refuse
+    /// Text that POV-Ray 3.7 would refuse
     Portable,
-    /// Warnings about text that is often, but not always, a mistake
+    /// Text that is often, but not always, a mistake
     Doubtful,
 }
 
 /// Warnings that `--warn` enables while rendering.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DrawingWarn {
-    /// Warnings about options of POV-Ray without effect in durer
+    /// Options of POV-Ray without effect in durer
     Options,
 }
