@@ -56,7 +56,8 @@ impl LoweredLight {
             color: light.color,
             shadowless: light.shadowless,
             fade,
-            attenuated: light.media_attenuation,
+            // quirk: media_attenuation_needs_interaction
+            attenuated: light.media_attenuation && light.media_interaction,
             scattered: light.media_interaction && !light.shadowless,
             area: (light.spreads && light.area.size != [1; 2]).then(|| light.area.clone()),
             axis: beam_axis(light.location, light.point_at),
