@@ -4,10 +4,28 @@ use super::{Quirk, emulated_quirk};
 
 pub(super) const QUIRKS: &[Quirk] = &[
     emulated_quirk(
+        "area_illumination_in_media",
+        "Media scatter the light of an area light with `area_illumination` without `fade_distance` and without the soft \
+         edge of a spotlight or cylinder light, whose beam ends sharply at its outer edge.",
+        &["light_cases/media_area_illumination"],
+    ),
+    emulated_quirk(
+        "endless_media",
+        "Along a ray that hits nothing more, the media of an interior do not count, for example of a `plane` that holds \
+         the camera. Media of the whole scene do.",
+        &["light_cases/media_endless"],
+    ),
+    emulated_quirk(
         "light_inside_media",
         "On the way to a light, the media of an interior count up to the surface where the way leaves the interior. A \
          light inside of the medium shines without loss.",
         &["light_cases/media_light_inside"],
+    ),
+    emulated_quirk(
+        "media_attenuation_needs_interaction",
+        "Neither fog nor media of the whole scene attenuate lights with `media_interaction off`, even with \
+         `media_attenuation on`.",
+        &["light_cases/media_attenuation_without_interaction"],
     ),
     emulated_quirk(
         "media_confidence",
@@ -24,25 +42,40 @@ pub(super) const QUIRKS: &[Quirk] = &[
     ),
     emulated_quirk(
         "media_in_front",
-        "The media of the whole scene are in front of those of interiors, along each stretch between two surfaces, and \
-         fog is in front of both.",
-        &["light_cases/media_atmosphere_and_fog"],
+        "The media of the whole scene are in front of those of interiors, along each stretch between two surfaces; fog is \
+         in front of both, and rainbows are behind the media of the whole scene.",
+        &["light_cases/media_atmosphere_and_fog", "light_cases/media_rainbow"],
     ),
     emulated_quirk(
         "media_intervals",
         "If only spotlights and cylinder lights illuminate a medium, their beams divide the ray, and `ratio` distributes \
-         the intervals over lit and dark parts. Without densities, a ray that meets no beam, or a scene without \
-         lights, has one interval, whatever `intervals` says.",
+         the intervals over lit and dark parts. A `parallel` spotlight shines at full strength within its cone alone. \
+         Without densities, a ray that meets no beam, or a scene without lights, has one interval, whatever `intervals` \
+         says.",
         &[
             "src/transport/media_intervals.rs::intervals_are_distributed_by_ratio",
             "light_cases/media_spotlight_ratio",
             "light_cases/media_spotlight_homogeneous",
+            "light_cases/media_parallel_spotlight",
+            "light_cases/media_parallel_spotlight_and_point",
         ],
     ),
     emulated_quirk(
-        "media_of_first",
-        "Several media at one place are sampled together, with the method and the numbers of the first one.",
-        &["light_cases/media_several", "light_cases/media_overlapping"],
+        "media_lights",
+        "Along a ray, media scatter the lights of the object that the ray hits next: those of its `light_group`, if it is \
+         in one, and not those of the object that holds the media.",
+        &["light_cases/media_light_group", "light_cases/media_light_group_behind"],
+    ),
+    emulated_quirk(
+        "media_of_several",
+        "Several media at one place are sampled together, with the method and the numbers of the one with the most \
+         `intervals`, the first of several; but `aa_threshold` is the least of all.",
+        &[
+            "light_cases/media_several",
+            "light_cases/media_overlapping",
+            "light_cases/media_several_intervals",
+            "light_cases/media_several_thresholds",
+        ],
     ),
     emulated_quirk(
         "media_sampling",

@@ -1,9 +1,9 @@
 //! Media along segments of rays: emission, scattering and extinction (manual, "Sampling Parameters & Methods"). Where
 //! samples are placed and how they are weighted is POV-Ray's way (quirk: `media_sampling`).
 
-use super::interface::Interiors;
 use super::media_intervals::{BeamOnRay, media_intervals};
 use super::random::{Purpose, RandomSequence};
+use super::segment::{SegmentContext, Span};
 use super::tracer::Tracer;
 use crate::atmosphere::Segment;
 use crate::color::Rgb;
@@ -23,12 +23,32 @@ pub(super) struct MediaStretch<'a, 'w> {
     pub ray: &'a Ray,
     /// Distances from the ray's origin between which the media are.
     pub range: [f64; 2],
-    /// Media, the outermost first. The parameters of the first one apply to all (quirk: `media_of_first`).
+    /// Media, the outermost first. The sampling of one applies to all ([`MediaStretch::leader`]).
     pub media: &'a [&'w Medium],
-    /// Interiors that contain the stretch.
-    pub inside: &'a Interiors,
-    /// True for a shadow ray, for which extinction alone counts.
-    pub is_shadow: bool,
+    /// Interiors and lights of the stretch.
+    pub context: &'a SegmentContext<'a>,
+}
+
+impl<'a, 'w> MediaStretch<'a, 'w> {
+    /// Creates the stretch of media along a span of a ray.
+    pub fn new(ray: &'a Ray, span: &Span, media: &'a [&'w Medium], context: &'a SegmentContext<'a>) -> Self {
+        Self { ray, range: [span.from, span.to], media, context }
+    }
+
+    /// Returns the index of the medium whose sampling applies to all: the first one of those with the most intervals
+    /// (quirk: `media_of_several`).
+    pub(super) fn leader(&self) -> usize {
+        let intervals = |i: &usize| self.media[*i].sampling.intervals;
+        (0..self.media.len()).rev().max_by_key(intervals).unwrap_or(0)
+    }
+
+    /// Returns the parameters of the sampling: the leader's, but the least `aa_threshold` of all media (quirk:
+    /// `media_of_several`).
+    fn sampling(&self) -> MediaSampling {
+        let thresholds = self.media.iter().map(|medium| medium.sampling.aa_threshold);
+        let aa_threshold = thresholds.fold(f64::INFINITY, f64::min);
+        MediaSampling { aa_threshold, ..self.media[self.leader()].sampling }
+    }
 }
 
 /// Properties of media at one point, per world unit.
@@ -93,8 +113,6 @@ struct MediumOnRay<'w> {
     medium: &'w Medium,
     /// Distances outside of which the medium's density is 0.
     extent: [f64; 2],
-    /// Lights that the medium scatters.
-    beams: BeamList<'w>,
 }
 
 impl MediumOnRay<'_> {
@@ -109,57 +127,46 @@ struct Interval<'a, 'w> {
     stretch: &'a MediaStretch<'a, 'w>,
     range: [f64; 2],
     media: &'a [MediumOnRay<'w>],
-    /// For each medium, the lights that it scatters in the interval.
-    lights: &'a [LightList<'w>],
+    /// Lights that the media scatter in the interval.
+    lights: &'a [&'a BeamOnRay<'w>],
     draws: Draws,
 }
 
 /// Lights that a medium scatters, with the stretches that they illuminate.
 type BeamList<'w> = SmallVec<[BeamOnRay<'w>; 2]>;
 
-/// Lights that a medium scatters.
-type LightList<'w> = SmallVec<[&'w LightSource; 4]>;
-
-/// Light of some sources at one point, times the phase function towards the eye.
-type KnownLights<'w> = SmallVec<[(&'w LightSource, Rgb); 4]>;
-
 impl<'w> Tracer<'w> {
     /// Returns the light that media add along a stretch of a ray, and their transmittance.
     pub(super) fn media_segment(&mut self, stretch: &MediaStretch<'_, 'w>) -> Segment {
-        if stretch.is_shadow && stretch.media.iter().all(|medium| medium.extinction == Rgb::ZERO) {
+        if stretch.context.is_shadow && stretch.media.iter().all(|medium| medium.extinction == Rgb::ZERO) {
             return Segment::NONE;
         }
         let is_homogeneous = stretch.media.iter().all(|medium| medium.is_homogeneous());
-        if stretch.is_shadow && is_homogeneous {
+        if stretch.context.is_shadow && is_homogeneous {
             let extinction: Rgb = stretch.media.iter().map(|medium| medium.extinction).sum();
             let depth = extinction * (stretch.range[1] - stretch.range[0]);
             return Segment { radiance: Rgb::ZERO, transmittance: transmittance(depth) };
         }
-        let on_ray = |medium: &&'w Medium| MediumOnRay {
-            medium,
-            extent: medium.extent_on_ray(stretch.ray),
-            beams: self.beams(stretch, medium),
-        };
+        let on_ray = |medium: &&'w Medium| MediumOnRay { medium, extent: medium.extent_on_ray(stretch.ray) };
         let media: SmallVec<[_; 2]> = stretch.media.iter().map(on_ray).collect();
         if media.iter().all(|medium| medium.is_empty(stretch.range)) {
             return Segment::NONE;
         }
-        let sampling = stretch.media[0].sampling;
+        let sampling = stretch.sampling();
+        let beams = self.beams(stretch);
+        let scatters = stretch.media.iter().any(|medium| medium.scattering.color != Rgb::ZERO);
         let random = self.random.sequence(Purpose::Media);
         let mut sum = Accumulated::default();
-        for (number, range) in (0..).zip(media_intervals(stretch, &media[0].beams, &sampling)) {
+        for (number, range) in (0..).zip(media_intervals(stretch, &beams, &sampling)) {
             if media.iter().all(|medium| medium.is_empty(range)) {
                 continue;
             }
-            let reaching = |MediumOnRay { medium, beams, .. }: &MediumOnRay<'w>| -> LightList<'w> {
-                let scatters = medium.scattering.color != Rgb::ZERO;
-                beams.iter().filter(|beam| scatters && beam.reaches(range)).map(|beam| beam.light).collect()
-            };
-            let lights: SmallVec<[_; 2]> = media.iter().map(reaching).collect();
+            let reaching = beams.iter().filter(|beam| scatters && beam.reaches(range));
+            let lights: SmallVec<[_; 4]> = reaching.collect();
             let draws = Draws { random, first: number << 32 };
             let interval = Interval { stretch, range, media: &media, lights: &lights, draws };
             match sampling.method {
-                SamplingMethod::Adaptive if is_homogeneous && lights.iter().all(SmallVec::is_empty) => {
+                SamplingMethod::Adaptive if is_homogeneous && lights.is_empty() => {
                     self.add_constant(&sampling, &interval, &mut sum);
                 }
                 SamplingMethod::Adaptive => self.add_adaptive(&sampling, &interval, &mut sum),
@@ -172,13 +179,13 @@ impl<'w> Tracer<'w> {
         Segment { radiance: sum.light, transmittance: transmittance(sum.depth) }
     }
 
-    /// Returns the lights that a medium scatters; none for a shadow ray.
-    fn beams(&self, stretch: &MediaStretch, medium: &Medium) -> BeamList<'w> {
-        if stretch.is_shadow {
+    /// Returns the lights that media scatter; none for a shadow ray.
+    fn beams(&self, stretch: &MediaStretch) -> BeamList<'w> {
+        if stretch.context.is_shadow {
             return BeamList::new();
         }
         let world = self.context.world;
-        let lights = world.lit_by[medium.lights as usize].iter().map(|&number| &world.lights[number as usize]);
+        let lights = world.lit_by[stretch.context.lights as usize].iter().map(|&number| &world.lights[number as usize]);
         let beam = |light: &'w LightSource| BeamOnRay {
             light,
             stretches: light.emitter.lit_stretches(stretch.ray, stretch.range),
@@ -273,10 +280,11 @@ impl<'w> Tracer<'w> {
         let (world, stretch) = (self.context.world, interval.stretch);
         let p = stretch.ray.at(t);
         let mut sum = PointSample::default();
-        let mut known = KnownLights::new();
-        for (part, lights) in interval.media.iter().zip(interval.lights) {
+        // Light is computed for the first medium that scatters it.
+        let mut phased = None;
+        for part in interval.media {
             let medium = part.medium;
-            if part.is_empty([t, t]) || (stretch.is_shadow && medium.extinction == Rgb::ZERO) {
+            if part.is_empty([t, t]) || (stretch.context.is_shadow && medium.extinction == Rgb::ZERO) {
                 continue;
             }
             let density = medium.density_at(p, stretch.ray.dir, world.noise, world.waves);
@@ -284,49 +292,39 @@ impl<'w> Tracer<'w> {
                 continue;
             }
             sum.extinction += density * medium.extinction;
-            if !stretch.is_shadow {
-                let scattered = medium.scattering.color * self.phased_light(stretch, lights, p, &mut known);
-                sum.light += density * (medium.emission + scattered);
+            if !stretch.context.is_shadow {
+                sum.light += density * medium.emission;
+                if medium.scattering.color != Rgb::ZERO {
+                    let phased = *phased.get_or_insert_with(|| self.phased_light(interval, t));
+                    sum.light += density * medium.scattering.color * phased;
+                }
             }
         }
         sum
     }
 
-    /// Returns the light that arrives at a point, times the phase function towards the eye. `known` caches the light of
-    /// each source at the point, since several media may scatter it.
-    fn phased_light(
-        &mut self,
-        stretch: &MediaStretch<'_, 'w>,
-        lights: &[&'w LightSource],
-        p: DVec3,
-        known: &mut KnownLights<'w>,
-    ) -> Rgb {
-        let mut sum = Rgb::ZERO;
-        for light in lights {
-            let cached = known.iter().find(|(source, _)| std::ptr::eq(*source, *light));
-            let phased = match cached {
-                Some((_, phased)) => *phased,
-                None => {
-                    let phased = self.phased_light_of(stretch, light, p);
-                    known.push((light, phased));
-                    phased
-                }
-            };
-            sum += phased;
-        }
-        sum
+    /// Returns the light that arrives at the distance `t` along the ray, times the phase function towards the eye.
+    fn phased_light(&mut self, interval: &Interval<'_, 'w>, t: f64) -> Rgb {
+        let stretch = interval.stretch;
+        let p = stretch.ray.at(t);
+        let lights = interval.lights.iter().filter(|beam| beam.shines_at(t));
+        lights.map(|beam| self.phased_light_of(stretch, beam.light, p)).sum()
     }
 
     /// Returns the light that arrives at a point from one source, times the phase function towards the eye.
     fn phased_light_of(&mut self, stretch: &MediaStretch<'_, 'w>, light: &'w LightSource, p: DVec3) -> Rgb {
-        let sample = light.emitter.sample(p, DVec3::ZERO);
+        let mut sample = light.emitter.sample(p, DVec3::ZERO);
+        // quirk: area_illumination_in_media
+        if self.context.quality.area_lights && light.emitter.area.as_ref().is_some_and(|area| area.illumination) {
+            sample.light = light.emitter.color;
+        }
         if sample.light == Rgb::ZERO || !sample.from.is_finite() {
             return Rgb::ZERO;
         }
         // quirk: phase_of_several
         let cos = stretch.ray.dir.dot(sample.from);
         let phases: f64 = stretch.media.iter().map(|medium| medium.scattering.phase_factor(cos)).sum();
-        phases / stretch.media.len() as f64 * sample.light * self.visibility(light, p, &sample, stretch.inside)
+        phases / stretch.media.len() as f64 * sample.light * self.visibility(light, p, &sample, stretch.context.inside)
     }
 }
 

@@ -14,11 +14,17 @@ pub(super) struct BeamOnRay<'w> {
 }
 
 impl BeamOnRay<'_> {
-    /// True if the light shines on a part of the interval, or touches it.
+    /// True if the light shines on a part of the interval.
     pub fn reaches(&self, [from, to]: [f64; 2]) -> bool {
         let slack = 1e-6 * (to - from);
-        let touches = |[start, end]: &[f64; 2]| *start <= to + slack && *end >= from - slack;
-        self.stretches.as_ref().is_none_or(|stretches| stretches.iter().any(touches))
+        let overlaps = |[start, end]: &[f64; 2]| *start < to - slack && *end > from + slack;
+        self.stretches.as_ref().is_none_or(|stretches| stretches.iter().any(overlaps))
+    }
+
+    /// True if the light shines at the distance `t`.
+    pub fn shines_at(&self, t: f64) -> bool {
+        let contains = |[start, end]: &[f64; 2]| (*start..=*end).contains(&t);
+        self.stretches.as_ref().is_none_or(|stretches| stretches.iter().any(contains))
     }
 }
 
@@ -33,7 +39,7 @@ pub(super) fn media_intervals(
     let is_all_lit = beams.iter().any(|beam| beam.stretches.is_none());
     let lit: SmallVec<[[f64; 2]; 8]> = beams.iter().flat_map(|beam| beam.stretches.iter().flatten().copied()).collect();
     let is_dark = lit.is_empty() && !is_all_lit;
-    let is_uniform = is_dark && !stretch.is_shadow && stretch.media[0].is_homogeneous();
+    let is_uniform = is_dark && !stretch.context.is_shadow && stretch.media[stretch.leader()].is_homogeneous();
     let pieces = if is_all_lit { Pieces::from_elem((stretch.range, true), 1) } else { beam_pieces(lit, stretch.range) };
     let intervals = if is_uniform { 1 } else { sampling.intervals as usize };
     let counts = interval_counts(

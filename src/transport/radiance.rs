@@ -60,14 +60,15 @@ impl<'w> Tracer<'w> {
     fn trace(&mut self, state: &mut RayState, sum: &mut Radiance) {
         self.random.next_vertex();
         let Some(hit) = self.closest(state) else {
-            let air = self.segment(&state.ray, &Span::from_origin(Segment::FAR), &state.inside);
+            let air = self.endless_segment(&state.ray, &state.inside);
             let all = air.in_front_of(self.background(state));
             sum.rgb += state.throughput * all.radiance;
             sum.transparency += state.transparency * gray(all.transmittance);
             return;
         };
         // Air between the origin and the hit
-        let air = self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside);
+        let lights = self.context.world.parts[hit.part_number() as usize].lights();
+        let air = self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, lights);
         sum.rgb += state.throughput * air.radiance;
         state.attenuate(&air);
         // Light that the surface itself sends

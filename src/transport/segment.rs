@@ -12,8 +12,8 @@ use smallvec::SmallVec;
 
 /// A stretch of a ray, in distances from its origin.
 pub(super) struct Span {
-    from: f64,
-    to: f64,
+    pub from: f64,
+    pub to: f64,
 }
 
 impl Span {
@@ -26,6 +26,17 @@ impl Span {
     pub fn from_origin(to: f64) -> Self {
         Self { from: 0.0, to }
     }
+}
+
+/// Place of a segment in the scene.
+pub(super) struct SegmentContext<'a> {
+    /// Interiors that contain the segment.
+    pub inside: &'a Interiors,
+    /// Number of the set of lights that media scatter, an index in [`crate::world::World::lit_by`]: the set of the surface
+    /// at the segment's end, 0 without a surface (quirk: `media_lights`).
+    pub lights: u32,
+    /// True for a shadow ray, for which the transmittance alone counts.
+    pub is_shadow: bool,
 }
 
 /// Properties of the segments of one shadow ray.
@@ -42,13 +53,23 @@ impl<'w> Tracer<'w> {
     /// Returns the radiance added and the transmittance of air and media along a span of a ray of length 1. Solid (not
     /// `hollow`) interiors hold no air and no media (quirk: `fog_needs_hollow`).
     #[inline]
-    pub(super) fn segment(&mut self, ray: &Ray, span: &Span, inside: &Interiors) -> Segment {
+    pub(super) fn segment(&mut self, ray: &Ray, span: &Span, inside: &Interiors, lights: u32) -> Segment {
         let (has_air, has_media) = (self.has_air(), self.has_media());
         if !has_air && !has_media || self.is_filled(inside) {
             return Segment::NONE;
         }
-        let air = if has_air { self.air(ray, span, inside, false) } else { Segment::NONE };
-        if has_media { air.in_front_of(self.interior_media(ray, span, inside, false)) } else { air }
+        let context = SegmentContext { inside, lights, is_shadow: false };
+        let air = if has_air { self.air(ray, span, &context) } else { Segment::NONE };
+        if has_media { air.in_front_of(self.interior_media(ray, span, &context)) } else { air }
+    }
+
+    /// Returns the radiance added and the transmittance along a ray of length 1 without a hit. Interiors without an end
+    /// hold no media there (quirk: `endless_media`).
+    pub(super) fn endless_segment(&mut self, ray: &Ray, inside: &Interiors) -> Segment {
+        if !self.has_air() || self.is_filled(inside) {
+            return Segment::NONE;
+        }
+        self.air(ray, &Span::from_origin(Segment::FAR), &SegmentContext { inside, lights: 0, is_shadow: false })
     }
 
     /// Returns the transmittance of air and media along a span of a shadow ray.
@@ -62,12 +83,13 @@ impl<'w> Tracer<'w> {
         if !segments.has_air && !segments.has_media || self.is_filled(inside) {
             return Rgb::ONE;
         }
+        let context = SegmentContext { inside, lights: 0, is_shadow: true };
         let mut transmittance = Rgb::ONE;
         if segments.has_air {
-            transmittance *= self.air(ray, span, inside, true).transmittance;
+            transmittance *= self.air(ray, span, &context).transmittance;
         }
         if segments.has_media {
-            transmittance *= self.interior_media(ray, span, inside, true).transmittance;
+            transmittance *= self.interior_media(ray, span, &context).transmittance;
         }
         transmittance
     }
@@ -78,38 +100,38 @@ impl<'w> Tracer<'w> {
         inside.iter().any(|&i| world.filled[i as usize])
     }
 
-    /// Returns the segment of fogs, rainbows and media of the whole scene; fogs and rainbows are in front of media (quirk:
-    /// `media_in_front`).
-    fn air(&mut self, ray: &Ray, span: &Span, inside: &Interiors, is_shadow: bool) -> Segment {
+    /// Returns the segment of fogs, rainbows and media of the whole scene; fogs are in front of media, and rainbows behind
+    /// both (quirk: `media_in_front`).
+    fn air(&mut self, ray: &Ray, span: &Span, context: &SegmentContext) -> Segment {
         let world = self.context.world;
         let start = if span.from == 0.0 { *ray } else { Ray::new(ray.at(span.from), ray.dir) };
         let length = span.to - span.from;
         let mut air = Segment::NONE;
-        if !world.fogs.is_empty() || !world.rainbows.is_empty() {
-            let fogs = atmosphere::combine_fogs(&world.fogs, &start, length, world.noise);
+        if !world.fogs.is_empty() {
+            air = atmosphere::combine_fogs(&world.fogs, &start, length, world.noise);
+        }
+        if !world.air.is_empty() && length > 0.0 {
+            let media: SmallVec<[&Medium; 4]> = world.air.iter().collect();
+            air = air.in_front_of(self.media_segment(&MediaStretch::new(ray, span, &media, context)));
+        }
+        if !world.rainbows.is_empty() {
             let random = &mut self.random;
-            air = fogs.in_front_of(atmosphere::combine_rainbows(&world.rainbows, &start, length, &mut || {
+            air = air.in_front_of(atmosphere::combine_rainbows(&world.rainbows, &start, length, &mut || {
                 random.next(Purpose::Rainbow)
             }));
         }
-        if world.air.is_empty() || length <= 0.0 {
-            return air;
-        }
-        let media: SmallVec<[&Medium; 4]> = world.air.iter().collect();
-        let range = [span.from, span.to];
-        air.in_front_of(self.media_segment(&MediaStretch { ray, range, media: &media, inside, is_shadow }))
+        air
     }
 
     /// Returns the segment of the media of all interiors in the list.
-    fn interior_media(&mut self, ray: &Ray, span: &Span, inside: &Interiors, is_shadow: bool) -> Segment {
+    fn interior_media(&mut self, ray: &Ray, span: &Span, context: &SegmentContext) -> Segment {
         let world = self.context.world;
         let of_interior = |i: &u32| world.media.get(i).into_iter().flat_map(|media| media.iter());
-        let media: SmallVec<[&Medium; 4]> = inside.iter().flat_map(of_interior).collect();
+        let media: SmallVec<[&Medium; 4]> = context.inside.iter().flat_map(of_interior).collect();
         if media.is_empty() || span.to <= span.from {
             return Segment::NONE;
         }
-        let range = [span.from, span.to];
-        self.media_segment(&MediaStretch { ray, range, media: &media, inside, is_shadow })
+        self.media_segment(&MediaStretch::new(ray, span, &media, context))
     }
 
     /// True if the scene has fog, rainbows or media without an object, and the quality shows them.

@@ -1,0 +1,8 @@
+#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <1,2,-6> look_at <0,.8,0> }
+plane { y, 0 pigment { checker rgb 1 rgb .4 } finish { ambient .1 } }
+light_source { <3,6,-4> rgb 1 spotlight point_at <0.8,1,0> radius 5 falloff 6 }
+sphere { <0,1,0>, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } hollow interior {
+  media { method 3 samples 4 aa_level 1 emission <.3,.1,.1> density { granite scale 3 } }
+  media { method 3 samples 6 intervals 2 aa_level 4 scattering { 1, .3 } }
+} }
