@@ -25,6 +25,9 @@ QUICK = r" quick_color s?rgb (<[^>]*>|[\d.]+)"
 class Scenes(Scene):
     """The given scenes, and more to choose from."""
 
+    # Is the scene's language older than 3.5, where media are random unless they say otherwise?
+    old_language = False
+
     def joined(self, count, text):
         return " ".join(text() for _ in range(count))
 
@@ -356,7 +359,113 @@ class Scenes(Scene):
             out += f" interior {{ ior {self.f(1.1, 1.7)} dispersion {self.f(1, 1.2)} dispersion_samples {self.r.randrange(2, 12)} }}"
         if self.has("glass") and self.chance(0.1):
             out += f" interior {{ ior {self.f(1, 1.6)} caustics {self.f(0, 1)} }}"
+        if self.has("media") and self.chance(0.15) and "interior {" not in out:
+            out += f" {self.pick('hollow', 'hollow', '')} {self.filled()}"
         return out
+
+    # Media: no `jitter`, no method 1 and no more than the least number of samples, all of which are random
+
+    def density_colors(self, depth):
+        """A density's pattern with its colours."""
+        name, mods = self.pattern()
+        if self.chance(0.5) or re.match("image_pattern|aoi|slope", name):
+            name, mods = self.pick("spherical", "boxed", "planar", "cylindrical", "onion", f"gradient {self.v(-1, 1)}", "bozo"), self.waves()
+            if self.chance(0.3):
+                mods.append(self.pick(self.warp(), f"turbulence {self.pick(self.f(0, 0.8), self.v(0, 0.6))}"))
+        if cells := CELLS.get(name.split()[0]):
+            body = f"{name} {', '.join(f'density {{ {self.density(depth + 1)} }}' for _ in range(cells))}"
+        else:
+            stops = sorted(self.f(0, 1) for _ in range(self.r.randrange(2, 5)))
+            body = self.pick(
+                lambda: name,
+                lambda: f"{name} color_map {{ {' '.join(f'[{s} {self.density_color()}]' for s in stops)} }}",
+                lambda: f"{name} density_map {{ {' '.join(f'[{s} {self.density(depth + 1)}]' for s in stops)} }}",
+            )()
+        return f"{body} {' '.join(mods)} {self.move(0.5) if self.chance(0.5) else ''} {self.pick('', f'scale {self.f(0.3, 1.5)}')}"
+
+    def density_color(self):
+        return self.pick("rgb 0", "rgb 1", f"rgb {self.f(0, 2)}", f"rgb {self.v(0, 1.5)}", f"srgb {self.v(0, 1)}")
+
+    def density(self, depth=0):
+        if self.chance(0.5 if depth else 0.15) or depth > 1:
+            return self.density_color()
+        return self.density_colors(depth)
+
+    def scattering(self, strength):
+        number = self.r.randrange(1, 6)
+        bend = f"eccentricity {self.f(-0.8, 0.8)}" if number == 5 and self.chance(0.8) else ""
+        return f"scattering {{ {number}, {self.strength(strength)} {bend} {self.pick('', '', f'extinction {self.f(0, 1.5)}')} }}"
+
+    def strength(self, most):
+        return f"rgb {self.pick(self.f(0, most), self.v(0, most), self.v(0, most))}"
+
+    def media(self, strength=1.5):
+        out = [f"method {self.pick(3, 3, 2)}"] if self.old_language or self.chance(0.6) else []
+        if self.old_language or self.chance(0.6):
+            samples = self.r.randrange(1, 10)
+            out.append(f"samples {samples}{self.pick('', f', {samples}')}")
+        for text in (
+            f"intervals {self.r.randrange(1, 4)}", f"ratio {self.f(0, 1)}", f"aa_level {self.r.randrange(1, 5)}",
+            f"aa_threshold {self.f(0.01, 0.4)}", f"confidence {self.f(0.2, 0.99)}", f"variance {self.f(0.001, 0.1)}",
+        ):
+            if self.chance(0.25) or text.startswith("intervals") and self.old_language:
+                out.append(text)
+        kinds = [f"absorption {self.strength(strength)}", f"emission {self.strength(strength)}", self.scattering(strength)]
+        out += self.r.sample(kinds, self.pick(1, 1, 2, 3))
+        out += [f"density {{ {self.density()} }}" for _ in range(self.pick(0, 1, 1, 1, 2))]
+        return f"media {{ {' '.join(out)} {self.move(0.5) if self.chance(0.2) else ''} }}"
+
+    def filled(self):
+        """An interior with media."""
+        media = self.joined(self.pick(1, 1, 1, 2), self.media)
+        ior = f"ior {self.f(1, 1.6)}" if self.chance(0.25) else ""
+        fade = f"fade_distance {self.f(0.3, 3)} fade_power {self.pick(1, 2)} fade_color {self.color()}" if self.chance(0.1) else ""
+        return f"interior {{ {ior} {media} {fade} }}"
+
+    def clear_texture(self):
+        pigment = self.pick("rgbt 1", "rgbt 1", "rgbf 1", f"rgbft <{self.f(0, 1)}, {self.f(0, 1)}, {self.f(0, 1)}, {self.f(0, 0.8)}, {self.f(0.2, 0.9)}>")
+        return f"texture {{ pigment {{ {pigment} }} {self.pick('finish { ambient 0 diffuse 0 }', self.finish())} }}"
+
+    def smoke(self):
+        """An object full of media, at times with others inside."""
+        move = self.move(0.8)
+        kind = self.r.randrange(8)
+        if kind == 0:
+            parts = self.joined(self.r.randrange(2, 4), lambda: f"{self.solid()} {self.move(0.5)} }}")
+            head = f"{self.pick('union', 'intersection', 'difference', 'merge')} {{ {parts}"
+        elif kind == 1:
+            # (The camera is inside.)
+            head, move = self.pick("sphere { 0, 9", "box { -9, 9"), ""
+        else:
+            head = self.solid()
+        inside = f"{self.shape()} {self.modifiers()} }}\n" if self.chance(0.3) else ""
+        if self.chance(0.15):
+            inside += f"{self.solid()} {self.clear_texture()} hollow {self.filled()} scale 0.5 {move} }}\n"
+        clip = f"clipped_by {{ {self.solid()} {self.move(0.3)} }} }}" if self.chance(0.12) else ""
+        flags = " ".join(word for word in ("no_shadow", "no_image", "no_reflection", "double_illuminate") if self.chance(0.05))
+        full = f"{self.clear_texture()} {self.filled()}"
+        if self.chance(0.2):
+            full = f"material {{ {full} }}"
+        return f"{inside}{head} {full} {self.pick('hollow', 'hollow', 'hollow', 'hollow', 'hollow', '')} {clip} {flags} {move} }}"
+
+    def smoky(self):
+        """Media of the whole scene, and objects full of them."""
+        out = []
+        if self.chance(0.35):
+            out += [self.media(0.12) for _ in range(self.pick(1, 1, 2))]
+            # (Rays without an end are sampled millions away, where the last digits decide.)
+            out.append(f"sphere {{ 0, {self.f(12, 30)} hollow no_shadow {self.texture()} }}")
+        if not out or self.chance(0.7):
+            out += [self.smoke() for _ in range(self.r.randrange(1, 4))]
+        return out
+
+    def in_media(self, light):
+        """How a light shines in media."""
+        if not self.has("media"):
+            return ""
+        off = self.pick("", "", "", "", "media_interaction off")
+        # (Not with a grid: see `lamp`.)
+        return off + (" media_attenuation on" if "area_light" not in light and self.chance(0.4) else "")
 
     # Scenes
 
@@ -397,7 +506,8 @@ class Scenes(Scene):
         if kind:
             kind += f" point_at {self.v(-0.5, 0.5)}"
         if self.chance(0.4):
-            n, m = self.r.randrange(2, 6), self.r.randrange(2, 6)
+            most = 4 if self.has("media") else 6
+            n, m = self.r.randrange(2, most), self.r.randrange(2, most)
             kind += f" area_light {self.v(-1, 1)}, {self.v(-1, 1)}, {n}, {m} {self.pick('', 'adaptive 0', 'adaptive 1')}"
             kind += self.pick("", "", " circular", " circular orient", " area_illumination", " area_illumination circular")
         if self.chance(0.2):
@@ -407,6 +517,7 @@ class Scenes(Scene):
         fade = self.pick("", f"fade_distance {self.f(2, 9)} fade_power {self.pick(1, 2, 3)}")
         # (Not with a grid, whose light POV-Ray's fog weakens by the light's distance from the origin as well; see README.md.)
         fog = "media_attenuation on" if self.has("air") and self.chance(0.3) and "area_light" not in kind else ""
+        fog = self.in_media(kind) if self.has("media") else fog
         moved = f"rotate {self.v(-20, 20)}" if self.chance(0.2) else ""
         return f"light_source {{ <{self.f(-6, 6)}, {self.f(2, 6)}, {self.f(-7, -3)}> {self.color()} {kind} {fade} {fog} {moved} }}"
 
@@ -439,7 +550,7 @@ class Scenes(Scene):
     def light(self):
         fade = self.pick("", f"fade_distance {self.f(2, 9)} fade_power {self.pick(1, 2, 3, self.f(0.5, 4))}")
         moved = f"rotate {self.v(-20, 20)}" if self.chance(0.2) else ""
-        return f"light_source {{ <{self.f(-9, 9)}, {self.f(2, 9)}, {self.f(-9, -3)}> {self.color()} {fade} {self.pick('', '', 'shadowless')} {moved} }}"
+        return f"light_source {{ <{self.f(-9, 9)}, {self.f(2, 9)}, {self.f(-9, -3)}> {self.color()} {fade} {self.pick('', '', 'shadowless')} {self.in_media('')} {moved} }}"
 
     def settings(self):
         out = []
@@ -480,7 +591,7 @@ class Scenes(Scene):
         lines, lights = [], []
         for line in rest.split("\n"):
             # (What lies behind and between things is not put into a union.)
-            apart = ("light_source", "background", "sky_sphere", "fog", "rainbow")
+            apart = ("light_source", "background", "sky_sphere", "fog", "rainbow", "media")
             (lights if line.startswith(apart) or not line.strip() else lines).append(line)
         moved = [line[:-1].rstrip() + f" {move} }}" if line.startswith("light_source") else line for line in lights]
         body = "\n".join(lines)
@@ -490,16 +601,20 @@ class Scenes(Scene):
 
     def text(self):
         lines = super().text().split("\n")
+        if self.has("media") and self.chance(0.1):
+            lines[0], self.old_language = "#version 3.1;", True
         out = []
         for line in lines:
             if line.startswith("camera") and self.has("cameras"):
                 line = self.camera()
             if line.startswith("camera") and self.has("eyes") and self.chance(0.8):
                 line = self.eye()
+            if line.startswith("global_settings") and self.has("media"):
+                line = re.sub(r"max_trace_level \d+", f"max_trace_level {self.r.randrange(3, 6)}", line)
             if line.startswith("global_settings") and self.has("settings"):
                 line = line[:-1] + self.settings() + " }"
             if line.startswith("light_source") and self.has("lights"):
-                line = "\n".join(self.light() for _ in range(self.r.randrange(1, 5)))
+                line = "\n".join(self.light() for _ in range(self.r.randrange(1, 3 if self.has("media") else 5)))
             elif line.startswith("light_source") and self.has("lamps"):
                 line = "\n".join(self.lamp() for _ in range(self.r.randrange(1, 3)))
             out.append(line)
@@ -524,6 +639,8 @@ class Scenes(Scene):
             rest.append(self.grouped())
         if self.has("air"):
             rest += self.haze()
+        if self.has("media"):
+            rest += self.smoky()
         text = "\n".join(head + rest) + "\n"
         if "image_pattern" in text:
             # (Where a pigment starts as a picture, `image_pattern` makes POV-Ray crash, or draw what lies in memory.)
