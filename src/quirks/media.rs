@@ -75,6 +75,7 @@ pub(super) const QUIRKS: &[Quirk] = &[
             "light_cases/media_overlapping",
             "light_cases/media_several_intervals",
             "light_cases/media_several_thresholds",
+            "light_cases/media_several_shadow",
         ],
     ),
     emulated_quirk(
