@@ -95,6 +95,10 @@ struct TileDisplay<'a> {
 }
 
 impl Watch for TileDisplay<'_> {
+    fn preparing(&self, _: &'static str, done: usize, total: usize) {
+        self.progress(done, total);
+    }
+
     fn progress(&self, done: usize, total: usize) {
         if !self.cancelled() {
             self.screen.progress(done as f32 / total.max(1) as f32);

@@ -1,7 +1,7 @@
 //! Preparation of a frame: data that is computed before the picture and only read while the picture is rendered.
 //!
-//! Photon maps and radiosity belong here: each is an ordered map ([`Workers::map`]) whose result becomes a part of the
-//! [`FrameContext`], so that no ray of the picture can change it.
+//! Photon maps and radiosity belong here: each is a list of passes ([`Preparation::pass`]) whose result becomes a part of
+//! the [`FrameContext`], so that no ray of the picture can change it.
 
 use super::workers::Workers;
 use super::{Cancelled, Options};
@@ -9,6 +9,7 @@ use crate::camera::{Lens, LoweredCamera, View};
 use crate::math::DVec3;
 use crate::transport::{CameraOrigin, FrameContext, Quality};
 use crate::world::World;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The camera of a frame, prepared for a picture of one size.
 pub(super) struct FrameCamera {
@@ -27,6 +28,42 @@ impl FrameCamera {
     }
 }
 
+/// Runs the passes that prepare a frame, one after another.
+pub(super) struct Preparation<'a> {
+    workers: &'a Workers<'a>,
+}
+
+impl<'a> Preparation<'a> {
+    /// Creates the preparation of a frame on these workers.
+    pub fn new(workers: &'a Workers<'a>) -> Self {
+        Self { workers }
+    }
+
+    /// Runs a pass: returns the results of `work` for all jobs, in the order of the jobs. `work` reads only what earlier
+    /// passes have computed.
+    #[allow(dead_code, reason = "photons and radiosity are not rendered yet")]
+    pub fn pass<J: Sync, T: Send>(
+        &self,
+        name: &'static str,
+        jobs: &[J],
+        work: impl Fn(&J) -> Result<T, Cancelled> + Sync,
+    ) -> Result<Vec<T>, Cancelled> {
+        let (watch, n_done) = (self.workers.watch, AtomicUsize::new(0));
+        watch.preparing(name, 0, jobs.len());
+        let work = |job: &J| {
+            let result = work(job)?;
+            watch.preparing(name, n_done.fetch_add(1, Ordering::Relaxed) + 1, jobs.len());
+            Ok(result)
+        };
+        self.workers.map(jobs, work, || ()).0
+    }
+
+    /// True if the render must stop, so that later results are invalid.
+    pub fn is_cancelled(&self) -> bool {
+        self.workers.is_cancelled()
+    }
+}
+
 /// Computes the data that all rays of a frame share.
 pub(super) fn prepare<'w>(
     world: &'w World,
@@ -34,7 +71,8 @@ pub(super) fn prepare<'w>(
     options: &Options,
     workers: &Workers,
 ) -> Result<FrameContext<'w>, Cancelled> {
-    if workers.is_cancelled() {
+    let preparation = Preparation::new(workers);
+    if preparation.is_cancelled() {
         return Err(Cancelled);
     }
     let origin = CameraOrigin { origin: camera.view.common_origin(), reach: camera.view.max_distance() };

@@ -3,6 +3,7 @@
 use super::Done;
 use super::config::{Config, Pictures};
 use super::monitor::Monitor;
+use super::pass_times::PassTime;
 use super::picture_writer::Written;
 use super::progress::Progress;
 use super::stats::{self, Report};
@@ -51,6 +52,7 @@ pub struct Job<'a> {
 /// A picture that was written to its file.
 struct Rendered {
     rays: RayCounts,
+    passes: Vec<PassTime>,
     is_black: bool,
     trace_time: Duration,
     encode_time: Duration,
@@ -197,7 +199,7 @@ impl<'a> Job<'a> {
         }
         target.commit(self.console, draft)?;
         let (trace_time, encode_time) = (time.saturating_sub(rows_time), rows_time + encode.elapsed());
-        Ok(Rendered { rays, is_black, trace_time, encode_time })
+        Ok(Rendered { rays, passes: monitor.passes.all(), is_black, trace_time, encode_time })
     }
 
     /// Renders a world into the picture's file, and reports an unfinished picture.
@@ -284,7 +286,7 @@ impl<'a> Job<'a> {
         }
         self.advise(advice::time_warning(&world, &config.drawing(timing)).into_iter().collect());
         let deferred = Deferred::begin();
-        let Rendered { rays, is_black, trace_time, encode_time } =
+        let Rendered { rays, passes, is_black, trace_time, encode_time } =
             self.render_to_draft(target, &world, timing, journal.as_ref(), token)?;
         self.finish_picture(target, timing, journal.as_deref(), finished);
         drop(deferred);
@@ -297,7 +299,7 @@ impl<'a> Job<'a> {
         console.povray_statistics(&client_lines::statistics([drawing.width, drawing.height], times));
         if let Some(stats) = &config.stats {
             let times = [built.parse_time, built.build_time, trace_time, encode_time, start.elapsed()];
-            self.done.reports.push(Report::new(times, rays, &config.drawing(timing)));
+            self.done.reports.push(Report::new(times, passes, rays, &config.drawing(timing)));
             stats::write(&self.done.reports, console, stats)?;
         }
         let written = target.file();

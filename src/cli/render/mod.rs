@@ -5,6 +5,7 @@ mod deps;
 mod dump;
 mod job;
 pub mod monitor;
+mod pass_times;
 mod picture_writer;
 pub mod progress;
 mod stats;

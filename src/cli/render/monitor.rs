@@ -4,6 +4,7 @@ use crate::cli::console::print_message;
 use crate::cli::exit::{Exit, Failure, Result};
 use crate::cli::interrupt;
 use crate::cli::journal::Journal;
+use crate::cli::render::pass_times::PassTimes;
 use crate::cli::render::progress::Progress;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::{Frame, Rows};
@@ -22,11 +23,18 @@ pub struct Monitor {
     pub is_silent: bool,
     /// Journal of the picture's finished tiles.
     pub journal: Option<Arc<Journal>>,
+    /// Durations of the passes that prepared the picture.
+    pub passes: PassTimes,
 }
 
 impl Watch for Monitor {
     fn progress(&self, done: usize, total: usize) {
         self.progress.advance(done, total);
+    }
+
+    fn preparing(&self, pass: &'static str, done: usize, total: usize) {
+        self.progress.prepare(pass, done, total);
+        self.passes.record(pass, done, total);
     }
 
     fn cancelled(&self) -> bool {
@@ -51,7 +59,7 @@ impl Watch for Monitor {
 impl Monitor {
     /// Creates the monitor of a render that `cancel` ends.
     pub fn new(progress: Progress, cancel: CancelToken) -> Self {
-        Self { progress, cancel, is_silent: false, journal: None }
+        Self { progress, cancel, is_silent: false, journal: None, passes: PassTimes::default() }
     }
 
     /// Renders a World and passes the rows to `rows`, unless the render is stopped.

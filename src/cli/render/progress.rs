@@ -47,7 +47,7 @@ impl Progress {
 
     fn bar(name: &str) -> Self {
         let bar = ProgressBar::with_draw_target(Some(1), ProgressDrawTarget::stderr());
-        if let Ok(style) = ProgressStyle::with_template("{prefix} {wide_bar} {percent:>3}%  {eta} left") {
+        if let Ok(style) = ProgressStyle::with_template("{prefix}{msg} {wide_bar} {percent:>3}%  {eta} left") {
             bar.set_style(style);
         }
         bar.set_prefix(name.to_string());
@@ -77,6 +77,19 @@ impl Progress {
                     print_message(&format!("{:3}%, {left:.0} s left\n", 10 * tenth));
                 }
             }
+        }
+    }
+
+    /// Updates the display: `done` of `total` work items of a pass before the picture are finished.
+    pub fn prepare(&self, pass: &str, done: usize, total: usize) {
+        match self {
+            Self::Bar(bar) => {
+                bar.set_message(if done < total { format!(" {pass}") } else { String::new() });
+                bar.set_length(total as u64);
+                bar.set_position(done as u64);
+            }
+            Self::Lines { .. } if done == total => print_message(&format!("{pass}: finished\n")),
+            _ => {}
         }
     }
 

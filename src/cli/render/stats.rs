@@ -1,5 +1,6 @@
 //! The option `--stats`: times, numbers of rays and memory of each picture.
 
+use super::pass_times::PassTime;
 use crate::cli::args::values::Stats;
 use crate::cli::console::Console;
 use crate::cli::exit::Result;
@@ -14,6 +15,8 @@ use std::time::Duration;
 #[derive(Serialize, Debug)]
 pub struct Report {
     times: Times,
+    /// Passes before the picture, such as the emission of photons.
+    passes: Vec<PassTime>,
     rays: RayCounts,
     /// Largest memory of the process so far, in bytes; null if the system does not report it.
     peak_memory: Option<u64>,
@@ -38,11 +41,12 @@ struct Times {
 
 impl Report {
     /// Creates a report; `times` are the durations of parsing, building, tracing, encoding, and their sum.
-    pub fn new(times: [Duration; 5], rays: RayCounts, options: &render::Options) -> Self {
+    pub fn new(times: [Duration; 5], passes: Vec<PassTime>, rays: RayCounts, options: &render::Options) -> Self {
         let [parse, build, trace, encode, total] = times.map(|t| t.as_secs_f64());
         let processors = || std::thread::available_parallelism().map_or(1, usize::from);
         Self {
             times: Times { parse, build, trace, encode, total },
+            passes,
             rays,
             peak_memory: memory::peak_memory(),
             threads: if options.threads == 0 { processors() } else { options.threads },
