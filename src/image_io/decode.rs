@@ -1,6 +1,6 @@
 //! Decoders of picture files.
 
-use super::{Frame, bmp, netpbm, open_exr, radiance, tga, tiff_palette};
+use super::{Frame, bmp, netpbm, open_exr, png_palette, radiance, tga, tiff_palette};
 use crate::color::transfer;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::source::{Activity, Files, ReadError, Span};
@@ -106,6 +106,9 @@ fn decode_by_signature(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
         [b'#', b'?', ..] => return radiance::decode_radiance(bytes).map(Decoded::from),
         [b'F', b'O', b'R', b'M', ..] => return Err("iff pictures are not read, as they are not by POV-Ray 3.7".into()),
         _ => {}
+    }
+    if let Some(fault) = png_palette::palette_fault(bytes) {
+        return Err(fault);
     }
     if let Some(decoded) = tiff_palette::decode_tiff_palette(bytes, decode_with_image_crate) {
         return decoded;

@@ -10,6 +10,7 @@ mod frame;
 mod netpbm;
 mod open_exr;
 mod picture;
+mod png_palette;
 mod png_writer;
 mod quantize;
 mod radiance;
