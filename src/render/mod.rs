@@ -10,6 +10,7 @@ mod output;
 mod pick;
 mod pixel_rows;
 mod prepare;
+mod radiosity;
 mod sampler;
 mod workers;
 

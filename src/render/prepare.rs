@@ -4,7 +4,7 @@
 //! the [`FrameContext`], so that no ray of the picture can change it.
 
 use super::workers::Workers;
-use super::{Cancelled, Options};
+use super::{Cancelled, Options, radiosity};
 use crate::camera::{Lens, LoweredCamera, View};
 use crate::math::DVec3;
 use crate::transport::{CameraOrigin, FrameContext, Quality};
@@ -41,7 +41,7 @@ impl<'a> Preparation<'a> {
 
     /// Runs a pass: returns the results of `work` for all jobs, in the order of the jobs. `work` reads only what earlier
     /// passes have computed.
-    #[allow(dead_code, reason = "photons and radiosity are not rendered yet")]
+    #[allow(dead_code, reason = "photons are not rendered yet")]
     pub fn pass<J: Sync, T: Send>(
         &self,
         name: &'static str,
@@ -56,6 +56,31 @@ impl<'a> Preparation<'a> {
             Ok(result)
         };
         self.workers.map(jobs, work, || ()).0
+    }
+
+    /// Runs a pass in batches: passes the results of each batch to `merge`, in the order of the jobs, before the next batch
+    /// begins. `batch` returns the number of jobs of the next batch, which must not depend on the number of threads.
+    pub fn pass_in_batches<J: Sync, T: Send, S: Sync>(
+        &self,
+        name: &'static str,
+        jobs: &[J],
+        state: &mut S,
+        batch: impl Fn(&S) -> usize,
+        work: impl Fn(&S, &J) -> Result<T, Cancelled> + Sync,
+        mut merge: impl FnMut(&mut S, T),
+    ) -> Result<(), Cancelled> {
+        let watch = self.workers.watch;
+        let mut n_done = 0;
+        watch.preparing(name, 0, jobs.len());
+        while n_done < jobs.len() {
+            let end = (n_done + batch(state).max(1)).min(jobs.len());
+            let shared = &*state;
+            let results = self.workers.map(&jobs[n_done..end], |job| work(shared, job), || ()).0?;
+            results.into_iter().for_each(|result| merge(state, result));
+            n_done = end;
+            watch.preparing(name, n_done, jobs.len());
+        }
+        Ok(())
     }
 
     /// True if the render must stop, so that later results are invalid.
@@ -77,5 +102,7 @@ pub(super) fn prepare<'w>(
     }
     let origin = CameraOrigin { origin: camera.view.common_origin(), reach: camera.view.max_distance() };
     let quality = Quality::new(options.quality);
-    Ok(FrameContext::new(world, quality, origin, options.frame, options.alpha, options.has_shafts))
+    let mut context = FrameContext::new(world, quality, origin, options.frame, options.alpha, options.has_shafts);
+    radiosity::collect(&mut context, camera, options, &preparation)?;
+    Ok(context)
 }

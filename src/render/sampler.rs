@@ -4,7 +4,7 @@ use super::prepare::FrameCamera;
 use crate::camera::Lens;
 use crate::color::Rgb;
 use crate::math::DVec2;
-use crate::transport::{FrameContext, Purpose, Radiance, RandomSequence, RayCounts, Tracer};
+use crate::transport::{FrameContext, Purpose, Radiance, RadiositySample, RandomSequence, RayCounts, Tracer};
 
 /// Sampler that takes samples one by one, on one thread. Points are in pixels from the picture's top left corner.
 pub(super) struct Sampler<'w> {
@@ -34,6 +34,11 @@ impl<'w> Sampler<'w> {
     /// Returns random numbers that all samples of the current pixel share.
     pub fn pixel_random(&self, purpose: Purpose) -> RandomSequence {
         self.tracer.random.pixel_sequence(purpose)
+    }
+
+    /// Removes the samples of radiosity that were collected since the last call, and returns them.
+    pub fn take_radiosity_samples(&mut self) -> Vec<RadiositySample> {
+        self.tracer.take_radiosity_samples()
     }
 
     /// True if the render was cancelled, so that later samples are invalid.

@@ -2,6 +2,7 @@
 
 mod object;
 mod pov_bounds;
+mod radiosity;
 mod recent_parts;
 mod settings;
 mod surface;
@@ -12,6 +13,7 @@ pub use object::{
     Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, OBJECT_RADIOSITY, Object, ObjectBody, ObjectKind, ObjectRadiosity,
     PHOTONS, PhotonSettings, Uncommon, is_object, read_camera,
 };
+pub use radiosity::{RADIOSITY, Radiosity};
 pub use recent_parts::RecentParts;
 pub use settings::Settings;
 pub use surface::{Material, Painted, read_layers, read_material};

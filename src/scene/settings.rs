@@ -1,5 +1,6 @@
 //! The block `global_settings` (manual, "Global Settings").
 
+use super::Radiosity;
 use super::words::{SETTINGS, SETTINGS_ROWS};
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -31,6 +32,9 @@ pub struct Settings {
     pub opacity_by_color: bool,
     /// True if sky layers are blended as before 3.7; see [`crate::world::Sky`].
     pub sky_by_share: bool,
+    /// Settings of radiosity; `None` for a scene without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radiosity: Option<Box<Radiosity>>,
     /// Settings of the scene that durer does not support yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
@@ -48,6 +52,7 @@ impl Default for Settings {
             number_of_waves: TextureContext::WAVES,
             opacity_by_color: false,
             sky_by_share: false,
+            radiosity: None,
             unsupported: vec![],
         }
     }
@@ -70,6 +75,9 @@ impl Settings {
                         r.skip_unsupported(&mut row)?;
                     }
                     self.unsupported.push(Unsupported::Block(word, row.into()));
+                }
+                Next::Word("radiosity") | Next::Block("radiosity") => {
+                    self.radiosity = Some(Box::new(Radiosity::read(r)?))
                 }
                 Next::Word(word) | Next::Block(word) if SETTINGS.is_unsupported(word) => {
                     self.unsupported.push(r.read_unsupported(word)?);

@@ -17,7 +17,7 @@ const PARTS: &[WordSpec] = &[
     word("material", Block, "", "texture, interior texture and interior together"),
     word("interior_texture", Block, "", "appearance of the surface from inside"),
     word("photons", Block, "", "interaction with photons, which durer does not render yet"),
-    word("radiosity", Block, "", "accuracy of radiosity at the object; durer does not render radiosity yet"),
+    word("radiosity", Block, "", "share of radiosity rays that are traced beyond the object's surface"),
     word("clipped_by", Block, "", "removes the parts outside of these objects; the cut stays open"),
     word(
         "bounded_by",
@@ -34,7 +34,7 @@ pub(super) const FLAGS: &[Row<Flags>] = &[
         .sets(|s, r| set(&mut s.no_image, r.flag())),
     word("no_reflection", Flag, "off", "reflected rays miss the object")
         .sets(|s, r| set(&mut s.no_reflection, r.flag())),
-    word("no_radiosity", Flag, "off", "radiosity ignores the object; durer does not render radiosity yet")
+    word("no_radiosity", Flag, "off", "rays that gather light for radiosity miss the object")
         .sets(|s, r| set(&mut s.no_radiosity, r.flag())),
     word("hollow", Flag, "off", "fog fills the inside of the object, too").sets(|s, r| set(&mut s.hollow, r.flag())),
     word(
@@ -99,8 +99,11 @@ pub(super) const SETTINGS_ROWS: &[Row<Settings>] = &[
 pub const SETTINGS: Spec = Spec {
     name: "global_settings",
     summary: "settings of the whole scene",
-    words: specs!(SETTINGS_ROWS),
+    words: &joined::<{ SETTINGS_ROWS.len() + 1 }>(
+        specs!(SETTINGS_ROWS),
+        &[word("radiosity", Block, "", "diffuse light that surfaces receive from other surfaces and the sky")],
+    ),
     ignored: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit"],
-    unsupported: &["photons", "radiosity", "subsurface"],
+    unsupported: &["photons", "subsurface"],
     ..Spec::EMPTY
 };

@@ -1,6 +1,7 @@
 //! Data that all rays of a frame share.
 
 use super::interface::{Interiors, copy_of};
+use super::radiosity::RadiosityState;
 use crate::math::DVec3;
 use crate::world::{ObjectInfo, World};
 
@@ -59,6 +60,10 @@ pub struct FrameContext<'w> {
     pub(super) has_shafts: bool,
     /// Interiors that contain the common origin of camera rays.
     camera_interiors: Interiors,
+    /// Gathered light; `None` for a scene without radiosity and for low quality levels.
+    pub radiosity: Option<RadiosityState<'w>>,
+    /// True if `finish { ambient }` has an effect.
+    pub(super) has_ambient: bool,
     /// True if rays keep a list of the interiors around them.
     pub(super) tracks_interiors: bool,
 }
@@ -76,7 +81,19 @@ impl<'w> FrameContext<'w> {
         let tracks_interiors = world.needs_interior_lists();
         let around = |origin| interiors_around(world, origin);
         let camera_interiors = camera.origin.filter(|_| tracks_interiors).map_or_else(Interiors::new, around);
-        Self { world, quality, camera, frame, keeps_alpha, has_shafts, camera_interiors, tracks_interiors }
+        let settings = world.radiosity.as_deref().filter(|_| quality.atmosphere && quality.lights);
+        Self {
+            world,
+            quality,
+            camera,
+            frame,
+            keeps_alpha,
+            has_shafts,
+            camera_interiors,
+            radiosity: settings.map(|settings| RadiosityState::new(settings, world.eye.frame.origin)),
+            has_ambient: settings.is_none_or(|settings| settings.keeps_ambient),
+            tracks_interiors,
+        }
     }
 
     /// Returns the interiors that contain the origin of a camera ray.

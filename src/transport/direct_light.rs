@@ -40,7 +40,7 @@ impl Tracer<'_> {
         if !self.context.quality.lights {
             return shading.sum(|shaded| shaded.weight * shaded.color.rgb);
         }
-        let mut sum = shading.sum(|shaded| shaded.weight * emitted(shaded));
+        let mut sum = shading.sum(|shaded| shaded.weight * emitted(shaded, self.context.has_ambient));
         let world = self.context.world;
         for &number in &world.lit_by[shading.part.lights() as usize] {
             sum += self.reflected_light(&world.lights[number as usize], state, shading);
@@ -50,13 +50,12 @@ impl Tracer<'_> {
 
     /// Returns the radiance that one light source causes by diffuse and specular reflection.
     fn reflected_light(&mut self, light: &LightSource, state: &RayState, shading: &ShadingPoint) -> Rgb {
-        let dir = state.ray.dir;
         let center = light.emitter.sample(shading.point, DVec3::ZERO);
         let source = Source { light, center: center.from };
         let area_lights = self.context.quality.area_lights;
         let Some(area) = light.emitter.area.as_ref().filter(|area| area.illumination && area_lights) else {
             let visibility = |tracer: &mut Self| tracer.visibility(light, shading.point, &center, &state.inside);
-            return self.reflected_sample(&center, source, dir, shading, visibility);
+            return self.reflected_sample(&center, source, state, shading, visibility);
         };
         // `area_illumination`: each light of the grid illuminates, with the shadow of the whole grid (quirk: `area_illumination_shadow`)
         let visibility = self.visibility(light, shading.point, &center, &state.inside);
@@ -69,7 +68,7 @@ impl Tracer<'_> {
         for cell in (0..m).flat_map(|j| (0..n).map(move |i| [i, j])) {
             let offset = offset(area, cell, -center.from, random);
             let sample = light.emitter.sample(shading.point, offset);
-            sum += self.reflected_sample(&sample, source, dir, shading, |_| visibility);
+            sum += self.reflected_sample(&sample, source, state, shading, |_| visibility);
         }
         sum / (f64::from(n) * f64::from(m))
     }
@@ -79,11 +78,14 @@ impl Tracer<'_> {
         &mut self,
         sample: &LightSample,
         Source { light, center }: Source,
-        dir: DVec3,
+        state: &RayState,
         shading: &ShadingPoint,
         visibility: impl FnOnce(&mut Self) -> Rgb,
     ) -> Rgb {
         let l = sample.from;
+        let dir = state.ray.dir;
+        // quirk: radiosity_without_highlights
+        let has_highlights = state.bounces == 0;
         // quirk: area_illumination_both_sides
         let shines_through =
             light.emitter.area.as_ref().is_some_and(|area| area.illumination) && !self.context.quality.area_lights;
@@ -101,7 +103,7 @@ impl Tracer<'_> {
             let grain = if crand == 0.0 { 0.0 } else { crand * self.random.next(Purpose::Grain) };
             let mut reflected = diffuse(shaded, &at, grain, both_sides);
             // quirk: double_illuminate_highlights
-            if (at.cos > 0.0 || both_sides) && !light.emitter.shadowless {
+            if (at.cos > 0.0 || both_sides) && has_highlights && !light.emitter.shadowless {
                 reflected += highlight(shaded, &at);
             }
             reflected *= film_factor(shading.point, shaded, center, self.context.world);
@@ -123,9 +125,9 @@ fn reflects_light(shading: &ShadingPoint, from: DVec3, both_sides: bool) -> bool
 }
 
 /// Returns the light of `ambient` and `emission`.
-fn emitted(shaded: &ShadedLayer) -> Rgb {
+fn emitted(shaded: &ShadedLayer, has_ambient: bool) -> Rgb {
     let finish = &shaded.layer.finish;
-    shaded.color.rgb * shaded.opacity * (finish.ambient + finish.emission)
+    shaded.color.rgb * shaded.opacity * (if has_ambient { finish.ambient + finish.emission } else { finish.emission })
 }
 
 /// Returns the diffusely reflected light: `diffuse`, `brilliance`, `crand`.

@@ -13,6 +13,7 @@ mod interface;
 mod media;
 mod media_intervals;
 mod radiance;
+mod radiosity;
 mod random;
 mod ray_state;
 mod reflect;
@@ -24,5 +25,6 @@ mod visibility;
 
 pub use context::{CameraOrigin, FrameContext, Quality};
 pub use radiance::Radiance;
+pub use radiosity::{RadiosityPass, RadiosityState, Sample as RadiositySample};
 pub use random::{Purpose, Random, RandomSequence};
 pub use tracer::{RayCounts, Tracer};

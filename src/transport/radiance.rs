@@ -60,21 +60,42 @@ impl<'w> Tracer<'w> {
     fn trace(&mut self, state: &mut RayState, sum: &mut Radiance) {
         self.random.next_vertex();
         let Some(hit) = self.closest(state) else {
-            let air = self.endless_segment(&state.ray, &state.inside);
+            let air = match self.sees_air(state) {
+                true => self.endless_segment(&state.ray, &state.inside),
+                false => Segment::NONE,
+            };
             let all = air.in_front_of(self.background(state));
             sum.rgb += state.throughput * all.radiance;
             sum.transparency += state.transparency * gray(all.transmittance);
             return;
         };
         // Air between the origin and the hit
-        let lights = self.context.world.parts[hit.part_number() as usize].lights();
-        let air = self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, lights);
+        let part = &self.context.world.parts[hit.part_number() as usize];
+        if state.is_first_gathered {
+            self.first_distance = hit.t();
+            // A part of the rays stands for all.
+            if state.gather_rank >= f64::from(part.importance) {
+                return;
+            }
+            state.throughput /= f64::from(part.importance);
+        }
+        let air = match self.sees_air(state) {
+            true => self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.lights()),
+            false => Segment::NONE,
+        };
         sum.rgb += state.throughput * air.radiance;
         state.attenuate(&air);
         // Light that the surface itself sends
         let interface = self.interface(state, &hit);
         let shading = ShadingPoint::new(self.context.world, &state.ray, &hit, &self.context.quality, &interface);
-        sum.rgb += state.throughput * self.direct_light(state, &shading);
+        let is_collecting = self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final());
+        // (Nobody reads the radiance of a camera ray in a pass that collects samples.)
+        if state.bounces > 0 || !is_collecting {
+            sum.rgb += state.throughput * self.direct_light(state, &shading);
+        }
+        if self.context.radiosity.is_some() {
+            sum.rgb += state.throughput * self.indirect_light(state, &shading);
+        }
         // Rays that continue
         let attenuation = match self.context.world.colors_light && interface.leaves() {
             true => self.attenuation(shading.part.interior, hit.t()),
@@ -87,7 +108,9 @@ impl<'w> Tracer<'w> {
     fn closest(&self, state: &RayState) -> Option<Intersection<'w>> {
         let world = self.context.world;
         let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
-        if state.is_reflected {
+        if state.bounces > 0 {
+            world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].radiosity)
+        } else if state.is_reflected {
             world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].reflection)
         } else if state.has_transmitted {
             world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].through)
@@ -95,6 +118,11 @@ impl<'w> Tracer<'w> {
             let range = Range { max: self.context.camera.reach, ..range };
             world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].image)
         }
+    }
+
+    /// True if fog and media count along the ray (`radiosity { media }`).
+    fn sees_air(&self, state: &RayState) -> bool {
+        state.bounces == 0 || self.context.world.radiosity.as_ref().is_some_and(|settings| settings.media)
     }
 
     /// Returns the optical boundary at a hit.

@@ -28,6 +28,12 @@ pub(super) struct RayState {
     pub inside: Interiors,
     /// Hue of the ray after dispersion, from 0 for red to 1 for violet; `None` for white light.
     pub hue: Option<f64>,
+    /// Number of diffuse bounces between the camera and the ray; 0 unless the ray gathers light for radiosity.
+    pub bounces: u8,
+    /// True if the ray starts at the point for which it gathers light.
+    pub is_first_gathered: bool,
+    /// Rank of the ray among those of its point, from 0 to 1, if `is_first_gathered`.
+    pub gather_rank: f64,
     /// Number of surfaces that the ray and its ancestors have hit.
     pub n_surfaces: u32,
 }
@@ -46,6 +52,9 @@ impl RayState {
             has_transmitted: false,
             inside,
             hue: None,
+            bounces: 0,
+            is_first_gathered: false,
+            gather_rank: 0.0,
             n_surfaces: 0,
         }
     }
@@ -70,6 +79,9 @@ impl RayState {
             has_transmitted: self.has_transmitted,
             inside: copy_of(&self.inside),
             hue: self.hue,
+            bounces: self.bounces,
+            is_first_gathered: false,
+            gather_rank: 0.0,
             n_surfaces: self.n_surfaces + 1,
         }
     }

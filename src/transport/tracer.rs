@@ -1,6 +1,7 @@
 //! The state of one thread while it traces rays.
 
 use super::context::FrameContext;
+use super::radiosity::{RadiosityCache, RadiosityState};
 use super::random::Random;
 use super::ray_state::RayState;
 use crate::world::{Blocker, ShaftOccluder};
@@ -51,6 +52,10 @@ pub struct Tracer<'w> {
     pub(super) occluders: Vec<Option<Blocker>>,
     /// Last object in a shaft to each light: a hint for the next shaft test, which never changes a result.
     pub(super) shaft_occluders: Vec<Option<ShaftOccluder>>,
+    /// Samples of radiosity that the tracer has gathered since the last camera ray, or in a pass since the last work item.
+    pub(super) radiosity_cache: RadiosityCache,
+    /// Distance of the first hit of the present ray that gathers light; infinite without a hit.
+    pub(super) first_distance: f64,
     /// Rays that are still to be traced, the next one last.
     pub(super) queue: Vec<RayState>,
 }
@@ -67,6 +72,8 @@ impl<'w> Tracer<'w> {
             surfaces_since_poll: 0,
             occluders: vec![None; context.world.lights.len()],
             shaft_occluders: vec![None; context.world.lights.len()],
+            radiosity_cache: RadiosityCache::new(context.world.radiosity.as_ref().map_or(1.0, |r| r.error_bound)),
+            first_distance: f64::INFINITY,
             queue: vec![],
         }
     }
@@ -90,5 +97,8 @@ impl<'w> Tracer<'w> {
     pub fn begin_sample(&mut self, pixel: u64, sample: u64) {
         self.stopped |= (self.is_cancelled)();
         self.random.begin_sample(pixel, sample);
+        if self.context.radiosity.as_ref().is_some_and(RadiosityState::is_final) {
+            self.radiosity_cache.clear();
+        }
     }
 }

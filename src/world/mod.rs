@@ -33,7 +33,7 @@ use crate::light::LoweredLight;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::medium::Interior;
-use crate::scene::PhotonSettings;
+use crate::scene::{PhotonSettings, Radiosity};
 use crate::source::Span;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -72,6 +72,9 @@ pub struct World {
     pub noise: NoiseGenerator,
     /// Distinct `photons` settings of objects, by [`ObjectInfo::photons`]; the first are the defaults.
     pub photons: Vec<PhotonSettings>,
+    /// Settings of radiosity; `None` for a scene without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radiosity: Option<Box<Radiosity>>,
     /// Number of wave sources of `ripples` and `waves` (`number_of_waves`).
     pub waves: usize,
     /// True for each interior, by its number, that is not hollow and keeps fog out.
@@ -123,6 +126,9 @@ pub struct Part {
     /// True if textures are evaluated at surface coordinates (u, v, 0) in place of the point (`uv_mapping` of the
     /// object).
     pub uv: bool,
+    /// Share of the radiosity rays to the shape that are traced, more than 0 and at most 1.
+    #[serde(skip_serializing_if = "is_one")]
+    pub importance: f32,
     /// `no_shadow` of the shape or of a block around it. The object that contains the shape can still cast its shadow.
     #[serde(skip)]
     pub no_shadow: bool,
@@ -186,6 +192,11 @@ pub struct ObjectInfo {
     pub opaque: bool,
     /// Index of the object's interior, or [`Self::VIEW`].
     pub interior: u32,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_one(importance: &f32) -> bool {
+    *importance == 1.0
 }
 
 impl ObjectInfo {

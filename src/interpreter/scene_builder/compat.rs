@@ -62,6 +62,12 @@ pub fn has_sky_by_share(version: Option<u32>) -> bool {
     version.is_none_or(|version| version < 370)
 }
 
+/// True if `finish { ambient }` has an effect in a scene with radiosity. `version` is in force at the end of the scene
+/// (quirk: `radiosity_keeps_ambient`).
+pub fn has_ambient_with_radiosity(version: Option<u32>) -> bool {
+    version.is_none_or(|version| version < 370)
+}
+
 /// True if pictures with alpha omit the background, even an opaque one, and all other pictures show it. `version` is in
 /// force at the `background` (quirk: `background_before_3_7`).
 pub fn has_background_by_picture(version: Option<u32>) -> bool {

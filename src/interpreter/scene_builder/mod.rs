@@ -166,6 +166,9 @@ impl SceneBuilder {
         let settings = &mut self.scene.settings;
         settings.noise_generator.get_or_insert(NoiseGenerator::from_generator_number(f64::from(generator)));
         settings.opacity_by_color = compat::has_opacity_by_color(version);
+        if let Some(radiosity) = &mut settings.radiosity {
+            radiosity.keeps_ambient = compat::has_ambient_with_radiosity(version);
+        }
         settings.sky_by_share = compat::has_sky_by_share(version);
         settings.gamma.get_or_insert(compat::gamma_without_setting(version));
     }

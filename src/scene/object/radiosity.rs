@@ -21,7 +21,7 @@ const RADIOSITY_ROWS: &[Row<ObjectRadiosity>] =
 /// Specification of the block `radiosity { … }` of an object.
 pub const OBJECT_RADIOSITY: Spec = Spec {
     name: "radiosity",
-    summary: "radiosity settings of one object; durer does not render radiosity yet",
+    summary: "radiosity settings of one object",
     words: specs!(RADIOSITY_ROWS),
     ..Spec::EMPTY
 };

@@ -24,6 +24,8 @@ pub struct Inherited {
     /// True if the innermost enclosing block is that light group.
     pub lights_here: bool,
     pub flags: Flags,
+    /// Importance of the object for radiosity; `None` if neither the object nor a block around it states one.
+    pub importance: Option<f32>,
     /// Index of the photon settings in [`super::Lowering::photons`].
     pub photons: u32,
 }

@@ -117,6 +117,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
         gamma: scene.settings.gamma.unwrap_or(Gamma::Power(1.0)),
         noise,
         photons,
+        radiosity: scene.settings.radiosity.clone(),
         waves: scene.settings.number_of_waves,
         max_trace_level: scene.settings.max_trace_level,
         adc_bailout: scene.settings.adc_bailout,
@@ -257,6 +258,7 @@ impl Lowering {
             lights: group,
             lights_here: lights.is_some(),
             flags,
+            importance: object.uncommon.radiosity.map(|own| own.importance as f32).or(inherited.importance),
             photons: self.add_photons(object, inherited.photons),
         })
     }
@@ -358,7 +360,9 @@ impl Lowering {
         let lights = own.lights;
         let is_rare = inside.is_some() || cut.is_some() || lights != 0 || !embedded.is_empty();
         let uncommon = is_rare.then(|| Box::new(UncommonPart { inside, embedded, lights, cut }));
-        self.parts.push(Part { outside, uncommon, interior, double_illuminate, uv, no_shadow, source: object.source });
+        let importance = own.importance.unwrap_or(1.0);
+        let source = object.source;
+        self.parts.push(Part { outside, uncommon, interior, double_illuminate, uv, importance, no_shadow, source });
         let leaf = Leaf::placed(shape.clone(), &own.place.now, id);
         let number = self.add_object(own, opaque, interior);
         Ok(Solid { node: SolidNode::leaf(leaf, number), opaque })

@@ -1,0 +1,159 @@
+//! Samples of radiosity, and the light that surfaces reflect because of them.
+
+use super::cache::{Blend, Sample};
+use super::directions::tangents;
+use super::{RadiosityPass, RadiosityState};
+use crate::color::{Rgb, gray};
+use crate::math::{DVec3, Ray, rng};
+use crate::transport::interface::Interiors;
+use crate::transport::ray_state::RayState;
+use crate::transport::shading_point::{ShadedLayer, ShadingPoint};
+use crate::transport::tracer::Tracer;
+
+/// Minimum number of rays of a sample after the first bounce.
+const MIN_DEEPER_COUNT: usize = 8;
+
+/// A point where light is gathered.
+struct GatherPoint {
+    point: DVec3,
+    /// Normal with bumps, if they count, on the side of the gathered light.
+    normal: DVec3,
+    /// Normal without bumps on the same side.
+    smooth: DVec3,
+    /// Number of diffuse bounces between the camera ray and the point.
+    depth: u8,
+    /// Importance of the gathered light, which is compared with `adc_bailout`.
+    importance: f64,
+}
+
+impl Tracer<'_> {
+    /// Removes the samples that this tracer has collected since the last call, and returns them.
+    pub fn take_radiosity_samples(&mut self) -> Vec<Sample> {
+        self.radiosity_cache.take_samples()
+    }
+
+    /// Returns the light that a surface reflects or transmits diffusely from other surfaces and the sky.
+    pub(in crate::transport) fn indirect_light(&mut self, state: &RayState, shading: &ShadingPoint) -> Rgb {
+        let context = self.context;
+        let Some(radiosity) = &context.radiosity else { return Rgb::ZERO };
+        if u32::from(state.bounces) >= radiosity.settings.recursion_limit {
+            return Rgb::ZERO;
+        }
+        let mut sum = Rgb::ZERO;
+        for side in [1.0, -1.0] {
+            let smooth = shading.smooth * side;
+            if radiosity.settings.normal {
+                for material in &shading.materials {
+                    for shaded in &material.layers {
+                        let factor = material.share * reflectance(shaded, side);
+                        sum += self.indirect_light_at(state, shading.point, shaded.normal * side, smooth, factor);
+                    }
+                }
+            } else {
+                let factor = shading.sum(|shaded| reflectance(shaded, side));
+                sum += self.indirect_light_at(state, shading.point, smooth, smooth, factor);
+            }
+        }
+        sum
+    }
+
+    /// Returns the gathered light at a point times `factor`.
+    fn indirect_light_at(&mut self, state: &RayState, point: DVec3, normal: DVec3, smooth: DVec3, factor: Rgb) -> Rgb {
+        let context = self.context;
+        let Some(radiosity) = &context.radiosity else { return Rgb::ZERO };
+        let settings = radiosity.settings;
+        let importance = state.weight * factor.abs().max_element() * settings.brightness;
+        if importance.is_nan() || importance <= settings.adc_bailout {
+            return Rgb::ZERO;
+        }
+        let light = self.gathered_light(&GatherPoint { point, normal, smooth, depth: state.bounces, importance });
+        let gray = Rgb::splat(gray(light));
+        factor * settings.brightness * light.lerp(gray, settings.gray_threshold)
+    }
+
+    /// Returns the mean radiance over the cosine-weighted hemisphere at a point, from near samples or a new one.
+    fn gathered_light(&mut self, at: &GatherPoint) -> Rgb {
+        let context = self.context;
+        let Some(radiosity) = &context.radiosity else { return Rgb::ZERO };
+        let (query, mut blend) = (radiosity.query(at.point, at.normal, at.depth), Blend::default());
+        radiosity.cache.add_to(&query, &mut blend);
+        self.radiosity_cache.add_to(&query, &mut blend);
+        if blend.count < radiosity.wanted(at.depth) && !self.is_stopped() {
+            let sample = self.gather(radiosity, at);
+            self.radiosity_cache.insert(sample);
+            if at.depth == 0 && radiosity.pass != RadiosityPass::Final {
+                return sample.light;
+            }
+            if let Some(light) = blend.mean() {
+                let share = 1.0 / f64::from(blend.count + 1);
+                return light.lerp(sample.light, share);
+            }
+            return sample.light;
+        }
+        blend.mean().unwrap_or(Rgb::ZERO)
+    }
+
+    /// Computes a sample: traces rays into the hemisphere.
+    fn gather(&mut self, radiosity: &RadiosityState, at: &GatherPoint) -> Sample {
+        let settings = radiosity.settings;
+        let all = &radiosity.directions;
+        let count = (settings.count as usize >> at.depth).max(MIN_DEEPER_COUNT).min(settings.count as usize);
+        // Choose the rays from the pool by the point, not by the order of samples.
+        let start = match settings.pool {
+            Some(_) => (rng::random_unit(&at.point.to_array().map(f64::to_bits)) * all.len() as f64) as usize,
+            None => 0,
+        };
+        let [tangent, bitangent] = tangents(at.normal);
+        let (mut light, mut inverse_distances) = (Rgb::ZERO, 0.0);
+        for i in 0..count {
+            let d = all[(start + i) % all.len()];
+            let dir = (tangent * d.x + bitangent * d.y + at.normal * d.z).normalize();
+            // Bumps can turn directions into the surface.
+            if dir.dot(at.smooth) <= 0.0 {
+                continue;
+            }
+            let mut state = RayState::gather(Ray::new(at.point, dir), at.depth + 1, at.importance);
+            state.gather_rank = (i as f64 + 0.5) / count as f64;
+            let (incoming, distance) = self.gather_radiance(state);
+            inverse_distances += 1.0 / distance;
+            let most = incoming.max_element();
+            let is_limited = settings.max_sample > 0.0 && most > settings.max_sample;
+            light += if is_limited { incoming * (settings.max_sample / most) } else { incoming };
+            if self.is_stopped() {
+                break;
+            }
+        }
+        let n = count as f64;
+        let eye = at.point.distance(radiosity.eye);
+        let harmonic = n / inverse_distances;
+        let radius = harmonic.clamp(settings.minimum_reuse * eye, settings.maximum_reuse * eye);
+        // (A camera on the surface, and a distance that is not a number, leave no radius.)
+        let radius = if radius > 0.0 { radius } else { f64::MIN_POSITIVE.max(settings.maximum_reuse * 1e-6) };
+        Sample { point: at.point, normal: at.normal, light: light / n, radius, depth: at.depth }
+    }
+
+    /// Returns the radiance along a ray that gathers light, and the distance of its first hit.
+    fn gather_radiance(&mut self, state: RayState) -> (Rgb, f64) {
+        let before = std::mem::replace(&mut self.first_distance, f64::INFINITY);
+        let light = self.radiance(state).rgb;
+        let distance = std::mem::replace(&mut self.first_distance, before);
+        (light, distance)
+    }
+}
+
+impl RayState {
+    /// Creates the state of a ray that gathers light after `bounces` diffuse bounces.
+    fn gather(ray: Ray, bounces: u8, weight: f64) -> Self {
+        Self { bounces, weight, is_reflected: true, is_first_gathered: true, ..Self::camera(ray, Interiors::new()) }
+    }
+}
+
+/// Returns the factor of gathered light in the light that a layer sends, for light from the front (`side` = 1) or from behind.
+fn reflectance(shaded: &ShadedLayer, side: f64) -> Rgb {
+    let finish = &shaded.layer.finish;
+    let diffuse = if side > 0.0 { finish.diffuse } else { finish.diffuse_back };
+    if diffuse == 0.0 {
+        return Rgb::ZERO;
+    }
+    shaded.weight * shaded.color.rgb * (shaded.opacity * diffuse)
+}

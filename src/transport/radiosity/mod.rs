@@ -1,0 +1,96 @@
+//! Radiosity: diffuse light from other surfaces and the sky, gathered at few points and interpolated between them.
+//!
+//! `cache` holds the samples, `directions` their rays, `gather` computes samples and the light of surfaces. Preparation
+//! passes collect samples; each work item reads the frozen cache of the passes before, and adds to a cache of its own. In
+//! the final picture, each camera ray has its own cache, so that a pixel depends on no other pixel.
+
+mod cache;
+mod directions;
+mod gather;
+
+pub use cache::Sample;
+
+use crate::math::DVec3;
+use crate::scene::Radiosity;
+pub(super) use cache::RadiosityCache;
+use cache::{Blend, Query};
+use directions::directions;
+
+/// Radiosity of a frame: settings and the samples of all finished passes.
+#[derive(Debug)]
+pub struct RadiosityState<'w> {
+    settings: &'w Radiosity,
+    /// Directions about z that samples choose from.
+    directions: Box<[DVec3]>,
+    cache: RadiosityCache,
+    /// Centre of the view, from which the limits of the radii are measured.
+    eye: DVec3,
+    /// Criteria for samples in the present pass.
+    pass: RadiosityPass,
+}
+
+/// Criteria for the reuse of samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RadiosityPass {
+    /// Samples are collected where fewer than `nearest_count` are within the reduced error bound.
+    Collect,
+    /// Samples are collected where no sample, or with `always_sample` too few, is within the error bound.
+    FillGaps,
+    /// Samples are read; those that are still missing serve one camera ray.
+    Final,
+}
+
+impl<'w> RadiosityState<'w> {
+    /// Creates the state before the first pass; `eye` is the camera's location.
+    pub fn new(settings: &'w Radiosity, eye: DVec3) -> Self {
+        Self {
+            settings,
+            directions: directions(settings.pool.unwrap_or(settings.count)),
+            cache: RadiosityCache::new(settings.error_bound),
+            eye,
+            pass: RadiosityPass::Collect,
+        }
+    }
+
+    /// Starts a pass.
+    pub fn begin(&mut self, pass: RadiosityPass) {
+        self.pass = pass;
+    }
+
+    /// True if the passes are finished.
+    pub fn is_final(&self) -> bool {
+        self.pass == RadiosityPass::Final
+    }
+
+    /// Returns the number of samples.
+    pub fn len(&self) -> usize {
+        self.cache.len()
+    }
+
+    /// Adds the samples of a work item, except those that samples of other items have made superfluous.
+    pub fn merge(&mut self, samples: Vec<Sample>) {
+        for sample in samples {
+            let mut blend = Blend::default();
+            self.cache.add_to(&self.query(sample.point, sample.normal, sample.depth), &mut blend);
+            if blend.count < self.wanted(sample.depth) {
+                self.cache.insert(sample);
+            }
+        }
+    }
+
+    /// Returns the query of a point in the present pass.
+    fn query(&self, point: DVec3, normal: DVec3, depth: u8) -> Query {
+        let factor = if self.pass == RadiosityPass::Collect { self.settings.low_error_factor.min(1.0) } else { 1.0 };
+        Query { point, normal, depth, error_bound: self.settings.error_bound * factor }
+    }
+
+    /// Returns the number of samples that a point needs in the present pass.
+    fn wanted(&self, depth: u8) -> u32 {
+        let nearest = (self.settings.nearest_count >> depth.min(31)).max(1);
+        match self.pass {
+            RadiosityPass::Collect => nearest,
+            RadiosityPass::FillGaps if self.settings.always_sample => nearest,
+            RadiosityPass::FillGaps | RadiosityPass::Final => 1,
+        }
+    }
+}
