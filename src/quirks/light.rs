@@ -104,6 +104,17 @@ pub(super) const QUIRKS: &[Quirk] = &[
         &["tests/random/README.md"],
     ),
     emulated_quirk(
+        "radiosity_keeps_ambient",
+        "In scenes for versions before 3.7, and in those that state none, `ambient` has its effect beside radiosity; 3.7 \
+         ignores `ambient` then, except at quality levels below 9, which are without radiosity.",
+        &["light_cases/radiosity_ambient_36", "light_cases/radiosity_ambient_37", "light_cases/radiosity_ambient_37_q8"],
+    ),
+    emulated_quirk(
+        "radiosity_without_highlights",
+        "Rays that gather light for radiosity see no highlights (`phong`, `specular`).",
+        &["light_cases/radiosity_highlights"],
+    ),
+    emulated_quirk(
         "shadow_by_outside",
         "Meshes and blobs cast shadows by their outer texture alone, whatever their `interior_texture` transmits.",
         &["light_cases/shadow_of_interior_texture"],

@@ -69,6 +69,7 @@ pub const BLOCKS: &[Entry] = &[
     Entry::block(&SCATTERING, "`scattering`", "media.md#scattering"),
     Entry::block(&DENSITY, "`density`", "media.md#density"),
     Entry::block(&scene::words::SETTINGS, "`global_settings`", "settings.md"),
+    Entry::block(&scene::RADIOSITY, "`radiosity` of `global_settings`", "settings.md#radiosity"),
 ];
 
 /// Documented shapes, patterns and warps.

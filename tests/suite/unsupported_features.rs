@@ -32,7 +32,7 @@ fn the_dump_shows_unsupported_blocks() {
     let dump = dump(
         r#"
         #version 3.7;
-        global_settings { assumed_gamma 1 max_intersections 7 radiosity { count 17 recursion_limit 1+1 } }
+        global_settings { assumed_gamma 1 max_intersections 7 photons { count 17 media 1+1 } }
         camera { location <0, 0, -5> look_at 0 }
         light_source { 5*y, rgb 1 photons { target 0.5 } }
         sphere {
@@ -42,7 +42,7 @@ fn the_dump_shows_unsupported_blocks() {
         "#,
     );
     holds(&dump, r#"{"max_intersections":[7.0]}"#);
-    holds(&dump, r#"{"radiosity":["count",17.0,"recursion_limit",2.0]}"#);
+    holds(&dump, r#"{"photons":["count",17.0,"media",2.0]}"#);
     holds(&dump, r#"{"photons":["target",0.5]}"#);
     holds(&dump, r#""photons":{"target":0.75,"refraction":null"#);
     holds(&dump, r#"{"subsurface":["translucency",0.25]}"#);

@@ -186,5 +186,6 @@ pub(super) fn finishes_page() -> String {
 pub(super) fn settings_page() -> String {
     section(&scene::words::SETTINGS, "global_settings", &[])
         + "Without `assumed_gamma`, durer does what POV-Ray does for the file's `#version`. Write \
-           `global_settings { assumed_gamma 1 }` into every new scene.\n"
+           `global_settings { assumed_gamma 1 }` into every new scene.\n\n"
+        + &section(&scene::RADIOSITY, "radiosity", &[])
 }
