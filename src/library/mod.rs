@@ -32,6 +32,7 @@ const FILES: &[(&str, &str)] = files![
     "consts.inc",
     "functions.inc",
     "math.inc",
+    "rad_def.inc",
     "rand.inc",
     "shapes.inc",
     "shapes2.inc",

@@ -107,7 +107,11 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "radiosity_keeps_ambient",
         "In scenes for versions before 3.7, and in those that state none, `ambient` has its effect beside radiosity; 3.7 \
          ignores `ambient` then, except at quality levels below 9, which are without radiosity.",
-        &["light_cases/radiosity_ambient_36", "light_cases/radiosity_ambient_37", "light_cases/radiosity_ambient_37_q8"],
+        &[
+            "light_cases/radiosity_ambient_36",
+            "light_cases/radiosity_ambient_37",
+            "light_cases/radiosity_ambient_37_q8",
+        ],
     ),
     emulated_quirk(
         "radiosity_without_highlights",

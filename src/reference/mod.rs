@@ -69,7 +69,7 @@ pub const BLOCKS: &[Entry] = &[
     Entry::block(&SCATTERING, "`scattering`", "media.md#scattering"),
     Entry::block(&DENSITY, "`density`", "media.md#density"),
     Entry::block(&scene::words::SETTINGS, "`global_settings`", "settings.md"),
-    Entry::block(&scene::RADIOSITY, "`radiosity` of `global_settings`", "settings.md#radiosity"),
+    Entry::block(&scene::RADIOSITY, "`radiosity` of `global_settings`", "settings.md#radiosity-of-the-scene"),
 ];
 
 /// Documented shapes, patterns and warps.

@@ -10,9 +10,9 @@ use super::{Cancelled, Options};
 use crate::transport::{FrameContext, RadiosityPass};
 
 /// Share of the number of known samples by which a batch may add samples.
-const BATCH_SHARE: usize = 8;
-/// Minimum number of jobs of a batch.
-const MIN_BATCH: usize = 4;
+const BATCH_SHARE: usize = 16;
+/// Minimum number of jobs of a batch. The first job computes most samples of deeper bounces, which the next jobs reuse.
+const MIN_BATCH: usize = 1;
 /// Maximum number of jobs of a batch.
 const MAX_BATCH: usize = 512;
 /// Edge in pixels of the squares in which gaps are searched.
@@ -45,7 +45,10 @@ pub(super) fn collect(
         }
         step = (step / 2.0).max(end);
     }
-    pass(context, RadiosityPass::FillGaps, &gap_squares(options))?;
+    // (Finding the interiors around each origin of a mesh camera takes longer than to fill gaps ray by ray.)
+    if camera.view.common_origin().is_some() {
+        pass(context, RadiosityPass::FillGaps, &gap_squares(options))?;
+    }
     if let Some(radiosity) = &mut context.radiosity {
         radiosity.begin(RadiosityPass::Final);
     }

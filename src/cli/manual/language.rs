@@ -187,5 +187,5 @@ pub(super) fn settings_page() -> String {
     section(&scene::words::SETTINGS, "global_settings", &[])
         + "Without `assumed_gamma`, durer does what POV-Ray does for the file's `#version`. Write \
            `global_settings { assumed_gamma 1 }` into every new scene.\n\n"
-        + &section(&scene::RADIOSITY, "radiosity", &[])
+        + &section(&scene::RADIOSITY, "Radiosity of the scene", &[])
 }

@@ -80,13 +80,15 @@ impl<'w> RadiosityState<'w> {
 
     /// Returns the query of a point in the present pass.
     fn query(&self, point: DVec3, normal: DVec3, depth: u8) -> Query {
-        let factor = if self.pass == RadiosityPass::Collect { self.settings.low_error_factor.min(1.0) } else { 1.0 };
+        // Errors after the first bounce average out over the rays of a sample.
+        let is_tightened = self.pass == RadiosityPass::Collect && depth == 0;
+        let factor = if is_tightened { self.settings.low_error_factor.min(1.0) } else { 1.0 };
         Query { point, normal, depth, error_bound: self.settings.error_bound * factor }
     }
 
     /// Returns the number of samples that a point needs in the present pass.
     fn wanted(&self, depth: u8) -> u32 {
-        let nearest = (self.settings.nearest_count >> depth.min(31)).max(1);
+        let nearest = (self.settings.nearest_count >> (2 * depth).min(31)).max(1);
         match self.pass {
             RadiosityPass::Collect => nearest,
             RadiosityPass::FillGaps if self.settings.always_sample => nearest,
