@@ -1,6 +1,7 @@
 //! The scene as plain data, after all macros and loops have run.
 
 mod object;
+mod photon_map;
 mod pov_bounds;
 mod recent_parts;
 mod settings;
@@ -12,6 +13,7 @@ pub use object::{
     Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, OBJECT_RADIOSITY, Object, ObjectBody, ObjectKind, ObjectRadiosity,
     PHOTONS, PhotonSettings, Uncommon, is_object, read_camera,
 };
+pub use photon_map::{PHOTON_MAP, PhotonMapSettings};
 pub use recent_parts::RecentParts;
 pub use settings::Settings;
 pub use surface::{Material, Painted, read_layers, read_material};

@@ -1,5 +1,6 @@
 //! The block `global_settings` (manual, "Global Settings").
 
+use super::photon_map::PhotonMapSettings;
 use super::words::{SETTINGS, SETTINGS_ROWS};
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -31,6 +32,9 @@ pub struct Settings {
     pub opacity_by_color: bool,
     /// True if sky layers are blended as before 3.7; see [`crate::world::Sky`].
     pub sky_by_share: bool,
+    /// Settings of the photon map; `None` for a scene without photons.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub photons: Option<PhotonMapSettings>,
     /// Settings of the scene that durer does not support yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
@@ -48,6 +52,7 @@ impl Default for Settings {
             number_of_waves: TextureContext::WAVES,
             opacity_by_color: false,
             sky_by_share: false,
+            photons: None,
             unsupported: vec![],
         }
     }
@@ -63,6 +68,7 @@ impl Settings {
             match r.next()? {
                 Next::End => return Ok(()),
                 next if read_row(SETTINGS_ROWS, self, next, r)? => {}
+                Next::Block("photons") => self.photons = Some(PhotonMapSettings::read(r)?),
                 Next::Word(word) if SETTINGS.ignores(word) => {
                     let mut row = vec![];
                     r.take_token()?;

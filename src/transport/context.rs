@@ -1,5 +1,6 @@
 //! Data that all rays of a frame share.
 
+use super::photons::Photons;
 use super::interface::{Interiors, copy_of};
 use crate::math::DVec3;
 use crate::world::{ObjectInfo, World};
@@ -57,6 +58,8 @@ pub struct FrameContext<'w> {
     pub(super) keeps_alpha: bool,
     /// True if shafts may replace shadow rays to area lights.
     pub(super) has_shafts: bool,
+    /// Photon maps; `None` for a scene without photons, and while photons are emitted.
+    pub photons: Option<Photons>,
     /// Interiors that contain the common origin of camera rays.
     camera_interiors: Interiors,
     /// True if rays keep a list of the interiors around them.
@@ -76,7 +79,7 @@ impl<'w> FrameContext<'w> {
         let tracks_interiors = world.needs_interior_lists();
         let around = |origin| interiors_around(world, origin);
         let camera_interiors = camera.origin.filter(|_| tracks_interiors).map_or_else(Interiors::new, around);
-        Self { world, quality, camera, frame, keeps_alpha, has_shafts, camera_interiors, tracks_interiors }
+        Self { world, quality, camera, frame, keeps_alpha, has_shafts, photons: None, camera_interiors, tracks_interiors }
     }
 
     /// Returns the interiors that contain the origin of a camera ray.
@@ -89,7 +92,7 @@ impl<'w> FrameContext<'w> {
 }
 
 /// Returns the interiors of all objects that contain a point, in the order of their numbers.
-fn interiors_around(world: &World, p: DVec3) -> Interiors {
+pub(super) fn interiors_around(world: &World, p: DVec3) -> Interiors {
     let mut inside = Interiors::new();
     world.geometry.containing_camera(p, &mut |solid| {
         let interior = world.objects[solid.object() as usize].interior;

@@ -308,7 +308,12 @@ impl<'w> Tracer<'w> {
         let stretch = interval.stretch;
         let p = stretch.ray.at(t);
         let lights = interval.lights.iter().filter(|beam| beam.shines_at(t));
-        lights.map(|beam| self.phased_light_of(stretch, beam.light, p)).sum()
+        let mut sum: Rgb = lights.map(|beam| self.phased_light_of(stretch, beam.light, p)).sum();
+        if self.context.photons.is_some() && stretch.media.iter().any(|medium| medium.collects_photons) {
+            let phase = |cos| stretch.media.iter().map(|medium| medium.scattering.phase_factor(cos)).sum::<f64>();
+            sum += self.photon_fluence(p, stretch.ray.dir, phase) / stretch.media.len() as f64;
+        }
+        sum
     }
 
     /// Returns the light that arrives at a point from one source, times the phase function towards the eye.

@@ -53,6 +53,14 @@ pub struct Tracer<'w> {
     pub(super) shaft_occluders: Vec<Option<ShaftOccluder>>,
     /// Rays that are still to be traced, the next one last.
     pub(super) queue: Vec<RayState>,
+    /// Maximum depth of the ray tree.
+    pub(super) max_trace_level: u32,
+    /// Importance below which rays are not traced.
+    pub(super) adc_bailout: f64,
+    /// True if the rays are photons, whose reflection is always linear.
+    pub(super) traces_photons: bool,
+    /// Photons of the last search; kept to save allocations.
+    pub(super) found_photons: Vec<(f32, u32)>,
 }
 
 impl<'w> Tracer<'w> {
@@ -68,6 +76,10 @@ impl<'w> Tracer<'w> {
             occluders: vec![None; context.world.lights.len()],
             shaft_occluders: vec![None; context.world.lights.len()],
             queue: vec![],
+            max_trace_level: context.world.max_trace_level,
+            adc_bailout: context.world.adc_bailout,
+            traces_photons: false,
+            found_photons: vec![],
         }
     }
 

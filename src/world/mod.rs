@@ -33,7 +33,7 @@ use crate::light::LoweredLight;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::medium::Interior;
-use crate::scene::PhotonSettings;
+use crate::scene::{PhotonMapSettings, PhotonSettings};
 use crate::source::Span;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -72,6 +72,9 @@ pub struct World {
     pub noise: NoiseGenerator,
     /// Distinct `photons` settings of objects, by [`ObjectInfo::photons`]; the first are the defaults.
     pub photons: Vec<PhotonSettings>,
+    /// Settings of the photon map; `None` for a scene without photons.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub photon_map: Option<PhotonMapSettings>,
     /// Number of wave sources of `ripples` and `waves` (`number_of_waves`).
     pub waves: usize,
     /// True for each interior, by its number, that is not hollow and keeps fog out.
@@ -123,6 +126,9 @@ pub struct Part {
     /// True if textures are evaluated at surface coordinates (u, v, 0) in place of the point (`uv_mapping` of the
     /// object).
     pub uv: bool,
+    /// True if the shape stores photons and shows their light (no `collect off`).
+    #[serde(skip)]
+    pub collects_photons: bool,
     /// `no_shadow` of the shape or of a block around it. The object that contains the shape can still cast its shadow.
     #[serde(skip)]
     pub no_shadow: bool,
