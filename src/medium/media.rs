@@ -132,7 +132,8 @@ const MEDIA_ROWS: &[Row<Media>] = &[
         .sets(|s, r| set(&mut s.sampling.aa_level, read_count("aa_level", r))),
     word("aa_threshold", Float, "0.1", "method 3: the difference above which a stretch is halved")
         .sets(|s, r| set(&mut s.sampling.aa_threshold, read_threshold(r))),
-    word("collect", Flag, "on", "whether photons are stored in it").sets(|s, r| set(&mut s.ignores_photons, r.flag().map(|collects| !collects))),
+    word("collect", Flag, "on", "whether photons are stored in it")
+        .sets(|s, r| set(&mut s.ignores_photons, r.flag().map(|collects| !collects))),
 ];
 
 /// Parts of a `media` block with braces of their own.

@@ -82,13 +82,12 @@ const PHOTON_MAP_ROWS: &[Row<PhotonMapSettings>] = &[
         s.gather[1] = s.gather[1].max(s.gather[0]).max(1);
         Ok(())
     }),
-    word("media", Float, "0", "maximum number of photons that a ray stores in a medium, and a factor of `spacing`").sets(
-        |s, r| {
+    word("media", Float, "0", "maximum number of photons that a ray stores in a medium, and a factor of `spacing`")
+        .sets(|s, r| {
             s.media_steps = count(r.float()?);
             s.media_factor = r.optional_float()?.filter(|factor| *factor > 0.0).unwrap_or(s.media_factor);
             Ok(())
-        },
-    ),
+        }),
     word("jitter", Float, "0.4", "random displacement of the emitted photons, as a share of their distance")
         .sets(|s, r| set(&mut s.jitter, r.float().map(|jitter| jitter.clamp(0.0, 1.0)))),
     word("max_trace_level", Float, "that of rays", "maximum number of reflections and refractions of a photon")

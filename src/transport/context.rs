@@ -1,7 +1,7 @@
 //! Data that all rays of a frame share.
 
-use super::photons::Photons;
 use super::interface::{Interiors, copy_of};
+use super::photons::Photons;
 use crate::math::DVec3;
 use crate::world::{ObjectInfo, World};
 
@@ -79,7 +79,17 @@ impl<'w> FrameContext<'w> {
         let tracks_interiors = world.needs_interior_lists();
         let around = |origin| interiors_around(world, origin);
         let camera_interiors = camera.origin.filter(|_| tracks_interiors).map_or_else(Interiors::new, around);
-        Self { world, quality, camera, frame, keeps_alpha, has_shafts, photons: None, camera_interiors, tracks_interiors }
+        Self {
+            world,
+            quality,
+            camera,
+            frame,
+            keeps_alpha,
+            has_shafts,
+            photons: None,
+            camera_interiors,
+            tracks_interiors,
+        }
     }
 
     /// Returns the interiors that contain the origin of a camera ray.

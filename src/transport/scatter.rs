@@ -83,9 +83,8 @@ impl Tracer<'_> {
         let Boundary { shading, interface, .. } = *boundary;
         let world = self.context.world;
         let transmittance = material.transmittance;
-        let is_clear = self.context.quality.pigments
-            && transmittance != Rgb::ZERO
-            && gray(transmittance).abs() > self.adc_bailout;
+        let is_clear =
+            self.context.quality.pigments && transmittance != Rgb::ZERO && gray(transmittance).abs() > self.adc_bailout;
         if !is_clear || state.level >= self.max_trace_level {
             return Transmission::Ends;
         }

@@ -72,7 +72,10 @@ impl Tracer<'_> {
         // Look for an opaque occluder first: that search ends at its first hit.
         let occludes = |id: u32| {
             let object = &world.objects[id as usize];
-            object.shadow && (object.opaque || !see_through || has_photons && photons::replace_transmitted(world, light, object.photons))
+            object.shadow
+                && (object.opaque
+                    || !see_through
+                    || has_photons && photons::replace_transmitted(world, light, object.photons))
         };
         if world.geometry.any_after(ray, range, occludes, &mut self.occluders[light.number]) {
             return Rgb::ZERO;

@@ -153,7 +153,8 @@ impl Plan {
                 },
             )
         };
-        let spacing = if settings.spacing > 0.0 { settings.spacing } else { spacing_of_count(world, settings, pairs()) };
+        let spacing =
+            if settings.spacing > 0.0 { settings.spacing } else { spacing_of_count(world, settings, pairs()) };
         let mut plan = Self { sources: vec![], jobs: vec![] };
         for (light, target) in pairs() {
             for (offset, share) in emitters(light, context.quality.area_lights) {

@@ -42,7 +42,8 @@ impl Tracer<'_> {
         if photons.surface.is_empty() || !shading.part.collects_photons {
             return Rgb::ZERO;
         }
-        let reflects = |shaded: &ShadedLayer| shaded.layer.finish.diffuse != 0.0 || shaded.layer.finish.diffuse_back != 0.0;
+        let reflects =
+            |shaded: &ShadedLayer| shaded.layer.finish.diffuse != 0.0 || shaded.layer.finish.diffuse_back != 0.0;
         if !shading.layers().any(reflects) {
             return Rgb::ZERO;
         }

@@ -143,7 +143,8 @@ impl Search<'_> {
         let middle = from + (to - from) / 2;
         let axis = self.map.axes[middle] as usize;
         let beyond = self.p[axis] - self.map.photons[middle].position[axis];
-        let (near, far) = if beyond < 0.0 { ((from, middle), (middle + 1, to)) } else { ((middle + 1, to), (from, middle)) };
+        let (near, far) =
+            if beyond < 0.0 { ((from, middle), (middle + 1, to)) } else { ((middle + 1, to), (from, middle)) };
         self.visit(near.0, near.1);
         if beyond * beyond < self.limit {
             self.add(middle);

@@ -82,7 +82,9 @@ impl<'w> Tracer<'w> {
         let settings_of = |object: u32| &world.photons[world.objects[object as usize].photons as usize];
         let passes = |object: u32| {
             let default = || !world.objects[object as usize].shadow;
-            !flight.has_hit_target && object != source.target && settings_of(object).pass_through.unwrap_or_else(default)
+            !flight.has_hit_target
+                && object != source.target
+                && settings_of(object).pass_through.unwrap_or_else(default)
         };
         let Some(hit) = world.geometry.closest(&flight.state.ray, range, |object| !passes(object)) else { return };
         if !flight.has_hit_target {
@@ -179,8 +181,7 @@ impl<'w> Tracer<'w> {
             transmittance *= self.shadow_segment(&ray, &Span::new(from, t), &state.inside, &segments);
             from = t;
             let p = ray.at(t);
-            let is_there =
-                |medium: &&Medium| medium.density_at(p, ray.dir, world.noise, world.waves) != Rgb::ZERO;
+            let is_there = |medium: &&Medium| medium.density_at(p, ray.dir, world.noise, world.waves) != Rgb::ZERO;
             if media.iter().any(is_there) {
                 let flux = state.throughput * transmittance * power_at(beam.source, beam.light, flight.distance + t);
                 ring.media.push(Photon::new(p, flux * step, ray.dir));
