@@ -3,6 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 use crate::value::ValueKind::{Float, Text};
+use crate::value::unsupported_warning;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
@@ -36,12 +37,6 @@ pub struct PhotonMapSettings {
     pub radius: [f64; 2],
     /// Factor of the radius on surfaces and in media.
     pub radius_factor: [f64; 2],
-    /// Name of a file with photons to load.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub load_file: Option<String>,
-    /// Name of the file to which the photons are saved.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub save_file: Option<String>,
     /// Span of the block.
     #[serde(skip)]
     pub source: Span,
@@ -63,8 +58,6 @@ impl Default for PhotonMapSettings {
             expand_min: 40,
             radius: [0.0; 2],
             radius_factor: [1.0; 2],
-            load_file: None,
-            save_file: None,
             source: Span::NONE,
         }
     }
@@ -117,9 +110,10 @@ const PHOTON_MAP_ROWS: &[Row<PhotonMapSettings>] = &[
             Ok(())
         },
     ),
-    word("load_file", Text, "", "file with photons to load").sets(|s, r| set(&mut s.load_file, r.text().map(Some))),
-    word("save_file", Text, "", "file to which the photons are saved")
-        .sets(|s, r| set(&mut s.save_file, r.text().map(Some))),
+    word("load_file", Text, "", "file with photons to load; not supported yet")
+        .sets(|_, r| ignore_file("load_file", r)),
+    word("save_file", Text, "", "file to which the photons are saved; not supported yet")
+        .sets(|_, r| ignore_file("save_file", r)),
 ];
 
 /// Specification of the block `photons { … }` of `global_settings`.
@@ -151,6 +145,13 @@ impl PhotonMapSettings {
 /// Returns a number of photons.
 fn count(number: f64) -> u32 {
     number.clamp(0.0, 1e6) as u32
+}
+
+/// Reads the name of a file of photons, and reports that such files are not supported.
+fn ignore_file(word: &'static str, r: &mut dyn Reader) -> Result<()> {
+    let at = r.span();
+    r.report(unsupported_warning(word, at));
+    r.text().map(drop)
 }
 
 /// Reads a number greater than 0.

@@ -11,8 +11,8 @@ use std::ops::Range;
 
 /// Approximate number of photons of a job.
 const PHOTONS_PER_JOB: f64 = 4096.0;
-/// Maximum number of photons that a light emits at a target.
-const MAX_PHOTONS: f64 = 1e9;
+/// Maximum number of photons of a frame; with a smaller `spacing` they are spread wider.
+const MAX_PHOTONS: f64 = 1e7;
 /// Golden ratio, by which rings are turned against each other.
 const TURN: f64 = 0.618_033_988_749_895;
 
@@ -42,7 +42,8 @@ pub struct Source {
     axes: [DVec3; 3],
     /// Distance between rings: an angle or a length.
     step: f64,
-    n_rings: u32,
+    /// Angle or distance from the axis up to which photons are emitted.
+    extent: f64,
     /// Share of the light's power.
     share: f64,
     jitter: f64,
@@ -69,6 +70,20 @@ impl Source {
     /// True if the power of photons is per solid angle, and not per area.
     pub fn is_cone(&self) -> bool {
         matches!(self.bundle, Bundle::Cone)
+    }
+
+    /// Returns the approximate number of photons: the area of the bundle's end divided by the area of a photon.
+    fn count(&self) -> f64 {
+        let area = match self.bundle {
+            Bundle::Cone => 2.0 * PI * (1.0 - fp::cos(self.extent)),
+            Bundle::Tube => PI * self.extent * self.extent,
+        };
+        area / (self.step * self.step)
+    }
+
+    /// Multiplies the spacing of the photons.
+    fn widen(&mut self, factor: f64) {
+        (self.step, self.spacing) = (self.step * factor, self.spacing * factor);
     }
 
     /// Returns the number of photons in a ring.
@@ -109,9 +124,10 @@ impl Source {
     /// Divides the rings into jobs.
     fn jobs(&self, source: usize, jobs: &mut Vec<Job>) {
         let (mut first, mut count) = (0, 0.0);
-        for ring in 0..self.n_rings {
+        let n_rings = (self.extent / self.step).ceil().clamp(1.0, 1e6) as u32;
+        for ring in 0..n_rings {
             count += f64::from(self.n_in_ring(ring));
-            if count >= PHOTONS_PER_JOB || ring + 1 == self.n_rings {
+            if count >= PHOTONS_PER_JOB || ring + 1 == n_rings {
                 jobs.push(Job { source, rings: first..ring + 1 });
                 (first, count) = (ring + 1, 0.0);
             }
@@ -120,7 +136,7 @@ impl Source {
 
     /// True if autostop may end the emission at this ring.
     pub fn may_stop_at(&self, ring: u32, autostop: f64) -> bool {
-        f64::from(ring) >= autostop * f64::from(self.n_rings)
+        f64::from(ring) * self.step >= autostop * self.extent
     }
 }
 
@@ -155,15 +171,22 @@ impl Plan {
         };
         let spacing =
             if settings.spacing > 0.0 { settings.spacing } else { spacing_of_count(world, settings, pairs()) };
-        let mut plan = Self { sources: vec![], jobs: vec![] };
+        let mut sources: Vec<Source> = vec![];
         for (light, target) in pairs() {
             for (offset, share) in emitters(light, context.quality.area_lights) {
-                let key = rng::random_word(&[u64::from(context.frame), plan.sources.len() as u64]);
+                let key = rng::random_word(&[u64::from(context.frame), sources.len() as u64]);
                 let source = source(light, offset, target, spacing * target.factor / share.sqrt());
-                let source = Source { share, jitter: settings.jitter, key, ..source };
-                source.jobs(plan.sources.len(), &mut plan.jobs);
-                plan.sources.push(source);
+                sources.push(Source { share, jitter: settings.jitter, key, ..source });
             }
+        }
+        // Widen the spacing of too many photons
+        let count: f64 = sources.iter().map(Source::count).sum();
+        if count > MAX_PHOTONS {
+            sources.iter_mut().for_each(|source| source.widen((count / MAX_PHOTONS).sqrt()));
+        }
+        let mut plan = Self { sources, jobs: vec![] };
+        for (number, source) in plan.sources.iter().enumerate() {
+            source.jobs(number, &mut plan.jobs);
         }
         plan
     }
@@ -236,18 +259,8 @@ fn source(light: &LightSource, offset: DVec3, target: &Target, spacing: f64) -> 
         (Bundle::Cone, origin, ahead, extent, distance.max(1e-9), distance)
     };
     let (right, up) = ahead.any_orthonormal_pair();
-    // Number of photons: area of the bundle's end divided by the area of a photon
-    let area = |step: f64| match bundle {
-        Bundle::Cone => 2.0 * PI * (1.0 - fp::cos(extent)) / (step * step),
-        Bundle::Tube => PI * extent * extent / (step * step),
-    };
-    let mut step = spacing / unit;
-    let count = area(step);
-    if count > MAX_PHOTONS {
-        step *= (count / MAX_PHOTONS).sqrt();
-    }
+    let step = spacing / unit;
     let step = if step.is_finite() && step > 0.0 { step.min(extent.max(1e-9)) } else { extent.max(1e-9) };
-    let n_rings = (extent / step).ceil().clamp(1.0, 1e6) as u32;
     Source {
         light: light.number as u32,
         target: target.object,
@@ -257,7 +270,7 @@ fn source(light: &LightSource, offset: DVec3, target: &Target, spacing: f64) -> 
         origin,
         axes: [right, up, ahead],
         step,
-        n_rings,
+        extent,
         share: 1.0,
         jitter: 0.0,
         key: 0,

@@ -59,13 +59,14 @@ impl Tracer<'_> {
                 let photon = photons.surface.photon(*index);
                 let to_light = -photon.dir();
                 let cos = shaded.normal.dot(to_light);
+                // The density of photons contains the cosine at the smooth surface.
+                let smooth_cos = shading.smooth.dot(to_light).abs().max(MIN_COS);
                 let at = Incidence { dir: state.ray.dir, normal: shaded.normal, to_light, cos };
                 let mut reflected = diffuse(shaded, &at, 0.0, both_sides);
                 if cos > 0.0 || both_sides {
                     reflected += highlight(shaded, &at);
                 }
-                // The density of photons contains the cosine already.
-                sum += reflected / cos.abs().max(MIN_COS) * photon.flux();
+                sum += reflected / smooth_cos * photon.flux();
             }
             shaded.weight * sum
         });

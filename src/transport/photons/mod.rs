@@ -47,6 +47,13 @@ struct Ring {
     media: Vec<Photon>,
 }
 
+impl Photons {
+    /// True if media store photons.
+    pub(super) fn has_media_photons(&self) -> bool {
+        !self.media.is_empty()
+    }
+}
+
 impl PhotonPass {
     /// Plans the emission; `None` for a scene or a quality without photons.
     pub fn new(context: &FrameContext) -> Option<Self> {

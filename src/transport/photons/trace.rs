@@ -14,6 +14,7 @@ use super::{PhotonPass, PhotonShard, Ring, interaction};
 use crate::color::Rgb;
 use crate::math::{Range, Ray};
 use crate::world::{LightSource, Medium};
+use std::cell::Cell;
 
 /// A photon in flight.
 struct Flight {
@@ -80,11 +81,14 @@ impl<'w> Tracer<'w> {
         let (world, source) = (self.context.world, beam.source);
         let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
         let settings_of = |object: u32| &world.photons[world.objects[object as usize].photons as usize];
+        let has_passed = Cell::new(false);
         let passes = |object: u32| {
             let default = || !world.objects[object as usize].shadow;
-            !flight.has_hit_target
+            let passes = !flight.has_hit_target
                 && object != source.target
-                && settings_of(object).pass_through.unwrap_or_else(default)
+                && settings_of(object).pass_through.unwrap_or_else(default);
+            has_passed.set(has_passed.get() || passes);
+            passes
         };
         let Some(hit) = world.geometry.closest(&flight.state.ray, range, |object| !passes(object)) else { return };
         if !flight.has_hit_target {
@@ -97,6 +101,11 @@ impl<'w> Tracer<'w> {
             flight.state.throughput *= beam.light.emitter.share_towards(point, -flight.state.ray.dir, hit.t());
             if flight.state.throughput == Rgb::ZERO {
                 return;
+            }
+            // The target can be inside of an object that the photon has passed.
+            if has_passed.get() && self.context.tracks_interiors {
+                let before = flight.state.ray.at(hit.t() - world.epsilon.surface);
+                flight.state.inside = interiors_around(world, before);
             }
         } else if beam.pass.settings.media_steps > 0 {
             self.store_in_media(beam, &flight, hit.t(), ring);
@@ -148,7 +157,7 @@ impl<'w> Tracer<'w> {
         let is_diffuse = || {
             shading.layers().any(|shaded| {
                 let finish = &shaded.layer.finish;
-                finish.diffuse != 0.0 || finish.diffuse_back != 0.0
+                shaded.opacity != 0.0 && (finish.diffuse != 0.0 || finish.diffuse_back != 0.0)
             })
         };
         shading.part.collects_photons && is_diffuse() && is_lit()
