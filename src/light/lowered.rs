@@ -1,7 +1,7 @@
 //! Lowered lights: direction, distance and strength of the light at a point.
 
 use super::beam::{Profile, beam_axis};
-use super::{Area, Beam, Light};
+use super::{Area, Beam, Light, LightPhotons};
 use crate::color::Rgb;
 use crate::math::{DVec3, Ray, fp};
 use serde::Serialize;
@@ -25,6 +25,8 @@ pub struct LoweredLight {
     pub scattered: bool,
     /// Grid of the area light about its location; never a single light. `None` for a point light.
     pub area: Option<Area>,
+    /// Emission of photons.
+    pub photons: LightPhotons,
     /// Direction of the light's axis, length 1.
     axis: DVec3,
     /// Distance from the light's location to its `point_at`.
@@ -60,6 +62,7 @@ impl LoweredLight {
             attenuated: light.media_attenuation && light.media_interaction,
             scattered: light.media_interaction && !light.shadowless,
             area: (light.spreads && light.area.size != [1; 2]).then(|| light.area.clone()),
+            photons: light.photons,
             axis: beam_axis(light.location, light.point_at),
             aim: light.location.distance(light.point_at),
             parallel: light.parallel || matches!(light.beam, Beam::Cylinder(_)),
@@ -74,8 +77,6 @@ impl LoweredLight {
 
     /// Returns the light that reaches the point `p` from the light at `offset` from the location.
     pub fn sample(&self, p: DVec3, offset: DVec3) -> LightSample {
-        // quirk: area_light_tube
-        let ahead = (p - self.location).dot(self.axis);
         let way = self.location + offset - p;
         let from = match self.parallel {
             true if offset == DVec3::ZERO => -self.axis,
@@ -85,6 +86,19 @@ impl LoweredLight {
         };
         // Distance of a parallel light: along its direction.
         let distance = if self.parallel { way.dot(from) } else { way.length() };
+        LightSample { from, distance, light: self.strength_at(distance) * self.share_towards(p, from, distance) }
+    }
+
+    /// Returns the light's axis, length 1, or 0.
+    pub fn axis(&self) -> DVec3 {
+        self.axis
+    }
+
+    /// Returns the share of the light's strength, from 0 to 1, that its beam sends to the point `p`. `from` is the direction
+    /// from the point to the light, and `distance` the distance.
+    pub fn share_towards(&self, p: DVec3, from: DVec3, distance: f64) -> f64 {
+        // quirk: area_light_tube
+        let ahead = (p - self.location).dot(self.axis);
         let beside = || (p - self.location - self.axis * ahead).length();
         let share = match self.profile {
             Profile::Round => 1.0,
@@ -96,8 +110,7 @@ impl LoweredLight {
             }
             profile => profile.strength_share(-from.dot(self.axis), beside(), ahead),
         };
-        let lit = if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share };
-        LightSample { from, distance, light: self.strength_at(distance) * lit }
+        if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share }
     }
 
     /// Returns the stretches of a ray, in order, within the beam of a spotlight or cylinder light: pairs of distances
@@ -130,7 +143,7 @@ impl LoweredLight {
 
     /// Returns the light's strength at a distance. Behind a parallel light the distance is negative, and an odd
     /// exponent brightens and darkens there (quirk: `parallel_light_behind`).
-    fn strength_at(&self, distance: f64) -> Rgb {
+    pub fn strength_at(&self, distance: f64) -> Rgb {
         match self.fade {
             // 2 / (1 + (d/d₀)ᵏ)
             Some((from, power)) => {

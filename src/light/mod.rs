@@ -3,11 +3,13 @@
 mod area;
 mod beam;
 mod lowered;
+mod photons;
 pub mod words;
 
 pub use area::Area;
 pub use beam::{Beam, Edge};
 pub use lowered::{LightSample, LoweredLight};
+pub use photons::{LIGHT_PHOTONS, LightPhotons};
 
 use crate::color::Rgb;
 use crate::diagnostic::Diagnostic;
@@ -15,11 +17,11 @@ use crate::diagnostic::{Result, codes};
 use crate::math::{DVec3, Transform};
 use crate::source::Span;
 use crate::value::words::read_row;
-use crate::value::{Next, Reader, Thing, Unsupported};
+use crate::value::{Next, Reader, Thing};
 use area::AREA_ROWS;
 use beam::BEAM_ROWS;
 use serde::Serialize;
-use words::{LIGHT, LIGHT_ROWS};
+use words::LIGHT_ROWS;
 
 /// Light source as written in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -48,9 +50,8 @@ pub struct Light {
     pub media_interaction: bool,
     /// True if media attenuate the light.
     pub media_attenuation: bool,
-    /// Items of the light source that are read and not rendered yet.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub unsupported: Vec<Unsupported>,
+    /// Emission of photons.
+    pub photons: LightPhotons,
     /// Span of the light source in the scene.
     pub source: Span,
 }
@@ -70,7 +71,7 @@ impl Default for Light {
             fade_power: 0.0,
             media_interaction: true,
             media_attenuation: false,
-            unsupported: vec![],
+            photons: LightPhotons::default(),
             source: Span::NONE,
         }
     }
@@ -104,9 +105,7 @@ impl Light {
             }
         }
         match next {
-            Next::Word(word) | Next::Block(word) if LIGHT.is_unsupported(word) => {
-                self.unsupported.push(r.read_unsupported(word)?)
-            }
+            Next::Block("photons") => self.photons.read(r)?,
             _ => return Ok(false),
         }
         Ok(true)

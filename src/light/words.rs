@@ -34,6 +34,7 @@ const LIGHT_PARTS: &[WordSpec] = &[
         "an object that is seen at its place and casts no shadow; that lies about the origin",
     ),
     word("projected_through", Block, "", "an object: only what passes it shines, and nothing before it is in the way"),
+    word("photons", Block, "", "photons that the light emits at targets"),
 ];
 
 const OWN: usize = LIGHT_ROWS.len() + BEAM_ROWS.len();
@@ -47,6 +48,5 @@ pub const LIGHT: Spec = Spec {
         &joined::<{ AREA_ROWS.len() + LIGHT_PARTS.len() }>(specs!(AREA_ROWS), LIGHT_PARTS),
     ),
     has_transforms: true,
-    unsupported: &["photons"],
     ..Spec::EMPTY
 };

@@ -88,6 +88,8 @@ pub struct Media {
     pub densities: Vec<Density>,
     /// Parameters of the sampling along rays.
     pub sampling: MediaSampling,
+    /// True if the medium neither stores nor shows photons (`collect off`).
+    pub ignores_photons: bool,
     /// Span of the block.
     #[serde(skip)]
     pub source: Span,
@@ -130,7 +132,8 @@ const MEDIA_ROWS: &[Row<Media>] = &[
         .sets(|s, r| set(&mut s.sampling.aa_level, read_count("aa_level", r))),
     word("aa_threshold", Float, "0.1", "method 3: the difference above which a stretch is halved")
         .sets(|s, r| set(&mut s.sampling.aa_threshold, read_threshold(r))),
-    word("collect", Flag, "on", "whether photons are stored in it").sets(|_, r| r.flag().map(drop)),
+    word("collect", Flag, "on", "whether photons are stored in it")
+        .sets(|s, r| set(&mut s.ignores_photons, r.flag().map(|collects| !collects))),
 ];
 
 /// Parts of a `media` block with braces of their own.
@@ -162,6 +165,7 @@ impl Media {
                 scattering: Scattering::default(),
                 densities: vec![],
                 sampling: MediaSampling::new(r.language().random_media),
+                ignores_photons: false,
                 source,
             },
         };

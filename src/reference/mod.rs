@@ -53,6 +53,7 @@ pub const BLOCKS: &[Entry] = &[
     Entry::block(&camera::words::POVRAY, "`camera`", "cameras.md"),
     Entry::block(&camera::words::LECTURE, "durer's own `camera`", "cameras.md"),
     Entry::block(&light::words::LIGHT, "`light_source`", "lights.md"),
+    Entry::block(&light::LIGHT_PHOTONS, "`photons` of lights", "photons.md#of-light-sources"),
     Entry::block(&scene::LIGHT_GROUP, "`light_group`", "lights.md#light_group"),
     Entry::block(&atmosphere::SKY_SPHERE, "`sky_sphere`", "atmosphere.md"),
     Entry::block(&atmosphere::FOG, "`fog`", "atmosphere.md"),
@@ -70,6 +71,7 @@ pub const BLOCKS: &[Entry] = &[
     Entry::block(&DENSITY, "`density`", "media.md#density"),
     Entry::block(&scene::words::SETTINGS, "`global_settings`", "settings.md"),
     Entry::block(&scene::RADIOSITY, "`radiosity` of `global_settings`", "settings.md#radiosity-of-the-scene"),
+    Entry::block(&scene::PHOTON_MAP, "`photons` of `global_settings`", "photons.md#of-global_settings"),
 ];
 
 /// Documented shapes, patterns and warps.

@@ -7,7 +7,7 @@ use super::workers::Workers;
 use super::{Cancelled, Options, radiosity};
 use crate::camera::{Lens, LoweredCamera, View};
 use crate::math::DVec3;
-use crate::transport::{CameraOrigin, FrameContext, Quality};
+use crate::transport::{CameraOrigin, FrameContext, PhotonPass, Quality, Tracer};
 use crate::world::World;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -41,7 +41,6 @@ impl<'a> Preparation<'a> {
 
     /// Runs a pass: returns the results of `work` for all jobs, in the order of the jobs. `work` reads only what earlier
     /// passes have computed.
-    #[allow(dead_code, reason = "photons are not rendered yet")]
     pub fn pass<J: Sync, T: Send>(
         &self,
         name: &'static str,
@@ -103,6 +102,13 @@ pub(super) fn prepare<'w>(
     let origin = CameraOrigin { origin: camera.view.common_origin(), reach: camera.view.max_distance() };
     let quality = Quality::new(options.quality);
     let mut context = FrameContext::new(world, quality, origin, options.frame, options.alpha, options.has_shafts);
+    if let Some(pass) = PhotonPass::new(&context) {
+        let is_cancelled = || preparation.is_cancelled();
+        let shards = preparation.pass("photons", pass.jobs(), |job| {
+            Tracer::new(&context, &is_cancelled).shoot_photons(&pass, job).ok_or(Cancelled)
+        })?;
+        context.photons = Some(pass.finish(shards));
+    }
     radiosity::collect(&mut context, camera, options, &preparation)?;
     Ok(context)
 }

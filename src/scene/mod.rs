@@ -1,6 +1,7 @@
 //! The scene as plain data, after all macros and loops have run.
 
 mod object;
+mod photon_map;
 mod pov_bounds;
 mod radiosity;
 mod recent_parts;
@@ -13,6 +14,7 @@ pub use object::{
     Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, OBJECT_RADIOSITY, Object, ObjectBody, ObjectKind, ObjectRadiosity,
     PHOTONS, PhotonSettings, Uncommon, is_object, read_camera,
 };
+pub use photon_map::{PHOTON_MAP, PhotonMapSettings};
 pub use radiosity::{RADIOSITY, Radiosity};
 pub use recent_parts::RecentParts;
 pub use settings::Settings;

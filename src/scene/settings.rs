@@ -1,6 +1,7 @@
 //! The block `global_settings` (manual, "Global Settings").
 
 use super::Radiosity;
+use super::photon_map::PhotonMapSettings;
 use super::words::{SETTINGS, SETTINGS_ROWS};
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::{Diagnostic, Result, codes};
@@ -35,6 +36,9 @@ pub struct Settings {
     /// Settings of radiosity; `None` for a scene without.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radiosity: Option<Box<Radiosity>>,
+    /// Settings of the photon map; `None` for a scene without photons.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub photons: Option<PhotonMapSettings>,
     /// Settings of the scene that durer does not support yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
@@ -53,6 +57,7 @@ impl Default for Settings {
             opacity_by_color: false,
             sky_by_share: false,
             radiosity: None,
+            photons: None,
             unsupported: vec![],
         }
     }
@@ -68,6 +73,7 @@ impl Settings {
             match r.next()? {
                 Next::End => return Ok(()),
                 next if read_row(SETTINGS_ROWS, self, next, r)? => {}
+                Next::Block("photons") => self.photons = Some(PhotonMapSettings::read(r)?),
                 Next::Word(word) if SETTINGS.ignores(word) => {
                     let mut row = vec![];
                     r.take_token()?;

@@ -16,7 +16,7 @@ const PARTS: &[WordSpec] = &[
     word("interior", Block, "", "medium inside the object, such as its index of refraction"),
     word("material", Block, "", "texture, interior texture and interior together"),
     word("interior_texture", Block, "", "appearance of the surface from inside"),
-    word("photons", Block, "", "interaction with photons, which durer does not render yet"),
+    word("photons", Block, "", "interaction with photons"),
     word("radiosity", Block, "", "share of radiosity rays that are traced beyond the object's surface"),
     word("clipped_by", Block, "", "removes the parts outside of these objects; the cut stays open"),
     word(
@@ -95,15 +95,18 @@ pub(super) const SETTINGS_ROWS: &[Row<Settings>] = &[
         .sets(|s, r| set(&mut s.ambient_light, r.color().map(|c| c.rgb))),
 ];
 
+/// Parts of `global_settings` with braces of their own.
+const SETTINGS_PARTS: &[WordSpec] = &[
+    word("photons", Block, "", "photon map: caustics of the objects that are targets of photons"),
+    word("radiosity", Block, "", "diffuse light that surfaces receive from other surfaces and the sky"),
+];
+
 /// Specification of the block `global_settings`.
 pub const SETTINGS: Spec = Spec {
     name: "global_settings",
     summary: "settings of the whole scene",
-    words: &joined::<{ SETTINGS_ROWS.len() + 1 }>(
-        specs!(SETTINGS_ROWS),
-        &[word("radiosity", Block, "", "diffuse light that surfaces receive from other surfaces and the sky")],
-    ),
+    words: &joined::<{ SETTINGS_ROWS.len() + SETTINGS_PARTS.len() }>(specs!(SETTINGS_ROWS), SETTINGS_PARTS),
     ignored: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit"],
-    unsupported: &["photons", "subsurface"],
+    unsupported: &["subsurface"],
     ..Spec::EMPTY
 };

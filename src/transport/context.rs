@@ -1,6 +1,7 @@
 //! Data that all rays of a frame share.
 
 use super::interface::{Interiors, copy_of};
+use super::photons::Photons;
 use super::radiosity::RadiosityState;
 use crate::math::DVec3;
 use crate::world::{ObjectInfo, World};
@@ -58,6 +59,8 @@ pub struct FrameContext<'w> {
     pub(super) keeps_alpha: bool,
     /// True if shafts may replace shadow rays to area lights.
     pub(super) has_shafts: bool,
+    /// Photon maps; `None` for a scene without photons, and while photons are emitted.
+    pub photons: Option<Photons>,
     /// Interiors that contain the common origin of camera rays.
     camera_interiors: Interiors,
     /// Gathered light; `None` for a scene without radiosity and for low quality levels.
@@ -89,6 +92,7 @@ impl<'w> FrameContext<'w> {
             frame,
             keeps_alpha,
             has_shafts,
+            photons: None,
             camera_interiors,
             radiosity: settings.map(|settings| RadiosityState::new(settings, world.eye.frame.origin)),
             has_ambient: settings.is_none_or(|settings| settings.keeps_ambient),
@@ -106,7 +110,7 @@ impl<'w> FrameContext<'w> {
 }
 
 /// Returns the interiors of all objects that contain a point, in the order of their numbers.
-fn interiors_around(world: &World, p: DVec3) -> Interiors {
+pub(super) fn interiors_around(world: &World, p: DVec3) -> Interiors {
     let mut inside = Interiors::new();
     world.geometry.containing_camera(p, &mut |solid| {
         let interior = world.objects[solid.object() as usize].interior;

@@ -13,15 +13,15 @@ use crate::world::{LightSource, Lobe};
 use std::f64::consts::FRAC_PI_2;
 
 /// Geometry of the reflection of light by one layer.
-struct Incidence {
+pub(super) struct Incidence {
     /// Direction of the ray that hits the surface, length 1.
-    dir: DVec3,
+    pub dir: DVec3,
     /// Surface normal N, length 1.
-    normal: DVec3,
+    pub normal: DVec3,
     /// Direction l towards the light, length 1.
-    to_light: DVec3,
+    pub to_light: DVec3,
     /// Cosine of the angle of incidence, N·l; negative for light from behind.
-    cos: f64,
+    pub cos: f64,
 }
 
 /// A light source, relative to one point of a surface.
@@ -44,6 +44,9 @@ impl Tracer<'_> {
         let world = self.context.world;
         for &number in &world.lit_by[shading.part.lights() as usize] {
             sum += self.reflected_light(&world.lights[number as usize], state, shading);
+        }
+        if self.context.photons.is_some() {
+            sum += self.photon_light(state, shading);
         }
         sum
     }
@@ -131,7 +134,7 @@ fn emitted(shaded: &ShadedLayer, has_ambient: bool) -> Rgb {
 }
 
 /// Returns the diffusely reflected light: `diffuse`, `brilliance`, `crand`.
-fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -> Rgb {
+pub(super) fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -> Rgb {
     let layer = shaded.layer;
     let amount = if at.cos > 0.0 || both_sides { layer.finish.diffuse } else { layer.finish.diffuse_back };
     if amount == 0.0 {
@@ -142,7 +145,7 @@ fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -
 }
 
 /// Returns the highlights: `phong` and `specular`, tinted by `metallic`.
-fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
+pub(super) fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
     let layer = shaded.layer;
     let mut amount = 0.0;
     if layer.finish.phong.strength != 0.0 {

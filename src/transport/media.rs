@@ -2,6 +2,7 @@
 //! samples are placed and how they are weighted is POV-Ray's way (quirk: `media_sampling`).
 
 use super::media_intervals::{BeamOnRay, media_intervals};
+use super::photons::Photons;
 use super::random::{Purpose, RandomSequence};
 use super::segment::{SegmentContext, Span};
 use super::tracer::Tracer;
@@ -155,6 +156,7 @@ impl<'w> Tracer<'w> {
         let sampling = stretch.sampling();
         let beams = self.beams(stretch);
         let scatters = stretch.media.iter().any(|medium| medium.scattering.color != Rgb::ZERO);
+        let has_photons = self.context.photons.as_ref().is_some_and(Photons::has_media_photons);
         let random = self.random.sequence(Purpose::Media);
         let mut sum = Accumulated::default();
         for (number, range) in (0..).zip(media_intervals(stretch, &beams, &sampling)) {
@@ -166,7 +168,7 @@ impl<'w> Tracer<'w> {
             let draws = Draws { random, first: number << 32 };
             let interval = Interval { stretch, range, media: &media, lights: &lights, draws };
             match sampling.method {
-                SamplingMethod::Adaptive if is_homogeneous && lights.is_empty() => {
+                SamplingMethod::Adaptive if is_homogeneous && lights.is_empty() && !has_photons => {
                     self.add_constant(&sampling, &interval, &mut sum);
                 }
                 SamplingMethod::Adaptive => self.add_adaptive(&sampling, &interval, &mut sum),
@@ -308,7 +310,12 @@ impl<'w> Tracer<'w> {
         let stretch = interval.stretch;
         let p = stretch.ray.at(t);
         let lights = interval.lights.iter().filter(|beam| beam.shines_at(t));
-        lights.map(|beam| self.phased_light_of(stretch, beam.light, p)).sum()
+        let mut sum: Rgb = lights.map(|beam| self.phased_light_of(stretch, beam.light, p)).sum();
+        if self.context.photons.is_some() && stretch.media.iter().any(|medium| medium.collects_photons) {
+            let phase = |cos| stretch.media.iter().map(|medium| medium.scattering.phase_factor(cos)).sum::<f64>();
+            sum += self.photon_fluence(p, stretch.ray.dir, phase) / stretch.media.len() as f64;
+        }
+        sum
     }
 
     /// Returns the light that arrives at a point from one source, times the phase function towards the eye.

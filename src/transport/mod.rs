@@ -2,7 +2,7 @@
 //!
 //! [`Tracer`] estimates the radiance that arrives at a ray's origin. Its loop (`radiance`) works on a queue of ray states; each step
 //! is one file: `segment` (air and attenuation between two surfaces), `shading_point` (materials at a hit), `direct_light` with
-//! `visibility` and `area_light` (light from light sources), `scatter` with `reflect`, `interface` and `dispersion` (the rays that
+//! `visibility` and `area_light` (light from light sources), `photons` (light by way of targets), `scatter` with `reflect`, `interface` and `dispersion` (the rays that
 //! continue from the surface).
 
 mod area_light;
@@ -12,6 +12,7 @@ mod dispersion;
 mod interface;
 mod media;
 mod media_intervals;
+mod photons;
 mod radiance;
 mod radiosity;
 mod random;
@@ -24,6 +25,7 @@ mod tracer;
 mod visibility;
 
 pub use context::{CameraOrigin, FrameContext, Quality};
+pub use photons::{PhotonPass, Photons};
 pub use radiance::Radiance;
 pub use radiosity::{RadiosityPass, RadiosityState, Sample as RadiositySample};
 pub use random::{Purpose, Random, RandomSequence};

@@ -25,7 +25,7 @@ impl Radiance {
     /// `camera_without_ray`).
     pub const NO_RAY: Self = Self { rgb: Rgb::ZERO, transparency: 1.0 };
 
-    const ZERO: Self = Self { rgb: Rgb::ZERO, transparency: 0.0 };
+    pub(super) const ZERO: Self = Self { rgb: Rgb::ZERO, transparency: 0.0 };
 }
 
 impl<'w> Tracer<'w> {
@@ -126,7 +126,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Returns the optical boundary at a hit.
-    fn interface(&self, state: &RayState, hit: &Intersection) -> Interface {
+    pub(super) fn interface(&self, state: &RayState, hit: &Intersection) -> Interface {
         if !self.context.tracks_interiors {
             return Interface::NONE;
         }

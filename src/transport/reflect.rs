@@ -15,6 +15,8 @@ use smallvec::SmallVec;
 pub(super) struct MirrorContext<'a> {
     /// Importance of the reflected ray, which is compared with `adc_bailout`.
     pub weight: f64,
+    /// Importance below which rays are not traced.
+    pub bailout: f64,
     pub interface: &'a Interface,
     pub world: &'a World,
 }
@@ -100,7 +102,7 @@ fn bounce(mirror: &Mirror, context: MirrorContext) -> Option<Bounce> {
         false => reflection.min.max(reflection.max),
     };
     let weight = context.weight * gray(shaded.weight) * part.max_element();
-    (weight > context.world.adc_bailout).then_some(Bounce { normal: shaded.normal, weight })
+    (weight > context.bailout).then_some(Bounce { normal: shaded.normal, weight })
 }
 
 /// Returns the share of light that a layer with `conserve_energy` does not reflect; 1 for other layers.

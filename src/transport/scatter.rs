@@ -83,14 +83,13 @@ impl Tracer<'_> {
         let Boundary { shading, interface, .. } = *boundary;
         let world = self.context.world;
         let transmittance = material.transmittance;
-        let is_clear = self.context.quality.pigments
-            && transmittance != Rgb::ZERO
-            && gray(transmittance).abs() > world.adc_bailout;
-        if !is_clear || state.level >= world.max_trace_level {
+        let is_clear =
+            self.context.quality.pigments && transmittance != Rgb::ZERO && gray(transmittance).abs() > self.adc_bailout;
+        if !is_clear || state.level >= self.max_trace_level {
             return Transmission::Ends;
         }
         let refracted = interface.refract(state.ray.dir, material.normal);
-        if state.weight * transmittance.abs().max_element() <= world.adc_bailout {
+        if state.weight * transmittance.abs().max_element() <= self.adc_bailout {
             return if refracted.is_none() { Transmission::TotalTooFaint } else { Transmission::Ends };
         }
         if world.disperses
@@ -113,7 +112,7 @@ impl Tracer<'_> {
     ) {
         let Boundary { shading, interface, .. } = *boundary;
         let world = self.context.world;
-        if state.level >= world.max_trace_level {
+        if state.level >= self.max_trace_level {
             return;
         }
         let mut mirrors = SmallVec::<[Mirror; 2]>::new();
@@ -126,12 +125,12 @@ impl Tracer<'_> {
                 (replaced != Some(shaded.normal)).then_some(Mirror { reflection, shaded, share })
             }));
         }
-        let context = MirrorContext { weight: state.weight, interface, world };
+        let context = MirrorContext { weight: state.weight, bailout: self.adc_bailout, interface, world };
         for bounce in reflect::bounces(&mirrors, context) {
             self.counts.reflected += 1;
             let out = mirror_direction(state.ray.dir, bounce.normal, shading.smooth);
             let reflectance = |light| reflect::reflected_radiance(&mirrors, shading.point, context, bounce, out, light);
-            let is_linear = reflect::is_linear(&mirrors, context, bounce);
+            let is_linear = self.traces_photons || reflect::is_linear(&mirrors, context, bounce);
             let share = if is_linear { reflectance(Rgb::ONE) } else { Rgb::ONE };
             let mut reflected = state.continued(Ray::new(shading.point, out), share);
             (reflected.level, reflected.weight, reflected.is_reflected) = (state.level + 1, bounce.weight, true);

@@ -95,7 +95,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// True if an interior of the list is not hollow, so that neither air nor media are inside.
-    fn is_filled(&self, inside: &Interiors) -> bool {
+    pub(super) fn is_filled(&self, inside: &Interiors) -> bool {
         let world = self.context.world;
         inside.iter().any(|&i| world.filled[i as usize])
     }

@@ -58,6 +58,14 @@ pub struct Tracer<'w> {
     pub(super) first_distance: f64,
     /// Rays that are still to be traced, the next one last.
     pub(super) queue: Vec<RayState>,
+    /// Maximum depth of the ray tree.
+    pub(super) max_trace_level: u32,
+    /// Importance below which rays are not traced.
+    pub(super) adc_bailout: f64,
+    /// True if the rays are photons, whose reflection is always linear.
+    pub(super) traces_photons: bool,
+    /// Photons of the last search; kept to save allocations.
+    pub(super) found_photons: Vec<(f32, u32)>,
 }
 
 impl<'w> Tracer<'w> {
@@ -75,6 +83,10 @@ impl<'w> Tracer<'w> {
             radiosity_cache: RadiosityCache::new(context.world.radiosity.as_ref().map_or(1.0, |r| r.error_bound)),
             first_distance: f64::INFINITY,
             queue: vec![],
+            max_trace_level: context.world.max_trace_level,
+            adc_bailout: context.world.adc_bailout,
+            traces_photons: false,
+            found_photons: vec![],
         }
     }
 

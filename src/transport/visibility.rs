@@ -1,6 +1,7 @@
 //! Shadow rays: the share of a light's radiance that arrives at a surface.
 
 use super::interface::{Interface, Interiors, copy_of};
+use super::photons;
 use super::segment::{ShadowSegments, Span};
 use super::shading_point::{self, ShadingPoint};
 use super::tracer::Tracer;
@@ -67,10 +68,14 @@ impl Tracer<'_> {
         let ShadowRay { light, ref ray, range, distance } = *shadow;
         let world = self.context.world;
         let (see_through, quick) = (world.see_through, !self.context.quality.pigments);
+        let has_photons = self.context.photons.is_some();
         // Look for an opaque occluder first: that search ends at its first hit.
         let occludes = |id: u32| {
             let object = &world.objects[id as usize];
-            object.shadow && (object.opaque || !see_through)
+            object.shadow
+                && (object.opaque
+                    || !see_through
+                    || has_photons && photons::replace_transmitted(world, light, object.photons))
         };
         if world.geometry.any_after(ray, range, occludes, &mut self.occluders[light.number]) {
             return Rgb::ZERO;

@@ -20,6 +20,8 @@ pub struct Medium {
     pub scattering: Scattering,
     /// Parameters of the sampling along rays.
     pub sampling: MediaSampling,
+    /// True if the medium stores photons and shows their light.
+    pub collects_photons: bool,
     /// Number of the set of lights that illuminate the medium, see [`super::World::lit_by`].
     pub lights: u32,
     /// Span of the `media` block.
@@ -44,6 +46,7 @@ impl Medium {
             extinction: media.absorption + scattered,
             scattering: media.scattering,
             sampling: media.sampling,
+            collects_photons: !media.ignores_photons && media.scattering.color != Rgb::ZERO,
             lights,
             source: media.source,
             densities: densities.into(),

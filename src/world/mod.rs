@@ -33,7 +33,7 @@ use crate::light::LoweredLight;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::medium::Interior;
-use crate::scene::{PhotonSettings, Radiosity};
+use crate::scene::{PhotonMapSettings, PhotonSettings, Radiosity};
 use crate::source::Span;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -75,6 +75,9 @@ pub struct World {
     /// Settings of radiosity; `None` for a scene without.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radiosity: Option<Box<Radiosity>>,
+    /// Settings of the photon map; `None` for a scene without photons.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub photon_map: Option<PhotonMapSettings>,
     /// Number of wave sources of `ripples` and `waves` (`number_of_waves`).
     pub waves: usize,
     /// True for each interior, by its number, that is not hollow and keeps fog out.
@@ -129,6 +132,9 @@ pub struct Part {
     /// Share of the radiosity rays to the shape that are traced, more than 0 and at most 1.
     #[serde(skip_serializing_if = "is_one")]
     pub importance: f32,
+    /// True if the shape stores photons and shows their light (no `collect off`).
+    #[serde(skip)]
+    pub collects_photons: bool,
     /// `no_shadow` of the shape or of a block around it. The object that contains the shape can still cast its shadow.
     #[serde(skip)]
     pub no_shadow: bool,

@@ -27,6 +27,8 @@ mod memory;
 #[path = "../support/mutate.rs"]
 mod mutate;
 mod noise;
+mod photons;
+mod photons;
 mod pick;
 mod quirks;
 mod resume;

@@ -121,6 +121,14 @@ pub(super) fn media_page() -> String {
         + density
 }
 
+pub(super) fn photons_page() -> String {
+    let intro = "Three blocks are named `photons`: one in `global_settings`, one in light sources, and one in \
+                 [objects](objects.md#photons). The chapter [Caustics](../photons.md) shows how to begin.\n\n";
+    intro.to_string()
+        + &section(&scene::PHOTON_MAP, "Of global_settings", &[])
+        + &section(&light::LIGHT_PHOTONS, "Of light sources", &[])
+}
+
 pub(super) fn colors_page() -> String {
     let words = word_table(interpreter::COLOR_WORDS, &[]);
     format!(

@@ -33,6 +33,7 @@ pub fn pages() -> Vec<Page> {
         page("pigments.md", "Pigments and patterns", language::pigments_page()),
         page("finishes.md", "Textures, finishes, interiors", language::finishes_page()),
         page("media.md", "Media", language::media_page()),
+        page("photons.md", "Photons", language::photons_page()),
         page("settings.md", "Global settings", language::settings_page()),
         page("directives.md", "Directives", functions::directives_page()),
         page("functions.md", "Functions", functions::functions_page()),

@@ -1,9 +1,7 @@
-//! `photons { … }` of an object (manual, "Shooting Photons at an Object"). The block is read with a warning, because
-//! the photon pass does not exist yet.
+//! `photons { … }` of an object (manual, "Shooting Photons at an Object").
 
 use crate::diagnostic::Result;
 use crate::value::ValueKind::{Flag, Float};
-use crate::value::unsupported_warning;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
@@ -40,7 +38,7 @@ const PHOTON_ROWS: &[Row<PhotonSettings>] = &[
 /// Specification of the block `photons { … }` of an object.
 pub const PHOTONS: Spec = Spec {
     name: "photons",
-    summary: "interaction of an object with photons; durer does not render photons yet",
+    summary: "interaction of an object with photons",
     words: specs!(PHOTON_ROWS),
     ..Spec::EMPTY
 };
@@ -51,8 +49,6 @@ impl PhotonSettings {
     /// # Errors
     /// A diagnostic at the first item that is not understood.
     pub fn read(&mut self, r: &mut dyn Reader) -> Result<()> {
-        let at = r.span();
-        r.report(unsupported_warning("photons", at));
         r.take_token()?;
         loop {
             match r.next()? {

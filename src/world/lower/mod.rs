@@ -118,6 +118,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
         noise,
         photons,
         radiosity: scene.settings.radiosity.clone(),
+        photon_map: scene.settings.photons.clone(),
         waves: scene.settings.number_of_waves,
         max_trace_level: scene.settings.max_trace_level,
         adc_bailout: scene.settings.adc_bailout,
@@ -361,8 +362,18 @@ impl Lowering {
         let is_rare = inside.is_some() || cut.is_some() || lights != 0 || !embedded.is_empty();
         let uncommon = is_rare.then(|| Box::new(UncommonPart { inside, embedded, lights, cut }));
         let importance = own.importance.unwrap_or(1.0);
-        let source = object.source;
-        self.parts.push(Part { outside, uncommon, interior, double_illuminate, uv, importance, no_shadow, source });
+        let collects_photons = !self.photons.get(own.photons as usize).is_some_and(|photons| photons.ignores_photons);
+        self.parts.push(Part {
+            outside,
+            uncommon,
+            interior,
+            double_illuminate,
+            uv,
+            importance,
+            collects_photons,
+            no_shadow,
+            source: object.source,
+        });
         let leaf = Leaf::placed(shape.clone(), &own.place.now, id);
         let number = self.add_object(own, opaque, interior);
         Ok(Solid { node: SolidNode::leaf(leaf, number), opaque })

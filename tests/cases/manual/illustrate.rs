@@ -24,9 +24,6 @@ const PAGES: &[&str] = &[
 ];
 const TEXT: &[&str] = &["What counts of a pixel", "Words of all patterns of numbers", "Warps", "Pictures"];
 
-/// Headings of blocks that have no effect yet.
-const UNSUPPORTED: &[&str] = &["photons"];
-
 /// A page with its examples.
 pub struct Illustrated {
     pub text: String,
@@ -57,8 +54,7 @@ pub fn illustrated(file: &str, page: &str, source: &Path, examples: &[(String, B
             let name = format!("{}{}{more}", slug(heading), if count > 1 { "_warp" } else { "" });
             let scene = example(heading, &name, count, source, examples)?;
             let shown = scene.strip_prefix(STAGE).unwrap_or(&scene).trim_end();
-            let warning = if UNSUPPORTED.contains(&heading) { ",warns=W0201" } else { "" };
-            out.text += &format!("\n```pov{warning}\n{shown}\n```\n\n![{heading}](../pictures/reference/{name}.png)\n");
+            out.text += &format!("\n```pov\n{shown}\n```\n\n![{heading}](../pictures/reference/{name}.png)\n");
             out.pictures.push((name, scene));
         } else {
             said |= !line.is_empty();

@@ -1,0 +1,285 @@
+//! Emission of photons: rings of photons about the line from a light to a target (manual, "Autostop").
+
+use super::super::context::FrameContext;
+use crate::color::Rgb;
+use crate::light::Area;
+use crate::math::{Aabb, DVec3, Ray, fp, rng};
+use crate::scene::PhotonMapSettings;
+use crate::world::{LightSource, World};
+use std::f64::consts::PI;
+use std::ops::Range;
+
+/// Approximate number of photons of a job.
+const PHOTONS_PER_JOB: f64 = 4096.0;
+/// Maximum number of photons of a frame; with a smaller `spacing` they are spread wider.
+const MAX_PHOTONS: f64 = 1e7;
+/// Golden ratio, by which rings are turned against each other.
+const TURN: f64 = 0.618_033_988_749_895;
+
+/// Shape of the bundle of rays from a light to a target.
+#[derive(Clone, Copy, Debug)]
+enum Bundle {
+    /// Rays from one point, up to an angle from the axis.
+    Cone,
+    /// Parallel rays, up to a distance from the axis.
+    Tube,
+}
+
+/// The photons that one light emits at one target.
+#[derive(Clone, Copy, Debug)]
+pub struct Source {
+    /// Index of the light in [`World::lights`].
+    pub light: u32,
+    /// Number of the target, [`crate::world::SolidNode::object`].
+    pub target: u32,
+    /// Distance between photons at the target, in world units.
+    pub spacing: f64,
+    /// Distance from the light to the target.
+    pub distance: f64,
+    bundle: Bundle,
+    origin: DVec3,
+    /// Right, up and ahead.
+    axes: [DVec3; 3],
+    /// Distance between rings: an angle or a length.
+    step: f64,
+    /// Angle or distance from the axis up to which photons are emitted.
+    extent: f64,
+    /// Share of the light's power.
+    share: f64,
+    jitter: f64,
+    key: u64,
+}
+
+/// A few rings of a source: a unit of work.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// Index of the source in the plan.
+    pub source: usize,
+    /// Numbers of the rings, the innermost first.
+    pub rings: Range<u32>,
+}
+
+/// An emitted photon.
+pub struct Emitted {
+    pub ray: Ray,
+    /// Solid angle of a cone's ray or area of a parallel ray, times the share of the light's power.
+    pub measure: f64,
+}
+
+impl Source {
+    /// True if the power of photons is per solid angle, and not per area.
+    pub fn is_cone(&self) -> bool {
+        matches!(self.bundle, Bundle::Cone)
+    }
+
+    /// Returns the approximate number of photons: the area of the bundle's end divided by the area of a photon.
+    fn count(&self) -> f64 {
+        let area = match self.bundle {
+            Bundle::Cone => 2.0 * PI * (1.0 - fp::cos(self.extent)),
+            Bundle::Tube => PI * self.extent * self.extent,
+        };
+        area / (self.step * self.step)
+    }
+
+    /// Multiplies the spacing of the photons.
+    fn widen(&mut self, factor: f64) {
+        (self.step, self.spacing) = (self.step * factor, self.spacing * factor);
+    }
+
+    /// Returns the number of photons in a ring.
+    pub fn n_in_ring(&self, ring: u32) -> u32 {
+        let middle = (f64::from(ring) + 0.5) * self.step;
+        let length = match self.bundle {
+            Bundle::Cone => fp::sin(middle.min(PI)),
+            Bundle::Tube => middle,
+        };
+        (2.0 * PI * length / self.step).round().max(1.0) as u32
+    }
+
+    /// Returns a photon of a ring.
+    pub fn emit(&self, ring: u32, number: u32) -> Emitted {
+        let n = self.n_in_ring(ring);
+        let random = |which: u64| rng::random_unit(&[self.key, u64::from(ring), u64::from(number), which]) - 0.5;
+        let from_axis = (f64::from(ring) + 0.5 + self.jitter * random(0)) * self.step;
+        let turn = (f64::from(number) + 0.5 + self.jitter * random(1)) / f64::from(n) + TURN * f64::from(ring);
+        let (sin, cos) = fp::sin_cos(2.0 * PI * turn.fract());
+        let [right, up, ahead] = self.axes;
+        let beside = right * cos + up * sin;
+        let (inner, outer) = (f64::from(ring) * self.step, f64::from(ring + 1) * self.step);
+        match self.bundle {
+            Bundle::Cone => {
+                let (sin, cos) = fp::sin_cos(from_axis.min(PI));
+                let solid_angle = 2.0 * PI * (fp::cos(inner) - fp::cos(outer.min(PI)));
+                let ray = Ray::new(self.origin, (ahead * cos + beside * sin).normalize());
+                Emitted { ray, measure: self.share * solid_angle / f64::from(n) }
+            }
+            Bundle::Tube => {
+                let area = PI * (outer * outer - inner * inner);
+                let ray = Ray::new(self.origin + beside * from_axis, ahead);
+                Emitted { ray, measure: self.share * area / f64::from(n) }
+            }
+        }
+    }
+
+    /// Divides the rings into jobs.
+    fn jobs(&self, source: usize, jobs: &mut Vec<Job>) {
+        let (mut first, mut count) = (0, 0.0);
+        let n_rings = (self.extent / self.step).ceil().clamp(1.0, 1e6) as u32;
+        for ring in 0..n_rings {
+            count += f64::from(self.n_in_ring(ring));
+            if count >= PHOTONS_PER_JOB || ring + 1 == n_rings {
+                jobs.push(Job { source, rings: first..ring + 1 });
+                (first, count) = (ring + 1, 0.0);
+            }
+        }
+    }
+
+    /// True if autostop may end the emission at this ring.
+    pub fn may_stop_at(&self, ring: u32, autostop: f64) -> bool {
+        f64::from(ring) * self.step >= autostop * self.extent
+    }
+}
+
+/// A target of photons.
+struct Target {
+    object: u32,
+    bounds: Aabb,
+    /// Factor of the spacing.
+    factor: f64,
+    settings: u32,
+}
+
+/// All jobs of the emission.
+#[derive(Debug)]
+pub struct Plan {
+    pub sources: Vec<Source>,
+    pub jobs: Vec<Job>,
+}
+
+impl Plan {
+    /// Plans the emission of all lights at all targets.
+    pub fn new(context: &FrameContext, settings: &PhotonMapSettings) -> Self {
+        let world = context.world;
+        let targets = targets(world);
+        let pairs = || {
+            world.lights.iter().flat_map(|light| targets.iter().map(move |target| (light, target))).filter(
+                |(light, target)| {
+                    let [refracts, reflects] = super::interaction(world, light, target.settings);
+                    refracts || reflects
+                },
+            )
+        };
+        let spacing =
+            if settings.spacing > 0.0 { settings.spacing } else { spacing_of_count(world, settings, pairs()) };
+        let mut sources: Vec<Source> = vec![];
+        for (light, target) in pairs() {
+            for (offset, share) in emitters(light, context.quality.area_lights) {
+                let key = rng::random_word(&[u64::from(context.frame), sources.len() as u64]);
+                let source = source(light, offset, target, spacing * target.factor / share.sqrt());
+                sources.push(Source { share, jitter: settings.jitter, key, ..source });
+            }
+        }
+        // Widen the spacing of too many photons
+        let count: f64 = sources.iter().map(Source::count).sum();
+        if count > MAX_PHOTONS {
+            sources.iter_mut().for_each(|source| source.widen((count / MAX_PHOTONS).sqrt()));
+        }
+        let mut plan = Self { sources, jobs: vec![] };
+        for (number, source) in plan.sources.iter().enumerate() {
+            source.jobs(number, &mut plan.jobs);
+        }
+        plan
+    }
+}
+
+/// Returns the offsets and shares of the point lights of a light source.
+fn emitters(light: &LightSource, area_lights: bool) -> Vec<(DVec3, f64)> {
+    let grid = light.emitter.area.as_ref().filter(|_| light.emitter.photons.area_light && area_lights);
+    let Some(Area { axes, size: [n, m], .. }) = grid else { return vec![(DVec3::ZERO, 1.0)] };
+    let along = |i: u32, n: u32| if n > 1 { f64::from(i) / f64::from(n - 1) - 0.5 } else { 0.0 };
+    let share = 1.0 / (f64::from(*n) * f64::from(*m));
+    let cells = (0..*m).flat_map(|j| (0..*n).map(move |i| (i, j)));
+    cells.map(|(i, j)| (axes[0] * along(i, *n) + axes[1] * along(j, *m), share)).collect()
+}
+
+fn targets(world: &World) -> Vec<Target> {
+    let target = |object: u32, bounds: Aabb| {
+        let settings = world.objects[object as usize].photons;
+        let factor = world.photons[settings as usize].target?;
+        (factor > 0.0 && !bounds.is_empty()).then_some(Target { object, bounds, factor, settings })
+    };
+    let mut targets: Vec<Target> =
+        world.geometry.items().filter_map(|item| target(item.object(), item.bounds())).collect();
+    // The order of the geometry is that of a hierarchy; the order of the scene is stable.
+    targets.sort_by_key(|target| target.object);
+    targets
+}
+
+/// Returns the spacing for `count` photons. A target with reflection and refraction gets a quarter of the photons
+/// (quirk: `photon_count`).
+fn spacing_of_count<'a>(
+    world: &World,
+    settings: &PhotonMapSettings,
+    pairs: impl Iterator<Item = (&'a LightSource, &'a Target)>,
+) -> f64 {
+    let area = |(light, target): (&LightSource, &Target)| {
+        let [refracts, reflects] = super::interaction(world, light, target.settings);
+        let radius = 0.5 * finite_size(&target.bounds, light.emitter.location);
+        0.5 * PI * radius * radius * if refracts && reflects { 4.0 } else { 1.0 }
+    };
+    (pairs.map(area).sum::<f64>() / settings.count.max(1.0)).sqrt()
+}
+
+/// Returns the diagonal of a box, or a replacement for an infinite one.
+fn finite_size(bounds: &Aabb, light: DVec3) -> f64 {
+    if bounds.is_finite() { bounds.size().length() } else { 2.0 * light.length().max(1.0) }
+}
+
+/// Returns the source of photons from a light at a target.
+fn source(light: &LightSource, offset: DVec3, target: &Target, spacing: f64) -> Source {
+    let emitter = &light.emitter;
+    let (bounds, origin) = (target.bounds, emitter.location + offset);
+    let is_finite = bounds.is_finite();
+    let center = if is_finite { bounds.center() } else { origin - DVec3::Y * origin.length().max(1.0) };
+    let radius = 0.5 * finite_size(&bounds, origin);
+    let (bundle, origin, ahead, extent, unit, distance) = if emitter.is_parallel() {
+        // Start in the plane of the light, or before the target if that is behind the light.
+        let ahead = emitter.axis();
+        let distance = (center - origin).dot(ahead);
+        (Bundle::Tube, center - ahead * distance, ahead, radius, 1.0, distance.abs())
+    } else {
+        let way = center - origin;
+        let ahead = way.normalize_or(DVec3::Y);
+        let distance = way.length().max(if bounds.contains(origin) { radius } else { 0.0 });
+        let angle = |corner: DVec3| fp::acos((corner - origin).normalize_or_zero().dot(ahead).clamp(-1.0, 1.0));
+        let extent = match is_finite && !bounds.contains(origin) {
+            true => bounds.corners().map(angle).into_iter().fold(0.0, f64::max),
+            false => PI,
+        };
+        (Bundle::Cone, origin, ahead, extent, distance.max(1e-9), distance)
+    };
+    let (right, up) = ahead.any_orthonormal_pair();
+    let step = spacing / unit;
+    let step = if step.is_finite() && step > 0.0 { step.min(extent.max(1e-9)) } else { extent.max(1e-9) };
+    Source {
+        light: light.number as u32,
+        target: target.object,
+        spacing,
+        distance,
+        bundle,
+        origin,
+        axes: [right, up, ahead],
+        step,
+        extent,
+        share: 1.0,
+        jitter: 0.0,
+        key: 0,
+    }
+}
+
+/// Returns the power of a photon after a path of this length, per solid angle or area: POV-Ray's light does not fall off
+/// by itself, so that the power grows with the square of the path (quirk: `photon_power`).
+pub fn power_at(source: &Source, light: &LightSource, distance: f64) -> Rgb {
+    let spread = if source.is_cone() { distance * distance } else { 1.0 };
+    light.emitter.strength_at(distance) * spread
+}

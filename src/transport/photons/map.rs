@@ -1,0 +1,216 @@
+//! A photon map: a balanced kd-tree of photons with a search for the nearest ones (Jensen, Realistic Image Synthesis
+//! Using Photon Mapping, 2001).
+
+use crate::color::Rgb;
+use crate::math::{DVec3, cancel};
+
+/// Maximum number of photons of a leaf of the tree.
+const LEAF: usize = 16;
+
+/// Number of photons at which the radius of the search is estimated.
+const RADIUS_SAMPLES: usize = 256;
+
+/// A stored photon, in single precision: maps are large.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Photon {
+    /// Position in world space.
+    position: [f32; 3],
+    /// Power on a surface; power times length in a medium.
+    flux: [f32; 3],
+    /// Direction of flight, length 1.
+    dir: [f32; 3],
+}
+
+impl Photon {
+    /// Creates a photon.
+    pub fn new(position: DVec3, flux: Rgb, dir: DVec3) -> Self {
+        let [position, flux, dir] = [position, flux, dir].map(|v| v.as_vec3().to_array());
+        Self { position, flux, dir }
+    }
+
+    /// Returns the power of the photon.
+    pub fn flux(&self) -> Rgb {
+        Rgb::from_array(self.flux.map(f64::from))
+    }
+
+    /// Returns the direction of flight, length 1.
+    pub fn dir(&self) -> DVec3 {
+        DVec3::from_array(self.dir.map(f64::from))
+    }
+
+    fn squared_distance(&self, p: [f32; 3]) -> f32 {
+        let [x, y, z] = [0, 1, 2].map(|i| self.position[i] - p[i]);
+        x * x + y * y + z * z
+    }
+}
+
+/// Found photons: squared distances and indices. A heap with the farthest photon first when the list is full.
+pub type Found = Vec<(f32, u32)>;
+
+/// A balanced kd-tree of photons. The middle photon of each range divides the range along an axis.
+#[derive(Debug, Default)]
+pub struct PhotonMap {
+    photons: Vec<Photon>,
+    /// Axis of the division, by the index of the dividing photon.
+    axes: Vec<u8>,
+}
+
+impl PhotonMap {
+    /// Builds the tree. The result depends only on the photons and their order.
+    pub fn new(mut photons: Vec<Photon>) -> Self {
+        photons.retain(|photon| photon.position.iter().chain(&photon.flux).all(|x| x.is_finite()));
+        photons.truncate(u32::MAX as usize);
+        let mut axes = vec![0; photons.len()];
+        divide(&mut photons, &mut axes);
+        Self { photons, axes }
+    }
+
+    /// True if the map has no photons.
+    pub fn is_empty(&self) -> bool {
+        self.photons.is_empty()
+    }
+
+    /// Returns the photon of an index that a search found.
+    pub fn photon(&self, index: u32) -> &Photon {
+        &self.photons[index as usize]
+    }
+
+    /// Finds the at most `count` photons nearest to a point within a radius, and returns the radius that they fill: the
+    /// distance of the farthest one if there are `count`, the radius of the search otherwise.
+    pub fn nearest(&self, p: DVec3, radius: f64, count: usize, found: &mut Found) -> f64 {
+        found.clear();
+        let mut search = Search { map: self, p: p.as_vec3().to_array(), limit: (radius * radius) as f32, count, found };
+        search.visit(0, self.photons.len());
+        f64::from(search.limit).sqrt()
+    }
+
+    /// Returns the mean distance of the photon number `count` from a photon, over photons of the whole map.
+    pub fn mean_radius(&self, count: usize) -> f64 {
+        let n = self.photons.len().min(RADIUS_SAMPLES);
+        let (mut sum, mut found) = (0.0, Found::new());
+        for i in 0..n {
+            let photon = &self.photons[i * self.photons.len() / n];
+            let p = DVec3::from_array(photon.position.map(f64::from));
+            self.nearest(p, f64::MAX.sqrt(), count.min(self.photons.len()), &mut found);
+            sum += found.first().map_or(0.0, |(squared, _)| f64::from(*squared).sqrt());
+        }
+        sum / n.max(1) as f64
+    }
+}
+
+/// Sorts photons into the order of the tree, and stores the axes of the divisions.
+fn divide(photons: &mut [Photon], axes: &mut [u8]) {
+    if photons.len() <= LEAF || cancel::is_cancelled() {
+        return;
+    }
+    // Axis along which the photons extend farthest
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for photon in &*photons {
+        for i in 0..3 {
+            low[i] = low[i].min(photon.position[i]);
+            high[i] = high[i].max(photon.position[i]);
+        }
+    }
+    let extent = |i: &usize| high[*i] - low[*i];
+    let axis = (0..3).max_by(|a, b| extent(a).total_cmp(&extent(b))).unwrap_or(0);
+    let middle = photons.len() / 2;
+    photons.select_nth_unstable_by(middle, |a, b| a.position[axis].total_cmp(&b.position[axis]));
+    axes[middle] = axis as u8;
+    let (below, above) = photons.split_at_mut(middle);
+    let (axes_below, axes_above) = axes.split_at_mut(middle);
+    divide(below, axes_below);
+    divide(&mut above[1..], &mut axes_above[1..]);
+}
+
+/// A search for the photons nearest to a point.
+struct Search<'a> {
+    map: &'a PhotonMap,
+    p: [f32; 3],
+    /// Squared distance from which on photons are ignored.
+    limit: f32,
+    count: usize,
+    found: &'a mut Found,
+}
+
+impl Search<'_> {
+    fn visit(&mut self, from: usize, to: usize) {
+        if to - from <= LEAF {
+            for i in from..to {
+                self.add(i);
+            }
+            return;
+        }
+        let middle = from + (to - from) / 2;
+        let axis = self.map.axes[middle] as usize;
+        let beyond = self.p[axis] - self.map.photons[middle].position[axis];
+        let (near, far) =
+            if beyond < 0.0 { ((from, middle), (middle + 1, to)) } else { ((middle + 1, to), (from, middle)) };
+        self.visit(near.0, near.1);
+        if beyond * beyond < self.limit {
+            self.add(middle);
+            self.visit(far.0, far.1);
+        }
+    }
+
+    #[inline]
+    fn add(&mut self, i: usize) {
+        let squared = self.map.photons[i].squared_distance(self.p);
+        if squared >= self.limit {
+            return;
+        }
+        if self.found.len() < self.count {
+            self.found.push((squared, i as u32));
+            if self.found.len() == self.count {
+                (0..self.count / 2).rev().for_each(|i| sift_down(self.found, i));
+                self.limit = self.found[0].0;
+            }
+        } else {
+            self.found[0] = (squared, i as u32);
+            sift_down(self.found, 0);
+            self.limit = self.found[0].0;
+        }
+    }
+}
+
+/// Restores the order of a heap below the entry `i`.
+fn sift_down(heap: &mut [(f32, u32)], mut i: usize) {
+    loop {
+        let mut child = 2 * i + 1;
+        if child >= heap.len() {
+            return;
+        }
+        if child + 1 < heap.len() && heap[child + 1].0 > heap[child].0 {
+            child += 1;
+        }
+        if heap[child].0 <= heap[i].0 {
+            return;
+        }
+        heap.swap(i, child);
+        i = child;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::rng::Stream;
+
+    #[test]
+    fn the_tree_finds_the_nearest_photons() {
+        let mut random = Stream::new(&[17]);
+        let mut point = || DVec3::from_array([(); 3].map(|()| random.next_random()));
+        let points: Vec<DVec3> = (0..3000).map(|_| point()).collect();
+        let map = PhotonMap::new(points.iter().map(|p| Photon::new(*p, Rgb::ONE, DVec3::Y)).collect());
+        let mut found = Found::new();
+        for _ in 0..50 {
+            let p = point();
+            let mut all: Vec<f64> = points.iter().map(|q| q.distance(p)).collect();
+            all.sort_by(f64::total_cmp);
+            let radius = map.nearest(p, 10.0, 40, &mut found);
+            assert!(found.len() == 40 && (radius - all[39]).abs() < 1e-6);
+            let within = all.iter().filter(|d| **d < 0.1).count();
+            let radius = map.nearest(p, 0.1, 4000, &mut found);
+            assert!((radius - 0.1).abs() < 1e-7 && found.len() == within);
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Photon maps: light that targets reflect and refract (manual, "Photons"). Photons replace the direct light that a
+//! target transmits.
+
+mod emission;
+mod gather;
+mod map;
+mod trace;
+
+use super::context::FrameContext;
+use crate::scene::PhotonMapSettings;
+use crate::world::{LightSource, World};
+use emission::{Job, Plan};
+use map::{Found, Photon, PhotonMap};
+
+/// Radius of a search, as a multiple of the mean distance of the farthest photon of an estimate (quirk: `photon_radius`).
+const RADIUS_FACTOR: f64 = 3.0;
+
+/// Photons of a frame, and the parameters of their estimates.
+#[derive(Debug)]
+pub struct Photons {
+    surface: PhotonMap,
+    media: PhotonMap,
+    /// Radius of the search on surfaces and in media, in world units.
+    radius: [f64; 2],
+    gather: [usize; 2],
+    max_increase: f64,
+    expand_min: usize,
+}
+
+/// Emission of all photons of a frame, before it starts.
+pub struct PhotonPass {
+    plan: Plan,
+    settings: PhotonMapSettings,
+}
+
+/// Photons of one job, ring by ring.
+pub struct PhotonShard {
+    source: usize,
+    rings: Vec<Ring>,
+}
+
+/// Photons of one ring.
+struct Ring {
+    number: u32,
+    hits_target: bool,
+    surface: Vec<Photon>,
+    media: Vec<Photon>,
+}
+
+impl Photons {
+    /// True if media store photons.
+    pub(super) fn has_media_photons(&self) -> bool {
+        !self.media.is_empty()
+    }
+}
+
+impl PhotonPass {
+    /// Plans the emission; `None` for a scene or a quality without photons.
+    pub fn new(context: &FrameContext) -> Option<Self> {
+        let settings = context.world.photon_map.as_ref().filter(|_| context.quality.reflection)?;
+        if settings.spacing <= 0.0 && settings.count <= 0.0 {
+            return None;
+        }
+        Some(Self { plan: Plan::new(context, settings), settings: settings.clone() })
+    }
+
+    /// Returns the jobs of the emission.
+    pub fn jobs(&self) -> &[Job] {
+        &self.plan.jobs
+    }
+
+    /// Builds the maps of the photons of all jobs, which are in the order of the jobs.
+    pub fn finish(&self, shards: Vec<PhotonShard>) -> Photons {
+        let (mut surface, mut media) = (vec![], vec![]);
+        // Source that autostop has ended, and the source that has hit its target
+        let (mut ended, mut hit) = (None, None);
+        for shard in shards {
+            for mut ring in shard.rings {
+                if ended == Some(shard.source) {
+                    break;
+                }
+                if ring.hits_target {
+                    hit = Some(shard.source);
+                } else if hit == Some(shard.source)
+                    && self.plan.sources[shard.source].may_stop_at(ring.number, self.settings.autostop)
+                {
+                    ended = Some(shard.source);
+                }
+                surface.append(&mut ring.surface);
+                media.append(&mut ring.media);
+            }
+        }
+        let settings = &self.settings;
+        let (surface, media) = (PhotonMap::new(surface), PhotonMap::new(media));
+        let gather = settings.gather.map(|n| n as usize);
+        let radius = |map: &PhotonMap, i: usize| match settings.radius[i] {
+            0.0 => RADIUS_FACTOR * map.mean_radius(gather[1]) * settings.radius_factor[i],
+            stated => stated * settings.radius_factor[i],
+        };
+        Photons {
+            radius: [radius(&surface, 0), radius(&media, 1)],
+            surface,
+            media,
+            gather,
+            max_increase: settings.max_increase,
+            expand_min: settings.expand_min as usize,
+        }
+    }
+}
+
+/// Returns whether objects with the photon settings number `settings` refract and reflect photons of a light.
+fn interaction(world: &World, light: &LightSource, settings: u32) -> [bool; 2] {
+    let object = &world.photons[settings as usize];
+    let of_light = &light.emitter.photons;
+    let agree = |object: Option<bool>, light: Option<bool>| match (object, light) {
+        (Some(object), light) => object && light.unwrap_or(true),
+        (None, light) => light.unwrap_or(false),
+    };
+    [agree(object.refraction, of_light.refraction), agree(object.reflection, of_light.reflection)]
+}
+
+/// True if photons of a light replace the light that an object with these settings transmits.
+pub(super) fn replace_transmitted(world: &World, light: &LightSource, settings: u32) -> bool {
+    world.photons[settings as usize].target.is_some() && interaction(world, light, settings)[0]
+}
