@@ -28,6 +28,13 @@ impl FrameCamera {
     }
 }
 
+/// Work items of a pass.
+pub(super) struct Pass<'a, J> {
+    /// Name of the pass for displays.
+    pub name: &'static str,
+    pub jobs: &'a [J],
+}
+
 /// Runs the passes that prepare a frame, one after another.
 pub(super) struct Preparation<'a> {
     workers: &'a Workers<'a>,
@@ -61,14 +68,13 @@ impl<'a> Preparation<'a> {
     /// begins. `batch` returns the number of jobs of the next batch, which must not depend on the number of threads.
     pub fn pass_in_batches<J: Sync, T: Send, S: Sync>(
         &self,
-        name: &'static str,
-        jobs: &[J],
+        pass: &Pass<J>,
         state: &mut S,
         batch: impl Fn(&S) -> usize,
         work: impl Fn(&S, &J) -> Result<T, Cancelled> + Sync,
         mut merge: impl FnMut(&mut S, T),
     ) -> Result<(), Cancelled> {
-        let watch = self.workers.watch;
+        let (watch, &Pass { name, jobs }) = (self.workers.watch, pass);
         let mut n_done = 0;
         watch.preparing(name, 0, jobs.len());
         while n_done < jobs.len() {

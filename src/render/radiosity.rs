@@ -4,7 +4,7 @@
 //! The order of the points is scattered over the picture, so that the points of a batch, which do not share their samples,
 //! are far from each other. All points of the picture are visited, whatever region is rendered.
 
-use super::prepare::{FrameCamera, Preparation};
+use super::prepare::{FrameCamera, Pass, Preparation};
 use super::sampler::Sampler;
 use super::{Cancelled, Options};
 use crate::transport::{FrameContext, RadiosityPass};
@@ -67,7 +67,7 @@ fn run_pass(
     if let Some(radiosity) = &mut context.radiosity {
         radiosity.begin(kind);
     }
-    let n_samples = |context: &FrameContext| context.radiosity.as_ref().map_or(0, |radiosity| radiosity.len());
+    let n_samples = |context: &FrameContext| context.radiosity.as_ref().map_or(0, |radiosity| radiosity.n_samples());
     let is_cancelled = || preparation.is_cancelled();
     let work = |context: &FrameContext, points: &Points| {
         let mut sampler = Sampler::new(context, camera, &is_cancelled);
@@ -82,8 +82,7 @@ fn run_pass(
         Ok(sampler.take_radiosity_samples())
     };
     preparation.pass_in_batches(
-        "radiosity",
-        jobs,
+        &Pass { name: "radiosity", jobs },
         context,
         |context| (n_samples(context) / BATCH_SHARE).clamp(MIN_BATCH, MAX_BATCH),
         work,

@@ -73,7 +73,7 @@ impl<'w> Tracer<'w> {
         let part = &self.context.world.parts[hit.part_number() as usize];
         if state.is_first_gathered {
             self.first_distance = hit.t();
-            // A part of the rays stands for all.
+            // The share `importance` of the rays is traced, each with the weight of all.
             if state.gather_rank >= f64::from(part.importance) {
                 return;
             }

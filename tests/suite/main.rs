@@ -28,7 +28,6 @@ mod memory;
 mod mutate;
 mod noise;
 mod photons;
-mod photons;
 mod pick;
 mod quirks;
 mod resume;

@@ -6,7 +6,7 @@ use durer::render::{Options, Region, Unwatched, render};
 use durer::source::{Sandbox, SearchPath, Sources};
 
 /// Returns the picture of a scene, 40 × 40 pixels by default.
-fn picture(text: &str, change: impl FnOnce(&mut Options)) -> Frame {
+fn picture(text: &str, change: impl FnOnce(&mut Options) + Send) -> Frame {
     durer::on_big_stack(|| {
         let sources = Sources::default();
         let file = sources.add("scene", None, text.to_string()).unwrap();

@@ -63,7 +63,7 @@ impl<'w> RadiosityState<'w> {
     }
 
     /// Returns the number of samples.
-    pub fn len(&self) -> usize {
+    pub fn n_samples(&self) -> usize {
         self.cache.len()
     }
 
