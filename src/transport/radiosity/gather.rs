@@ -2,16 +2,13 @@
 
 use super::cache::{Blend, Sample};
 use super::directions::tangents;
-use super::{RadiosityPass, RadiosityState};
+use super::{RadiosityPass, RadiosityState, ray_count};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Ray, rng};
 use crate::transport::interface::Interiors;
 use crate::transport::ray_state::RayState;
 use crate::transport::shading_point::{ShadedLayer, ShadingPoint};
 use crate::transport::tracer::Tracer;
-
-/// Minimum number of rays of a sample after the first bounce.
-const MIN_DEEPER_COUNT: usize = 8;
 
 /// A point where light is gathered.
 struct GatherPoint {
@@ -96,8 +93,8 @@ impl Tracer<'_> {
     /// Computes a sample: traces rays into the hemisphere.
     fn gather(&mut self, radiosity: &RadiosityState, at: &GatherPoint) -> Sample {
         let settings = radiosity.settings;
-        let all = &radiosity.directions;
-        let count = (settings.count as usize >> at.depth).max(MIN_DEEPER_COUNT).min(settings.count as usize);
+        let all = radiosity.directions(at.depth);
+        let count = ray_count(settings, u32::from(at.depth)) as usize;
         // Choose the rays from the pool by the point, not by the order of samples.
         let start = match settings.pool {
             Some(_) => (rng::random_unit(&at.point.to_array().map(f64::to_bits)) * all.len() as f64) as usize,

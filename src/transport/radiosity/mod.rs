@@ -20,8 +20,8 @@ use directions::directions;
 #[derive(Debug)]
 pub struct RadiosityState<'w> {
     settings: &'w Radiosity,
-    /// Directions about z that samples choose from.
-    directions: Box<[DVec3]>,
+    /// Directions about z of the rays of a sample, by depth; or, with a pool, one list that all samples choose from.
+    directions: Vec<Box<[DVec3]>>,
     cache: RadiosityCache,
     /// Centre of the view, from which the limits of the radii are measured.
     eye: DVec3,
@@ -40,12 +40,23 @@ pub enum RadiosityPass {
     Final,
 }
 
+/// Minimum number of rays of a sample after the first bounce.
+const MIN_DEEPER_COUNT: u32 = 8;
+
+/// Returns the number of rays of a sample after `depth` bounces: half of that of the bounce before.
+fn ray_count(settings: &Radiosity, depth: u32) -> u32 {
+    (settings.count >> depth.min(31)).max(MIN_DEEPER_COUNT).min(settings.count)
+}
+
 impl<'w> RadiosityState<'w> {
     /// Creates the state before the first pass; `eye` is the camera's location.
     pub fn new(settings: &'w Radiosity, eye: DVec3) -> Self {
         Self {
             settings,
-            directions: directions(settings.pool.unwrap_or(settings.count)),
+            directions: match settings.pool {
+                Some(pool) => vec![directions(pool)],
+                None => (0..settings.recursion_limit).map(|depth| directions(ray_count(settings, depth))).collect(),
+            },
             cache: RadiosityCache::new(settings.error_bound),
             eye,
             pass: RadiosityPass::Collect,
@@ -76,6 +87,12 @@ impl<'w> RadiosityState<'w> {
                 self.cache.insert(sample);
             }
         }
+    }
+
+    /// Returns the directions from which a sample after `depth` bounces chooses its rays.
+    fn directions(&self, depth: u8) -> &[DVec3] {
+        let list = self.directions.get(usize::from(depth)).or(self.directions.last());
+        list.map_or(&[], |list| list)
     }
 
     /// Returns the query of a point in the present pass.
