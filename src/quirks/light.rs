@@ -95,14 +95,6 @@ pub(super) const QUIRKS: &[Quirk] = &[
          light.",
         &["light_cases/projected_through", "light_cases/fog_projected"],
     ),
-    differing_quirk(
-        "remembered_occluder",
-        "POV-Ray asks the object that last blocked a light first, and what that object transmits is counted twice, so \
-         a shadow depends on the pixels drawn before.",
-        "A pixel of durer depends on the scene, the options and its position alone; the surfaces along a shadow ray \
-         each count once.",
-        &["tests/random/README.md"],
-    ),
     emulated_quirk(
         "radiosity_keeps_ambient",
         "In scenes for versions before 3.7, and in those that state none, `ambient` has its effect beside radiosity; 3.7 \
@@ -117,6 +109,14 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "radiosity_without_highlights",
         "Rays that gather light for radiosity see no highlights (`phong`, `specular`).",
         &["light_cases/radiosity_highlights"],
+    ),
+    differing_quirk(
+        "remembered_occluder",
+        "POV-Ray asks the object that last blocked a light first, and what that object transmits is counted twice, so \
+         a shadow depends on the pixels drawn before.",
+        "A pixel of durer depends on the scene, the options and its position alone; the surfaces along a shadow ray \
+         each count once.",
+        &["tests/random/README.md"],
     ),
     emulated_quirk(
         "shadow_by_outside",

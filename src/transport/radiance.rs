@@ -74,10 +74,10 @@ impl<'w> Tracer<'w> {
         if state.is_first_gathered {
             self.first_distance = hit.t();
             // The share `importance` of the rays is traced, each with the weight of all.
-            if state.gather_rank >= f64::from(part.importance) {
+            if state.gather_rank >= part.importance() {
                 return;
             }
-            state.throughput /= f64::from(part.importance);
+            state.throughput /= part.importance();
         }
         let air = match self.sees_air(state) {
             true => self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.lights()),

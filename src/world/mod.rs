@@ -129,9 +129,6 @@ pub struct Part {
     /// True if textures are evaluated at surface coordinates (u, v, 0) in place of the point (`uv_mapping` of the
     /// object).
     pub uv: bool,
-    /// Share of the radiosity rays to the shape that are traced, more than 0 and at most 1.
-    #[serde(skip_serializing_if = "is_one")]
-    pub importance: f32,
     /// True if the shape stores photons and shows their light (no `collect off`).
     #[serde(skip)]
     pub collects_photons: bool,
@@ -143,7 +140,7 @@ pub struct Part {
 }
 
 /// Properties of a shape that are uncommon.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub struct UncommonPart {
     /// Material of the inside, if it differs from that of the outside.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -154,6 +151,9 @@ pub struct UncommonPart {
     pub lights: u32,
     /// Index in [`World::cuts`] of the solids whose materials a cutting shape shows (`cutaway_textures`).
     pub cut: Option<u32>,
+    /// Share of the radiosity rays to the shape that are traced, more than 0 and at most 1.
+    #[serde(skip_serializing_if = "is_one")]
+    pub importance: f32,
 }
 
 /// A material with the transform of its space.
@@ -169,6 +169,11 @@ impl Part {
     /// Returns the number of the set of lights that illuminate the shape, an index in [`World::lit_by`].
     pub fn lights(&self) -> u32 {
         self.uncommon.as_ref().map_or(0, |uncommon| uncommon.lights)
+    }
+
+    /// Returns the share of the radiosity rays to the shape that are traced, more than 0 and at most 1.
+    pub fn importance(&self) -> f64 {
+        self.uncommon.as_ref().map_or(1.0, |uncommon| f64::from(uncommon.importance))
     }
 }
 

@@ -215,8 +215,7 @@ fn targets(world: &World) -> Vec<Target> {
     targets
 }
 
-/// Returns the spacing for `count` photons. A target with reflection and refraction gets a quarter of the photons
-/// (quirk: `photon_count`).
+/// Returns the spacing for `count` photons. A target with reflection and refraction gets a quarter of the photons.
 fn spacing_of_count<'a>(
     world: &World,
     settings: &PhotonMapSettings,
@@ -278,7 +277,7 @@ fn source(light: &LightSource, offset: DVec3, target: &Target, spacing: f64) -> 
 }
 
 /// Returns the power of a photon after a path of this length, per solid angle or area: POV-Ray's light does not fall off
-/// by itself, so that the power grows with the square of the path (quirk: `photon_power`).
+/// by itself, so that the power grows with the square of the path.
 pub fn power_at(source: &Source, light: &LightSource, distance: f64) -> Rgb {
     let spread = if source.is_cone() { distance * distance } else { 1.0 };
     light.emitter.strength_at(distance) * spread

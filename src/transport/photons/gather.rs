@@ -9,7 +9,7 @@ use crate::color::Rgb;
 use crate::math::DVec3;
 use std::f64::consts::PI;
 
-/// Factor of the radius of a search that is repeated because too few photons were found (quirk: `photon_radius`).
+/// Factor of the radius of a search that is repeated because too few photons were found.
 const EXPANSION: f64 = 3.0;
 /// Minimum cosine of the angle of incidence by which flux is divided.
 const MIN_COS: f64 = 0.05;

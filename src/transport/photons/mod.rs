@@ -12,7 +12,7 @@ use crate::world::{LightSource, World};
 use emission::{Job, Plan};
 use map::{Found, Photon, PhotonMap};
 
-/// Radius of a search, as a multiple of the mean distance of the farthest photon of an estimate (quirk: `photon_radius`).
+/// Radius of a search, as a multiple of the mean distance of the farthest photon of an estimate.
 const RADIUS_FACTOR: f64 = 3.0;
 
 /// Photons of a frame, and the parameters of their estimates.

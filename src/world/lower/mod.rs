@@ -359,9 +359,9 @@ impl Lowering {
         let id = self.parts.len() as u32;
         let Flags { double_illuminate, uv_mapping: uv, no_shadow, .. } = own.flags;
         let lights = own.lights;
-        let is_rare = inside.is_some() || cut.is_some() || lights != 0 || !embedded.is_empty();
-        let uncommon = is_rare.then(|| Box::new(UncommonPart { inside, embedded, lights, cut }));
         let importance = own.importance.unwrap_or(1.0);
+        let is_rare = inside.is_some() || cut.is_some() || lights != 0 || !embedded.is_empty() || importance != 1.0;
+        let uncommon = is_rare.then(|| Box::new(UncommonPart { inside, embedded, lights, cut, importance }));
         let collects_photons = !self.photons.get(own.photons as usize).is_some_and(|photons| photons.ignores_photons);
         self.parts.push(Part {
             outside,
@@ -369,7 +369,6 @@ impl Lowering {
             interior,
             double_illuminate,
             uv,
-            importance,
             collects_photons,
             no_shadow,
             source: object.source,
