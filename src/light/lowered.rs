@@ -96,6 +96,8 @@ impl LoweredLight {
 
     /// Returns the share of the light's strength, from 0 to 1, that its beam sends to the point `p`. `from` is the direction
     /// from the point to the light, and `distance` the distance.
+    // (Forced: with the photons as a second caller, the compiler would make this a call.)
+    #[inline(always)]
     pub fn share_towards(&self, p: DVec3, from: DVec3, distance: f64) -> f64 {
         // quirk: area_light_tube
         let ahead = (p - self.location).dot(self.axis);
@@ -143,6 +145,7 @@ impl LoweredLight {
 
     /// Returns the light's strength at a distance. Behind a parallel light the distance is negative, and an odd
     /// exponent brightens and darkens there (quirk: `parallel_light_behind`).
+    #[inline]
     pub fn strength_at(&self, distance: f64) -> Rgb {
         match self.fade {
             // 2 / (1 + (d/d₀)ᵏ)

@@ -134,6 +134,7 @@ fn emitted(shaded: &ShadedLayer, has_ambient: bool) -> Rgb {
 }
 
 /// Returns the diffusely reflected light: `diffuse`, `brilliance`, `crand`.
+#[inline]
 pub(super) fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -> Rgb {
     let layer = shaded.layer;
     let amount = if at.cos > 0.0 || both_sides { layer.finish.diffuse } else { layer.finish.diffuse_back };
@@ -145,6 +146,7 @@ pub(super) fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sid
 }
 
 /// Returns the highlights: `phong` and `specular`, tinted by `metallic`.
+#[inline]
 pub(super) fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
     let layer = shaded.layer;
     let mut amount = 0.0;

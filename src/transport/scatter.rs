@@ -61,6 +61,8 @@ impl Continuation {
 
 impl Tracer<'_> {
     /// Pushes all rays that continue from a surface. Adds reflections that are not linear to `sum` at once.
+    // (Forced: with the photons as a second caller, the compiler would make this a call.)
+    #[inline(always)]
     pub(super) fn scatter(&mut self, state: &RayState, boundary: &Boundary, sum: &mut Radiance) {
         let first = self.queue.len();
         let materials = &boundary.shading.materials;
@@ -103,6 +105,7 @@ impl Tracer<'_> {
 
     /// Pushes the reflected rays. Total internal reflection replaces the mirror reflection of the same material at the
     /// same normal (quirk: `total_reflection_replaces_mirror`).
+    #[inline]
     fn push_reflected(
         &mut self,
         state: &RayState,
@@ -145,6 +148,7 @@ impl Tracer<'_> {
     }
 
     /// Pushes the transmitted, totally reflected and dispersed rays; equal paths are merged.
+    #[inline]
     fn push_transmitted(&mut self, state: &RayState, boundary: &Boundary, transmissions: &[Transmission]) {
         let Boundary { shading, interface, attenuation } = *boundary;
         let world = self.context.world;

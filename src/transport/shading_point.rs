@@ -80,6 +80,8 @@ impl<'w> ShadingPoint<'w> {
     }
 
     /// Returns the sum of `light` over all layers, weighted by the shares of their materials.
+    // (Forced: with several callers, the compiler would make this a call.)
+    #[inline(always)]
     pub fn sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
         let mut sum = Rgb::ZERO;
         for material in &self.materials {

@@ -62,22 +62,32 @@ impl Tracer<'_> {
         self.transmittance(&ShadowRay { light, ray, range, distance: sample.distance }, inside)
     }
 
+    /// True if photons replace the light that an object on the shadow ray transmits. (Not inlined: shadow rays of scenes
+    /// without photons are faster without this code.)
+    #[inline(never)]
+    fn is_replaced_by_photons(&self, shadow: &ShadowRay) -> bool {
+        let world = self.context.world;
+        let replaces = |id: u32| {
+            let object = &world.objects[id as usize];
+            object.shadow && photons::replace_transmitted(world, shadow.light, object.photons)
+        };
+        world.geometry.any(&shadow.ray, shadow.range, replaces)
+    }
+
     /// Returns the product of the transmittances of all surfaces and segments along a shadow ray. A solid has two
     /// surfaces, and both attenuate.
     fn transmittance(&mut self, shadow: &ShadowRay, inside: &Interiors) -> Rgb {
         let ShadowRay { light, ref ray, range, distance } = *shadow;
         let world = self.context.world;
         let (see_through, quick) = (world.see_through, !self.context.quality.pigments);
-        let has_photons = self.context.photons.is_some();
         // Look for an opaque occluder first: that search ends at its first hit.
         let occludes = |id: u32| {
             let object = &world.objects[id as usize];
-            object.shadow
-                && (object.opaque
-                    || !see_through
-                    || has_photons && photons::replace_transmitted(world, light, object.photons))
+            object.shadow && (object.opaque || !see_through)
         };
-        if world.geometry.any_after(ray, range, occludes, &mut self.occluders[light.number]) {
+        if world.geometry.any_after(ray, range, occludes, &mut self.occluders[light.number])
+            || self.context.photons.is_some() && self.is_replaced_by_photons(shadow)
+        {
             return Rgb::ZERO;
         }
         // Air attenuates only light with `media_attenuation` (quirk: `fog_and_shadows`).

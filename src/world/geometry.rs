@@ -296,7 +296,7 @@ impl Geometry {
         self.items[self.finite..].iter().for_each(&mut ask);
         self.unbounded.iter().for_each(|&i| ask(&self.items[i as usize]));
         self.bvh.visit_boxes_around(p, |i| {
-            if !self.items[i].is_unbounded() {
+            if self.unbounded.binary_search(&(i as u32)).is_err() {
                 ask(&self.items[i]);
             }
             ControlFlow::Continue(())

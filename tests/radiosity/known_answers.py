@@ -13,8 +13,8 @@ import numpy
 from PIL import Image
 
 SIZE = (64, 48)
-SETTINGS = "count 200 recursion_limit 20 adc_bailout 0.001 nearest_count 10 error_bound 0.5 pretrace_end 0.02"
-CONVERGED = "count 800 recursion_limit 6 nearest_count 20 error_bound 0.3 pretrace_end 0.01"
+SETTINGS = "count 400 recursion_limit 20 adc_bailout 0.001 nearest_count 10 error_bound 0.5 pretrace_end 0.02"
+CONVERGED = "count 500 recursion_limit 20 adc_bailout 0.001 nearest_count 15 error_bound 0.35 pretrace_end 0.02"
 HEAD = "#version 3.7;\nglobal_settings { assumed_gamma 1 radiosity { %s } }\n"
 DOWN = "camera { location <0, 5, 0> look_at 0 right x*4/3 up z sky z }\n"
 

@@ -37,6 +37,7 @@ impl Photons {
 
 impl Tracer<'_> {
     /// Returns the radiance that photons cause by diffuse and specular reflection at a surface.
+    #[inline(never)]
     pub(in super::super) fn photon_light(&mut self, state: &RayState, shading: &ShadingPoint) -> Rgb {
         let Some(photons) = &self.context.photons else { return Rgb::ZERO };
         if photons.surface.is_empty() || !shading.part.collects_photons {
@@ -75,6 +76,7 @@ impl Tracer<'_> {
 
     /// Returns the light of photons at a point of a medium, times the phase function that `phase` returns for the cosine
     /// of the angle between ray and light.
+    #[inline(never)]
     pub(in super::super) fn photon_fluence(&mut self, p: DVec3, dir: DVec3, phase: impl Fn(f64) -> f64) -> Rgb {
         let Some(photons) = &self.context.photons else { return Rgb::ZERO };
         if photons.media.is_empty() {
