@@ -3,7 +3,7 @@
 use super::{first_shape_name, has_finite_box, hit_shape_name, in_scene_syntax, is_visible_to_camera};
 use crate::camera::Projection;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::math::{Aabb, DMat3, DVec3, Range, Ray};
+use crate::math::{Aabb, DMat3, DVec3, Range, Ray, next_coprime};
 use crate::render;
 use crate::source::Span;
 use crate::world::{Intersection, PlacedSolid, World};
@@ -51,17 +51,12 @@ fn rays(world: &World, options: &render::Options, offset: f64) -> impl Iterator<
     let (width, total) = (options.width.max(1), options.width * options.height);
     let view = world.eye.view(options.width, options.height);
     // A step that is coprime to the number of pixels visits each pixel once.
-    let coprime = |step: &usize| gcd(*step, total) == 1;
-    let step = (total * 618 / 1000 + 1..).find(coprime).unwrap_or(1);
+    let step = next_coprime(total * 618 / 1000 + 1, total);
     let places = (0..total).scan(total / 2, move |at, _| {
         *at = (*at + step) % total;
         Some(((*at % width) as f64 + offset, (*at / width) as f64 + offset))
     });
     places.filter_map(move |(x, y)| view.ray(x, y))
-}
-
-fn gcd(a: usize, b: usize) -> usize {
-    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 fn closest<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {

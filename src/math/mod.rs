@@ -12,6 +12,7 @@ mod quadratic;
 mod ray;
 pub mod rng;
 mod sheared;
+mod spread;
 pub mod statistics;
 pub mod tolerance;
 mod transform;
@@ -27,4 +28,5 @@ pub use poly::{
 pub use quadratic::Quadratic;
 pub use ray::{Range, Ray};
 pub use sheared::Sheared;
+pub use spread::{GOLDEN_SECTION, next_coprime};
 pub use transform::{Singular, Transform};

@@ -7,6 +7,7 @@
 use super::prepare::{FrameCamera, Pass, Preparation};
 use super::sampler::Sampler;
 use super::{Cancelled, Options};
+use crate::math::{GOLDEN_SECTION, next_coprime};
 use crate::transport::{FrameContext, RadiosityPass};
 
 /// Share of the number of known samples by which a batch may add samples.
@@ -17,9 +18,6 @@ const MIN_BATCH: usize = 1;
 const MAX_BATCH: usize = 512;
 /// Edge in pixels of the squares in which gaps are searched.
 const GAP_SQUARE: usize = 8;
-
-/// Points of the picture that one work item visits: (x, y) in pixels.
-type Points = Vec<[f64; 2]>;
 
 /// Collects the samples of a frame; does nothing without radiosity.
 pub(super) fn collect(
@@ -32,23 +30,21 @@ pub(super) fn collect(
         return Ok(());
     };
     let mut n_passes = 0;
-    let mut pass = |context: &mut FrameContext, kind, jobs: &[Points]| {
+    let mut pass = |context: &mut FrameContext, kind, step, edge| {
         n_passes += 1;
-        run_pass(context, camera, preparation, kind, jobs, n_passes)
+        let grid = PointGrid { size: [options.width, options.height], step, edge };
+        run_pass(context, camera, preparation, kind, grid, n_passes)
     };
     let end = (settings.pretrace_end * options.width as f64).max(1.0);
     let mut step = (settings.pretrace_start * options.width as f64).max(end);
     loop {
-        pass(context, RadiosityPass::Collect, &grid_points(options, step))?;
+        pass(context, RadiosityPass::Collect, step, 1)?;
         if step <= end {
             break;
         }
         step = (step / 2.0).max(end);
     }
-    // (Finding the interiors around each origin of a mesh camera takes longer than to fill gaps ray by ray.)
-    if camera.view.common_origin().is_some() {
-        pass(context, RadiosityPass::FillGaps, &gap_squares(options))?;
-    }
+    pass(context, RadiosityPass::FillGaps, 1.0, GAP_SQUARE)?;
     if let Some(radiosity) = &mut context.radiosity {
         radiosity.begin(RadiosityPass::Final);
     }
@@ -61,7 +57,7 @@ fn run_pass(
     camera: &FrameCamera,
     preparation: &Preparation,
     kind: RadiosityPass,
-    jobs: &[Points],
+    grid: PointGrid,
     number: u64,
 ) -> Result<(), Cancelled> {
     if let Some(radiosity) = &mut context.radiosity {
@@ -69,9 +65,9 @@ fn run_pass(
     }
     let n_samples = |context: &FrameContext| context.radiosity.as_ref().map_or(0, |radiosity| radiosity.n_samples());
     let is_cancelled = || preparation.is_cancelled();
-    let work = |context: &FrameContext, points: &Points| {
+    let work = |context: &FrameContext, cell: &[u32; 2]| {
         let mut sampler = Sampler::new(context, camera, &is_cancelled);
-        for &[x, y] in points {
+        for [x, y] in grid.points(*cell) {
             // Random numbers are keyed by the point and the pass.
             sampler.begin_sample(x.to_bits() ^ y.to_bits().rotate_left(32), u64::MAX - number);
             sampler.sample(x, y);
@@ -82,7 +78,7 @@ fn run_pass(
         Ok(sampler.take_radiosity_samples())
     };
     preparation.pass_in_batches(
-        &Pass { name: "radiosity", jobs },
+        &Pass { name: "radiosity", jobs: &grid.cells() },
         context,
         |context| (n_samples(context) / BATCH_SHARE).clamp(MIN_BATCH, MAX_BATCH),
         work,
@@ -94,40 +90,46 @@ fn run_pass(
     )
 }
 
-/// Returns the centres of squares of `step` pixels that cover the picture, in a scattered order.
-fn grid_points(options: &Options, step: f64) -> Vec<Points> {
-    let columns = (options.width as f64 / step).ceil().max(1.0) as usize;
-    let rows = (options.height as f64 / step).ceil().max(1.0) as usize;
-    let center = |i: usize, size: usize| ((i as f64 + 0.5) * step).min(size as f64 - 0.5);
-    scattered(columns, rows).map(|[i, j]| vec![[center(i, options.width), center(j, options.height)]]).collect()
+/// A grid of points over the picture, in cells that are the work items of a pass. The points of a cell are computed when
+/// the cell is visited: a list of all points of a large picture would take more memory than its bands.
+#[derive(Clone, Copy, Debug)]
+struct PointGrid {
+    /// Width and height of the picture in pixels.
+    size: [usize; 2],
+    /// Distance between neighbouring points in pixels.
+    step: f64,
+    /// Number of columns and of rows of points in a cell.
+    edge: usize,
 }
 
-/// Returns the centres of all pixels, square by square, in a scattered order of the squares.
-fn gap_squares(options: &Options) -> Vec<Points> {
-    let (columns, rows) = (options.width.div_ceil(GAP_SQUARE), options.height.div_ceil(GAP_SQUARE));
-    let square = |[i, j]: [usize; 2]| {
-        let range = |k: usize, size: usize| k * GAP_SQUARE..((k + 1) * GAP_SQUARE).min(size);
-        let row = |y: usize| range(i, options.width).map(move |x| [x as f64 + 0.5, y as f64 + 0.5]);
-        range(j, options.height).flat_map(row).collect()
-    };
-    scattered(columns, rows).map(square).collect()
-}
-
-/// Returns all cells of a grid in an order in which each part of the list is spread over the grid: the steps are the golden
-/// section of the number of cells, made coprime to that number.
-fn scattered(columns: usize, rows: usize) -> impl Iterator<Item = [usize; 2]> {
-    let n = columns * rows;
-    let mut step = ((n as f64 * 0.618_033_988_749_894_9) as usize).max(1);
-    while greatest_common_divisor(step, n) != 1 {
-        step += 1;
+impl PointGrid {
+    /// Returns the number of columns and rows of points.
+    fn points_across(&self) -> [usize; 2] {
+        self.size.map(|size| (size as f64 / self.step).ceil().max(1.0) as usize)
     }
-    (0..n)
-        .map(move |i| (i as u128 * step as u128 % n as u128) as usize)
-        .map(move |cell| [cell % columns, cell / columns])
-}
 
-fn greatest_common_divisor(a: usize, b: usize) -> usize {
-    if b == 0 { a } else { greatest_common_divisor(b, a % b) }
+    /// Returns all cells by column and row, in an order in which each part of the list is spread over the picture: the
+    /// places in the list are multiples of a number near the golden section of its length, coprime to the length.
+    fn cells(&self) -> Vec<[u32; 2]> {
+        let [columns, rows] = self.points_across().map(|n| n.div_ceil(self.edge));
+        let n = columns * rows;
+        let first = ((n as f64 * GOLDEN_SECTION) as usize).max(1);
+        let step = next_coprime(first, n);
+        let cell = |i: usize| (i as u128 * step as u128 % n as u128) as usize;
+        (0..n).map(cell).map(|cell| [(cell % columns) as u32, (cell / columns) as u32]).collect()
+    }
+
+    /// Returns the points of a cell, (x, y) in pixels, row by row.
+    fn points(self, cell: [u32; 2]) -> impl Iterator<Item = [f64; 2]> {
+        let across = self.points_across();
+        let range = |i: usize| {
+            let first = cell[i] as usize * self.edge;
+            first..(first + self.edge).min(across[i])
+        };
+        let center = move |i: usize, k: usize| ((k as f64 + 0.5) * self.step).min(self.size[i] as f64 - 0.5);
+        let columns = range(0);
+        range(1).flat_map(move |y| columns.clone().map(move |x| [center(0, x), center(1, y)]))
+    }
 }
 
 #[cfg(test)]
@@ -135,19 +137,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_cell_comes_once() {
-        for [columns, rows] in [[1, 1], [1, 7], [13, 10], [16, 16], [21, 34]] {
-            let mut cells: Vec<_> = scattered(columns, rows).collect();
-            cells.sort_unstable();
-            cells.dedup();
-            assert_eq!(cells.len(), columns * rows);
+    fn each_cell_and_each_pixel_comes_once() {
+        for size in [[1, 1], [1, 7], [13, 10], [16, 16], [21, 34]] {
+            for edge in [1, 8] {
+                let grid = PointGrid { size, step: 1.0, edge };
+                let mut points: Vec<_> = grid.cells().into_iter().flat_map(|cell| grid.points(cell)).collect();
+                points.sort_by(|a, b| a[1].total_cmp(&b[1]).then(a[0].total_cmp(&b[0])));
+                let pixel = |i: usize| [(i % size[0]) as f64 + 0.5, (i / size[0]) as f64 + 0.5];
+                assert_eq!(points, (0..size[0] * size[1]).map(pixel).collect::<Vec<_>>());
+            }
         }
     }
 
     #[test]
-    fn gaps_are_searched_in_every_pixel() {
-        let points: usize = gap_squares(&Options::new(20, 13)).iter().map(Vec::len).sum();
-        assert_eq!(points, 260);
-        assert!(grid_points(&Options::new(20, 13), 8.0).iter().flatten().all(|[x, y]| *x < 20.0 && *y < 13.0));
+    fn coarse_grids_stay_in_the_picture() {
+        let grid = PointGrid { size: [20, 13], step: 8.0, edge: 1 };
+        let points: Vec<_> = grid.cells().into_iter().flat_map(|cell| grid.points(cell)).collect();
+        assert_eq!(points.len(), 6);
+        assert!(points.iter().all(|[x, y]| *x < 20.0 && *y < 13.0));
     }
 }

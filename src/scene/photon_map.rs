@@ -1,9 +1,9 @@
 //! `global_settings { photons { … } }` (manual, "Photon Global Settings").
 
-use crate::diagnostic::{Diagnostic, Result, codes};
-use crate::source::Span;
+use crate::diagnostic::Result;
 use crate::value::ValueKind::{Float, Text};
-use crate::value::unsupported_warning;
+use crate::value::ranges::positive;
+use crate::value::skip_unsupported_text;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
@@ -37,9 +37,6 @@ pub struct PhotonMapSettings {
     pub radius: [f64; 2],
     /// Factor of the radius on surfaces and in media.
     pub radius_factor: [f64; 2],
-    /// Span of the block.
-    #[serde(skip)]
-    pub source: Span,
 }
 
 impl Default for PhotonMapSettings {
@@ -58,7 +55,6 @@ impl Default for PhotonMapSettings {
             expand_min: 40,
             radius: [0.0; 2],
             radius_factor: [1.0; 2],
-            source: Span::NONE,
         }
     }
 }
@@ -111,9 +107,9 @@ const PHOTON_MAP_ROWS: &[Row<PhotonMapSettings>] = &[
         },
     ),
     word("load_file", Text, "", "file with photons to load; not supported yet")
-        .sets(|_, r| ignore_file("load_file", r)),
+        .sets(|_, r| skip_unsupported_text("load_file", r)),
     word("save_file", Text, "", "file to which the photons are saved; not supported yet")
-        .sets(|_, r| ignore_file("save_file", r)),
+        .sets(|_, r| skip_unsupported_text("save_file", r)),
 ];
 
 /// Specification of the block `photons { … }` of `global_settings`.
@@ -130,7 +126,7 @@ impl PhotonMapSettings {
     /// # Errors
     /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
-        let mut this = Self { source: r.span(), ..Self::default() };
+        let mut this = Self::default();
         r.take_token()?;
         loop {
             match r.next()? {
@@ -145,21 +141,4 @@ impl PhotonMapSettings {
 /// Returns a number of photons.
 fn count(number: f64) -> u32 {
     number.clamp(0.0, 1e6) as u32
-}
-
-/// Reads the name of a file of photons, and reports that such files are not supported.
-fn ignore_file(word: &'static str, r: &mut dyn Reader) -> Result<()> {
-    let at = r.span();
-    r.report(unsupported_warning(word, at));
-    r.text().map(drop)
-}
-
-/// Reads a number greater than 0.
-fn positive(word: &str, r: &mut dyn Reader) -> Result<f64> {
-    let (at, number) = (r.span(), r.float()?);
-    if number > 0.0 && number.is_finite() {
-        return Ok(number);
-    }
-    let message = format!("`{word}` has to be more than 0, found {number}");
-    Diagnostic::err(codes::BAD_ARGUMENT, at, message)
 }

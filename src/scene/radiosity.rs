@@ -3,12 +3,19 @@
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 use crate::value::ValueKind::{Flag, Float, Text};
+use crate::value::ranges::{in_range, not_negative, positive, share, whole};
+use crate::value::skip_unsupported_text;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
 
 /// Maximum number of directions of one radiosity sample.
-const MAX_COUNT: f64 = 1e6;
+const MAX_COUNT: u32 = 1_000_000;
+
+/// Default of `minimum_reuse`.
+const MINIMUM_REUSE: f64 = 0.015;
+/// Default of `maximum_reuse`.
+const MAXIMUM_REUSE: f64 = 0.2;
 
 /// Settings of radiosity: diffuse light that surfaces receive from other surfaces and the sky.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,16 +38,16 @@ pub struct Radiosity {
     pub low_error_factor: f64,
     /// Maximum of the largest channel of a ray's light; no limit unless positive.
     pub max_sample: f64,
-    /// Maximum radius of a sample, as a share of its distance from the camera.
-    pub maximum_reuse: f64,
-    /// Minimum radius of a sample, as a share of its distance from the camera.
-    pub minimum_reuse: f64,
+    /// Maximum radius of a sample, as a share of its distance from the camera; `None` if the scene states none. See
+    /// [`Radiosity::reuse`].
+    pub maximum_reuse: Option<f64>,
+    /// Minimum radius of a sample, as a share of its distance from the camera; `None` if the scene states none. See
+    /// [`Radiosity::reuse`].
+    pub minimum_reuse: Option<f64>,
     /// True if rays that gather light show fog and media.
     pub media: bool,
     /// Minimum number of samples that are blended.
     pub nearest_count: u32,
-    /// Number of samples at which a region of the picture is no longer refined; `None` to refine every region.
-    pub adaptive_count: Option<u32>,
     /// True if bumps change the directions of gathered light.
     pub normal: bool,
     /// Distance of the pixels of the first pass, as a share of the picture's width.
@@ -49,8 +56,6 @@ pub struct Radiosity {
     pub pretrace_end: f64,
     /// Maximum number of diffuse bounces.
     pub recursion_limit: u32,
-    /// True if gathered light is scattered below surfaces.
-    pub subsurface: bool,
     /// True if `finish { ambient }` has an effect beside radiosity, as in scenes for versions before 3.7.
     pub keeps_ambient: bool,
 }
@@ -67,16 +72,14 @@ impl Default for Radiosity {
             gray_threshold: 0.0,
             low_error_factor: 0.5,
             max_sample: 0.0,
-            maximum_reuse: 0.2,
-            minimum_reuse: 0.015,
+            maximum_reuse: None,
+            minimum_reuse: None,
             media: false,
             nearest_count: 5,
-            adaptive_count: None,
             normal: false,
             pretrace_start: 0.08,
             pretrace_end: 0.04,
             recursion_limit: 2,
-            subsurface: false,
             keeps_ambient: false,
         }
     }
@@ -95,21 +98,21 @@ const ROWS: &[Row<Radiosity>] = &[
     word("error_bound", Float, "1.8", "how far samples are reused: less is slower and more accurate")
         .sets(|s, r| set(&mut s.error_bound, positive("error_bound", r))),
     word("gray_threshold", Float, "0", "share of the gathered light's saturation that is removed, from 0 to 1")
-        .sets(|s, r| set(&mut s.gray_threshold, in_range("gray_threshold", [0.0, 1.0], r))),
+        .sets(|s, r| set(&mut s.gray_threshold, in_range("gray_threshold", 0.0..=1.0, r))),
     word("low_error_factor", Float, "0.5", "factor of `error_bound` while samples are collected")
         .sets(|s, r| set(&mut s.low_error_factor, positive("low_error_factor", r))),
     word("max_sample", Float, "no limit", "maximum brightness of the light of one ray; no limit unless positive")
         .sets(|s, r| set(&mut s.max_sample, r.float())),
     word("maximum_reuse", Float, "0.2", "maximum radius of a sample, as a share of its distance from the camera")
-        .sets(|s, r| set(&mut s.maximum_reuse, positive("maximum_reuse", r))),
+        .sets(|s, r| set(&mut s.maximum_reuse, positive("maximum_reuse", r).map(Some))),
     word("minimum_reuse", Float, "0.015", "minimum radius of a sample, as a share of its distance from the camera")
-        .sets(|s, r| set(&mut s.minimum_reuse, in_range("minimum_reuse", [0.0, f64::MAX], r))),
+        .sets(|s, r| set(&mut s.minimum_reuse, not_negative("minimum_reuse", r).map(Some))),
     word("media", Flag, "off", "rays that gather light show fog and media").sets(|s, r| set(&mut s.media, r.flag())),
     word(
         "nearest_count",
         Float,
         "5",
-        "number of samples to blend, 1 to 20; a second number: the number at which a region is fine enough",
+        "number of samples to blend, 1 to 20; a second number, by which POV-Ray leaves out passes, has no effect",
     )
     .sets(Radiosity::read_nearest_count),
     word("normal", Flag, "off", "bumps change the directions of gathered light")
@@ -119,11 +122,13 @@ const ROWS: &[Row<Radiosity>] = &[
     word("pretrace_end", Float, "0.04", "distance of the last pass's pixels, as a share of the picture's width")
         .sets(|s, r| set(&mut s.pretrace_end, share("pretrace_end", r))),
     word("recursion_limit", Float, "2", "maximum number of diffuse bounces, 1 to 20")
-        .sets(|s, r| set(&mut s.recursion_limit, integer("recursion_limit", 20.0, r))),
-    word("subsurface", Flag, "off", "gathered light is scattered below surfaces")
-        .sets(|s, r| set(&mut s.subsurface, r.flag())),
-    word("load_file", Text, "", "in old scenes: file of samples; has no effect").sets(|_, r| r.text().map(drop)),
-    word("save_file", Text, "", "in old scenes: file of samples; has no effect").sets(|_, r| r.text().map(drop)),
+        .sets(|s, r| set(&mut s.recursion_limit, whole("recursion_limit", 20, r))),
+    word("subsurface", Flag, "off", "gathered light is scattered below surfaces; durer does not render this yet")
+        .sets(|_, r| r.flag().map(drop)),
+    word("load_file", Text, "", "in old scenes: file with samples to load; not supported yet")
+        .sets(|_, r| skip_unsupported_text("load_file", r)),
+    word("save_file", Text, "", "in old scenes: file to which samples are saved; not supported yet")
+        .sets(|_, r| skip_unsupported_text("save_file", r)),
 ];
 
 /// Specification of the block `radiosity { … }` of `global_settings`.
@@ -154,35 +159,37 @@ impl Radiosity {
         }
     }
 
-    /// Checks settings that depend on each other; a `minimum_reuse` or `maximum_reuse` that is stated alone adapts the other.
-    fn check_ranges(&mut self, at: Span) -> Result<()> {
-        let default = Self::default();
-        if self.minimum_reuse > self.maximum_reuse / 2.0 {
-            if self.maximum_reuse == default.maximum_reuse {
-                self.maximum_reuse = self.minimum_reuse * 2.0;
-            } else if self.minimum_reuse == default.minimum_reuse {
-                self.minimum_reuse = self.maximum_reuse / 2.0;
-            }
+    /// Returns the minimum and the maximum radius of a sample, as shares of its distance from the camera. If only one of
+    /// them is stated, the other one is at least twice or at most half as large.
+    pub fn reuse(&self) -> [f64; 2] {
+        match (self.minimum_reuse, self.maximum_reuse) {
+            (Some(minimum), Some(maximum)) => [minimum, maximum],
+            (Some(minimum), None) => [minimum, MAXIMUM_REUSE.max(2.0 * minimum)],
+            (None, Some(maximum)) => [MINIMUM_REUSE.min(maximum / 2.0), maximum],
+            (None, None) => [MINIMUM_REUSE, MAXIMUM_REUSE],
         }
-        if self.minimum_reuse >= self.maximum_reuse {
+    }
+
+    /// Checks settings that depend on each other.
+    fn check_ranges(&self, at: Span) -> Result<()> {
+        let [minimum, maximum] = self.reuse();
+        if minimum >= maximum {
             return Diagnostic::err(codes::BAD_ARGUMENT, at, "`minimum_reuse` has to be less than `maximum_reuse`");
         }
         if self.pretrace_end > self.pretrace_start {
-            if self.pretrace_end == default.pretrace_end {
-                self.pretrace_end = self.pretrace_start;
-            } else if self.pretrace_start == default.pretrace_start {
-                self.pretrace_start = self.pretrace_end;
-            } else {
-                return Diagnostic::err(codes::BAD_ARGUMENT, at, "`pretrace_end` is at most `pretrace_start`");
-            }
+            let message = format!(
+                "`pretrace_end` has to be at most `pretrace_start`, found {} and {}",
+                self.pretrace_end, self.pretrace_start
+            );
+            return Diagnostic::err(codes::BAD_ARGUMENT, at, message);
         }
         Ok(())
     }
 
     fn read_count(&mut self, r: &mut dyn Reader) -> Result<()> {
-        self.count = integer("count", MAX_COUNT, r)?;
+        self.count = whole("count", MAX_COUNT, r)?;
         let at = r.span();
-        self.pool = r.optional_float()?.map(|pool| pool.clamp(0.0, MAX_COUNT) as u32);
+        self.pool = r.optional_float()?.map(|pool| pool.clamp(0.0, f64::from(MAX_COUNT)) as u32);
         match self.pool {
             Some(pool) if pool < self.count => {
                 let message = "the second number of `count` is at least the first: the directions to choose from";
@@ -193,44 +200,13 @@ impl Radiosity {
     }
 
     fn read_nearest_count(&mut self, r: &mut dyn Reader) -> Result<()> {
-        self.nearest_count = integer("nearest_count", 20.0, r)?;
+        self.nearest_count = whole("nearest_count", 20, r)?;
         let at = r.span();
-        self.adaptive_count = r.optional_float()?.map(|count| count.clamp(0.0, 1e9) as u32);
-        match self.adaptive_count {
-            Some(count) if count > self.nearest_count => {
+        match r.optional_float()? {
+            Some(count) if count > f64::from(self.nearest_count) => {
                 Diagnostic::err(codes::BAD_ARGUMENT, at, "the second number of `nearest_count` is at most the first")
             }
             _ => Ok(()),
         }
-    }
-}
-
-fn out_of_range<T>(word: &str, range: &str, found: f64, at: Span) -> Result<T> {
-    Diagnostic::err(codes::BAD_ARGUMENT, at, format!("`{word}` is {range}, found {found}"))
-}
-
-fn positive(word: &str, r: &mut dyn Reader) -> Result<f64> {
-    let (at, value) = (r.span(), r.float()?);
-    if value > 0.0 { Ok(value) } else { out_of_range(word, "more than 0", value, at) }
-}
-
-fn share(word: &str, r: &mut dyn Reader) -> Result<f64> {
-    let (at, value) = (r.span(), r.float()?);
-    if value > 0.0 && value <= 1.0 { Ok(value) } else { out_of_range(word, "more than 0 and at most 1", value, at) }
-}
-
-fn in_range(word: &str, [least, most]: [f64; 2], r: &mut dyn Reader) -> Result<f64> {
-    let (at, value) = (r.span(), r.float()?);
-    let range = if most == f64::MAX { "at least 0" } else { "between 0 and 1" };
-    if value >= least && value <= most { Ok(value) } else { out_of_range(word, range, value, at) }
-}
-
-fn integer(word: &str, most: f64, r: &mut dyn Reader) -> Result<u32> {
-    let (at, value) = (r.span(), r.float()?);
-    let integer = value.floor();
-    if integer >= 1.0 && integer <= most {
-        Ok(integer as u32)
-    } else {
-        out_of_range(word, &format!("a whole number from 1 to {most}"), value, at)
     }
 }

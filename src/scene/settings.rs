@@ -4,9 +4,10 @@ use super::Radiosity;
 use super::photon_map::PhotonMapSettings;
 use super::words::{SETTINGS, SETTINGS_ROWS};
 use crate::color::{Gamma, Rgb};
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::Result;
 use crate::math::noise::NoiseGenerator;
 use crate::pattern::TextureContext;
+use crate::value::ranges::positive;
 use crate::value::words::read_row;
 use crate::value::{Next, Reader, ReaderExt, Unsupported};
 use serde::Serialize;
@@ -107,15 +108,9 @@ impl Settings {
 
 /// Reads `srgb` or a number after `assumed_gamma`.
 pub(super) fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
-    if r.accept("srgb")? { Ok(Gamma::Srgb) } else { positive(r).map(Gamma::Power) }
-}
-
-/// Reads a number greater than 0.
-fn positive(r: &mut dyn Reader) -> Result<f64> {
-    let (at, gamma) = (r.span(), r.float()?);
-    if gamma > 0.0 {
-        return Ok(gamma);
+    if r.accept("srgb")? {
+        return Ok(Gamma::Srgb);
     }
-    let message = format!("`assumed_gamma` has to be more than 0, found {gamma}");
-    Diagnostic::new(codes::BAD_ARGUMENT, at, message).help("`assumed_gamma 1` computes in linear light").into()
+    let gamma = positive("assumed_gamma", r);
+    gamma.map(Gamma::Power).map_err(|fault| Box::new(fault.help("`assumed_gamma 1` computes in linear light")))
 }

@@ -71,13 +71,10 @@ impl<'w> Tracer<'w> {
         };
         // Air between the origin and the hit
         let part = &self.context.world.parts[hit.part_number() as usize];
-        if state.is_first_gathered {
-            self.first_distance = hit.t();
-            // The share `importance` of the rays is traced, each with the weight of all.
-            if state.gather_rank >= part.importance() {
-                return;
-            }
-            state.throughput /= part.importance();
+        if let Some(rank) = state.gather_rank
+            && !self.begin_gathered(state, rank, &hit)
+        {
+            return;
         }
         let air = match self.sees_air(state) {
             true => self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.lights()),
@@ -102,6 +99,16 @@ impl<'w> Tracer<'w> {
             false => Rgb::ONE,
         };
         self.scatter(state, &Boundary { shading: &shading, interface: &interface, attenuation }, sum);
+    }
+
+    /// Notes the distance of the first hit of a ray that gathers light, and weights the ray. False if the ray ends there,
+    /// since other rays have its weight: the share `importance` of the rays to an object is traced.
+    #[inline(never)]
+    fn begin_gathered(&mut self, state: &mut RayState, rank: f64, hit: &Intersection) -> bool {
+        self.first_distance = hit.t();
+        let importance = self.context.world.parts[hit.part_number() as usize].importance();
+        state.throughput /= importance;
+        rank < importance
     }
 
     /// Returns the closest hit among the objects that are visible to this kind of ray.

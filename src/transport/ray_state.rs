@@ -30,10 +30,8 @@ pub(super) struct RayState {
     pub hue: Option<f64>,
     /// Number of diffuse bounces between the camera and the ray; 0 unless the ray gathers light for radiosity.
     pub bounces: u8,
-    /// True if the ray starts at the point for which it gathers light.
-    pub is_first_gathered: bool,
-    /// Rank of the ray among those of its point, from 0 to 1, if `is_first_gathered`.
-    pub gather_rank: f64,
+    /// Rank of the ray among those that gather light for its origin, from 0 to 1; `None` for other rays.
+    pub gather_rank: Option<f64>,
     /// Number of surfaces that the ray and its ancestors have hit.
     pub n_surfaces: u32,
 }
@@ -53,8 +51,7 @@ impl RayState {
             inside,
             hue: None,
             bounces: 0,
-            is_first_gathered: false,
-            gather_rank: 0.0,
+            gather_rank: None,
             n_surfaces: 0,
         }
     }
@@ -80,8 +77,7 @@ impl RayState {
             inside: copy_of(&self.inside),
             hue: self.hue,
             bounces: self.bounces,
-            is_first_gathered: false,
-            gather_rank: 0.0,
+            gather_rank: None,
             n_surfaces: self.n_surfaces + 1,
         }
     }

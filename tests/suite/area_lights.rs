@@ -1,16 +1,7 @@
 //! Shafts of area lights: pictures with and without shafts are equal, and shafts replace many shadow rays.
 
-use durer::{BuildOptions, Frame, Memory, RayCounts, RenderOptions, Sources, Unwatched};
-use std::sync::Arc;
-
-fn draw(text: &str, (width, height): (usize, usize), has_shafts: bool) -> (Frame, RayCounts) {
-    let sources = Sources::new(Arc::new(Memory::default()));
-    let file = durer::load_bytes(&sources, "main.scene", text.as_bytes()).unwrap();
-    let built =
-        durer::build(&sources, file, &BuildOptions { size: (width, height), ..BuildOptions::default() }, &mut |_| {});
-    let world = built.world.unwrap_or_else(|| panic!("{:?}\n{text}", built.diagnostics));
-    durer::render(&world, &RenderOptions { has_shafts, ..RenderOptions::new(width, height) }, &Unwatched).unwrap()
-}
+use crate::drawing::draw;
+use durer::{Frame, RenderOptions};
 
 /// Occluders of many kinds above a floor, below a ceiling.
 const OCCLUDERS: &str = "
@@ -50,10 +41,15 @@ plane { -y, -20 pigment { rgb 0.5 } }
 #for (I, 0, 43) #if (mod(I, 11) < 10) Odd(I) #end #end
 ";
 
+fn options((width, height): (usize, usize), has_shafts: bool) -> RenderOptions {
+    RenderOptions { has_shafts, ..RenderOptions::new(width, height) }
+}
+
 /// Renders the occluders and a light with and without shafts, and returns the numbers of shadow rays.
 fn compare(light: &str, size: (usize, usize)) -> [u64; 2] {
     let text = format!("{OCCLUDERS}{light}");
-    let ((with, with_rays), (without, without_rays)) = (draw(&text, size, true), draw(&text, size, false));
+    let ((with, with_rays), (without, without_rays)) =
+        (draw(&text, &options(size, true)), draw(&text, &options(size, false)));
     let bits = |frame: &Frame, i: usize| frame.pixels[i].map(f32::to_bits);
     let differs = (0..with.pixels.len()).find(|&i| bits(&with, i) != bits(&without, i));
     assert_eq!(differs.map(|i| (i, with.pixels[i], without.pixels[i])), None, "{light}");
@@ -120,11 +116,11 @@ fn nine_million_lights_behind_a_small_box() {
         camera { location <0, 5, 0> look_at 0 angle 0.01 sky z }
         plane { y, 0 pigment { rgb 1 } }
         light_source { <0, 10, 0>, 1 area_light 2*x, 2*z, 3000, 3000 }";
-    let (frame, rays) = draw(look_down, (2, 2), true);
+    let (frame, rays) = draw(look_down, &options((2, 2), true));
     assert_eq!(rays.shadow, 0);
     let lit = frame.pixels[0][0];
     // A box before a corner of the light, 0.2 x 0.2 of 2 x 2
-    let (frame, rays) = draw(&format!("{look_down} box {{ <0.4, 5, 0.4>, <1, 5.001, 1> }}"), (2, 2), true);
+    let (frame, rays) = draw(&format!("{look_down} box {{ <0.4, 5, 0.4>, <1, 5.001, 1> }}"), &options((2, 2), true));
     let share = frame.pixels[0][0] / lit;
     assert!((share - 0.99).abs() < 1e-3, "{share}");
     assert!(rays.shadow < 4 * 150_000, "{}", rays.shadow);

@@ -1,7 +1,8 @@
 //! `radiosity { … }` of an object (manual, "Radiosity Importance").
 
-use crate::diagnostic::{Diagnostic, Result, codes};
+use crate::diagnostic::Result;
 use crate::value::ValueKind::Float;
+use crate::value::ranges::share;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
@@ -16,7 +17,7 @@ pub struct ObjectRadiosity {
 /// Words of the `radiosity` block, and how each is read.
 const RADIOSITY_ROWS: &[Row<ObjectRadiosity>] =
     &[word("importance", Float, "1", "factor of the number of rays that gather light at the object, 1 at most")
-        .sets(|s, r| set(&mut s.importance, read_importance(r)))];
+        .sets(|s, r| set(&mut s.importance, share("importance", r)))];
 
 /// Specification of the block `radiosity { … }` of an object.
 pub const OBJECT_RADIOSITY: Spec = Spec {
@@ -42,13 +43,4 @@ impl ObjectRadiosity {
             }
         }
     }
-}
-
-fn read_importance(r: &mut dyn Reader) -> Result<f64> {
-    let (span, importance) = (r.span(), r.float()?);
-    if importance > 0.0 && importance <= 1.0 {
-        return Ok(importance);
-    }
-    let message = format!("`importance` is more than 0 and at most 1, found {importance}");
-    Diagnostic::err(codes::BAD_ARGUMENT, span, message)
 }

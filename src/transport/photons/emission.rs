@@ -3,7 +3,7 @@
 use super::super::context::FrameContext;
 use crate::color::Rgb;
 use crate::light::Area;
-use crate::math::{Aabb, DVec3, Ray, fp, rng};
+use crate::math::{Aabb, DVec3, GOLDEN_SECTION, Ray, fp, rng};
 use crate::scene::PhotonMapSettings;
 use crate::world::{LightSource, World};
 use std::f64::consts::PI;
@@ -13,8 +13,6 @@ use std::ops::Range;
 const PHOTONS_PER_JOB: f64 = 4096.0;
 /// Maximum number of photons of a frame; with a smaller `spacing` they are spread wider.
 const MAX_PHOTONS: f64 = 1e7;
-/// Golden ratio, by which rings are turned against each other.
-const TURN: f64 = 0.618_033_988_749_895;
 
 /// Shape of the bundle of rays from a light to a target.
 #[derive(Clone, Copy, Debug)]
@@ -101,7 +99,8 @@ impl Source {
         let n = self.n_in_ring(ring);
         let random = |which: u64| rng::random_unit(&[self.key, u64::from(ring), u64::from(number), which]) - 0.5;
         let from_axis = (f64::from(ring) + 0.5 + self.jitter * random(0)) * self.step;
-        let turn = (f64::from(number) + 0.5 + self.jitter * random(1)) / f64::from(n) + TURN * f64::from(ring);
+        let turn =
+            (f64::from(number) + 0.5 + self.jitter * random(1)) / f64::from(n) + GOLDEN_SECTION * f64::from(ring);
         let (sin, cos) = fp::sin_cos(2.0 * PI * turn.fract());
         let [right, up, ahead] = self.axes;
         let beside = right * cos + up * sin;

@@ -1,7 +1,6 @@
 //! Samples of radiosity, and the light that surfaces reflect because of them.
 
 use super::cache::{Blend, Sample};
-use super::directions::tangents;
 use super::{RadiosityPass, RadiosityState, ray_count};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Ray, rng};
@@ -30,6 +29,7 @@ impl Tracer<'_> {
     }
 
     /// Returns the light that a surface reflects or transmits diffusely from other surfaces and the sky.
+    #[inline(never)]
     pub(in crate::transport) fn indirect_light(&mut self, state: &RayState, shading: &ShadingPoint) -> Rgb {
         let context = self.context;
         let Some(radiosity) = &context.radiosity else { return Rgb::ZERO };
@@ -39,39 +39,42 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for side in [1.0, -1.0] {
             let smooth = shading.smooth * side;
+            let at = |normal| GatherPoint {
+                point: shading.point,
+                normal,
+                smooth,
+                depth: state.bounces,
+                importance: state.weight,
+            };
             if radiosity.settings.normal {
                 for material in &shading.materials {
                     for shaded in &material.layers {
                         let factor = material.share * reflectance(shaded, side);
-                        sum += self.indirect_light_at(state, shading.point, shaded.normal * side, smooth, factor);
+                        sum += self.indirect_light_at(radiosity, at(shaded.normal * side), factor);
                     }
                 }
             } else {
                 let factor = shading.sum(|shaded| reflectance(shaded, side));
-                sum += self.indirect_light_at(state, shading.point, smooth, smooth, factor);
+                sum += self.indirect_light_at(radiosity, at(smooth), factor);
             }
         }
         sum
     }
 
     /// Returns the gathered light at a point times `factor`.
-    fn indirect_light_at(&mut self, state: &RayState, point: DVec3, normal: DVec3, smooth: DVec3, factor: Rgb) -> Rgb {
-        let context = self.context;
-        let Some(radiosity) = &context.radiosity else { return Rgb::ZERO };
+    fn indirect_light_at(&mut self, radiosity: &RadiosityState, mut at: GatherPoint, factor: Rgb) -> Rgb {
         let settings = radiosity.settings;
-        let importance = state.weight * factor.abs().max_element() * settings.brightness;
-        if importance.is_nan() || importance <= settings.adc_bailout {
+        at.importance = at.importance * factor.abs().max_element() * settings.brightness;
+        if at.importance.is_nan() || at.importance <= settings.adc_bailout {
             return Rgb::ZERO;
         }
-        let light = self.gathered_light(&GatherPoint { point, normal, smooth, depth: state.bounces, importance });
+        let light = self.gathered_light(radiosity, &at);
         let gray = Rgb::splat(gray(light));
         factor * settings.brightness * light.lerp(gray, settings.gray_threshold)
     }
 
     /// Returns the mean radiance over the cosine-weighted hemisphere at a point, from near samples or a new one.
-    fn gathered_light(&mut self, at: &GatherPoint) -> Rgb {
-        let context = self.context;
-        let Some(radiosity) = &context.radiosity else { return Rgb::ZERO };
+    fn gathered_light(&mut self, radiosity: &RadiosityState, at: &GatherPoint) -> Rgb {
         let (query, mut blend) = (radiosity.query(at.point, at.normal, at.depth), Blend::default());
         radiosity.cache.add_to(&query, &mut blend);
         self.radiosity_cache.add_to(&query, &mut blend);
@@ -100,7 +103,7 @@ impl Tracer<'_> {
             Some(_) => (rng::random_unit(&at.point.to_array().map(f64::to_bits)) * all.len() as f64) as usize,
             None => 0,
         };
-        let [tangent, bitangent] = tangents(at.normal);
+        let (tangent, bitangent) = at.normal.any_orthonormal_pair();
         let (mut light, mut inverse_distances) = (Rgb::ZERO, 0.0);
         for i in 0..count {
             let d = all[(start + i) % all.len()];
@@ -109,9 +112,8 @@ impl Tracer<'_> {
             if dir.dot(at.smooth) <= 0.0 {
                 continue;
             }
-            let mut state = RayState::gather(Ray::new(at.point, dir), at.depth + 1, at.importance);
-            state.gather_rank = (i as f64 + 0.5) / count as f64;
-            let (incoming, distance) = self.gather_radiance(state);
+            let rank = (i as f64 + 0.5) / count as f64;
+            let (incoming, distance) = self.gather_radiance(RayState::gather(Ray::new(at.point, dir), at, rank));
             inverse_distances += 1.0 / distance;
             let most = incoming.max_element();
             let is_limited = settings.max_sample > 0.0 && most > settings.max_sample;
@@ -123,9 +125,10 @@ impl Tracer<'_> {
         let n = count as f64;
         let eye = at.point.distance(radiosity.eye);
         let harmonic = n / inverse_distances;
-        let radius = harmonic.clamp(settings.minimum_reuse * eye, settings.maximum_reuse * eye);
+        let [minimum, maximum] = settings.reuse();
+        let radius = harmonic.clamp(minimum * eye, maximum * eye);
         // (A camera on the surface, and a distance that is not a number, leave no radius.)
-        let radius = if radius > 0.0 { radius } else { f64::MIN_POSITIVE.max(settings.maximum_reuse * 1e-6) };
+        let radius = if radius > 0.0 { radius } else { f64::MIN_POSITIVE.max(maximum * 1e-6) };
         Sample { point: at.point, normal: at.normal, light: light / n, radius, depth: at.depth }
     }
 
@@ -139,9 +142,15 @@ impl Tracer<'_> {
 }
 
 impl RayState {
-    /// Creates the state of a ray that gathers light after `bounces` diffuse bounces.
-    fn gather(ray: Ray, bounces: u8, weight: f64) -> Self {
-        Self { bounces, weight, is_reflected: true, is_first_gathered: true, ..Self::camera(ray, Interiors::new()) }
+    /// Creates the state of a ray that gathers light for a point. `rank` is that among the rays of the point, from 0 to 1.
+    fn gather(ray: Ray, at: &GatherPoint, rank: f64) -> Self {
+        Self {
+            bounces: at.depth + 1,
+            weight: at.importance,
+            is_reflected: true,
+            gather_rank: Some(rank),
+            ..Self::camera(ray, Interiors::new())
+        }
     }
 }
 
