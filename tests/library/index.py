@@ -17,7 +17,7 @@ FOLDERS = ["/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include
 # Where several files declare a name, the first of them is the one to include: these come last.
 LAST = ["golds.inc", "glass_old.inc", "shapes_old.inc", "stoneold.inc", "stage1.inc", "stdcam.inc", "debug.inc"]
 # Tables that others include, and what declares nothing for others.
-LEFT_OUT = ["rad_def.inc", "stdinc.inc"]
+LEFT_OUT = ["stdinc.inc"]
 
 # Strings and comments first, so that nothing in them counts.
 TOKEN = re.compile(
