@@ -158,20 +158,21 @@ fn is_probably_empty(object: &Object) -> bool {
     if bounds.is_empty() {
         return true;
     }
-    bounds.is_finite() && is_missed(&probe, &bounds, FEW_RAYS) && is_missed(&probe, &bounds, MANY_RAYS)
+    bounds.is_finite() && axis_rays_miss(&probe, &bounds, FEW_RAYS) && axis_rays_miss(&probe, &bounds, MANY_RAYS)
 }
 
-/// True if all rays along the axes, a grid of `across` by `across` through each side of the box, miss the object.
-fn is_missed(probe: &Probe, bounds: &Aabb, across: usize) -> bool {
+/// True if axis-parallel rays through the box `bounds`, an `n_across` by `n_across` grid for each axis, all miss the
+/// object of `probe`.
+fn axis_rays_miss(probe: &Probe, bounds: &Aabb, n_across: usize) -> bool {
     let (size, far) = (bounds.size(), bounds.size().max_element() + 1.0);
     (0..3).all(|axis| {
         let along = DVec3::AXES[axis];
-        (0..across * across).all(|i| {
+        (0..n_across * n_across).all(|i| {
             // Avoid the centre, where objects with round numbers have their edges.
-            let part = |i: usize| (i as f64 + 0.4637) / across as f64;
+            let part = |i: usize| (i as f64 + 0.4637) / n_across as f64;
             let mut at = DVec3::splat(0.0);
-            at[(axis + 1) % 3] = part(i % across);
-            at[(axis + 2) % 3] = part(i / across);
+            at[(axis + 1) % 3] = part(i % n_across);
+            at[(axis + 2) % 3] = part(i / n_across);
             let from = bounds.min + size * at - along * far;
             probe.trace(from, along).is_none()
         })

@@ -82,7 +82,7 @@ fn lint(args: &CheckArgs, sources: &Sources, parsed: &ParsedFiles) -> Vec<Diagno
     let asked = |what| args.warn.contains(&what);
     let lints = Lints { unused: asked(Warn::Unused), shadow: asked(Warn::Shadow), portable: asked(Warn::Portable) };
     let files: Vec<_> = parsed.all().into_iter().map(|(file, _)| file).collect();
-    if lints == Lints::default() { vec![] } else { lint::lint(sources, &files, lints) }
+    if lints == Lints::default() { vec![] } else { lint::lint_scene(sources, &files, lints) }
 }
 
 fn report(console: &Console, args: &CheckArgs, sources: &Sources, diagnostics: &[Diagnostic]) -> Result<()> {

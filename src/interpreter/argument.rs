@@ -108,8 +108,10 @@ impl<'a> Interpreter<'a> {
     /// True if no following token continues the value that was just read.
     pub(super) fn value_ends(&mut self) -> Result<bool> {
         Ok(match self.peek_after()? {
-            None | Some(Token::Sign(Sign::Close(_)) | Token::End) => true,
-            Some(Token::Sign(sign)) => !matches!(sign, Sign::Dot | Sign::Question | Sign::Operator(_)),
+            None | Some(Token::Punctuation(Punctuation::Close(_)) | Token::End) => true,
+            Some(Token::Punctuation(mark)) => {
+                !matches!(mark, Punctuation::Dot | Punctuation::Question | Punctuation::Operator(_))
+            }
             Some(Token::Open(Bracket::Paren | Bracket::Square, _)) => false,
             Some(Token::Expr(e)) => !crate::syntax::begins_with_sign(e) && !crate::syntax::begins_with_parenthesis(e),
             Some(Token::Numbers(data)) => data.len() != 1 || !data[0].is_sign_negative(),

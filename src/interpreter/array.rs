@@ -5,10 +5,10 @@ use super::argument::Argument;
 use super::evaluator::as_float;
 use super::evaluator::{Array, LValue, Slot};
 use super::stream::{StackFrame, Token};
-use super::token_expr::joined_span;
+use super::token_expr::joined_span_if_near;
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
-use crate::syntax::ast::{Bracket, ElementKind, Expr, ExprKind, Sign, Symbol};
+use crate::syntax::ast::{Bracket, ElementKind, Expr, ExprKind, Punctuation, Symbol};
 use crate::value::{Reader, Value};
 use smallvec::SmallVec;
 use std::rc::Rc;
@@ -29,11 +29,11 @@ impl<'a> Interpreter<'a> {
         let span = self.stream.next_span();
         self.stream.advance();
         // 3.8 requires the word `mixed` where types are mixed. durer accepts mixed types without it.
-        if let Some(ElementKind::Expr(e)) = self.stream.next_element().map(|e| &e.kind) {
+        if let Some(ElementKind::Expr(e)) = self.stream.next_raw_element().map(|e| &e.kind) {
             if matches!(&e.kind, ExprKind::Index(word, _) if self.inputs.sources.snippet(word.span) == "mixed") {
                 self.stream.split_next();
             }
-            if self.stream.next_element().is_some_and(|e| self.inputs.sources.snippet(e.span) == "mixed") {
+            if self.stream.next_raw_element().is_some_and(|e| self.inputs.sources.snippet(e.span) == "mixed") {
                 self.stream.advance();
             }
         }
@@ -68,7 +68,7 @@ impl<'a> Interpreter<'a> {
         let mut size = None;
         if !self.peek()?.ends() {
             let (value, span) = self.read_value()?;
-            size = Some(self.size_of(as_float(&value, span)?, joined_span(at, span))?);
+            size = Some(self.size_of(as_float(&value, span)?, joined_span_if_near(at, span))?);
         }
         if !self.peek()?.ends() {
             return Diagnostic::err(codes::WRONG_COUNT, at, "each dimension of an array has one size in `[ ]`");
@@ -146,7 +146,7 @@ impl<'a> Interpreter<'a> {
         while !self.peek()?.ends() {
             let key: Rc<str> = self.read_dictionary_key()?;
             match self.peek()? {
-                Token::Sign(Sign::Colon) => self.stream.advance(),
+                Token::Punctuation(Punctuation::Colon) => self.stream.advance(),
                 _ => return Err(self.unexpected_token("`:` and a value").into()),
             }
             let value = self.read_rvalue()?;
@@ -165,7 +165,7 @@ impl<'a> Interpreter<'a> {
     /// Reads a key of a dictionary: `.Name` or `["name"]`.
     fn read_dictionary_key(&mut self) -> Result<Rc<str>> {
         match self.peek()? {
-            Token::Sign(Sign::Dot) => {
+            Token::Punctuation(Punctuation::Dot) => {
                 self.stream.advance();
                 let name = self.component_name()?;
                 Ok(self.inputs.sources.snippet(name.span).into())
@@ -183,31 +183,38 @@ impl<'a> Interpreter<'a> {
     /// Reads an array's name and indices, and pushes back one token: the element, or the name if no index follows.
     pub(super) fn element_by_tokens(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
         let span = name.span;
-        let before = self.stream.has_comma();
+        let has_comma_before = self.stream.has_comma();
         // A comma between the name and its indices ends the value.
         let comma = self.stream.innermost().and_then(StackFrame::next).is_some_and(|e| e.comma);
         self.stream.set_comma(comma);
         self.stream.skip_element();
         if let Some(level) = self.evaluator.level_of_prefix(symbol) {
-            return self.prefixed_name(level, span, before);
+            return self.read_prefixed_name(level, span, has_comma_before);
         }
         let indices = self.indices_of(symbol)?;
         if indices.is_empty() {
-            return Ok(self.stream.push_back(Token::Expr(name), span, before));
+            return Ok(self.stream.push_back(Token::Expr(name), span, has_comma_before));
         }
-        let whole = indices.last().map_or(span, |(_, at)| joined_span(span, Span { hi: at.hi + 1, ..*at }));
+        let whole = indices.last().map_or(span, |(_, at)| joined_span_if_near(span, Span { hi: at.hi + 1, ..*at }));
         let lvalue = self.lvalue_at(symbol, span, &indices, false)?;
         self.stream.set_element(lvalue);
-        Ok(self.stream.push_back(Token::Element(whole), whole, before))
+        Ok(self.stream.push_back(Token::Element(whole), whole, has_comma_before))
     }
 
-    /// Reads the `.A` of `local.A` or `global.A` (3.8), and pushes back one token for the whole.
-    fn prefixed_name(&mut self, level: u32, prefix: Span, before: bool) -> Result<Token<'a>> {
+    /// Reads the `.A` or `.A[i]` of `local.A` or `global.A[i]` (3.8), and pushes back one [`Token::Element`] for the whole.
+    /// `has_comma_before` is true if a comma precedes the prefix.
+    fn read_prefixed_name(&mut self, level: u32, prefix: Span, has_comma_before: bool) -> Result<Token<'a>> {
         self.stream.advance();
         let Some((symbol, span)) = self.stream.take_name() else { return Err(self.unexpected_token("a name").into()) };
-        self.stream.set_element(self.evaluator.scopes().resolve_at(symbol, level));
-        let whole = joined_span(prefix, span);
-        Ok(self.stream.push_back(Token::Element(whole), whole, before))
+        let indices = self.indices_of(symbol)?;
+        let named = joined_span_if_near(prefix, span);
+        let (mut lvalue, mut whole) = (self.evaluator.scopes().resolve_at(symbol, level), named);
+        if let Some((_, at)) = indices.last() {
+            whole = joined_span_if_near(prefix, Span { hi: at.hi + 1, ..*at });
+            lvalue = self.lvalue_in(lvalue, named, &indices, false)?;
+        }
+        self.stream.set_element(lvalue);
+        Ok(self.stream.push_back(Token::Element(whole), whole, has_comma_before))
     }
 
     /// Reads the indices and keys that follow an array's name.
@@ -220,7 +227,7 @@ impl<'a> Interpreter<'a> {
                     indices.push(self.read_value()?);
                     self.close("`]`")?;
                 }
-                Some(Token::Sign(Sign::Dot)) if self.evaluator.is_dictionary(symbol, &indices) => {
+                Some(Token::Punctuation(Punctuation::Dot)) if self.evaluator.is_dictionary(symbol, &indices) => {
                     self.stream.advance();
                     let name = self.component_name()?;
                     indices.push((Value::Text(self.inputs.sources.snippet(name.span).into()), name.span));
@@ -237,10 +244,11 @@ impl<'a> Interpreter<'a> {
             if self.stream.has_comma() {
                 return Ok(None);
             }
-            return match self.stream.next_element().map(|e| &e.kind) {
-                Some(ElementKind::Entry(_) | ElementKind::Sign(Sign::Open(Bracket::Square) | Sign::Dot)) => {
-                    self.peek().map(Some)
-                }
+            return match self.stream.next_raw_element().map(|e| &e.kind) {
+                Some(
+                    ElementKind::Entry(_)
+                    | ElementKind::Punctuation(Punctuation::Open(Bracket::Square) | Punctuation::Dot),
+                ) => self.peek().map(Some),
                 None if !self.stream.has_pushed_back()
                     && self.stream.innermost().is_some_and(StackFrame::is_spent_piece) =>
                 {
@@ -295,6 +303,10 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the location of the array element `A[i][j]`, which need not have a value yet.
     pub(super) fn element_lvalue(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<LValue> {
+        if let Some(array) = self.evaluator.prefixed_lvalue(base) {
+            let indices = self.index_values(indices)?;
+            return self.lvalue_in(array, base.span, &indices, false);
+        }
         match base.kind {
             ExprKind::Name(symbol) => self.lvalue_of(symbol, base.span, indices),
             _ => Diagnostic::err(codes::WRONG_TYPE, base.span, "only a name can have an index"),
@@ -328,6 +340,18 @@ impl<'a> Interpreter<'a> {
             self.evaluate_name(symbol, span)?;
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
+        self.lvalue_in(lvalue, span, indices, adds)
+    }
+
+    /// Returns the location of the element at these indices or keys of the array at `lvalue`, whose name is at `span`.
+    /// `adds` adds a new last key to a dictionary.
+    pub(super) fn lvalue_in(
+        &mut self,
+        lvalue: LValue,
+        span: Span,
+        indices: &[(Value, Span)],
+        adds: bool,
+    ) -> Result<LValue> {
         if self.evaluator.scopes().dictionary(&lvalue).is_some() {
             return self.evaluator.key_lvalue(lvalue, indices, adds);
         }

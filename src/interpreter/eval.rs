@@ -33,7 +33,7 @@ impl<'a> Interpreter<'a> {
                 let value = self.evaluate(inner)?;
                 apply_prefix(*prefix, value, inner.span)
             }
-            ExprKind::Call(name, arguments) => self.evaluate_call(*name, arguments, e.span),
+            ExprKind::Call(name, arguments) => self.call_declared(*name, arguments, e.span),
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
                 // quirk: choices_evaluate_all
@@ -48,7 +48,7 @@ impl<'a> Interpreter<'a> {
             }
             ExprKind::Apply(function, arguments) => {
                 let function = self.evaluate(function)?;
-                self.evaluate_call_of(&function, arguments, e.span)
+                self.call_element(&function, arguments, e.span)
             }
             ExprKind::Function(_) | ExprKind::Block(_) => {
                 Diagnostic::err(codes::EXPECTED_VALUE, e.span, "expected a number or text, found a block")

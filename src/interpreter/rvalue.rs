@@ -11,7 +11,7 @@ use crate::diagnostic::Result;
 use crate::medium::{Interior, Media};
 use crate::scene::{Object, ObjectRadiosity, is_object, read_camera, read_layers, read_material};
 use crate::source::Span;
-use crate::syntax::ast::{Bracket, Expr, ExprKind, Sign};
+use crate::syntax::ast::{Bracket, Expr, ExprKind, Punctuation};
 use crate::texture::{
     ColorMap, Density, DensityMap, Finish, Normal, NormalMap, Pigment, PigmentMap, SlopeMap, TextureMap,
 };
@@ -53,7 +53,7 @@ impl<'a> Interpreter<'a> {
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => {
                 self.read_expression_slot()
             }
-            Token::Sign(Sign::Not | Sign::Operator(_)) => self.read_expression_slot(),
+            Token::Punctuation(Punctuation::Not | Punctuation::Operator(_)) => self.read_expression_slot(),
             Token::Element(span) => {
                 let slot = self.take_element()?;
                 match slot {

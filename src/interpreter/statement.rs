@@ -8,7 +8,7 @@ use crate::medium::Media;
 use crate::scene::{Object, is_object, read_camera};
 use crate::shape::Shape;
 use crate::source::Span;
-use crate::syntax::ast::{Element, ElementKind, Operator, Sign};
+use crate::syntax::ast::{Element, ElementKind, Operator, Punctuation};
 use crate::texture::warn_of_byte_color;
 use crate::value::words::word;
 use crate::value::{Family, Next, Reader, Spec, ValueKind};
@@ -160,7 +160,7 @@ impl Interpreter<'_> {
     }
 
     fn at_bare_version(&self) -> bool {
-        self.stream.next_element().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
+        self.stream.next_raw_element().is_some_and(|element| self.inputs.sources.snippet(element.span) == "version")
     }
 
     /// Reads `max_trace_level`, which POV-Ray also accepts outside of `global_settings`.
@@ -202,7 +202,7 @@ impl Interpreter<'_> {
         let (at, is_value) = match self.peek() {
             Ok(Token::Expr(e)) => (e.span, !self.inputs.sources.snippet(e.span).starts_with('(')),
             Ok(Token::Numbers(_)) => (self.stream.next_span(), true),
-            Ok(Token::Sign(sign)) => (self.stream.next_span(), self.begins_value(sign, self.stream.next_span())),
+            Ok(Token::Punctuation(mark)) => (self.stream.next_span(), self.begins_value(mark, self.stream.next_span())),
             _ => (Span::NONE, false),
         };
         if !is_value {
@@ -212,35 +212,36 @@ impl Interpreter<'_> {
             .help("to give it a name, write `#declare Name = …;`")
     }
 
-    /// True if the sign is a token by itself and begins a value. After an operand, `<` is a comparison.
-    fn begins_value(&self, sign: Sign, span: Span) -> bool {
+    /// True if the mark is a token by itself and begins a value. After an operand, `<` is a comparison.
+    fn begins_value(&self, mark: Punctuation, span: Span) -> bool {
         let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
         let (before, behind) = self.inputs.sources.text(file).split_at(range.start);
-        let begins = match sign {
-            Sign::Not => true,
-            Sign::Operator(Operator::Less) => {
+        let begins = match mark {
+            Punctuation::Not => true,
+            Punctuation::Operator(Operator::Less) => {
                 !before.trim_end().ends_with(|c: char| c.is_alphanumeric() || "_.)]\"".contains(c))
             }
-            Sign::Operator(op) => op.adds(),
+            Punctuation::Operator(op) => op.adds(),
             _ => false,
         };
         let rest = &behind[range.len()..];
         // A `<` without a `>` in the same line is a comparison too.
         let line = rest.split(['\n', '\r', ';']).next().unwrap_or_default();
-        let compares = sign == Sign::Operator(Operator::Less) && !line.contains('>');
+        let compares = mark == Punctuation::Operator(Operator::Less) && !line.contains('>');
         let operand = rest.trim_start_matches(|c: char| c <= ' ' || "+-!".contains(c));
         begins && !compares && operand.starts_with(|c: char| c.is_alphanumeric() || "_.(<\"".contains(c))
     }
 
     /// Returns the span of a comparison sign after the next operands, as in `Size = 3`.
     fn comparison_ahead(&mut self) -> Option<Span> {
-        if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
         }
         let row = self.stream.innermost()?.unread().iter();
-        let in_row = |e: &&Element| matches!(e.kind, ElementKind::Expr(_) | ElementKind::Sign(Sign::Operator(_)));
+        let in_row =
+            |e: &&Element| matches!(e.kind, ElementKind::Expr(_) | ElementKind::Punctuation(Punctuation::Operator(_)));
         let compares = |e: &Element| match e.kind {
-            ElementKind::Sign(Sign::Operator(op)) => !op.adds() && !op.multiplies(),
+            ElementKind::Punctuation(Punctuation::Operator(op)) => !op.adds() && !op.multiplies(),
             _ => false,
         };
         row.take_while(in_row).find(|e| compares(e)).map(|e| e.span)

@@ -91,7 +91,7 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
     if found.iter().all(|diagnostic| diagnostic.severity == Severity::Warning) {
         // The scene's own file is the first that was parsed.
         let files: Vec<_> = parsed.all().into_iter().map(|(file, _)| file).collect();
-        found.extend(lint::lint(&sources, &files, Lints { unused: true, portable: true, shadow: false }));
+        found.extend(lint::lint_scene(&sources, &files, Lints { unused: true, portable: true, shadow: false }));
     }
     for diagnostic in &found {
         let place = sources.locate(diagnostic.span()).map_or(file, |(id, _)| id);

@@ -62,7 +62,7 @@ impl Files for Disk {
     /// Writes a temporary file in the same folder, which then replaces the old file. Devices and pipes are written
     /// directly; a symbolic link stays a link.
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
-        let path = resolve(path)?;
+        let path = follow_links(path)?;
         if is_special(&path) {
             return OpenOptions::new().write(true).open(&path)?.write_all(bytes);
         }
@@ -73,16 +73,16 @@ impl Files for Disk {
     }
 
     fn draft(&self, path: &Path) -> io::Result<Draft> {
-        let path = resolve(path)?;
+        let path = follow_links(path)?;
         if is_special(&path) {
             return Ok(Draft::in_memory(&path));
         }
         let file = tempfile::tempfile_in(folder(&path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))?;
-        Ok(Draft { path, bytes: Bytes::Disk(io::BufWriter::with_capacity(1 << 16, file)), is_durable: false })
+        Ok(Draft { path, bytes: DraftStorage::Disk(io::BufWriter::with_capacity(1 << 16, file)), is_durable: false })
     }
 
     fn check_writable(&self, path: &Path) -> io::Result<()> {
-        let path = resolve(path)?;
+        let path = follow_links(path)?;
         if is_special(&path) {
             return OpenOptions::new().write(true).open(&path).map(drop);
         }
@@ -144,21 +144,23 @@ fn refused_link(error: rustix::io::Errno) -> io::Error {
 /// that is not committed vanishes, however the program ends.
 pub struct Draft {
     path: PathBuf,
-    bytes: Bytes,
+    bytes: DraftStorage,
     /// True if the committed file must survive a power loss.
     is_durable: bool,
 }
 
-enum Bytes {
+/// Storage of a draft's bytes until [`Draft::commit`].
+enum DraftStorage {
     /// A file on the disk that has no name yet, in the folder of its later path.
     Disk(io::BufWriter<File>),
+    /// Bytes in memory, for file systems without nameless files.
     Memory(Cursor<Vec<u8>>),
 }
 
 impl Draft {
     /// A draft whose bytes stay in memory until [`Draft::commit`].
     pub fn in_memory(path: &Path) -> Self {
-        Self { path: path.to_path_buf(), bytes: Bytes::Memory(Cursor::default()), is_durable: false }
+        Self { path: path.to_path_buf(), bytes: DraftStorage::Memory(Cursor::default()), is_durable: false }
     }
 
     /// Makes [`Draft::commit`] wait until the file on the disk and its name would survive a power loss.
@@ -169,8 +171,8 @@ impl Draft {
     /// Returns the bytes of a draft in memory; empty for a draft on disk.
     pub fn into_bytes(self) -> Vec<u8> {
         match self.bytes {
-            Bytes::Memory(bytes) => bytes.into_inner(),
-            Bytes::Disk(_) => vec![],
+            DraftStorage::Memory(bytes) => bytes.into_inner(),
+            DraftStorage::Disk(_) => vec![],
         }
     }
 
@@ -180,8 +182,8 @@ impl Draft {
     /// If the file cannot be written; then nothing has changed.
     pub fn commit(self, files: &dyn Files) -> io::Result<()> {
         match self.bytes {
-            Bytes::Memory(bytes) => files.write(&self.path, bytes.get_ref()),
-            Bytes::Disk(bytes) => {
+            DraftStorage::Memory(bytes) => files.write(&self.path, bytes.get_ref()),
+            DraftStorage::Disk(bytes) => {
                 let mut bytes = bytes.into_inner().map_err(io::IntoInnerError::into_error)?;
                 bytes.seek(SeekFrom::Start(0))?;
                 let mut file = temporary(&self.path)?;
@@ -202,15 +204,15 @@ impl Draft {
 impl Write for Draft {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match &mut self.bytes {
-            Bytes::Disk(file) => file.write(bytes),
-            Bytes::Memory(memory) => memory.write(bytes),
+            DraftStorage::Disk(file) => file.write(bytes),
+            DraftStorage::Memory(memory) => memory.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match &mut self.bytes {
-            Bytes::Disk(file) => file.flush(),
-            Bytes::Memory(_) => Ok(()),
+            DraftStorage::Disk(file) => file.flush(),
+            DraftStorage::Memory(_) => Ok(()),
         }
     }
 }
@@ -218,8 +220,8 @@ impl Write for Draft {
 impl Seek for Draft {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         match &mut self.bytes {
-            Bytes::Disk(file) => file.seek(to),
-            Bytes::Memory(memory) => memory.seek(to),
+            DraftStorage::Disk(file) => file.seek(to),
+            DraftStorage::Memory(memory) => memory.seek(to),
         }
     }
 }
@@ -233,8 +235,11 @@ fn kind_of(kind: FileType) -> FileKind {
     }
 }
 
-/// Returns the file behind symbolic links; an error for a folder.
-pub fn resolve(path: &Path) -> io::Result<PathBuf> {
+/// Returns the path behind symbolic links; `path` itself if it is no link, whether it exists or not.
+///
+/// # Errors
+/// If the path leads to a folder, or over more than [`MAX_LINKS`] links.
+pub fn follow_links(path: &Path) -> io::Result<PathBuf> {
     if path.is_dir() {
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
     }

@@ -136,6 +136,7 @@ impl Files for Memory {
         Ok(())
     }
 
+    /// Checks that `path` is not a folder. Its parent folders need not exist.
     fn check_writable(&self, path: &Path) -> io::Result<()> {
         if self.is_folder(path) { Err(io::ErrorKind::IsADirectory.into()) } else { Ok(()) }
     }

@@ -17,7 +17,7 @@ mod sources;
 mod span;
 
 pub use activity::Activity;
-pub use disk::{Disk, Draft, resolve, sync_folder_of};
+pub use disk::{Disk, Draft, follow_links, sync_folder_of};
 pub use exclusive::{Exclusive, OpenError, open_plain};
 pub use files::{Entry, FileKind, Files, Metadata, Stamp, WriteAccess, WriteMode};
 pub use host::{Host, LocalHost};

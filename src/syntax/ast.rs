@@ -63,25 +63,25 @@ pub enum ElementKind {
     /// A comma that follows no element of its sequence.
     Comma,
     /// Any other token: an operator without its operands, a bracket without its partner.
-    Sign(Sign),
+    Punctuation(Punctuation),
 }
 
-/// A token that is neither a word nor a literal.
+/// A token that is neither a word nor a literal: a bracket, an operator, or another mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sign {
-    /// Opening bracket as a sign in the syntax tree.
+pub enum Punctuation {
+    /// Opening bracket without its partner.
     Open(Bracket),
-    /// Closing bracket as a sign in the syntax tree.
+    /// Closing bracket without its partner.
     Close(Bracket),
     /// Binary operator. `<` and `>` may also enclose a vector, and `-` and `+` may precede an operand.
     Operator(Operator),
-    /// The sign `!`.
+    /// The mark `!`.
     Not,
-    /// The sign `.`.
+    /// The mark `.`.
     Dot,
-    /// The sign `?`.
+    /// The mark `?`.
     Question,
-    /// The sign `:`.
+    /// The mark `:`.
     Colon,
     /// Character without meaning in the scene language.
     Other,

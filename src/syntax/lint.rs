@@ -20,8 +20,9 @@ pub struct Lints {
     pub portable: bool,
 }
 
-/// Returns the lints of the first file, which is the scene's own. The other files are its includes.
-pub fn lint(sources: &Sources, files: &[FileId], lints: Lints) -> Vec<Diagnostic> {
+/// Returns the lints of a scene's own file, `files[0]`. The other files are its includes: they are read for the names
+/// that they declare and use.
+pub fn lint_scene(sources: &Sources, files: &[FileId], lints: Lints) -> Vec<Diagnostic> {
     let outline = |(i, &file): (usize, &FileId)| {
         let (text, base) = (sources.text(file), sources.base(file));
         // Rules about commas need each number of the scene's own file as a token.
@@ -100,7 +101,7 @@ mod tests {
         let files = [text, include].map(|text| sources.add("a", None, text.into()).unwrap());
         let lints = Lints { unused: true, shadow: true, portable: false };
         let line = |d: &Diagnostic| format!("{} {}", d.code, sources.snippet(d.span()));
-        lint(&sources, &files, lints).iter().map(line).collect()
+        lint_scene(&sources, &files, lints).iter().map(line).collect()
     }
 
     #[test]

@@ -107,7 +107,8 @@ fn skip_blanks(bytes: &[u8], mut at: usize) -> usize {
 /// Minimum length of a list of numbers that is moved instead of copied.
 const LONG: usize = 1 << 12;
 
-/// Scans literal vectors and lists of literals into [`NumberList`]s.
+/// Scans the bytes of a text for literal vectors and lists of literals, which become one token each, and collects their
+/// values as [`NumberList`]s.
 #[derive(Default)]
 pub(super) struct ListScanner {
     data: Vec<f64>,

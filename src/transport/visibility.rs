@@ -173,7 +173,8 @@ fn surfaces<'w>(world: &'w World, ray: &Ray, range: Range, filters: impl Fn(u32)
     surfaces.sort_by(|a, b| a.t().total_cmp(&b.t()));
     let (mut last, epsilon) = (f64::NEG_INFINITY, &world.epsilon);
     surfaces.retain(|hit| {
-        let counts = hit.t() - last > epsilon.shadow.max(epsilon.scaled_to_scene(hit.leaf.shape.quirks().min_distance));
+        let counts =
+            hit.t() - last > epsilon.shadow.max(epsilon.reduced_for_tiny_scene(hit.leaf.shape.quirks().min_distance));
         if counts {
             last = hit.t();
         }

@@ -39,8 +39,9 @@ impl RayEpsilon {
         Self { surface: tolerance::SURFACE * part, shadow: tolerance::SHADOW * part }
     }
 
-    /// Scales a shape's minimum hit distance `min_distance` to the size of this scene.
-    pub fn scaled_to_scene(&self, min_distance: f64) -> f64 {
+    /// Returns a shape's minimum hit distance, reduced in proportion to the size of a tiny scene and unchanged in any
+    /// other scene.
+    pub fn reduced_for_tiny_scene(&self, min_distance: f64) -> f64 {
         min_distance * (self.surface / tolerance::SURFACE)
     }
 }

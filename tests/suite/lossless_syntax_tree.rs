@@ -159,7 +159,7 @@ impl Places<'_> {
             ElementKind::Function(function) => self.function(function, e.span),
             ElementKind::Directive(directive) => self.directive(directive, e.span),
             ElementKind::Numbers(list) => self.items(list, e.span),
-            ElementKind::Word(_) | ElementKind::Semicolon | ElementKind::Comma | ElementKind::Sign(_) => {}
+            ElementKind::Word(_) | ElementKind::Semicolon | ElementKind::Comma | ElementKind::Punctuation(_) => {}
         }
     }
 
@@ -336,8 +336,8 @@ fn cuts(elements: &[Element]) -> Vec<usize> {
     let (mut open, mut cuts) = (0_i64, vec![0]);
     for (i, e) in elements.iter().enumerate() {
         match &e.kind {
-            ElementKind::Sign(Sign::Open(_)) => open += 1,
-            ElementKind::Sign(Sign::Close(_)) => open -= 1,
+            ElementKind::Punctuation(Punctuation::Open(_)) => open += 1,
+            ElementKind::Punctuation(Punctuation::Close(_)) => open -= 1,
             _ => {}
         }
         let ends = match &e.kind {

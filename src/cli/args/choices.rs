@@ -74,9 +74,9 @@ pub enum Library {
 /// Stage that `--dump` prints.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dump {
-    /// The scene as the author describes it
+    /// The scene after its script has run, in the author's terms
     Scene,
-    /// The scene as rays need it
+    /// The lowered scene, as the renderer traces rays through it
     World,
 }
 

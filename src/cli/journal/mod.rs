@@ -14,7 +14,7 @@ use super::console::Console;
 use super::exit::{self, Failure};
 use crate::diagnostic::{Diagnostic, codes, file};
 use crate::render::{Region, Tile};
-use crate::source::{Disk, Exclusive, OpenError, Span, resolve, sync_folder_of};
+use crate::source::{Disk, Exclusive, OpenError, Span, follow_links, sync_folder_of};
 use identity::{Begun, Work};
 use record::{HEAD, Key, damaged, unreadable};
 use std::collections::HashMap;
@@ -30,7 +30,7 @@ use std::time::{Duration, Instant};
 /// If another process renders the picture, or the journal is not a plain file (E0004).
 pub fn lock(picture: &Path) -> exit::Result<Journal> {
     // A picture and a link to the picture are one output.
-    let path = path_beside(&resolve(picture).unwrap_or_else(|_| picture.to_path_buf()));
+    let path = path_beside(&follow_links(picture).unwrap_or_else(|_| picture.to_path_buf()));
     match Exclusive::open(&path) {
         Ok(file) => Ok(Journal::new(file)),
         Err(error) => Err(unlockable(picture, &path, error)),
@@ -39,7 +39,7 @@ pub fn lock(picture: &Path) -> exit::Result<Journal> {
 
 /// Deletes the journal of a finished frame, which a run that was killed just after the frame has left.
 pub fn remove_of_finished(picture: &Path) {
-    let path = path_beside(&resolve(picture).unwrap_or_else(|_| picture.to_path_buf()));
+    let path = path_beside(&follow_links(picture).unwrap_or_else(|_| picture.to_path_buf()));
     if path.is_file()
         && let Ok(file) = Exclusive::open(&path)
     {

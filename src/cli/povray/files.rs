@@ -122,8 +122,8 @@ fn has_with_ending(path: &Path) -> bool {
     path.extension().is_none() && path.with_extension("pov").is_file()
 }
 
-/// Replaces `scene` by `scene.pov` if only that file exists, as POV-Ray does.
-pub fn with_ending(input: String) -> String {
+/// Returns `input.pov` if `input` does not exist and `input.pov` is a file; else `input`, as POV-Ray does.
+pub fn find_scene_file(input: String) -> String {
     let path = Path::new(&input);
     if !path.exists() && has_with_ending(path) { format!("{input}.pov") } else { input }
 }

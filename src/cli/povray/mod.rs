@@ -23,7 +23,7 @@ use crate::diagnostic::{Diagnostic, codes, nearest};
 use crate::source::{Sources, Span};
 use created_ini::NamedSettings;
 pub use files::is_ini;
-use files::{Files, with_ending};
+use files::{Files, find_scene_file};
 pub use mixed::first_word;
 use own::DurerOption;
 use settings::Settings;
@@ -214,7 +214,7 @@ impl<'s> Translation<'s> {
             self.ini(text, origin);
             Ok(())
         } else if origin.word.is_none() {
-            self.scenes.push(with_ending(self.files.scene(text)).into());
+            self.scenes.push(find_scene_file(self.files.scene(text)).into());
             Ok(())
         } else {
             self.set_input(text, origin)
@@ -234,7 +234,7 @@ impl<'s> Translation<'s> {
     /// Sets the scene to render, unless a later word names another one.
     fn set_input(&mut self, name: &str, origin: Origin) -> Result<(), Diagnostic> {
         let scene = self.files.scene(name);
-        self.files.check_named(Path::new(&with_ending(scene.clone())), origin.value).map_err(|fault| *fault)?;
+        self.files.check_named(Path::new(&find_scene_file(scene.clone())), origin.value).map_err(|fault| *fault)?;
         let is_as_named = scene == name && !self.files.is_untrusted();
         self.settings.scene_folder = Path::new(name).parent().filter(|_| is_as_named).unwrap_or(Path::new("")).into();
         self.settings.input = Some(scene);
@@ -346,7 +346,7 @@ impl<'s> Translation<'s> {
         let mut words = vec![program, command.into()];
         words.extend(options);
         let animation = self.settings.animation();
-        let input = self.settings.input.map(|input| with_ending(input).into());
+        let input = self.settings.input.map(|input| find_scene_file(input).into());
         let skipped = if self.any_switch { self.scenes.len().saturating_sub(1) } else { 0 };
         let scenes: Vec<_> = match self.scenes.is_empty() {
             true => input.into_iter().collect(),

@@ -315,11 +315,11 @@ impl<'a> Gatherer<'a> {
             ElementKind::Function(function) => self.function(function, e.span),
             ElementKind::Directive(directive) => self.directive(directive, e.span),
             ElementKind::Semicolon | ElementKind::Comma => ItemKind::Separator,
-            ElementKind::Sign(Sign::Open(_) | Sign::Close(_)) => {
+            ElementKind::Punctuation(Punctuation::Open(_) | Punctuation::Close(_)) => {
                 self.pending |= UNMATCHED;
                 ItemKind::Sign
             }
-            ElementKind::Sign(_) => ItemKind::Sign,
+            ElementKind::Punctuation(_) => ItemKind::Sign,
         }
     }
 

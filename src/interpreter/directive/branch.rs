@@ -72,7 +72,7 @@ impl<'a> Interpreter<'a> {
     /// Reads a condition whose `)` comes from a macro. The parser then leaves the `(` as the body's first element; the
     /// stream continues with the rest of the body.
     fn read_head_in_body(&mut self, body: &'a [Element], span: Span) -> Result<f64> {
-        if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(Bracket::Paren)))) {
+        if !matches!(body.first().map(|e| &e.kind), Some(ElementKind::Punctuation(Punctuation::Open(Bracket::Paren)))) {
             return Err(self.syntax_error_at(span).into());
         }
         let checkpoint = self.stream.checkpoint();
@@ -187,7 +187,7 @@ impl<'a> Interpreter<'a> {
     /// Reads the contents `I, 0, 10, 2` of the parentheses after `#for`. The commas are optional.
     fn read_for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
         // Without the comma after the name, `J -1, 1` and `J (0), 1` parse as expressions.
-        if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
+        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
         {
             self.stream.split_next();
         }
@@ -254,7 +254,7 @@ impl<'a> Interpreter<'a> {
 /// Returns the span of the second sign of `==`, `&&` or `||`, a habit from other languages.
 fn doubled_operator(elements: &[Element]) -> Option<Span> {
     let sign = |e: &Element| match e.kind {
-        ElementKind::Sign(Sign::Operator(op)) => Some(op),
+        ElementKind::Punctuation(Punctuation::Operator(op)) => Some(op),
         _ => None,
     };
     let doubled = |pair: &&[Element]| sign(&pair[0]).is_some_and(|op| sign(&pair[1]) == Some(op) && !op.adds());

@@ -14,6 +14,8 @@ use std::rc::Rc;
 /// Target of a `#declare` or `#local` directive.
 struct Declared {
     symbol: Symbol,
+    /// Level that the prefix `local.` or `global.` (3.8) names; `None` without a prefix.
+    level: Option<u32>,
     /// Location of the array element that is declared; `None` if the name itself is.
     lvalue: Option<LValue>,
 }
@@ -83,14 +85,14 @@ impl<'a> Interpreter<'a> {
     fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         self.pop_spent();
         let deprecated = self.read_deprecated()?;
-        if let Some(ElementKind::Expr(_) | ElementKind::Sign(Sign::Open(Bracket::Paren))) =
-            self.stream.next_element().map(|e| &e.kind)
+        if let Some(ElementKind::Expr(_) | ElementKind::Punctuation(Punctuation::Open(Bracket::Paren))) =
+            self.stream.next_raw_element().map(|e| &e.kind)
             && let Token::Open(Bracket::Paren, _) = self.peek_parenthesis()?
         {
             self.open()?;
             let mut targets = vec![];
-            while !matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Sign(_)) | None) {
-                if self.stream.next_element().is_some_and(|e| matches!(e.kind, ElementKind::Comma)) {
+            while !matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Punctuation(_)) | None) {
+                if self.stream.next_raw_element().is_some_and(|e| matches!(e.kind, ElementKind::Comma)) {
                     self.stream.advance();
                     continue;
                 }
@@ -104,7 +106,7 @@ impl<'a> Interpreter<'a> {
             }
             return Ok(());
         }
-        if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_element() {
+        if let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_raw_element() {
             self.stream.advance();
             self.expect_equal()?;
             return self.refuse_reserved_name(word.name, *span);
@@ -117,9 +119,9 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the next token if it is `(`, and [`Token::End`] otherwise.
     fn peek_parenthesis(&mut self) -> Result<Token<'a>> {
-        match self.stream.next_element().map(|e| &e.kind) {
+        match self.stream.next_raw_element().map(|e| &e.kind) {
             Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.stream.split_next(),
-            Some(ElementKind::Sign(_)) => {}
+            Some(ElementKind::Punctuation(_)) => {}
             _ => return Ok(Token::End),
         }
         self.peek()
@@ -127,7 +129,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reads `deprecated once "why"` if the next token begins it.
     fn read_deprecated(&mut self) -> Result<Deprecated<'a>> {
-        let word = |me: &Self, name: &str| matches!(me.stream.next_element().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
+        let word = |me: &Self, name: &str| matches!(me.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Word(w)) if w.name == name);
         if !word(self, "deprecated") {
             return Ok(None);
         }
@@ -136,7 +138,7 @@ impl<'a> Interpreter<'a> {
         if once {
             self.stream.advance();
         }
-        match self.stream.next_element().map(|e| &e.kind) {
+        match self.stream.next_raw_element().map(|e| &e.kind) {
             Some(ElementKind::Expr(e)) if let ExprKind::Text(why) = &e.kind => {
                 self.stream.advance();
                 Ok(Some((once, why)))
@@ -149,7 +151,7 @@ impl<'a> Interpreter<'a> {
     fn read_target(&mut self, directive: Span) -> Result<Declared> {
         self.pop_spent();
         // A `declare A = 3` without `#` was parsed as a comparison.
-        if matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
+        if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
             self.stream.split_next();
         }
         let Some((symbol, span)) = self.stream.take_name() else { return Err(self.missing_name_error(directive)) };
@@ -158,27 +160,48 @@ impl<'a> Interpreter<'a> {
             self.expect_equal()?;
             self.refuse_reserved_name(word, span)?;
         }
+        if let Some(level) = self.evaluator.level_of_prefix(symbol)
+            && let Some(ElementKind::Punctuation(Punctuation::Dot)) = self.stream.next_raw_element().map(|e| &e.kind)
+        {
+            return self.read_prefixed_target(level, directive);
+        }
         let indices = self.indices_of(symbol)?;
         let lvalue = match indices.is_empty() {
             true => None,
             false => Some(self.lvalue_at(symbol, span, &indices, true)?),
         };
-        Ok(Declared { symbol, lvalue })
+        Ok(Declared { symbol, level: None, lvalue })
+    }
+
+    /// Reads the `.A` or `.A[i]` of a target `local.A` or `global.A[i]` (3.8). The prefix decides where the name is
+    /// bound, whether `#declare` or `#local` is written.
+    fn read_prefixed_target(&mut self, level: u32, directive: Span) -> Result<Declared> {
+        self.stream.advance();
+        let Some((symbol, span)) = self.stream.take_name() else { return Err(self.missing_name_error(directive)) };
+        let indices = self.indices_of(symbol)?;
+        let lvalue = match indices.is_empty() {
+            true => None,
+            false => {
+                let array = self.evaluator.scopes().resolve_at(symbol, level);
+                Some(self.lvalue_in(array, span, &indices, true)?)
+            }
+        };
+        Ok(Declared { symbol, level: Some(level), lvalue })
     }
 
     fn missing_name_error(&self, directive: Span) -> crate::diagnostic::Fault {
-        let at = self.stream.next_element().map_or(directive.end(), |e| e.span);
+        let at = self.stream.next_raw_element().map_or(directive.end(), |e| e.span);
         self.syntax_error_at(at).into()
     }
 
     fn expect_equal(&mut self) -> Result<()> {
-        match self.stream.next_element().map(|e| &e.kind) {
-            Some(ElementKind::Sign(Sign::Operator(Operator::Equal))) => {
+        match self.stream.next_raw_element().map(|e| &e.kind) {
+            Some(ElementKind::Punctuation(Punctuation::Operator(Operator::Equal))) => {
                 self.stream.advance();
                 Ok(())
             }
             _ => {
-                let at = self.stream.next_element().map_or(Span::NONE, |e| e.span);
+                let at = self.stream.next_raw_element().map_or(Span::NONE, |e| e.span);
                 Err(if at == Span::NONE {
                     self.unexpected_token("`=`").into()
                 } else {
@@ -192,9 +215,9 @@ impl<'a> Interpreter<'a> {
         let first = self.reporter.position();
         let checkpoint = self.stream.checkpoint();
         let floor = checkpoint.frame_count();
-        let read = |me: &mut Self| me.read_rvalue().and_then(|slot| me.finish_macros(floor).map(|()| slot));
+        let read = |me: &mut Self| me.read_rvalue().and_then(|slot| me.run_rest_of_macros(floor).map(|()| slot));
         let value = self.in_mode(|mode| mode.frame_floor = floor, read);
-        if value.is_ok() && self.stream.next_element().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
+        if value.is_ok() && self.stream.next_raw_element().is_some_and(|e| matches!(e.kind, ElementKind::Semicolon)) {
             self.stream.advance();
         }
         let slot = match value {
@@ -235,7 +258,7 @@ impl<'a> Interpreter<'a> {
             true => None,
             false => Some(self.target_lvalue(target.symbol, target.span, &target.indices)?),
         };
-        Ok(Declared { symbol: target.symbol, lvalue })
+        Ok(Declared { symbol: target.symbol, level: None, lvalue })
     }
 
     /// Assigns a value to the target of a declaration; `pending` are warnings that are reported at the first use.
@@ -244,6 +267,9 @@ impl<'a> Interpreter<'a> {
             Some(lvalue) => {
                 self.evaluator.scopes_mut().set_element(lvalue, Some(slot));
                 pending.into_iter().for_each(|d| self.reporter.report(d));
+            }
+            None if let Some(level) = declared.level => {
+                self.evaluator.scopes_mut().set_at_level(declared.symbol, level, slot, pending);
             }
             None if local => self.evaluator.scopes_mut().set_local(declared.symbol, slot, pending),
             None => self.evaluator.scopes_mut().set_global(declared.symbol, slot, pending),
@@ -274,16 +300,16 @@ impl<'a> Interpreter<'a> {
         self.pop_spent();
         // The name is removed before anything after it runs, and a macro's name is not called.
         let next = self.stream.innermost().and_then(StackFrame::following).map(|e| &e.kind);
-        if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Sign(_)))
+        if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Punctuation(_)))
             && let Some((symbol, _)) = self.stream.take_name()
         {
             self.evaluator.scopes_mut().remove(symbol);
             return Ok(());
         }
-        if self.stream.next_element().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
+        if self.stream.next_raw_element().is_none_or(|e| !matches!(e.kind, ElementKind::Expr(_))) {
             return Err(self.missing_name_error(span));
         }
-        if let Some(ElementKind::Expr(e)) = self.stream.next_element().map(|e| &e.kind)
+        if let Some(ElementKind::Expr(e)) = self.stream.next_raw_element().map(|e| &e.kind)
             && matches!(e.kind, ExprKind::Index(..) | ExprKind::Dot(..))
             && !self.is_declared(e)?
         {

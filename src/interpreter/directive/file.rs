@@ -79,10 +79,10 @@ impl<'a> Interpreter<'a> {
     /// Reads the word after the file's name in an `#fopen`; empty if no word follows. A directive after the word runs
     /// only after the file is open.
     fn read_access_word(&mut self) -> &'static str {
-        while let Some(ElementKind::Comma) = self.stream.next_element().map(|e| &e.kind) {
+        while let Some(ElementKind::Comma) = self.stream.next_raw_element().map(|e| &e.kind) {
             self.stream.advance();
         }
-        let word = match self.stream.next_element().map(|e| &e.kind) {
+        let word = match self.stream.next_raw_element().map(|e| &e.kind) {
             Some(ElementKind::Word(word)) => word.name,
             Some(ElementKind::Expr(e)) if let ExprKind::Name(symbol) = e.kind => {
                 crate::syntax::word::lookup(self.inputs.names.text(symbol)).map_or("", |(word, _)| word)

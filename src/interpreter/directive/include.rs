@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Result, Severity, codes, file, nearest};
 use crate::interpreter::Interpreter;
 use crate::interpreter::reporter::{MAX_INCLUDES, hints};
-use crate::interpreter::token_expr::joined_span;
+use crate::interpreter::token_expr::joined_span_if_near;
 use crate::library;
 use crate::source::{FileId, Found, Span, read_text};
 use crate::syntax::ast::Ast;
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 impl<'a> Interpreter<'a> {
     pub fn run_include(&mut self, span: Span) -> Result<()> {
         let (text, name) = self.read_text_value()?;
-        self.include(&text, name, joined_span(span, name))
+        self.include(&text, name, joined_span_if_near(span, name))
     }
 
     /// Includes the file `text`: its tokens come next. `name` is the span of the file's name, `span` of the directive.

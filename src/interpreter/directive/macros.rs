@@ -6,7 +6,7 @@ use crate::interpreter::argument::ArgumentForm;
 use crate::interpreter::evaluator::{LValue, Slot};
 use crate::interpreter::reporter::MAX_CALLS;
 use crate::interpreter::stream::Token;
-use crate::interpreter::token_expr::joined_span;
+use crate::interpreter::token_expr::joined_span_if_near;
 use crate::source::Span;
 use crate::syntax::ast::*;
 use crate::value::Value;
@@ -61,7 +61,7 @@ impl<'a> Interpreter<'a> {
             }
         };
         let comma = self.stream.take_comma();
-        self.enter_macro(definition, slots, joined_span(span, end), comma);
+        self.enter_macro(definition, slots, joined_span_if_near(span, end), comma);
         Ok(())
     }
 
@@ -152,7 +152,7 @@ impl<'a> Interpreter<'a> {
         if let Some(d) = self.uncallable_value_error() {
             return d.into();
         }
-        if matches!(next, Token::Sign(_)) && !next.ends() {
+        if matches!(next, Token::Punctuation(_)) && !next.ends() {
             return Err(self.unexpected_token("`)`").into());
         }
         if !next.ends() {

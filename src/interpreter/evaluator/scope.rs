@@ -287,6 +287,34 @@ impl<'a> Scopes<'a> {
         }
     }
 
+    /// Binds a name at `level`, as `#declare global.A` and `#declare local.A` (3.8) do.
+    pub fn set_at_level(&mut self, symbol: Symbol, level: u32, slot: Slot<'a>, pending: Vec<Diagnostic>) {
+        if level == self.level() {
+            return self.set_local(symbol, slot, pending);
+        }
+        let stack = self.stack(symbol);
+        match stack.iter().position(|binding| binding.level >= level) {
+            Some(depth) if stack[depth].level == level => self.rebind(symbol, depth, slot, pending),
+            Some(depth) => {
+                stack.insert(depth, Binding { level, slot, pending: non_empty(pending) });
+                self.shift_aliases(symbol, depth);
+            }
+            None => self.push(symbol, level, slot, pending),
+        }
+    }
+
+    /// Corrects the aliases of a symbol's bindings after another binding was inserted at `depth`.
+    fn shift_aliases(&mut self, symbol: Symbol, depth: usize) {
+        for binding in self.bindings.iter_mut().flatten() {
+            if let Slot::Alias(lvalue) = &mut binding.slot
+                && lvalue.symbol == symbol
+                && lvalue.depth >= depth
+            {
+                lvalue.depth += 1;
+            }
+        }
+    }
+
     fn replace(&mut self, lvalue: &LValue, slot: Slot<'a>, pending: Vec<Diagnostic>) {
         if lvalue.path.is_none() {
             self.rebind(lvalue.symbol, lvalue.depth, slot, pending);

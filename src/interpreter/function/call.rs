@@ -10,8 +10,11 @@ use crate::syntax::ast::*;
 use crate::value::{Reader, Value, VecN, downcast};
 
 impl<'a> Interpreter<'a> {
-    /// Calls a declared function or spline.
-    pub fn evaluate_call(&mut self, name: Symbol, arguments: &'a [Element], span: Span) -> Result<Value> {
+    /// Calls a declared function or spline. (A call of a built-in function is another kind of expression.)
+    ///
+    /// # Errors
+    /// If `name` is not declared, or declared as anything else.
+    pub fn call_declared(&mut self, name: Symbol, arguments: &'a [Element], span: Span) -> Result<Value> {
         if let Some(spline) = self.evaluator.thing_of::<Spline>(name) {
             return self.call_spline(&spline, arguments, span);
         }
@@ -27,7 +30,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Calls a function or spline that is an array's element.
-    pub fn evaluate_call_of(&mut self, thing: &Value, arguments: &'a [Element], span: Span) -> Result<Value> {
+    pub fn call_element(&mut self, thing: &Value, arguments: &'a [Element], span: Span) -> Result<Value> {
         if let Value::Thing(thing) = thing {
             if let Some(spline) = downcast::<Spline>(thing) {
                 return self.call_spline(&spline, arguments, span);

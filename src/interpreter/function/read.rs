@@ -6,7 +6,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::evaluator::as_float;
 use crate::interpreter::stream::Token;
-use crate::interpreter::token_expr::joined_span;
+use crate::interpreter::token_expr::joined_span_if_near;
 use crate::source::Span;
 use crate::syntax::ast::{Bracket, Expr, ExprKind, Symbol};
 use crate::value::{SizedFunction, Thing};
@@ -88,7 +88,7 @@ impl<'a> Interpreter<'a> {
             };
         };
         let size = [self.picture_side(width, at)?, self.picture_side(height, end)?];
-        self.reporter.check_picture(size, joined_span(at, end))?;
+        self.reporter.check_picture(size, joined_span_if_near(at, end))?;
         Ok(Some(size))
     }
 
@@ -134,7 +134,7 @@ impl<'a> Interpreter<'a> {
                 self.stream.advance();
                 self.expect_paren("internal")?;
                 let (value, at) = self.read_value()?;
-                span = joined_span(span, self.stream.next_span());
+                span = joined_span_if_near(span, self.stream.next_span());
                 self.close("`)`")?;
                 as_float(&value, at)?
             }

@@ -8,9 +8,9 @@ use crate::interpreter::evaluator::Slot;
 use crate::interpreter::evaluator::as_float;
 use crate::interpreter::evaluator::is_callable;
 use crate::interpreter::stream::Token;
-use crate::interpreter::token_expr::{Operands, expect_colon, joined_span, read_signs};
+use crate::interpreter::token_expr::{Operands, expect_colon, joined_span_if_near, read_signs};
 use crate::source::Span;
-use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Sign};
+use crate::syntax::ast::{Bracket, Expr, ExprKind, Name, Operator, Punctuation};
 use crate::value::Value;
 
 /// Operands and operators of a user-defined function, which are compiled while they are read.
@@ -24,7 +24,7 @@ impl<'a> Operands<'a> for Compiled<'_> {
         let (mut id, mut span) = me.compile_primary(self.0)?;
         for (prefix, at) in signs {
             id = self.0.prefixed(prefix, id);
-            span = joined_span(at, span);
+            span = joined_span_if_near(at, span);
         }
         Ok((id, span))
     }
@@ -84,7 +84,7 @@ impl<'a> Interpreter<'a> {
                     let (id, _) = self.climb(&mut Compiled(c), true)?;
                     let end = self.stream.next_span();
                     self.close("`)`")?;
-                    Ok((id, joined_span(span, end)))
+                    Ok((id, joined_span_if_near(span, end)))
                 }
                 Token::Element(_) => {
                     let slot = self.take_element()?;
@@ -100,7 +100,7 @@ impl<'a> Interpreter<'a> {
                     let id = self.compile_builtin_by_tokens(c, word, span)?;
                     let end = self.stream.next_span();
                     self.close("`)`")?;
-                    Ok((id, joined_span(span, end)))
+                    Ok((id, joined_span_if_near(span, end)))
                 }
                 _ => Err(self.unexpected_token("a number, a parameter or a function").into()),
             };
@@ -114,13 +114,13 @@ impl<'a> Interpreter<'a> {
         while !self.peek()?.ends() {
             ids.push(self.climb(&mut Compiled(c), true)?.0);
         }
-        let mut whole = joined_span(span, self.stream.next_span());
+        let mut whole = joined_span_if_near(span, self.stream.next_span());
         self.close("`)`")?;
         let mut component: Option<Name> = None;
-        if matches!(self.peek_after()?, Some(Token::Sign(Sign::Dot))) {
+        if matches!(self.peek_after()?, Some(Token::Punctuation(Punctuation::Dot))) {
             self.stream.advance();
             let name = self.component_name()?;
-            whole = joined_span(whole, name.span);
+            whole = joined_span_if_near(whole, name.span);
             component = Some(name);
         }
         Ok((self.compile_call_of(c, callee, ids, component.as_ref(), whole)?, whole))

@@ -33,7 +33,7 @@ impl<'a> Interpreter<'a> {
         };
         let comma = self.stream.comma_follows_element();
         // A parsed group ends with the bracket that a message may speak of.
-        let whole = self.stream.next_element().map_or(span, |element| element.span);
+        let whole = self.stream.next_raw_element().map_or(span, |element| element.span);
         self.stream.advance();
         let mode = self.stream.stop_deferring();
         let own_words = word.map_or(&[][..], crate::syntax::word::contextual);
@@ -48,7 +48,7 @@ impl<'a> Interpreter<'a> {
             None if matches!(token, Token::Block(_)) => match self.peek()? {
                 Token::Open(Bracket::Brace, body) => {
                     let (at, comma) = (self.stream.next_span(), self.stream.comma_follows_element());
-                    let whole = self.stream.next_element().map_or(at, |element| element.span);
+                    let whole = self.stream.next_raw_element().map_or(at, |element| element.span);
                     self.stream.advance();
                     opened.frame_count = self.stream.frames().len();
                     match body {
@@ -70,7 +70,7 @@ impl<'a> Interpreter<'a> {
         let Some(opened) = self.stream.bracket() else { return Err(self.unexpected_token(expected).into()) };
         if !token.closes(opened.bracket) {
             return Err(match token {
-                Token::Sign(Sign::Close(_)) | Token::End => self.unclosed_error().into(),
+                Token::Punctuation(Punctuation::Close(_)) | Token::End => self.unclosed_error().into(),
                 _ => self.unexpected_token(expected).into(),
             });
         }

@@ -56,8 +56,8 @@ impl<'a> Interpreter<'a> {
         match &next.kind {
             ElementKind::Semicolon | ElementKind::Comma | ElementKind::Word(_) | ElementKind::Block(_) => true,
             ElementKind::Group(_) | ElementKind::Entry(_) | ElementKind::Function(_) => true,
-            ElementKind::Sign(Sign::Operator(Operator::Greater)) => !compares,
-            ElementKind::Sign(sign) => matches!(sign, Sign::Close(_)),
+            ElementKind::Punctuation(Punctuation::Operator(Operator::Greater)) => !compares,
+            ElementKind::Punctuation(mark) => matches!(mark, Punctuation::Close(_)),
             ElementKind::Directive(_) => self.stream.mode().defers,
             ElementKind::Numbers(list) => list.width(0) > 1 || !list.data[0].is_sign_negative(),
             ElementKind::Expr(e) if self.evaluator.is_macro_call(e) => self.stream.mode().defers,

@@ -67,7 +67,10 @@ impl Interpreter<'_> {
     }
 
     /// Runs the rest of the macros above the first `floor` frames, after they returned the value of a declaration.
-    pub fn finish_macros(&mut self, floor: usize) -> Result<()> {
+    ///
+    /// # Errors
+    /// If a macro gives a second value.
+    pub fn run_rest_of_macros(&mut self, floor: usize) -> Result<()> {
         let in_macro = |f: &StackFrame| matches!(f.kind(), FrameKind::Macro(_));
         self.stream.clear_look_ahead();
         while self.stream.frames().iter().skip(floor).any(in_macro) {

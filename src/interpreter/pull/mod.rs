@@ -49,7 +49,8 @@ impl<'a> Interpreter<'a> {
             }
             let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
             let Some(element) = frame.next() else {
-                let token = frame.closer().map_or(Token::End, |bracket| Token::Sign(Sign::Close(bracket)));
+                let token =
+                    frame.closer().map_or(Token::End, |bracket| Token::Punctuation(Punctuation::Close(bracket)));
                 return Ok(self.stream.set_look_ahead(token));
             };
             let token = match &element.kind {
@@ -67,8 +68,8 @@ impl<'a> Interpreter<'a> {
                 ElementKind::Entry(group) => Token::Open(Bracket::Square, Some(&group.body)),
                 ElementKind::Group(group) => Token::Open(Bracket::Brace, Some(&group.body)),
                 ElementKind::Function(function) => Token::Function(Some(function)),
-                ElementKind::Sign(Sign::Open(bracket)) => Token::Open(*bracket, None),
-                ElementKind::Sign(sign) => Token::Sign(*sign),
+                ElementKind::Punctuation(Punctuation::Open(bracket)) => Token::Open(*bracket, None),
+                ElementKind::Punctuation(mark) => Token::Punctuation(*mark),
                 ElementKind::Directive(_) | ElementKind::Semicolon | ElementKind::Comma => continue,
             };
             // An array's element whose index was read token by token has been pushed back.
@@ -142,7 +143,7 @@ impl<'a> Interpreter<'a> {
 /// False for elements that are tokens in any case, which are most.
 fn may_run_or_drop(element: &Element) -> bool {
     match &element.kind {
-        ElementKind::Numbers(_) | ElementKind::Word(_) | ElementKind::Block(_) | ElementKind::Sign(_) => false,
+        ElementKind::Numbers(_) | ElementKind::Word(_) | ElementKind::Block(_) | ElementKind::Punctuation(_) => false,
         ElementKind::Expr(e) => e.calls || matches!(e.kind, ExprKind::Name(_)),
         _ => true,
     }

@@ -47,17 +47,19 @@ impl<'a> Interpreter<'a> {
         let Some(frame) = self.stream.innermost() else { return Ok(None) };
         let next = frame.following().filter(|_| !element.comma);
         let is_indexed = match next.map(|e| &e.kind) {
-            Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace))) => {
+            Some(ElementKind::Group(_) | ElementKind::Punctuation(Punctuation::Open(Bracket::Brace))) => {
                 return Ok(Some(Token::Block(BlockName { word: None, span: expr.span, body: None })));
             }
-            Some(ElementKind::Sign(Sign::Open(Bracket::Square))) => match self.evaluator.scopes().get(symbol) {
-                Some(Slot::Array(_)) => true,
-                // The fault is that this value has no elements.
-                Some(Slot::Value(value)) => !matches!(value, Value::Thing(_)),
-                _ => false,
-            },
+            Some(ElementKind::Punctuation(Punctuation::Open(Bracket::Square))) => {
+                match self.evaluator.scopes().get(symbol) {
+                    Some(Slot::Array(_)) => true,
+                    // The fault is that this value has no elements.
+                    Some(Slot::Value(value)) => !matches!(value, Value::Thing(_)),
+                    _ => false,
+                }
+            }
             Some(ElementKind::Entry(_)) => self.evaluator.is_array(symbol),
-            Some(ElementKind::Sign(Sign::Dot)) => {
+            Some(ElementKind::Punctuation(Punctuation::Dot)) => {
                 self.evaluator.is_array(symbol) || self.evaluator.level_of_prefix(symbol).is_some()
             }
             None if !element.comma => self.evaluator.is_array(symbol),
@@ -81,10 +83,10 @@ impl<'a> Interpreter<'a> {
         let callee = callee.then_some(Token::Callee(word));
         let is_open = match next {
             _ if element.comma || word == "function" => false,
-            Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace))) => {
+            Some(ElementKind::Group(_) | ElementKind::Punctuation(Punctuation::Open(Bracket::Brace))) => {
                 return Ok(self.stream.set_look_ahead(block));
             }
-            Some(ElementKind::Sign(Sign::Open(Bracket::Paren))) if let Some(callee) = callee => {
+            Some(ElementKind::Punctuation(Punctuation::Open(Bracket::Paren))) if let Some(callee) = callee => {
                 return Ok(self.stream.set_look_ahead(callee));
             }
             Some(ElementKind::Directive(_)) => true,

@@ -60,12 +60,12 @@ impl Interpreter<'_> {
             Ok(Token::Function(_)) => "a function".to_string(),
             Ok(Token::Open(Bracket::Paren, _)) => return self.unexpected_parenthesis(span, expected),
             Ok(Token::Open(bracket, _)) => format!("`{}`", bracket.text()[0]),
-            Ok(Token::Sign(Sign::Close(bracket))) => match self.stream.bracket() {
+            Ok(Token::Punctuation(Punctuation::Close(bracket))) => match self.stream.bracket() {
                 Some(opened) if opened.bracket != bracket => return self.unclosed_error(),
                 Some(OpenBracket { word: Some(block), .. }) => format!("the end of `{block} {{…}}`"),
                 _ => format!("`{}`", bracket.text()[1]),
             },
-            Ok(Token::Sign(_)) => return self.syntax_error_at(span),
+            Ok(Token::Punctuation(_)) => return self.syntax_error_at(span),
             Ok(Token::End) if self.stream.bracket().is_some() => return self.unclosed_error(),
             Ok(Token::End) => "the end".to_string(),
         };
@@ -118,11 +118,11 @@ impl Interpreter<'_> {
         let place = opened.alone.unwrap_or(opened.span);
         let found = self.inputs.sources.snippet(here);
         match (token, opened.bracket) {
-            (Ok(Token::Sign(Sign::Close(_))), Bracket::Brace) => {
+            (Ok(Token::Punctuation(Punctuation::Close(_))), Bracket::Brace) => {
                 let d = Diagnostic::new(codes::UNMATCHED_CLOSER, here, format!("`{found}` closes nothing"));
                 d.also(place, "this is open, and closes with `}`").help("remove it, or look for its opener above")
             }
-            (Ok(Token::Sign(Sign::Close(_))), _) => {
+            (Ok(Token::Punctuation(Punctuation::Close(_))), _) => {
                 let message = format!("this `{open}` is not closed: found `{found}` where `{close}` was expected");
                 let d = Diagnostic::new(codes::UNCLOSED, place, message).label("opened here");
                 d.also(here, format!("`{found}` found here"))
@@ -144,7 +144,11 @@ impl Interpreter<'_> {
         let here = self.stream.next_span();
         let found = match self.peek() {
             Err(fault) => return *fault,
-            Ok(Token::Sign(Sign::Close(Bracket::Paren | Bracket::Square)) | Token::Word(_) | Token::Block(_)) => {
+            Ok(
+                Token::Punctuation(Punctuation::Close(Bracket::Paren | Bracket::Square))
+                | Token::Word(_)
+                | Token::Block(_),
+            ) => {
                 let found = self.inputs.sources.snippet(here);
                 let message = format!("this `<` is not closed: found `{found}` where `>` was expected");
                 let d =
@@ -186,7 +190,7 @@ impl Interpreter<'_> {
             }
             Ok(Token::Word(word)) => word.to_string(),
             Ok(Token::Block(name)) => self.inputs.sources.snippet(name.span).to_string(),
-            Ok(Token::Sign(_)) => return self.unexpected_token(block),
+            Ok(Token::Punctuation(_)) => return self.unexpected_token(block),
             Ok(Token::Expr(Expr { kind: ExprKind::Name(symbol), .. })) if self.evaluator.is_unknown(*symbol) => {
                 return self.unknown_name_error(*symbol, span, block, takes);
             }

@@ -83,8 +83,8 @@ impl Reader for Interpreter<'_> {
             Token::Open(Bracket::Brace, _) => Next::Group,
             // The reader of the value reports what is wrong with it.
             Token::Open(Bracket::Paren, _) => Next::Value,
-            Token::Sign(Sign::Close(_)) | Token::End => Next::End,
-            Token::Sign(_) => Next::Value,
+            Token::Punctuation(Punctuation::Close(_)) | Token::End => Next::End,
+            Token::Punctuation(_) => Next::Value,
         })
     }
 
@@ -187,7 +187,7 @@ impl Reader for Interpreter<'_> {
                 self.stream.advance();
                 self.evaluate_numbers(parts)?
             }
-            Token::Sign(Sign::Operator(Operator::Less)) => self.read_vector_numbers()?.0,
+            Token::Punctuation(Punctuation::Operator(Operator::Less)) => self.read_vector_numbers()?.0,
             _ => {
                 let (value, span) = self.read_value()?;
                 match value {
@@ -229,7 +229,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn read_colon(&mut self) -> Result<()> {
-        if !matches!(self.peek()?, Token::Sign(Sign::Colon)) {
+        if !matches!(self.peek()?, Token::Punctuation(Punctuation::Colon)) {
             return Err(self.unexpected_token("`:`").into());
         }
         self.stream.advance();
@@ -263,7 +263,7 @@ impl Reader for Interpreter<'_> {
                 matches!(slot, Some(Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_))))
             }
             Token::Expr(_) | Token::Numbers(_) | Token::Callee(_) | Token::Open(Bracket::Paren, _) => true,
-            Token::Sign(sign) => matches!(sign, Sign::Not | Sign::Operator(_)),
+            Token::Punctuation(mark) => matches!(mark, Punctuation::Not | Punctuation::Operator(_)),
             _ => false,
         })
     }

@@ -6,7 +6,7 @@ use super::super::evaluator::vector_value;
 use super::super::stream::Token;
 use super::color::{begins_color, is_component};
 use crate::diagnostic::Result;
-use crate::syntax::ast::{Bracket, Expr, ExprKind, Operator, Sign};
+use crate::syntax::ast::{Bracket, Expr, ExprKind, Operator, Punctuation};
 use crate::value::{Next, Reader, Unsupported, unsupported_warning};
 
 impl Interpreter<'_> {
@@ -89,7 +89,7 @@ impl Interpreter<'_> {
                 let data = self.evaluate_numbers(parts)?;
                 Unsupported::push_numbers(row, &data);
             }
-            Token::Sign(Sign::Operator(Operator::Less)) => {
+            Token::Punctuation(Punctuation::Operator(Operator::Less)) => {
                 let (data, span) = self.read_vector_numbers()?;
                 if self.value_ends()? {
                     Unsupported::push_numbers(row, &data);
@@ -104,7 +104,7 @@ impl Interpreter<'_> {
             | Token::Element(_)
             | Token::Function(_)
             | Token::Open(Bracket::Paren, _)
-            | Token::Sign(Sign::Not | Sign::Operator(_)) => {
+            | Token::Punctuation(Punctuation::Not | Punctuation::Operator(_)) => {
                 let value = match Reader::next(self)? {
                     Next::Thing(_) | Next::Function => self.read_rvalue()?,
                     _ => Slot::Value(self.read_value()?.0),
@@ -120,7 +120,7 @@ impl Interpreter<'_> {
                 self.stream.advance();
                 row.push(Unsupported::Word(word));
             }
-            Token::Sign(_) | Token::End => {
+            Token::Punctuation(_) | Token::End => {
                 return Err(self.unexpected_token("a word, a value or a block").into());
             }
         }

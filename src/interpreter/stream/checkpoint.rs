@@ -40,7 +40,7 @@ impl StackFrame<'_> {
                 ElementKind::Block(_)
                     | ElementKind::Function(_)
                     | ElementKind::Group(_)
-                    | ElementKind::Sign(Sign::Close(Bracket::Brace))
+                    | ElementKind::Punctuation(Punctuation::Close(Bracket::Brace))
             )
         );
         if ends {
@@ -61,7 +61,8 @@ impl StackFrame<'_> {
 
     /// Skips one element, or an opening bracket with the elements up to its partner.
     fn skip_one(&mut self) {
-        let opens = matches!(self.elements.get(self.at).map(|e| &e.kind), Some(ElementKind::Sign(Sign::Open(_))));
+        let opens =
+            matches!(self.elements.get(self.at).map(|e| &e.kind), Some(ElementKind::Punctuation(Punctuation::Open(_))));
         self.at += 1;
         if opens {
             self.skip_brackets(Unclosed { count: 1, braces: false });
@@ -72,8 +73,12 @@ impl StackFrame<'_> {
         while let Some(element) = self.elements.get(self.at) {
             self.at += 1;
             match element.kind {
-                ElementKind::Sign(Sign::Open(bracket)) if !braces || bracket == Bracket::Brace => count += 1,
-                ElementKind::Sign(Sign::Close(bracket)) if !braces || bracket == Bracket::Brace => count -= 1,
+                ElementKind::Punctuation(Punctuation::Open(bracket)) if !braces || bracket == Bracket::Brace => {
+                    count += 1
+                }
+                ElementKind::Punctuation(Punctuation::Close(bracket)) if !braces || bracket == Bracket::Brace => {
+                    count -= 1
+                }
                 _ => {}
             }
             if count == 0 {

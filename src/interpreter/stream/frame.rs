@@ -113,7 +113,7 @@ impl<'a> StackFrame<'a> {
     pub(super) fn opens_brace(&self, at: usize) -> bool {
         matches!(
             self.elements.get(at).map(|e| &e.kind),
-            Some(ElementKind::Group(_) | ElementKind::Sign(Sign::Open(Bracket::Brace)))
+            Some(ElementKind::Group(_) | ElementKind::Punctuation(Punctuation::Open(Bracket::Brace)))
         )
     }
 
@@ -125,7 +125,7 @@ impl<'a> StackFrame<'a> {
     /// True if a `(` is the frame's next token.
     pub fn is_at_parenthesis(&self) -> bool {
         match self.next().map(|e| &e.kind) {
-            Some(ElementKind::Sign(sign)) => *sign == Sign::Open(Bracket::Paren),
+            Some(ElementKind::Punctuation(mark)) => *mark == Punctuation::Open(Bracket::Paren),
             Some(ElementKind::Expr(e)) => matches!(e.kind, ExprKind::Paren(_)),
             _ => false,
         }

@@ -140,10 +140,10 @@ impl<'a> TokenStream<'a> {
         token
     }
 
-    /// Makes a token the next one, although its text has been consumed. `before` is true if a comma precedes the token;
+    /// Makes a token the next one, although its text has been consumed. `has_comma_before` is true if a comma precedes the token;
     /// the present comma follows it.
-    pub(super) fn push_back(&mut self, token: Token<'a>, span: Span, before: bool) -> Token<'a> {
-        let comma = std::mem::replace(&mut self.comma, before);
+    pub(super) fn push_back(&mut self, token: Token<'a>, span: Span, has_comma_before: bool) -> Token<'a> {
+        let comma = std::mem::replace(&mut self.comma, has_comma_before);
         self.pushed_back.push(PushedBack { token, span, comma });
         token
     }
@@ -161,15 +161,16 @@ impl<'a> TokenStream<'a> {
         self.element.take()
     }
 
-    /// Returns the element at the read position without running directives; `None` if a token was pushed back.
-    pub(super) fn next_element(&self) -> Option<&'a Element> {
+    /// Returns the innermost frame's element at the read position, without running directives; `None` at the end of the
+    /// frame, or if a token was pushed back.
+    pub(super) fn next_raw_element(&self) -> Option<&'a Element> {
         let has_pushed_back = !self.pushed_back.is_empty();
         self.frames.last().filter(|_| !has_pushed_back).and_then(StackFrame::next)
     }
 
     /// Consumes a name that comes next, even the name of a macro.
     pub(super) fn take_name(&mut self) -> Option<(Symbol, Span)> {
-        let element = self.next_element()?;
+        let element = self.next_raw_element()?;
         let ElementKind::Expr(e) = &element.kind else { return None };
         let ExprKind::Name(symbol) = e.kind else { return None };
         self.advance();
@@ -180,7 +181,7 @@ impl<'a> TokenStream<'a> {
     pub(super) fn take_closed_name(&mut self) -> Option<(Symbol, Span)> {
         let frame = self.frames.last()?;
         match frame.following().map(|e| &e.kind) {
-            Some(ElementKind::Sign(Sign::Close(_))) => {}
+            Some(ElementKind::Punctuation(Punctuation::Close(_))) => {}
             None if frame.closer.is_some() => {}
             _ => return None,
         }
@@ -189,7 +190,9 @@ impl<'a> TokenStream<'a> {
 
     /// Returns the span of a `;` that comes next.
     pub(super) fn at_semicolon(&self) -> Option<Span> {
-        self.next_element().filter(|element| matches!(element.kind, ElementKind::Semicolon)).map(|element| element.span)
+        self.next_raw_element()
+            .filter(|element| matches!(element.kind, ElementKind::Semicolon))
+            .map(|element| element.span)
     }
 
     /// Returns the expression that comes next, if a `;` follows the expression.

@@ -48,7 +48,7 @@ impl<'a> TokenStream<'a> {
 impl<'a> Inputs<'a> {
     /// Shrinks the spans of operators that were split from an expression to the operator signs.
     fn with_exact_signs(&self, mut parts: Vec<Element>) -> Vec<Element> {
-        for part in parts.iter_mut().filter(|part| matches!(part.kind, ElementKind::Sign(_))) {
+        for part in parts.iter_mut().filter(|part| matches!(part.kind, ElementKind::Punctuation(_))) {
             let text = self.sources.snippet(part.span);
             let lo = part.span.lo + (text.len() - text.trim_start().len()) as u32;
             part.span = Span { lo, hi: lo + text.trim().len() as u32 };
@@ -72,10 +72,10 @@ impl<'a> Inputs<'a> {
 fn item_ends(parts: &[Element], element: &Element) -> bool {
     let before = parts.iter().take_while(|e| !std::ptr::eq(*e, element));
     let depth = before.fold(0_i32, |depth, e| match e.kind {
-        ElementKind::Sign(Sign::Operator(Operator::Less)) => depth + 1,
-        ElementKind::Sign(Sign::Operator(Operator::Greater)) => depth - 1,
+        ElementKind::Punctuation(Punctuation::Operator(Operator::Less)) => depth + 1,
+        ElementKind::Punctuation(Punctuation::Operator(Operator::Greater)) => depth - 1,
         _ => depth,
     });
-    let closes = matches!(element.kind, ElementKind::Sign(Sign::Operator(Operator::Greater)));
+    let closes = matches!(element.kind, ElementKind::Punctuation(Punctuation::Operator(Operator::Greater)));
     depth == i32::from(closes)
 }

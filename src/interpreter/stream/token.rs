@@ -23,7 +23,7 @@ pub enum Token<'a> {
     /// Token that is an array's element with evaluated indices; [`super::TokenStream::element`] returns its location.
     Element(Span),
     /// Token that is a closing bracket or an operator.
-    Sign(Sign),
+    Punctuation(Punctuation),
     /// End of the scene text, after the last token.
     End,
 }
@@ -42,12 +42,12 @@ pub struct BlockName<'a> {
 impl Token<'_> {
     /// True for a closing bracket and for the end of the text.
     pub fn ends(self) -> bool {
-        matches!(self, Token::End | Token::Sign(Sign::Close(_)))
+        matches!(self, Token::End | Token::Punctuation(Punctuation::Close(_)))
     }
 
     /// True if the token is the closing bracket of this kind.
     pub fn closes(self, bracket: Bracket) -> bool {
-        matches!(self, Token::Sign(Sign::Close(found)) if found == bracket)
+        matches!(self, Token::Punctuation(Punctuation::Close(found)) if found == bracket)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Reads calls whose name and parentheses come as tokens.
 
-use super::joined_span;
+use super::joined_span_if_near;
 use crate::diagnostic::Result;
 use crate::interpreter::argument::Argument;
 use crate::interpreter::stream::Token;
@@ -18,7 +18,7 @@ impl<'a> Interpreter<'a> {
     pub fn call_follows(&mut self) -> Result<bool> {
         let declares = |e: &Directive| matches!(e, Directive::Declare(_) | Directive::DeclarePieces(_));
         let waits =
-            matches!(self.stream.next_element().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
+            matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Directive(d)) if declares(d));
         let next = self.in_mode(|mode| mode.defers = waits, Self::peek_after);
         if matches!(next?, Some(Token::Expr(e)) if begins_with_parenthesis(e)) {
             self.split_to_parenthesis()?;
@@ -41,7 +41,7 @@ impl<'a> Interpreter<'a> {
         }
         let end = self.stream.next_span();
         self.close("`)`")?;
-        let span = joined_span(span, end);
+        let span = joined_span_if_near(span, end);
         Ok((self.builtin_of(word, arguments, span)?, span))
     }
 
@@ -68,6 +68,6 @@ impl<'a> Interpreter<'a> {
         let value = self.read_arguments_and_call(callee, span)?;
         let end = self.stream.next_span();
         self.close("`)`")?;
-        Ok((value, joined_span(span, end)))
+        Ok((value, joined_span_if_near(span, end)))
     }
 }

@@ -70,12 +70,13 @@ impl<'a> Interpreter<'a> {
             }
             let (right, right_span) = self.climb_from(operands, compares, strength + 1)?;
             left = operands.combine(self, op, (left, span), (right, right_span))?;
-            span = joined_span(span, right_span);
+            span = joined_span_if_near(span, right_span);
         }
-        if least == LOOSEST && compares && matches!(self.peek_after()?, Some(Token::Sign(Sign::Question))) {
+        if least == LOOSEST && compares && matches!(self.peek_after()?, Some(Token::Punctuation(Punctuation::Question)))
+        {
             self.stream.advance();
             let (value, end) = operands.choose(self, (left, span))?;
-            return Ok((value, joined_span(span, end)));
+            return Ok((value, joined_span_if_near(span, end)));
         }
         Ok((left, span))
     }
@@ -88,7 +89,9 @@ impl<'a> Interpreter<'a> {
         }
         loop {
             return Ok(match self.peek_after()? {
-                Some(Token::Sign(Sign::Operator(op))) if compares || op.adds() || op.multiplies() => Some(op),
+                Some(Token::Punctuation(Punctuation::Operator(op))) if compares || op.adds() || op.multiplies() => {
+                    Some(op)
+                }
                 Some(Token::Expr(e)) if begins_with_sign(e) => {
                     self.stream.split_next();
                     continue;
@@ -151,18 +154,18 @@ impl<'a> Interpreter<'a> {
                 let slot = self.take_element()?;
                 Ok((self.slot_value(slot, span)?, span))
             }
-            Token::Sign(Sign::Operator(Operator::Less)) => self.read_vector(),
+            Token::Punctuation(Punctuation::Operator(Operator::Less)) => self.read_vector(),
             Token::Open(Bracket::Paren, _) => {
                 self.open()?;
                 let (value, _) = self.read_expression(true)?;
                 let next = self.peek()?;
-                if !next.ends() && !matches!(next, Token::Sign(_)) {
+                if !next.ends() && !matches!(next, Token::Punctuation(_)) {
                     let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
                     return d.help("vectors are written in angle brackets: `<1, 2, 3>`").into();
                 }
                 let end = self.stream.next_span();
                 self.close("`)`")?;
-                Ok((value, joined_span(span, end)))
+                Ok((value, joined_span_if_near(span, end)))
             }
             Token::Callee(word) => self.read_builtin_call(word, span),
             Token::Word(word) if super::reader::begins_color(word) => {
@@ -191,11 +194,11 @@ impl<'a> Interpreter<'a> {
     fn postfix(&mut self, (mut value, mut span): (Value, Span)) -> Result<(Value, Span)> {
         loop {
             match self.peek_after()? {
-                Some(Token::Sign(Sign::Dot)) => {
+                Some(Token::Punctuation(Punctuation::Dot)) => {
                     self.stream.advance();
                     let name = self.component_name()?;
                     value = component(&value, &name, span)?;
-                    span = joined_span(span, name.span);
+                    span = joined_span_if_near(span, name.span);
                 }
                 _ if is_callable(&value) && self.call_follows()? => {
                     (value, span) = self.read_call(&value, span)?;
@@ -209,7 +212,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn component_name(&mut self) -> Result<Name> {
         // A word is the name whatever follows, so that directives after it do not run yet.
         if self.stream.look_ahead().is_none()
-            && let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_element()
+            && let Some(Element { kind: ElementKind::Word(word), span, .. }) = self.stream.next_raw_element()
         {
             self.stream.advance();
             return Ok(Name { word: Some(word.name), span: *span });
@@ -241,15 +244,15 @@ impl<'a> Interpreter<'a> {
         let mut data = vec![];
         let end = self.in_mode(|mode| mode.defers = false, |me| me.read_vector_to_end(start, &mut data))?;
         self.stream.advance();
-        Ok((data, joined_span(start, end)))
+        Ok((data, joined_span_if_near(start, end)))
     }
 
     /// Reads the components of the vector whose `<` is at `start`, up to its `>`; returns the span of the `>`.
     fn read_vector_to_end(&mut self, start: Span, data: &mut Vec<f64>) -> Result<Span> {
         loop {
             match self.peek()? {
-                Token::Sign(Sign::Operator(Operator::Greater)) => return Ok(self.stream.next_span()),
-                token if token.ends() || matches!(token, Token::Sign(_)) && !self.at_sign() => {
+                Token::Punctuation(Punctuation::Operator(Operator::Greater)) => return Ok(self.stream.next_span()),
+                token if token.ends() || matches!(token, Token::Punctuation(_)) && !self.at_sign() => {
                     return Err(self.unclosed_vector_error(start).into());
                 }
                 // A colour is a value, although no vector can hold one.
@@ -274,7 +277,9 @@ impl<'a> Interpreter<'a> {
     fn at_sign(&mut self) -> bool {
         matches!(
             self.peek(),
-            Ok(Token::Sign(Sign::Not | Sign::Operator(Operator::Sub | Operator::Add | Operator::Less)))
+            Ok(Token::Punctuation(
+                Punctuation::Not | Punctuation::Operator(Operator::Sub | Operator::Add | Operator::Less)
+            ))
         )
     }
 }
@@ -282,8 +287,9 @@ impl<'a> Interpreter<'a> {
 /// Maximum depth of values inside values: parentheses, choices, arguments.
 const MAX_NESTED: usize = 3_000;
 
-/// Returns the span from `from` to `to` if both are in one piece of text; else `from`.
-pub(super) fn joined_span(from: Span, to: Span) -> Span {
+/// Returns the span from `from` to `to`; `from` alone if `to` ends before it or more than 65 535 bytes after its start,
+/// which happens across files and macros.
+pub(super) fn joined_span_if_near(from: Span, to: Span) -> Span {
     if to.hi >= from.lo && to.hi - from.lo < 1 << 16 { from.to(to) } else { from }
 }
 
@@ -304,9 +310,9 @@ pub(super) fn read_signs(me: &mut Interpreter) -> Result<Vec<(Prefix, Span)>> {
     loop {
         me.split_to_operand()?;
         let prefix = match me.peek()? {
-            Token::Sign(Sign::Operator(Operator::Sub)) => Prefix::Minus,
-            Token::Sign(Sign::Operator(Operator::Add)) => Prefix::Plus,
-            Token::Sign(Sign::Not) => Prefix::Not,
+            Token::Punctuation(Punctuation::Operator(Operator::Sub)) => Prefix::Minus,
+            Token::Punctuation(Punctuation::Operator(Operator::Add)) => Prefix::Plus,
+            Token::Punctuation(Punctuation::Not) => Prefix::Not,
             _ => break,
         };
         typed.push((prefix, me.stream.next_span()));
@@ -333,7 +339,7 @@ impl<'a> Operands<'a> for Computed {
         let (mut value, mut span) = me.postfix(first)?;
         for (prefix, at) in signs {
             value = apply_prefix(prefix, value, span)?;
-            span = joined_span(at, span);
+            span = joined_span_if_near(at, span);
         }
         Ok((value, span))
     }
@@ -360,7 +366,7 @@ impl<'a> Operands<'a> for Computed {
 
 pub(super) fn expect_colon(me: &mut Interpreter) -> Result<()> {
     match me.peek()? {
-        Token::Sign(Sign::Colon) => {
+        Token::Punctuation(Punctuation::Colon) => {
             me.stream.advance();
             Ok(())
         }

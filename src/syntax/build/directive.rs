@@ -67,7 +67,8 @@ impl Builder<'_> {
         (head, body)
     }
 
-    /// Builds a declaration; `None` if the target is not a plain name with indices.
+    /// Builds a declaration of one target or several. `None` if a target is not a plain name with indices, or if each
+    /// token is an element of its own (`single`).
     pub(super) fn declare(&self, pair: Pair<Rule>) -> Option<Declare> {
         if self.single {
             return None;
@@ -96,6 +97,11 @@ impl Builder<'_> {
 
     fn target(&self, pair: Pair<Rule>) -> Option<Target> {
         let name = self.name(&pair);
+        // `local.A` and `global.A` (3.8) are names with a prefix, unless a dictionary is called so: the run knows.
+        let may_be_prefix = matches!(self.text_of(&pair), "local" | "global");
+        if may_be_prefix && pair.clone().into_inner().next().is_some_and(|part| part.as_rule() == Rule::dot) {
+            return None;
+        }
         let keyword = word::reserved(self.text_of(&pair));
         let symbol = self.symbol(&pair);
         let index = |part: Pair<Rule>| match part.as_rule() {

@@ -221,7 +221,7 @@ impl<'n> Builder<'n> {
                 class::LITERAL => operand(ExprKind::Literal(self.list(token).data)),
                 class::NUMBERS => ElementKind::Numbers(Box::new(self.list(token))),
                 class::SEMICOLON => ElementKind::Semicolon,
-                _ => ElementKind::Sign(sign(text)),
+                _ => ElementKind::Punctuation(punctuation(text)),
             };
             out.push(Element::new(span, kind));
         }
@@ -286,18 +286,18 @@ fn known_word(text: &str) -> Option<&'static str> {
     word::lookup(text).map(|(word, _)| word)
 }
 
-fn sign(text: &str) -> Sign {
+fn punctuation(text: &str) -> Punctuation {
     match text {
-        "{" => Sign::Open(Bracket::Brace),
-        "(" => Sign::Open(Bracket::Paren),
-        "[" => Sign::Open(Bracket::Square),
-        "}" => Sign::Close(Bracket::Brace),
-        ")" => Sign::Close(Bracket::Paren),
-        "]" => Sign::Close(Bracket::Square),
-        "!" => Sign::Not,
-        "." => Sign::Dot,
-        "?" => Sign::Question,
-        ":" => Sign::Colon,
-        _ => Operator::from_text(text).map_or(Sign::Other, Sign::Operator),
+        "{" => Punctuation::Open(Bracket::Brace),
+        "(" => Punctuation::Open(Bracket::Paren),
+        "[" => Punctuation::Open(Bracket::Square),
+        "}" => Punctuation::Close(Bracket::Brace),
+        ")" => Punctuation::Close(Bracket::Paren),
+        "]" => Punctuation::Close(Bracket::Square),
+        "!" => Punctuation::Not,
+        "." => Punctuation::Dot,
+        "?" => Punctuation::Question,
+        ":" => Punctuation::Colon,
+        _ => Operator::from_text(text).map_or(Punctuation::Other, Punctuation::Operator),
     }
 }

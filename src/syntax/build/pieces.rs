@@ -11,17 +11,17 @@ pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
     match &e.kind {
         ExprKind::Paren(inner) => out.bracketed(Bracket::Paren, e.span, |out| out.whole(inner)),
         ExprKind::Vector(parts) => {
-            out.sign(Sign::Operator(Operator::Less), Span { hi: e.span.lo + 1, ..e.span });
+            out.punctuation(Punctuation::Operator(Operator::Less), Span { hi: e.span.lo + 1, ..e.span });
             out.0.extend(parts.iter().cloned());
-            out.sign(Sign::Operator(Operator::Greater), Span { lo: e.span.hi - 1, ..e.span });
+            out.punctuation(Punctuation::Operator(Operator::Greater), Span { lo: e.span.hi - 1, ..e.span });
         }
         ExprKind::Literal(data) => {
-            out.sign(Sign::Operator(Operator::Less), Span { hi: e.span.lo + 1, ..e.span });
+            out.punctuation(Punctuation::Operator(Operator::Less), Span { hi: e.span.lo + 1, ..e.span });
             for x in data.iter() {
                 out.whole(&Expr { span: e.span, calls: false, kind: ExprKind::Number(*x) });
                 out.comma();
             }
-            out.sign(Sign::Operator(Operator::Greater), Span { lo: e.span.hi - 1, ..e.span });
+            out.punctuation(Punctuation::Operator(Operator::Greater), Span { lo: e.span.hi - 1, ..e.span });
         }
         ExprKind::Builtin(name, arguments) => {
             let span = Span { hi: e.span.lo + name.name.len() as u32, ..e.span };
@@ -53,7 +53,7 @@ pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
         }
         ExprKind::Dot(base, name, symbol) => {
             out.whole(base);
-            out.sign(Sign::Dot, Span { lo: base.span.hi, hi: name.span.lo });
+            out.punctuation(Punctuation::Dot, Span { lo: base.span.hi, hi: name.span.lo });
             let keyword = name.word.and_then(word::entry).filter(|w| w.category != word::Category::Constant);
             match keyword {
                 Some(word) => out.0.push(Element::new(name.span, ElementKind::Word(word))),
@@ -99,8 +99,8 @@ impl Pieces {
         self.0.push(Element::new(e.span, kind));
     }
 
-    fn sign(&mut self, sign: Sign, span: Span) {
-        self.0.push(Element::new(span, ElementKind::Sign(sign)));
+    fn punctuation(&mut self, mark: Punctuation, span: Span) {
+        self.0.push(Element::new(span, ElementKind::Punctuation(mark)));
     }
 
     fn comma(&mut self) {
@@ -112,9 +112,9 @@ impl Pieces {
     }
 
     fn bracketed(&mut self, bracket: Bracket, span: Span, fill: impl FnOnce(&mut Self)) {
-        self.sign(Sign::Open(bracket), Span { hi: span.lo + 1, ..span });
+        self.punctuation(Punctuation::Open(bracket), Span { hi: span.lo + 1, ..span });
         fill(self);
-        self.sign(Sign::Close(bracket), Span { lo: span.hi.saturating_sub(1), ..span });
+        self.punctuation(Punctuation::Close(bracket), Span { lo: span.hi.saturating_sub(1), ..span });
     }
 
     fn arguments(&mut self, arguments: &[Element], span: Span) {
@@ -128,31 +128,31 @@ impl Pieces {
                 self.operands(&chain.first);
                 let mut end = chain.first.span.hi;
                 for (op, operand) in &chain.rest {
-                    self.sign(Sign::Operator(*op), Span { lo: end, hi: operand.span.lo });
+                    self.punctuation(Punctuation::Operator(*op), Span { lo: end, hi: operand.span.lo });
                     self.operands(operand);
                     end = operand.span.hi;
                 }
             }
             ExprKind::Prefix(prefix, inner) => {
-                let sign = match prefix {
-                    Prefix::Minus => Sign::Operator(Operator::Sub),
-                    Prefix::Plus => Sign::Operator(Operator::Add),
-                    Prefix::Not => Sign::Not,
+                let mark = match prefix {
+                    Prefix::Minus => Punctuation::Operator(Operator::Sub),
+                    Prefix::Plus => Punctuation::Operator(Operator::Add),
+                    Prefix::Not => Punctuation::Not,
                 };
-                self.sign(sign, Span { hi: e.span.lo + 1, ..e.span });
+                self.punctuation(mark, Span { hi: e.span.lo + 1, ..e.span });
                 self.operands(inner);
             }
             ExprKind::Number(x) if x.is_sign_negative() => {
-                self.sign(Sign::Operator(Operator::Sub), Span { hi: e.span.lo + 1, ..e.span });
+                self.punctuation(Punctuation::Operator(Operator::Sub), Span { hi: e.span.lo + 1, ..e.span });
                 let span = Span { lo: e.span.lo + 1, ..e.span };
                 self.whole(&Expr { span, calls: false, kind: ExprKind::Number(-x) });
             }
             ExprKind::Choice(parts) => {
                 let [condition, yes, no] = &**parts;
                 self.operands(condition);
-                self.sign(Sign::Question, Span { lo: condition.span.hi, hi: yes.span.lo });
+                self.punctuation(Punctuation::Question, Span { lo: condition.span.hi, hi: yes.span.lo });
                 self.operands(yes);
-                self.sign(Sign::Colon, Span { lo: yes.span.hi, hi: no.span.lo });
+                self.punctuation(Punctuation::Colon, Span { lo: yes.span.hi, hi: no.span.lo });
                 self.operands(no);
             }
             _ => self.whole(e),

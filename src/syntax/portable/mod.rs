@@ -79,13 +79,13 @@ fn after_partner(outline: &Outline, open: usize) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use crate::source::Sources;
-    use crate::syntax::lint::{Lints, lint};
+    use crate::syntax::lint::{Lints, lint_scene};
 
     fn reported(text: &str) -> Vec<String> {
         let sources = Sources::default();
         let file = sources.add("a", None, text.into()).unwrap();
         let lints = Lints { portable: true, ..Lints::default() };
-        lint(&sources, &[file], lints).iter().map(|d| sources.snippet(d.span()).to_string()).collect()
+        lint_scene(&sources, &[file], lints).iter().map(|d| sources.snippet(d.span()).to_string()).collect()
     }
 
     // POV-Ray 3.7 rejects each of these.

@@ -28,7 +28,7 @@ use crate::value::SharedDefault;
 use inherited::{Inherited, hollow_inside, interior_of, joined};
 use instances::Copies;
 use place::{BlockSpace, PlacedTexture, not_finite};
-use shared::{LoweredTable, Shared};
+use shared::{LoweredTable, SharedSurfaceParts};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -158,7 +158,7 @@ struct Lowering {
     materials: Vec<Material>,
     /// Materials of textures that later objects may share.
     textures: LoweredTable<Texture, u32>,
-    shared: Shared,
+    shared: SharedSurfaceParts,
     copies: Copies,
     interiors: Vec<Arc<Interior>>,
     media: BTreeMap<u32, Box<[Medium]>>,
@@ -190,7 +190,7 @@ impl Lowering {
     /// Creates the state before any object is lowered; `ambient_light` is the scene's factor of `ambient`.
     fn with_ambient_light(ambient_light: Rgb) -> Self {
         let photons = vec![PhotonSettings::default()];
-        Self { shared: Shared::with_ambient_light(ambient_light), photons, ..Self::default() }
+        Self { shared: SharedSurfaceParts::with_ambient_light(ambient_light), photons, ..Self::default() }
     }
 
     /// Drops shared textures that no object uses any more.

@@ -9,26 +9,26 @@ use std::sync::Arc;
 
 /// Finishes and normals that were already lowered.
 #[derive(Default)]
-pub(super) struct Shared {
+pub(super) struct SharedSurfaceParts {
     ambient_light: Rgb,
     finishes: LoweredTable<Finish, Arc<LoweredFinish>>,
     normals: LoweredTable<Normal, Arc<NormalProgram>>,
 }
 
-impl Shared {
+impl SharedSurfaceParts {
     /// Creates an empty table; `ambient_light` is the scene's factor of `ambient`.
     pub fn with_ambient_light(ambient_light: Rgb) -> Self {
         Self { ambient_light, ..Self::default() }
     }
 
-    /// Drops finishes and normals that no object uses any more.
+    /// Drops the finishes and normals added since the last call that no object uses.
     pub fn drop_unused(&mut self) {
         self.finishes.drop_unused();
         self.normals.drop_unused();
     }
 }
 
-impl SharedParts for Shared {
+impl SharedParts for SharedSurfaceParts {
     fn lower_finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish> {
         self.finishes.get_or_lower(finish, |finish| Arc::new(LoweredFinish::new(finish, self.ambient_light))).clone()
     }
@@ -62,6 +62,7 @@ impl<T, U> LoweredTable<T, U> {
         lowered
     }
 
+    /// Drops the values added since the last call whose source nothing else refers to.
     pub fn drop_unused(&mut self) {
         for address in self.fresh.drain(..) {
             if self.known.get(&address).is_some_and(|(thing, _)| Arc::strong_count(thing) == 1) {
