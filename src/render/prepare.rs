@@ -7,6 +7,7 @@ use super::workers::Workers;
 use super::{Cancelled, Options, radiosity};
 use crate::camera::{Lens, LoweredCamera, View};
 use crate::math::DVec3;
+use crate::source::Activity;
 use crate::transport::{CameraOrigin, FrameContext, PhotonPass, Quality, Tracer};
 use crate::world::World;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -101,6 +102,7 @@ pub(super) fn prepare<'w>(
     options: &Options,
     workers: &Workers,
 ) -> Result<FrameContext<'w>, Cancelled> {
+    let _activity = Activity::begin("while photons or radiosity were prepared");
     let preparation = Preparation::new(workers);
     if preparation.is_cancelled() {
         return Err(Cancelled);

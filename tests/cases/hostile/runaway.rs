@@ -10,6 +10,11 @@ const SOON: &str = "check a.scene --max-steps 20000";
 const FEW_STEPS: &str = "render a.scene -o out.png --size 8x6 --max-steps 1000000";
 
 /// 4 GB of numbers.
+/// Radiosity that takes a sample at almost every point of the picture.
+const MANY_SAMPLES: &str =
+    "global_settings { radiosity { pretrace_start 0.00125 pretrace_end 0.00125 count 1 nearest_count 1 \
+    error_bound 0.001 recursion_limit 1 minimum_reuse 1e-6 maximum_reuse 1e-5 } }
+    sphere { 0, 9 pigment { rgb 1 } finish { ambient 0.1 diffuse 0.7 } }";
 const LARGE_PICTURE: &str = "box { 0, 1 pigment { image_map { function 16384, 16384 { x } } } }";
 
 /// All cases.
@@ -105,6 +110,8 @@ fn growing() -> Vec<Case> {
         drawn("function_picture_too_large", LARGE_PICTURE, 4, &["E0242", "a.scene:1:43"]),
         drawn("function_picture_limited", LARGE_PICTURE, 4, &["E0242", "a.scene:1:43"])
             .args("render a.scene -o out.png --size 8x6 --max-memory 120M"),
+        drawn("radiosity_samples_limited", MANY_SAMPLES, 4, &["E0242", "while photons or radiosity were prepared"])
+            .args("render a.scene -o out.png --size 800x600 --max-memory 24M"),
         case("debug_floods", "#while (1)\n#debug \"x\"\n#end\n", 4, &["E0240"]).args("check a.scene --max-steps 10000"),
         case("warnings_flood", "#while (1)\n#warning \"x\"\n#end\n", 4, &["E0240"]).args("check a.scene --max-steps 100000"),
         case("warnings_differ", "#declare I = 0;\n#while (1)\n#warning str(I, 0, 0)\n#declare I = I + 1;\n#end\n", 4, &["E0240"])
