@@ -36,6 +36,12 @@ fn allocated_bytes() -> usize {
     USED.load(Relaxed).max(0) as usize
 }
 
+/// Returns the bytes that the system's allocator takes for an allocation of `size` bytes: 8 bytes of its own, rounded up
+/// to a multiple of 16 (GNU C Library manual, "The GNU Allocator"). Small allocations would count too little without.
+const fn occupied(size: usize) -> isize {
+    (size.saturating_add(8 + 15) & !15) as isize
+}
+
 /// Adds to the common count of allocated bytes; `bytes` is negative for memory that is freed.
 fn count_allocation(bytes: isize) {
     // A thread that ends has no count any more; what it frees then is negligible.
@@ -72,23 +78,23 @@ fn end_process() -> ! {
 // SAFETY: all methods pass their arguments to the system's allocator; counting does not touch the memory.
 unsafe impl GlobalAlloc for Metered {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        count_allocation(layout.size() as isize);
+        count_allocation(occupied(layout.size()));
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        count_allocation(layout.size() as isize);
+        count_allocation(occupied(layout.size()));
         unsafe { System.alloc_zeroed(layout) }
     }
 
     unsafe fn dealloc(&self, memory: *mut u8, layout: Layout) {
-        count_allocation(-(layout.size() as isize));
+        count_allocation(-occupied(layout.size()));
         unsafe { System.dealloc(memory, layout) }
     }
 
     unsafe fn realloc(&self, memory: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         // The system moves the pages of large lists that grow, and does not copy them.
-        count_allocation(size as isize - layout.size() as isize);
+        count_allocation(occupied(size) - occupied(layout.size()));
         unsafe { System.realloc(memory, layout, size) }
     }
 }
