@@ -120,7 +120,7 @@ impl Profile {
                     _ => return 0.0,
                 };
                 // Behind the light the cosine is negative, and its power is 0.
-                if tightness == 0.0 { edge } else { edge * fp::pow(cos.max(0.0), tightness) }
+                if tightness == 0.0 { edge } else { edge * fp::power(cos.max(0.0), tightness) }
             }
             Profile::Tube(Edge { radius, falloff, tightness }) => {
                 if ahead < 0.0 || beside >= falloff {
@@ -130,7 +130,7 @@ impl Profile {
                     radius if radius > 0.0 && beside > radius => smooth_step((falloff - beside) / (falloff - radius)),
                     _ => 1.0,
                 };
-                if tightness == 0.0 { edge } else { edge * fp::pow(1.0 - beside / falloff, tightness) }
+                if tightness == 0.0 { edge } else { edge * fp::power(1.0 - beside / falloff, tightness) }
             }
         }
     }

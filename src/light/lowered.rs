@@ -150,7 +150,7 @@ impl LoweredLight {
         match self.fade {
             // 2 / (1 + (d/d₀)ᵏ)
             Some((from, power)) => {
-                let share = 2.0 / (1.0 + fp::pow(distance / from, power));
+                let share = 2.0 / (1.0 + fp::power(distance / from, power));
                 // NaN: a fractional power behind the light.
                 if share.is_nan() { Rgb::ZERO } else { self.color * share }
             }

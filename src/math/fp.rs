@@ -102,6 +102,13 @@ pub fn integer_power(x: f64, n: u32) -> f64 {
     out
 }
 
+/// x to the power of an exponent that a scene states: mostly a small whole number, for which a few products suffice.
+#[inline]
+pub fn power(x: f64, exponent: f64) -> f64 {
+    let whole = exponent as u32;
+    if f64::from(whole) == exponent && whole < 4096 { integer_power(x, whole) } else { pow(x, exponent) }
+}
+
 /// e to the power of x.
 #[inline]
 pub fn exp(x: f64) -> f64 {

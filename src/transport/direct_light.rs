@@ -142,7 +142,7 @@ pub(super) fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sid
         return Rgb::ZERO;
     }
     // opacity · d·|N·l|ᵇ - grain (quirk: `crand_ignores_opacity`)
-    shaded.color.rgb * (shaded.opacity * amount * power(at.cos.abs(), layer.finish.brilliance) - grain)
+    shaded.color.rgb * (shaded.opacity * amount * fp::power(at.cos.abs(), layer.finish.brilliance) - grain)
 }
 
 /// Returns the highlights: `phong` and `specular`, tinted by `metallic`.
@@ -167,7 +167,7 @@ pub(super) fn highlight(shaded: &ShadedLayer, at: &Incidence) -> Rgb {
 
 /// Returns the strength of a highlight, strength · cosⁿ.
 fn lobe_strength(lobe: &Lobe, cos: f64) -> f64 {
-    if cos <= 0.0 { 0.0 } else { lobe.strength * power(cos, lobe.exponent) }
+    if cos <= 0.0 { 0.0 } else { lobe.strength * fp::power(cos, lobe.exponent) }
 }
 
 /// Returns the tint of light that metal reflects: the pigment's colour, but white at a grazing angle, by F of Strauss,
@@ -183,10 +183,4 @@ pub(super) fn metal_tint(metallic: f64, cos: f64, pigment: Rgb) -> Rgb {
     // For bumps that are seen from behind, x is above 1, and F is 1 (quirk: `bumps_from_behind`).
     let fresnel = (rise(x) / rise(1.0)).min(1.0);
     Rgb::ONE + (pigment - Rgb::ONE) * (metallic * (1.0 - fresnel))
-}
-
-/// Returns `x` to the power of `exponent`. Most exponents are whole numbers, for which a few products suffice.
-fn power(x: f64, exponent: f64) -> f64 {
-    let whole = exponent as u32;
-    if f64::from(whole) == exponent && whole < 4096 { fp::integer_power(x, whole) } else { fp::pow(x, exponent) }
 }

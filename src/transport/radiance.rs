@@ -42,8 +42,8 @@ impl<'w> Tracer<'w> {
         // A nested query leaves the states of the query around it in the queue.
         let pending = self.queue.len();
         while !self.is_stopped_at_next_surface() {
-            if state.n_surfaces < MAX_SURFACES {
-                self.trace(&mut state, &mut sum);
+            if state.n_surfaces < MAX_SURFACES && self.trace(&mut state, &mut sum) {
+                continue;
             }
             if self.queue.len() == pending {
                 break;
@@ -55,9 +55,10 @@ impl<'w> Tracer<'w> {
         sum
     }
 
-    /// Traces a ray up to its first hit: adds the light of the segment and of the surface to `sum`, and pushes the rays that continue.
+    /// Traces a ray up to its first hit: adds the light of the segment and of the surface to `sum`, and pushes the rays that
+    /// continue. True if the surface is clear, and `state` the ray beyond it.
     #[inline]
-    fn trace(&mut self, state: &mut RayState, sum: &mut Radiance) {
+    fn trace(&mut self, state: &mut RayState, sum: &mut Radiance) -> bool {
         self.random.next_vertex();
         let Some(hit) = self.closest(state) else {
             let air = match self.sees_air(state) {
@@ -67,14 +68,14 @@ impl<'w> Tracer<'w> {
             let all = air.in_front_of(self.background(state));
             sum.rgb += state.throughput * all.radiance;
             sum.transparency += state.transparency * gray(all.transmittance);
-            return;
+            return false;
         };
         // Air between the origin and the hit
         let part = &self.context.world.parts[hit.part_number() as usize];
         if let Some(rank) = state.gather_rank
             && !self.begin_gathered(state, rank, &hit)
         {
-            return;
+            return false;
         }
         let air = match self.sees_air(state) {
             true => self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.lights()),
@@ -82,8 +83,14 @@ impl<'w> Tracer<'w> {
         };
         sum.rgb += state.throughput * air.radiance;
         state.attenuate(&air);
-        // Light that the surface itself sends
         let interface = self.interface(state, &hit);
+        if part.uncommon.is_none()
+            && self.context.world.materials[part.outside.material as usize].is_clear
+            && self.passes_clear_surface(state, &hit, &interface)
+        {
+            return true;
+        }
+        // Light that the surface itself sends
         let shading = ShadingPoint::new(self.context.world, &state.ray, &hit, &self.context.quality, &interface);
         let is_collecting = self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final());
         // (Nobody reads the radiance of a camera ray in a pass that collects samples.)
@@ -99,6 +106,34 @@ impl<'w> Tracer<'w> {
             false => Rgb::ONE,
         };
         self.scatter(state, &Boundary { shading: &shading, interface: &interface, attenuation }, sum);
+        false
+    }
+
+    /// Continues a ray beyond a surface whose material is clear, and returns true. False, without any effect, if the ray
+    /// may change its direction or end there, or if the surface is lit differently: [`Self::scatter`] knows.
+    #[inline(never)]
+    fn passes_clear_surface(&mut self, state: &mut RayState, hit: &Intersection, interface: &Interface) -> bool {
+        let (world, quality) = (self.context.world, &self.context.quality);
+        let is_plain = quality.lights && quality.pigments && self.context.radiosity.is_none() && !world.disperses;
+        let goes_on = state.level < self.max_trace_level && state.weight.min(gray(Rgb::ONE)) > self.adc_bailout;
+        if !is_plain || !goes_on || interface.refracts() {
+            return false;
+        }
+        let interior = world.parts[hit.part_number() as usize].interior;
+        let attenuation = match world.colors_light && interface.leaves() {
+            true => self.attenuation(interior, hit.t()),
+            false => Rgb::ONE,
+        };
+        state.throughput *= attenuation;
+        state.transparency *= gray(Rgb::ONE) * gray(attenuation);
+        if self.context.tracks_interiors {
+            interface.cross(&mut state.inside, interior);
+        }
+        state.ray = Ray::new(hit.point(&state.ray), state.ray.dir);
+        (state.has_transmitted, state.gather_rank) = (true, None);
+        state.n_surfaces += 1;
+        self.counts.transmitted += 1;
+        true
     }
 
     /// Notes the distance of the first hit of a ray that gathers light, and weights the ray. False if the ray ends there,

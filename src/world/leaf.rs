@@ -186,8 +186,7 @@ impl Intersection<'_> {
     /// normals by M⁻ᵀ).
     pub fn surface(&self, ray: &Ray) -> Surface {
         let Leaf { shape, place, inverse, .. } = self.leaf;
-        let local = self.instance.map_or(*ray, |instance| instance.local(ray));
-        let object_point = self.leaf.local(&local).at(self.hit.t);
+        let object_point = self.object_point(ray);
         let normal = shape.normal(object_point, &self.hit);
         let around = self.instance.and_then(Instance::world_from_instance);
         let places = [place.as_deref(), around].into_iter().flatten();
@@ -195,6 +194,19 @@ impl Intersection<'_> {
             places.fold((object_point, normal), |(p, n), m| (m.transform_point(p), m.transform_normal(n)));
         let normal = if *inverse { -normal } else { normal };
         Surface { point, normal: normal.try_normalize().unwrap_or(-ray.dir), object_point }
+    }
+
+    /// Returns the point of the surface in world space, the same as that of [`Self::surface`].
+    pub fn point(&self, ray: &Ray) -> DVec3 {
+        let around = self.instance.and_then(Instance::world_from_instance);
+        let places = [self.leaf.place.as_deref(), around].into_iter().flatten();
+        places.fold(self.object_point(ray), |p, m| m.transform_point(p))
+    }
+
+    /// Returns the point of the surface in the space of the leaf's shape.
+    fn object_point(&self, ray: &Ray) -> DVec3 {
+        let local = self.instance.map_or(*ray, |instance| instance.local(ray));
+        self.leaf.local(&local).at(self.hit.t)
     }
 }
 

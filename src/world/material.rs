@@ -19,6 +19,9 @@ pub struct Material {
     pub solid: bool,
     /// Transmittance of all layers, if the material is `solid`.
     pub pass: Rgb,
+    /// True if the material transmits all light unchanged and sends none itself, such as the surface of a container of
+    /// media.
+    pub is_clear: bool,
     /// True if a pattern depends on surface coordinates.
     pub uv: bool,
     /// True if two entries of this material in a blend cannot be merged into one: each reflects and transmits by
@@ -144,6 +147,7 @@ impl Material {
                 .iter()
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
             pass: layers.iter().rev().filter_map(Layer::solid_transmittance).product(),
+            is_clear: layers.iter().all(Layer::is_clear),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&sends_light_on)
                 || !texture.layers.iter().any(is_opaque)
@@ -199,6 +203,23 @@ impl Layer {
     fn solid_transmittance(&self) -> Option<Rgb> {
         let LayerColor::Solid(color) = self.pigment else { return None };
         Some(color.transmittance())
+    }
+
+    /// True if the layer transmits all light unchanged and sends none itself. Highlights and grain do not depend on the
+    /// opacity.
+    fn is_clear(&self) -> bool {
+        let LayerColor::Solid(color) = self.pigment else { return false };
+        let finish = &self.finish;
+        color.rgb.is_finite()
+            && color.transmittance() == Rgb::ONE
+            && [false, true].iter().all(|by_color| color.opacity(*by_color) == 0.0)
+            && self.normal.is_none()
+            && self.choice.is_none()
+            && finish.mirror.is_none()
+            && finish.phong.strength == 0.0
+            && finish.specular.strength == 0.0
+            && finish.crand == 0.0
+            && finish.refraction == 1.0
     }
 
     /// Returns the colour at a point of the texture's space; `quick` selects `quick_color`.
