@@ -66,6 +66,9 @@ impl Tracer<'_> {
     pub(super) fn scatter(&mut self, state: &RayState, boundary: &Boundary, sum: &mut Radiance) {
         let first = self.queue.len();
         let materials = &boundary.shading.materials;
+        if materials.iter().all(MaterialSample::ends_rays) {
+            return;
+        }
         // (A loop: collecting an iterator returns each element through memory.)
         let mut transmissions = SmallVec::<[Transmission; 1]>::new();
         for material in materials {

@@ -39,6 +39,13 @@ pub(super) struct MaterialSample<'w> {
     pub transmittance: Rgb,
 }
 
+impl MaterialSample<'_> {
+    /// True if the material neither transmits nor mirrors light.
+    pub fn ends_rays(&self) -> bool {
+        self.transmittance == Rgb::ZERO && self.layers.iter().all(|shaded| shaded.layer.finish.mirror.is_none())
+    }
+}
+
 /// The point where a ray hits a surface, with the materials at that point.
 pub(super) struct ShadingPoint<'w> {
     pub part: &'w Part,

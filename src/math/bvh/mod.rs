@@ -43,7 +43,8 @@ macro_rules! walk {
     ($slabs:path, $bvh:ident, $ray:ident, $range:ident, $fetch:expr, $visit:ident) => {{
         let flat = FlatRay::new($ray, $range, &$bvh.nodes[0]);
         let (mut max, mut flat_max) = ($range.max, pad_up($range.max));
-        let mut stack = [Entry { near: 0.0, child: Child::NONE }; STACK];
+        // (Entries whose bits are all 0 are cleared many at a time.)
+        let mut stack = [Entry { near: 0.0, child: Child::node(0) }; STACK];
         let mut open = 0;
         // Overflow of the stack.
         let mut below = vec![];
