@@ -3,7 +3,7 @@
 
 use super::direct_light::metal_tint;
 use super::interface::Interface;
-use super::shading_point::{MaterialSample, ShadedLayer};
+use super::shading_point::{MaterialSample, ShadedLayer, ShadingPoint};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, fp};
 use crate::texture::Reflection;
@@ -76,8 +76,13 @@ pub(super) fn reflected_radiance(
 }
 
 /// Returns the factor of totally reflected light in the direction `out`: 1, unless the top layer has a thin film.
-pub(super) fn total_reflection_factor(material: &MaterialSample, point: DVec3, out: DVec3, world: &World) -> Rgb {
-    material.layers.first().map_or(Rgb::ONE, |top| film_factor(point, top, out, world))
+pub(super) fn total_reflection_factor(
+    shading: &ShadingPoint,
+    material: &MaterialSample,
+    out: DVec3,
+    world: &World,
+) -> Rgb {
+    shading.layers_of(material).first().map_or(Rgb::ONE, |top| film_factor(shading.point, top, out, world))
 }
 
 /// Returns the factor that a layer's thin film (`irid`) applies to light from a direction. Bumps that are seen or lit

@@ -66,7 +66,7 @@ impl Tracer<'_> {
     pub(super) fn scatter(&mut self, state: &RayState, boundary: &Boundary, sum: &mut Radiance) {
         let first = self.queue.len();
         let materials = &boundary.shading.materials;
-        if materials.iter().all(MaterialSample::ends_rays) {
+        if boundary.shading.ends_rays() {
             return;
         }
         // (A loop: collecting an iterator returns each element through memory.)
@@ -125,7 +125,7 @@ impl Tracer<'_> {
         for (material, transmission) in shading.materials.iter().zip(transmissions) {
             let is_total = matches!(transmission, Transmission::Total | Transmission::TotalTooFaint);
             let replaced = is_total.then_some(material.normal);
-            mirrors.extend(material.layers.iter().filter_map(|shaded| {
+            mirrors.extend(shading.layers_of(material).iter().filter_map(|shaded| {
                 let reflection = shaded.layer.finish.mirror.as_deref()?;
                 let share = material.share;
                 (replaced != Some(shaded.normal)).then_some(Mirror { reflection, shaded, share })
@@ -171,7 +171,7 @@ impl Tracer<'_> {
                 // All light is reflected, but the weight falls as if it were transmitted (quirk: `total_reflection_weight`).
                 Transmission::Total => {
                     let dir = mirror_direction(state.ray.dir, material.normal, shading.smooth);
-                    let film = reflect::total_reflection_factor(material, shading.point, dir, world);
+                    let film = reflect::total_reflection_factor(shading, material, dir, world);
                     Continuation {
                         dir,
                         is_total: true,

@@ -10,6 +10,7 @@ use crate::shape::{Kernel, TextureWeights};
 use crate::texture::NormalProgram;
 use crate::world::{Intersection, Layer, Material, Part, PlacedMaterial, SolidNode, Surface, World};
 use smallvec::SmallVec;
+use std::ops::Range;
 
 /// One layer of a texture, evaluated at a point.
 pub(super) struct ShadedLayer<'w> {
@@ -28,22 +29,15 @@ pub(super) struct ShadedLayer<'w> {
 
 /// One texture, evaluated at a point. Where a pattern blends several textures, each is lit, reflects and refracts
 /// separately, and the result is the sum weighted by their shares (quirk: `blend_by_light`).
-pub(super) struct MaterialSample<'w> {
+pub(super) struct MaterialSample {
     /// Share of the texture in a blend of textures, from 0 to 1.
     pub share: f64,
     /// Normal with the bumps of the topmost layer, length 1, towards the ray's origin.
     pub normal: DVec3,
-    /// Layers from the topmost to the lowest visible one; never empty.
-    pub layers: SmallVec<[ShadedLayer<'w>; 2]>,
+    /// Positions in [`ShadingPoint::layers`] of the layers, from the topmost to the lowest visible one; never empty.
+    layers: Range<usize>,
     /// Transmittance of all layers, for light from beyond the surface.
     pub transmittance: Rgb,
-}
-
-impl MaterialSample<'_> {
-    /// True if the material neither transmits nor mirrors light.
-    pub fn ends_rays(&self) -> bool {
-        self.transmittance == Rgb::ZERO && self.layers.iter().all(|shaded| shaded.layer.finish.mirror.is_none())
-    }
 }
 
 /// The point where a ray hits a surface, with the materials at that point.
@@ -53,7 +47,9 @@ pub(super) struct ShadingPoint<'w> {
     /// Normal without bumps, length 1, towards the ray's origin.
     pub smooth: DVec3,
     /// Materials at the point; empty only if all shares are too small.
-    pub materials: SmallVec<[MaterialSample<'w>; 1]>,
+    pub materials: SmallVec<[MaterialSample; 1]>,
+    /// Layers of all materials, one material after another.
+    layers: SmallVec<[ShadedLayer<'w>; 2]>,
 }
 
 impl<'w> ShadingPoint<'w> {
@@ -63,7 +59,8 @@ impl<'w> ShadingPoint<'w> {
         let surface = found.surface(ray);
         let against = ray.dir.dot(surface.normal);
         let normal = if against > 0.0 { -surface.normal } else { surface.normal };
-        let mut this = Self { part, point: surface.point, smooth: normal, materials: SmallVec::new() };
+        let mut this =
+            Self { part, point: surface.point, smooth: normal, materials: SmallVec::new(), layers: SmallVec::new() };
         let mut painter = Painter {
             placed: &part.outside,
             quality,
@@ -72,6 +69,7 @@ impl<'w> ShadingPoint<'w> {
             bailout: world.adc_bailout,
             pattern_normal: normal,
             materials: &mut this.materials,
+            layers: &mut this.layers,
         };
         each_material(world, found, &surface, against > 0.0, |placed, share| {
             let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
@@ -83,7 +81,18 @@ impl<'w> ShadingPoint<'w> {
 
     /// Returns all layers of all materials at the point.
     pub fn layers(&self) -> impl Iterator<Item = &ShadedLayer<'w>> {
-        self.materials.iter().flat_map(|material| &material.layers)
+        self.layers.iter()
+    }
+
+    /// Returns the layers of a material, from the topmost to the lowest visible one.
+    pub fn layers_of(&self, material: &MaterialSample) -> &[ShadedLayer<'w>] {
+        &self.layers[material.layers.clone()]
+    }
+
+    /// True if no ray continues: no material transmits or mirrors light.
+    pub fn ends_rays(&self) -> bool {
+        self.materials.iter().all(|material| material.transmittance == Rgb::ZERO)
+            && self.layers.iter().all(|shaded| shaded.layer.finish.mirror.is_none())
     }
 
     /// Returns the sum of `light` over all layers, weighted by the shares of their materials.
@@ -92,7 +101,7 @@ impl<'w> ShadingPoint<'w> {
     pub fn sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
         let mut sum = Rgb::ZERO;
         for material in &self.materials {
-            sum += material.share * material.layers.iter().map(&mut light).sum::<Rgb>();
+            sum += material.share * self.layers_of(material).iter().map(&mut light).sum::<Rgb>();
         }
         sum
     }
@@ -108,7 +117,8 @@ struct Painter<'w, 'a> {
     /// Normal that the patterns `slope` and `aoi` use: the result of the last bumps before them, in the space of those
     /// bumps (quirk: `slope_after_bumps`).
     pattern_normal: DVec3,
-    materials: &'a mut SmallVec<[MaterialSample<'w>; 1]>,
+    materials: &'a mut SmallVec<[MaterialSample; 1]>,
+    layers: &'a mut SmallVec<[ShadedLayer<'w>; 2]>,
 }
 
 impl<'w> Painter<'w, '_> {
@@ -149,10 +159,7 @@ impl<'w> Painter<'w, '_> {
     /// Adds the evaluated layers of a material. Without light, only the lowest visible layer is (quirk:
     /// `unlit_layers`).
     fn add(&mut self, material: &'w Material, ctx: &TextureContext, share: f64, frame: Option<&PatternSpaces>) {
-        // (The sample is large and therefore filled in place.)
-        let number = self.materials.len();
-        let layers = SmallVec::new();
-        self.materials.push(MaterialSample { share, normal: ctx.normal, layers, transmittance: Rgb::ONE });
+        let first = self.layers.len();
         let mut transmittance = Rgb::ONE;
         for layer in &material.layers {
             let bumps = layer.normal.as_ref().filter(|_| self.quality.reflection);
@@ -167,33 +174,30 @@ impl<'w> Painter<'w, '_> {
                 // quirk: nan_normal_is_black
                 Some(_) => (ctx.normal, ctx.normal, Rgb::NAN),
             };
-            let seen = TextureContext { normal: seen, ..*ctx };
-            let color = layer.color(&seen, quick);
+            let seen_from = || TextureContext { normal: seen, ..*ctx };
+            let color = layer.color_everywhere(quick).unwrap_or_else(|| layer.color(&seen_from(), quick));
             let cos = -ctx.ray.dot(normal);
             let opacity = color.opacity(self.opacity_by_color);
-            let layers = &mut self.materials[number].layers;
             if !self.quality.lights {
-                layers.clear();
+                self.layers.truncate(first);
             }
             let weight = if self.quality.lights { weight } else { Rgb::ONE };
             let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos };
             transmittance *= color.transmittance();
             // quirk: conserve_energy_without_pigment
-            if layer.finish.conserve_energy && !layer.is_nothing(&seen, quick) {
+            if layer.finish.conserve_energy && !layer.is_nothing(&seen_from(), quick) {
                 transmittance *= unreflected_share(&shaded, self.interface);
             }
-            layers.push(shaded);
+            self.layers.push(shaded);
             // quirk: layers_below_adc_bailout
             if transmittance == Rgb::ZERO || gray(transmittance) <= self.bailout {
                 break;
             }
         }
-        let material = &mut self.materials[number];
-        let refraction = material.layers.first().map_or(1.0, |top| {
-            material.normal = top.normal;
-            top.layer.finish.refraction
-        });
-        material.transmittance = refraction * transmittance;
+        let top = self.layers.get(first);
+        let (normal, refraction) = top.map_or((ctx.normal, 1.0), |top| (top.normal, top.layer.finish.refraction));
+        let transmittance = refraction * transmittance;
+        self.materials.push(MaterialSample { share, normal, layers: first..self.layers.len(), transmittance });
     }
 
     /// Perturbs the normal in the space of the texture. Within the entry of a map, or a texture with `uv_mapping`,
@@ -288,9 +292,14 @@ fn texture_context<'w>(
 ) -> (&'w Material, TextureContext) {
     let material = &world.materials[placed.material as usize];
     let on_surface = world.parts[found.part_number() as usize].uv;
-    let uv = if on_surface || material.uv { found.mapped_uv(surface) } else { DVec2::ZERO };
+    // One colour everywhere does not depend on the point.
+    let is_patterned = !material.solid;
+    let uv = if is_patterned && (on_surface || material.uv) { found.mapped_uv(surface) } else { DVec2::ZERO };
     let ctx = TextureContext {
-        p: placed.local(if on_surface { uv.extend(0.0) } else { surface.point }),
+        p: match is_patterned {
+            true => placed.local(if on_surface { uv.extend(0.0) } else { surface.point }),
+            false => surface.point,
+        },
         world: surface.point,
         uv,
         normal,

@@ -222,6 +222,14 @@ impl Layer {
             && finish.refraction == 1.0
     }
 
+    /// Returns the colour of a layer that has one colour everywhere; `quick` selects `quick_color`.
+    pub fn color_everywhere(&self, quick: bool) -> Option<Color> {
+        match self.shown(quick) {
+            LayerColor::Solid(color) => Some(*color),
+            LayerColor::PigmentProgram(_) | LayerColor::Untinted(_) => None,
+        }
+    }
+
     /// Returns the colour at a point of the texture's space; `quick` selects `quick_color`.
     pub fn color(&self, ctx: &TextureContext, quick: bool) -> Color {
         self.shown(quick).color_at(ctx)

@@ -48,7 +48,7 @@ impl Tracer<'_> {
             };
             if radiosity.settings.normal {
                 for material in &shading.materials {
-                    for shaded in &material.layers {
+                    for shaded in shading.layers_of(material) {
                         let factor = material.share * reflectance(shaded, side);
                         sum += self.indirect_light_at(radiosity, at(shaded.normal * side), factor);
                     }
