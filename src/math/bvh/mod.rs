@@ -118,7 +118,8 @@ impl Bvh {
 
     #[inline(always)]
     fn can_be_hit(&self, ray: &Ray) -> bool {
-        !self.nodes.is_empty() && ray.origin.is_finite() && ray.dir.is_finite()
+        // 0·x is 0 for a finite x, and NaN otherwise: one comparison instead of six.
+        !self.nodes.is_empty() && (ray.origin * 0.0 + ray.dir * 0.0).element_sum() == 0.0
     }
 
     fn traverse_portably(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
