@@ -18,6 +18,8 @@ pub enum Exit {
     Limit = 4,
     /// Exit code for a file that could not be read or written.
     File = 5,
+    /// Exit code for a shard that the signal TERM ended: the same command continues it (`EX_TEMPFAIL` of sysexits.h).
+    TryAgain = 75,
     /// Exit code after the signal HUP: the terminal was closed.
     HungUp = 129,
     /// Exit code after Ctrl-C, the signal INT.
@@ -65,10 +67,19 @@ pub fn use_povray_codes() {
     ENDS_LIKE_POVRAY.store(true, Relaxed);
 }
 
+/// True if the process ends with [`Exit::TryAgain`] after the signal TERM.
+static ASKS_FOR_ANOTHER_TRY: AtomicBool = AtomicBool::new(false);
+
+/// Makes the process end with [`Exit::TryAgain`] after the signal TERM, for schedulers that requeue tasks.
+pub fn ask_for_another_try() {
+    ASKS_FOR_ANOTHER_TRY.store(true, Relaxed);
+}
+
 impl Exit {
     /// Returns the number of the exit code. POV-Ray has 0 for success, 1 for errors, and 2 for an interruption.
     pub fn number(self) -> u8 {
         match self {
+            Self::Terminated if ASKS_FOR_ANOTHER_TRY.load(Relaxed) => Self::TryAgain as u8,
             _ if !ENDS_LIKE_POVRAY.load(Relaxed) => self as u8,
             Self::Fine => 0,
             _ if self.is_signal() => 2,

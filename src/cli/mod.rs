@@ -27,6 +27,7 @@ mod povray;
 mod query;
 mod render;
 mod session;
+mod shard;
 mod summary;
 pub mod test;
 mod unknown;
@@ -112,6 +113,7 @@ fn dispatch(console: &Console, command: &Command, context: Context) -> Result {
     confinement::confine(console, command);
     match command {
         Command::Render(args) => render::run(console, args, context).0,
+        Command::Merge(args) => shard::merge::run(console, args),
         Command::Check(args) => check::run(console, args, context.animation),
         Command::Pick(args) => pick::run(console, args, context.animation),
         Command::Test(args) => test::run(console, args),

@@ -137,6 +137,7 @@ impl RenderArgs {
             // Options that an INI file does not have:
             keep_after: self.keep_after,
             frames: self.frames,
+            shard: self.shard,
             stats: self.stats,
             warn: self.warn,
             dump: self.dump,

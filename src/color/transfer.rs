@@ -2,10 +2,10 @@
 
 use super::Rgb;
 use crate::math::fp;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Transfer curve between a scene's numbers and light.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Gamma {
     /// Transfer curve of a gamma: a number is light to the power of 1 / gamma.

@@ -6,7 +6,7 @@
 use super::quantize::Scale;
 
 /// Dithering method for rounding light to integer codes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Dither {
     /// Ordered dithering by a pattern with a side of 2, 3 or 4 pixels (Bayer, An optimum method for two-level
     /// rendition, 1973).

@@ -14,7 +14,7 @@ use image::{ExtendedColorType, ImageEncoder, ImageError, Rgb};
 use std::io::{self, Cursor, Seek, Write};
 
 /// Format and options of a picture file.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Encoding {
     /// File format of the encoded picture.
     pub format: Format,
@@ -33,7 +33,7 @@ pub struct Encoding {
 }
 
 /// Compression methods of OpenEXR and TGA pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Packing {
     /// No compression.
     None,

@@ -5,7 +5,7 @@ use crate::source::Span;
 use std::path::Path;
 
 /// A file format for pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Format {
     /// PNG: 8 or 16 bits a channel, with alpha.
     Png,

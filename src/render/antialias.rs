@@ -31,6 +31,11 @@ enum MethodKind {
     Adaptive(SampleLayout),
 }
 
+/// Returns the edge of the blocks that the final pass computes together; `None` without blocks.
+pub(super) fn group_edge(options: &Options) -> Option<usize> {
+    (options.antialias.is_some() && options.sampling.layout == SampleLayout::Grid).then_some(BLOCK)
+}
+
 impl Method {
     pub fn new(world: &World, lens: Option<&Lens>, options: &Options) -> Self {
         let sampling = options.sampling;

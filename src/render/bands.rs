@@ -64,7 +64,9 @@ impl FrameRender<'_> {
             // Render them while the rows of the band before are passed on
             let band_before = std::mem::take(&mut finished);
             let pass_on = || if band_before.is_empty() { Ok(()) } else { receiver(band_before) };
-            let (tiles, passed_on) = self.workers.map(&jobs, |job| self.tile(job, &first_samples, &n_done), pass_on);
+            let render =
+                |job: &Tile| self.load_or_render(*job, &n_done, self.total(), || self.render_tile(job, &first_samples));
+            let (tiles, passed_on) = self.workers.map(&jobs, render, pass_on);
             passed_on?;
             // Collect the results
             let mut band = PixelRows::new(Region { height: 0, y: final_rows.start, ..region });
@@ -92,28 +94,35 @@ impl FrameRender<'_> {
         }
     }
 
-    /// Loads a tile from an earlier run, or renders and stores it.
-    fn tile(
+    /// Loads a tile from an earlier run, or computes it with `render` and stores it. `n_done` and `total` are the pixels
+    /// of finished and of all tiles.
+    pub(super) fn load_or_render(
         &self,
-        tile: &Tile,
-        first_samples: &PixelRows,
+        tile: Tile,
         n_done: &AtomicUsize,
+        total: usize,
+        render: impl FnOnce() -> Result<(Vec<Pixel>, RayCounts), Cancelled>,
     ) -> Result<(Vec<Pixel>, RayCounts), Cancelled> {
         let watch = self.workers.watch;
-        let (pixels, counts) = match watch.load_tile(*tile) {
+        let (pixels, counts) = match watch.load_tile(tile) {
             Some(pixels) if pixels.len() == tile.area.width * tile.area.height => (pixels, RayCounts::default()),
             _ => {
-                let rendered = self.render_tile(tile, first_samples)?;
-                watch.store_tile(*tile, &rendered.0);
+                let rendered = render()?;
+                watch.store_tile(tile, &rendered.0);
                 rendered
             }
         };
         let n_done = n_done.fetch_add(pixels.len(), Ordering::Relaxed) + pixels.len();
-        watch.progress(n_done, self.total());
+        watch.progress(n_done, total);
         Ok((pixels, counts))
     }
 
-    fn render_tile(&self, tile: &Tile, first_samples: &PixelRows) -> Result<(Vec<Pixel>, RayCounts), Cancelled> {
+    /// Renders a tile from the first samples around it.
+    pub(super) fn render_tile(
+        &self,
+        tile: &Tile,
+        first_samples: &PixelRows,
+    ) -> Result<(Vec<Pixel>, RayCounts), Cancelled> {
         let is_cancelled = || self.workers.is_cancelled();
         let mut sampler = Sampler::new(self.context, self.camera, &is_cancelled);
         let pixels = match tile.pass {
@@ -162,7 +171,7 @@ impl FrameRender<'_> {
 }
 
 /// Splits rows of an area into tiles whose corners are at multiples of `edge`.
-fn tiles(area: &Region, rows: Range<usize>, edge: usize) -> impl Iterator<Item = Region> + use<> {
+pub(super) fn tiles(area: &Region, rows: Range<usize>, edge: usize) -> impl Iterator<Item = Region> + use<> {
     let cuts = move |range: Range<usize>| {
         let first = if range.is_empty() { range.end } else { range.start / edge * edge };
         let starts = (first..range.end).step_by(edge);

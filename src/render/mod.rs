@@ -12,9 +12,11 @@ mod pixel_rows;
 mod prepare;
 mod radiosity;
 mod sampler;
+mod shard;
 mod workers;
 
 pub use pick::pick;
+pub use shard::{BlockReceiver, Shard, block_edge, draw_shard, shard_blocks};
 
 use crate::diagnostic::{self, Fault};
 use crate::image_io::{Frame, Rows};
@@ -71,6 +73,12 @@ impl Options {
             has_shafts: true,
         }
     }
+
+    /// Returns the part of the picture that is rendered.
+    pub fn rendered_region(&self) -> Region {
+        let (width, height) = (self.width, self.height);
+        self.region.unwrap_or(Region { x: 0, y: 0, width, height }).clipped_to(width, height)
+    }
 }
 
 /// Method and parameters of anti-aliasing.
@@ -104,7 +112,7 @@ pub enum SampleLayout {
 }
 
 /// A rectangle of pixels, counted from the top left.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Region {
     /// Leftmost column.
     pub x: usize,
@@ -212,8 +220,7 @@ pub fn render(world: &World, options: &Options, watch: &dyn Watch) -> Result<(Fr
 /// [`Stopped`] if `watch` cancels the render or `rows` fails.
 pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn Rows) -> Result<RayCounts, Stopped> {
     let (width, height) = (options.width, options.height);
-    let whole = Region { x: 0, y: 0, width, height };
-    let region = options.region.unwrap_or(whole).clipped_to(width, height);
+    let region = options.rendered_region();
     if region.width == 0 || region.height == 0 {
         outside_rows(rows, options, height)?;
         return Ok(RayCounts::default());

@@ -3,6 +3,7 @@
 use super::lookup::{Lookup, Lookups};
 use super::{Draft, Entry, Files, Metadata, WriteAccess, WriteMode};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -14,6 +15,18 @@ pub type ReadFiles = BTreeMap<PathBuf, ContentHash>;
 /// BLAKE3 hash of a file's contents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ContentHash(blake3::Hash);
+
+impl Ord for ContentHash {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.as_bytes().cmp(other.0.as_bytes())
+    }
+}
+
+impl PartialOrd for ContentHash {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
 
 impl ContentHash {
     /// Computes the content hash of `bytes`.

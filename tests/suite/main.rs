@@ -35,6 +35,7 @@ mod radiosity;
 mod resume;
 mod scene_builder;
 mod scratch;
+mod shards;
 mod token_granularity;
 mod unsupported_features;
 mod watch;

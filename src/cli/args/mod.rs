@@ -13,12 +13,13 @@ pub use choices::{
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 use values::{
-    Antialias, Bytes, Clock, Declare, FileGamma, Frames, Gamma, Part, Pixel, Seconds, Share, Size, Stats, Version,
+    Antialias, Bytes, Clock, Declare, FileGamma, Frames, Gamma, Part, Pixel, Seconds, ShardChoice, Share, Size, Stats,
+    Version,
 };
 
 const EXIT_CODES: &str = "\
 Exit codes: 0 success, 1 error in the scene, 2 error in the command line, 3 a snapshot differs, 4 a limit was reached, \
-5 a file could not be read or written, 128 + N ended by signal N (130 after Ctrl-C).
+5 a file could not be read or written, 75 a shard was terminated and can be continued, 128 + N ended by signal N (130 after Ctrl-C).
 
 `durer scene.pov` and POV-Ray's own options work too: durer +Iscene.pov +W640 +H480 +A0.3";
 
@@ -65,6 +66,8 @@ pub struct Common {
 pub enum Command {
     /// Render scenes into picture files
     Render(Box<RenderArgs>),
+    /// Combine the shards of a picture
+    Merge(MergeArgs),
     /// Read and evaluate scenes without rendering
     Check(CheckArgs),
     /// Describe the object that one pixel shows
@@ -204,6 +207,9 @@ pub struct RenderArgs {
     /// Compression of exr [default: rle] or tga [default: none]
     #[arg(help_heading = PICTURE, long, value_name = "HOW")]
     pub packing: Option<PackingMethod>,
+    /// Render one of N shards of the picture, 3/16, for `durer merge`; `auto` or auto/N for a scheduler's array task
+    #[arg(help_heading = PICTURE, long, value_name = "K/N", conflicts_with_all = ["no_output", "dump"])]
+    pub shard: Option<ShardChoice>,
     /// Continue an unfinished picture or animation
     #[arg(help_heading = PICTURE, long)]
     pub resume: bool,
@@ -241,6 +247,17 @@ pub struct RenderArgs {
 
 fn format_parser() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(Format::names())
+}
+
+/// Options of `durer merge`.
+#[derive(Args, Clone, Debug)]
+pub struct MergeArgs {
+    /// The picture that the shards were rendered for
+    #[arg(value_name = "PICTURE")]
+    pub picture: PathBuf,
+    /// Files of the shards [default: all PICTURE.shard-K-of-N beside the picture]
+    #[arg(value_name = "SHARD")]
+    pub shards: Vec<PathBuf>,
 }
 
 /// Options of `durer check`.

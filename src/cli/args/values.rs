@@ -1,5 +1,6 @@
 //! Values of command-line options that have a syntax of their own.
 
+use crate::render::Shard;
 use crate::value::parse_value;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -31,6 +32,36 @@ impl FromStr for Size {
         }
     }
 }
+
+/// Value of `--shard`: a share of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShardChoice {
+    /// The shard that the command line states: `3/16`.
+    Exact(Shard),
+    /// The shard of the scheduler's task: `auto`, or `auto/16` with the number of shards.
+    Auto(Option<usize>),
+}
+
+impl FromStr for ShardChoice {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.parse::<usize>().ok().filter(|n| (1..=MAX_SHARDS).contains(n));
+        let choice = match text.split_once('/') {
+            None if text == "auto" => Some(Self::Auto(None)),
+            Some(("auto", count)) => number(count).map(|count| Self::Auto(Some(count))),
+            Some((index, count)) => match (number(index), number(count)) {
+                (Some(index), Some(count)) if index <= count => Some(Self::Exact(Shard { index, count })),
+                _ => None,
+            },
+            None => None,
+        };
+        choice.ok_or_else(|| "expected a shard and the number of shards, such as 3/16, or `auto`".into())
+    }
+}
+
+/// Largest number of shards of a picture.
+const MAX_SHARDS: usize = 1_000_000;
 
 /// Language version: `3.1`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,7 +8,7 @@
 
 pub mod finished_frames;
 pub mod identity;
-mod record;
+pub mod record;
 
 use super::console::Console;
 use super::exit::{self, Failure};

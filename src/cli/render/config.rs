@@ -5,13 +5,15 @@ use crate::advice::Circumstances;
 use crate::cli::animation::Animation;
 use crate::cli::args::values::{Bytes, Seconds, Stats};
 use crate::cli::args::{Dump, MAX_UNTRUSTED_PIXELS, Outside, RenderArgs, When};
-use crate::cli::exit::{Result, usage};
+use crate::cli::console::print_message;
+use crate::cli::exit::{self, Result, usage};
 use crate::cli::overlay::Invocation;
+use crate::cli::shard::scheduler;
 use crate::cli::{memory, session};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::interpreter::Timing;
 use crate::math::cancel::CancelToken;
-use crate::render::Region;
+use crate::render::{Region, Shard};
 use crate::source::Span;
 use crate::{interpreter, render};
 use std::io::IsTerminal;
@@ -28,6 +30,8 @@ pub struct Config {
     pub target: Target,
     /// Stage that is printed in place of rendering.
     pub dump: Option<Dump>,
+    /// Share of the work that this process does; `None` for all of it.
+    pub shard: Option<Shard>,
     /// True if an unfinished rendering is continued.
     pub resume: bool,
     /// Time after which a journal of the picture is written.
@@ -81,7 +85,8 @@ impl Config {
                 (Pictures::One(timing), if is_exact { target } else { target.numbered(timing.frame, digits) })
             }
         };
-        let threads = args.threads.map_or(0, usize::from);
+        let threads = args.threads.or_else(|| scheduler::assigned_threads(variable)).map_or(0, usize::from);
+        let shard = resolve_shard(&args, &target)?;
         let (timing, region) = (Timing::default(), args.region.map(|part| part.0));
         let drawing = render::Options {
             region,
@@ -97,7 +102,9 @@ impl Config {
             pictures,
             target,
             dump: args.dump,
-            resume: args.resume,
+            shard,
+            // The same command on another machine, or once more, continues what is there.
+            resume: args.resume || shard.is_some(),
             keep_after: Duration::from_secs_f64(args.keep_after.0),
             max_time: args.scene.time_limit(),
             max_memory: args.scene.memory_limit(),
@@ -129,6 +136,23 @@ impl Config {
     pub fn circumstances(&self, incomplete: bool, black: bool) -> Circumstances {
         Circumstances { one_of_many: self.is_animated, incomplete, black }
     }
+}
+
+/// Returns the shard that `--shard` states or that a scheduler assigned, and reports the latter.
+fn resolve_shard(args: &RenderArgs, target: &Target) -> Result<Option<Shard>> {
+    let Some(choice) = args.shard else { return Ok(None) };
+    if target.file().is_none() {
+        return usage("`--shard` writes a file beside the picture: name the picture's file with `-o`");
+    }
+    let resolved = scheduler::resolve(choice, variable)?;
+    resolved.note.iter().for_each(|note| print_message(note));
+    exit::ask_for_another_try();
+    Ok(Some(resolved.shard))
+}
+
+/// Returns a variable of the environment.
+fn variable(name: &str) -> Option<String> {
+    std::env::var(name).ok()
 }
 
 /// Returns the animation that `--frames` and the INI file describe.

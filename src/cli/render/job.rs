@@ -18,10 +18,11 @@ use crate::cli::journal::identity::{self, Begun, Work};
 use crate::cli::journal::{self, Journal};
 use crate::cli::povray::client_lines;
 use crate::cli::session;
+use crate::cli::shard::{Header, Identity, Layout, ShardFile};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::math::cancel::{CancelReason, CancelToken};
-use crate::render::RayCounts;
+use crate::render::{RayCounts, Shard};
 use crate::source::{FileId, ReadFiles, Sources};
 use crate::world::World;
 use crate::{Built, Keep, advice};
@@ -80,15 +81,20 @@ impl<'a> Job<'a> {
     pub fn run(&mut self) -> Result {
         let config = self.config;
         match &config.pictures {
-            Pictures::One(timing) => self.render(&config.target, *timing, None),
+            Pictures::One(timing) => {
+                let target = config.shard.map(|shard| config.target.of_shard(shard));
+                self.render(target.as_ref().unwrap_or(&config.target), *timing, None)
+            }
             Pictures::Animation(animation) => {
                 let picture = config.target.file().filter(|_| config.dump.is_none());
                 let finished = picture.map(|path| FinishedFrames::new(path, config.resume)).transpose()?;
-                for frame in animation.frames() {
+                for (frame, shard) in share_of_frames(animation.frames().collect(), config.shard) {
                     let target = config.target.numbered(frame, animation.digits);
+                    let target = shard.map(|shard| target.of_shard(shard)).unwrap_or(target);
                     self.render_frame(finished.as_ref(), &target, animation.timing(frame))?;
                 }
-                finished.iter().for_each(FinishedFrames::remove);
+                // Other processes may still render their frames.
+                finished.iter().filter(|_| config.shard.is_none()).for_each(FinishedFrames::remove);
                 Ok(Exit::Fine)
             }
         }
@@ -162,6 +168,19 @@ impl<'a> Job<'a> {
         Work { options: self.options(timing), files, lookups: self.sources.lookups(), now: self.host.used_now() }
     }
 
+    /// Returns the description of a shard, after its scene has been built.
+    fn header(&self, target: &Target, shard: Shard, timing: Timing) -> Header {
+        let (reading, drawing) = (self.config.reading(timing), self.config.drawing(timing));
+        let identity = Identity::new(&self.config.input, &reading, &drawing, &self.work(timing));
+        Header { identity, layout: Layout::new(&drawing, shard.count), encoding: target.encoding(), shard }
+    }
+
+    /// True if the target is a shard that an earlier run has finished.
+    fn has_finished_shard(&self, target: &Target, timing: Timing) -> bool {
+        let (Some(shard), Some(path)) = (target.shard(), target.file()) else { return false };
+        ShardFile::open(path).is_ok_and(|file| file.header == self.header(target, shard, timing))
+    }
+
     /// Renders a frame of an animation, unless the frame is already finished.
     fn render_frame(&mut self, finished: Option<&FinishedFrames>, target: &Target, timing: Timing) -> Result {
         let (Some(finished), Some(picture)) = (finished, target.file()) else {
@@ -188,10 +207,20 @@ impl<'a> Job<'a> {
     fn render_and_write(&self, target: &Target, world: &World, timing: Timing, monitor: &Monitor) -> Result<Rendered> {
         let start = Instant::now();
         let mut draft = target.draft()?;
-        let mut writer = target.writer(draft.as_mut(), self.config.size())?;
-        let rays = monitor.render_rows(world, &self.config.drawing(timing), &mut writer)?;
+        let drawing = self.config.drawing(timing);
+        let (rays, written) = match (target.shard(), &mut draft) {
+            (Some(shard), Some(draft)) => {
+                let mut writer = target.shard_writer(draft, &self.header(target, shard, timing))?;
+                let rays = monitor.render_shard(world, &drawing, shard, &mut writer)?;
+                (rays, Written { is_black: false, time: Duration::ZERO })
+            }
+            _ => {
+                let mut writer = target.writer(draft.as_mut(), self.config.size())?;
+                (monitor.render_rows(world, &drawing, &mut writer)?, writer.finish()?)
+            }
+        };
         let (time, encode) = (start.elapsed(), Instant::now());
-        let Written { is_black, time: rows_time } = writer.finish()?;
+        let Written { is_black, time: rows_time } = written;
         // The journal is deleted afterwards.
         if let (Some(draft), true) = (&mut draft, monitor.journal.as_ref().is_some_and(|journal| journal.is_written()))
         {
@@ -284,6 +313,10 @@ impl<'a> Job<'a> {
             Some(Dump::World) => return self.dump(&world),
             None => {}
         }
+        if self.has_finished_shard(target, timing) {
+            self.written.extend(target.file().map(Path::to_path_buf));
+            return Ok(Exit::Fine);
+        }
         self.advise(advice::time_warning(&world, &config.drawing(timing)).into_iter().collect());
         let deferred = Deferred::begin();
         let Rendered { rays, passes, is_black, trace_time, encode_time } =
@@ -323,5 +356,44 @@ fn early_exit_handler(journal: Arc<Journal>, quiet: bool) -> impl Fn() + Send {
             print_message(&note);
         }
         journal.remove_empty();
+    }
+}
+
+/// Returns the frames that a shard renders, each with the share of the picture: whole frames, or shares of one frame if
+/// there are fewer frames than shards.
+fn share_of_frames(frames: Vec<u32>, shard: Option<Shard>) -> Vec<(u32, Option<Shard>)> {
+    let Some(Shard { index, count }) = shard else {
+        return frames.into_iter().map(|frame| (frame, None)).collect();
+    };
+    if frames.len() >= count {
+        return frames.into_iter().skip(index - 1).step_by(count).map(|frame| (frame, None)).collect();
+    }
+    let (number, n_frames) = ((index - 1) % frames.len(), frames.len());
+    let shares = (count - number).div_ceil(n_frames);
+    let share = Shard { index: (index - 1) / n_frames + 1, count: shares };
+    vec![(frames[number], (shares > 1).then_some(share))]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shards_render_each_frame_once() {
+        for (n_frames, count) in [(1, 1), (10, 3), (3, 10), (4, 4), (5, 16)] {
+            let mut shares = std::collections::HashMap::<u32, Vec<Shard>>::new();
+            for index in 1..=count {
+                let all = share_of_frames((1..=n_frames).collect(), Some(Shard { index, count }));
+                for (frame, share) in all {
+                    shares.entry(frame).or_default().push(share.unwrap_or(Shard { index: 1, count: 1 }));
+                }
+            }
+            assert_eq!(shares.len(), n_frames as usize);
+            for shares in shares.values_mut() {
+                shares.sort();
+                let count = shares.len();
+                assert_eq!(*shares, (1..=count).map(|index| Shard { index, count }).collect::<Vec<_>>());
+            }
+        }
     }
 }

@@ -6,10 +6,11 @@ use crate::cli::interrupt;
 use crate::cli::journal::Journal;
 use crate::cli::render::pass_times::PassTimes;
 use crate::cli::render::progress::Progress;
+use crate::cli::shard::ShardWriter;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::{Frame, Rows};
 use crate::math::cancel::{CancelReason, CancelToken};
-use crate::render::{self, RayCounts, Stopped, Tile, Watch};
+use crate::render::{self, RayCounts, Shard, Stopped, Tile, Watch};
 use crate::source::Span;
 use crate::world::World;
 use std::sync::Arc;
@@ -64,10 +65,26 @@ impl Monitor {
 
     /// Renders a World and passes the rows to `rows`, unless the render is stopped.
     pub fn render_rows(&self, world: &World, options: &render::Options, rows: &mut dyn Rows) -> Result<RayCounts> {
+        self.render_with(|| render::draw(world, options, self, rows))
+    }
+
+    /// Renders a shard of a World into a shard file, unless the render is stopped.
+    pub fn render_shard(
+        &self,
+        world: &World,
+        options: &render::Options,
+        shard: Shard,
+        file: &mut ShardWriter,
+    ) -> Result<RayCounts> {
+        let mut take = |area, pixels: &[[f32; 4]]| file.take_block(area, pixels);
+        self.render_with(|| render::draw_shard(world, options, shard, self, &mut take))
+    }
+
+    fn render_with(&self, render: impl FnOnce() -> std::result::Result<RayCounts, Stopped>) -> Result<RayCounts> {
         if self.cancelled() {
             return Err(self.reason());
         }
-        let rendered = render::draw(world, options, self, rows);
+        let rendered = render();
         self.progress.clear();
         rendered.map_err(|stopped| match stopped {
             Stopped::Cancelled => self.reason(),

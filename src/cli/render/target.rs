@@ -4,8 +4,10 @@ use super::picture_writer::PictureWriter;
 use crate::cli::args::{DitherMethod, LookArgs, Outside, PackingMethod, RenderArgs};
 use crate::cli::console::Console;
 use crate::cli::exit::{Result, usage};
+use crate::cli::shard::{self, Header, ShardWriter};
 use crate::diagnostic::{Diagnostic, codes, file};
 use crate::image_io::{self, Dither, Encoding, Format, Packing};
+use crate::render::Shard;
 use crate::snapshot;
 use crate::source::{Disk, Draft, Files, Span};
 use std::fs::File;
@@ -18,6 +20,8 @@ use std::path::{Path, PathBuf};
 pub struct Target {
     location: Location,
     encoding: Encoding,
+    /// Share of the picture that goes to the location; `None` for the whole picture.
+    shard: Option<Shard>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -73,7 +77,28 @@ impl Target {
         if args.look.alpha && !format.has_alpha() {
             return usage(format!("{} can't hold the transparency that `--alpha` asks for", format.name()));
         }
-        Ok(Self { location, encoding: encoding(args, format, depth) })
+        Ok(Self { location, encoding: encoding(args, format, depth), shard: None })
+    }
+
+    /// Creates the destination of a whole picture with a known encoding.
+    pub fn of_file(path: &Path, encoding: Encoding) -> Self {
+        Self { location: Location::File(path.to_path_buf()), encoding, shard: None }
+    }
+
+    /// Returns the destination of a shard of this picture: a file beside the picture.
+    pub fn of_shard(&self, shard: Shard) -> Self {
+        let Location::File(path) = &self.location else { return self.clone() };
+        Self { location: Location::File(shard::path_beside(path, shard)), shard: Some(shard), ..self.clone() }
+    }
+
+    /// Returns the share of the picture that goes to this destination; `None` for the whole picture.
+    pub fn shard(&self) -> Option<Shard> {
+        self.shard
+    }
+
+    /// Returns the encoding of the whole picture.
+    pub fn encoding(&self) -> Encoding {
+        self.encoding
     }
 
     /// True if the picture goes to standard output.
@@ -123,7 +148,7 @@ impl Target {
             }
             name
         };
-        Self { location: Location::File(path.with_file_name(name)), encoding: self.encoding }
+        Self { location: Location::File(path.with_file_name(name)), ..self.clone() }
     }
 
     /// Checks that the picture's file can be written (E0004).
@@ -151,6 +176,12 @@ impl Target {
         let path = self.file().unwrap_or(Path::new("standard output"));
         let unwritable = |e: &std::io::Error| file::unwritable(&Disk, path, e);
         Ok(PictureWriter::new(draft, size, &self.encoding, unwritable)?)
+    }
+
+    /// Creates the writer of a shard into a draft.
+    pub fn shard_writer<'d>(&'d self, draft: &'d mut Draft, header: &Header) -> Result<ShardWriter<'d>> {
+        let path = self.file().unwrap_or(Path::new("standard output"));
+        Ok(ShardWriter::new(draft, header, |e: &std::io::Error| file::unwritable(&Disk, path, e))?)
     }
 
     /// Gives the finished file its name, and returns its path.
@@ -182,7 +213,8 @@ fn check_old_file(path: &Path) -> Result<()> {
     let is_regular = path.metadata().is_ok_and(|metadata| metadata.is_file());
     let Some(file) = is_regular.then(|| File::open(path).ok()).flatten() else { return Ok(()) };
     let read = file.take(image_io::SIGNATURE_BYTES as u64).read_to_end(&mut start);
-    if read.is_err() || start.is_empty() || image_io::begins_like_a_picture(&start) {
+    let is_ours = image_io::begins_like_a_picture(&start) || shard::begins_like_a_shard(&start);
+    if read.is_err() || start.is_empty() || is_ours {
         return Ok(());
     }
     let text = format!("`{}` is not a picture, and is not replaced by one", path.display());
