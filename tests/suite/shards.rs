@@ -153,7 +153,8 @@ fn schedulers_choose_the_shard() {
     let scratch = scratch();
     let mut command = scratch.command("render a.scene --size 40x30 -o a.png --shard auto/4");
     let out = command.env("JOB_COMPLETION_INDEX", "2").output().unwrap();
-    assert_eq!(String::from_utf8_lossy(&out.stderr), "shard 3 of 4 (Kubernetes: JOB_COMPLETION_INDEX=2)\n");
+    let err = String::from_utf8_lossy(&out.stderr);
+    assert!(err.starts_with("shard 3 of 4 (Kubernetes: JOB_COMPLETION_INDEX=2)\n"), "{err}");
     assert!(scratch.names().contains(&"a.png.shard-3-of-4".to_string()));
     let (_, err) = scratch.exits(2, "render a.scene --shard auto");
     assert!(err.contains("state the shard: `--shard 3/16`"), "{err}");
@@ -181,4 +182,25 @@ fn a_terminated_shard_is_continued() {
     scratch.exits(0, "render a.scene --size 200x150 --aa 0.1 -o whole.png");
     scratch.exits(0, "merge a.png");
     assert!(scratch.read("a.png") == scratch.read("whole.png"));
+}
+
+#[test]
+fn progress_is_printed_for_logs_and_programs() {
+    let scratch = scratch();
+    let line = "render a.scene --size 80x60 -o a.png";
+    let (_, err) = scratch.exits(0, &format!("{line} --shard 1/1"));
+    assert!(err.ends_with("100%, 0 s left\n") && err.contains("photons: finished\n"), "{err}");
+    assert!(err.lines().count() < 30, "{err}");
+    assert_eq!(scratch.exits(0, &format!("{line} --shard 1/2 -q")).1, "");
+    assert_eq!(scratch.exits(0, line).1, "");
+    let (_, err) = scratch.exits(0, &format!("{line} --progress openjd"));
+    assert!(
+        err.starts_with("openjd_status: rendering a.scene\n") && err.ends_with("openjd_progress: 100.0\n"),
+        "{err}"
+    );
+    let (_, err) = scratch.exits(0, &format!("{line} --progress json"));
+    let lines: Vec<serde_json::Value> = err.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let percents: Vec<f64> = lines.iter().filter_map(|line| line["percent"].as_f64()).collect();
+    assert!(percents.is_sorted() && percents.last() == Some(&100.0), "{percents:?}");
+    assert!(lines.iter().any(|line| line["event"] == "pass" && line["name"] == "photons"), "{err}");
 }

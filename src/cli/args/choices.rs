@@ -13,6 +13,21 @@ pub enum When {
     Never,
 }
 
+/// Display of a render's progress.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ProgressDisplay {
+    /// A bar on a terminal; for a shard elsewhere, lines
+    Auto,
+    /// A bar on a terminal, elsewhere a line every 5 % or 30 seconds
+    Always,
+    /// Nothing
+    Never,
+    /// A JSON object a line on standard error
+    Json,
+    /// Lines for Open Job Description on standard error
+    Openjd,
+}
+
 /// Sample layout of anti-aliasing.
 #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AaMethod {

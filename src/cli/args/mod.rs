@@ -7,8 +7,8 @@ pub use untrusted::{MAX_PIXELS as MAX_UNTRUSTED_PIXELS, environment_is_untrusted
 
 use crate::image_io::Format;
 pub use choices::{
-    AaMethod, CheckFormat, Deny, DitherMethod, DrawingWarn, Dump, Library, MessageFormat, Outside, PackingMethod, Warn,
-    When,
+    AaMethod, CheckFormat, Deny, DitherMethod, DrawingWarn, Dump, Library, MessageFormat, Outside, PackingMethod,
+    ProgressDisplay, Warn, When,
 };
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -232,8 +232,8 @@ pub struct RenderArgs {
     #[arg(help_heading = OUTPUT, long, value_name = "WHAT", value_delimiter = ',')]
     pub warn: Vec<DrawingWarn>,
     /// Show progress [default: auto]
-    #[arg(help_heading = OUTPUT, long, value_name = "WHEN")]
-    pub progress: Option<When>,
+    #[arg(help_heading = OUTPUT, long, value_name = "HOW")]
+    pub progress: Option<ProgressDisplay>,
     /// Write times, numbers of rays and memory as JSON: `json` for standard output, or a file
     #[arg(help_heading = OUTPUT, long, value_name = "json|FILE")]
     pub stats: Option<Stats>,

@@ -4,11 +4,10 @@ use super::target::Target;
 use crate::advice::Circumstances;
 use crate::cli::animation::Animation;
 use crate::cli::args::values::{Bytes, Seconds, Stats};
-use crate::cli::args::{Dump, MAX_UNTRUSTED_PIXELS, Outside, RenderArgs, When};
-use crate::cli::console::print_message;
+use crate::cli::args::{Dump, MAX_UNTRUSTED_PIXELS, Outside, ProgressDisplay, RenderArgs};
 use crate::cli::exit::{self, Result, usage};
 use crate::cli::overlay::Invocation;
-use crate::cli::shard::scheduler;
+use crate::cli::shard::scheduler::{self, Resolved};
 use crate::cli::{memory, session};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::interpreter::Timing;
@@ -32,6 +31,8 @@ pub struct Config {
     pub dump: Option<Dump>,
     /// Share of the work that this process does; `None` for all of it.
     pub shard: Option<Shard>,
+    /// Line about the scheduler that chose the shard.
+    pub shard_note: Option<String>,
     /// True if an unfinished rendering is continued.
     pub resume: bool,
     /// Time after which a journal of the picture is written.
@@ -40,8 +41,8 @@ pub struct Config {
     pub max_time: Option<Seconds>,
     /// Limit of the process's memory (`--max-memory`).
     pub max_memory: Option<Bytes>,
-    /// When `durer render` displays its progress.
-    pub progress: When,
+    /// How `durer render` displays its progress.
+    pub progress: ProgressDisplay,
     /// Destination of the render's times and counters.
     pub stats: Option<Stats>,
     /// Token of a caller that continues after the run; `None` if the process ends with the run.
@@ -86,7 +87,7 @@ impl Config {
             }
         };
         let threads = args.threads.or_else(|| scheduler::assigned_threads(variable)).map_or(0, usize::from);
-        let shard = resolve_shard(&args, &target)?;
+        let (shard, shard_note) = resolve_shard(&args, &target)?.map_or((None, None), |it| (Some(it.shard), it.note));
         let (timing, region) = (Timing::default(), args.region.map(|part| part.0));
         let drawing = render::Options {
             region,
@@ -103,12 +104,13 @@ impl Config {
             target,
             dump: args.dump,
             shard,
+            shard_note,
             // The same command on another machine, or once more, continues what is there.
             resume: args.resume || shard.is_some(),
             keep_after: Duration::from_secs_f64(args.keep_after.0),
             max_time: args.scene.time_limit(),
             max_memory: args.scene.memory_limit(),
-            progress: args.progress.unwrap_or(When::Auto),
+            progress: args.progress.unwrap_or(ProgressDisplay::Auto),
             stats: args.stats,
             is_animated: args.frames.is_some() || animation.is_some(),
             reading,
@@ -138,16 +140,15 @@ impl Config {
     }
 }
 
-/// Returns the shard that `--shard` states or that a scheduler assigned, and reports the latter.
-fn resolve_shard(args: &RenderArgs, target: &Target) -> Result<Option<Shard>> {
+/// Returns the shard that `--shard` states or that a scheduler assigned.
+fn resolve_shard(args: &RenderArgs, target: &Target) -> Result<Option<Resolved>> {
     let Some(choice) = args.shard else { return Ok(None) };
     if target.file().is_none() {
         return usage("`--shard` writes a file beside the picture: name the picture's file with `-o`");
     }
     let resolved = scheduler::resolve(choice, variable)?;
-    resolved.note.iter().for_each(|note| print_message(note));
     exit::ask_for_another_try();
-    Ok(Some(resolved.shard))
+    Ok(Some(resolved))
 }
 
 /// Returns a variable of the environment.

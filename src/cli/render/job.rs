@@ -71,6 +71,7 @@ impl<'a> Job<'a> {
         let start = Instant::now();
         let file = session::open_or_report(console, sources, &config.input)?;
         identity::open_program();
+        config.shard_note.iter().for_each(|note| console.info(note));
         let mut common_files = ini_files.clone();
         common_files.extend(sources.read_files());
         let (parsed, host, written, reported) = Default::default();
@@ -244,7 +245,8 @@ impl<'a> Job<'a> {
         console.povray_line(client_lines::RENDERING);
         let drawing = config.drawing(timing);
         let pixels = drawing.region.map_or(drawing.width * drawing.height, |region| region.width * region.height);
-        let progress = Progress::new(config.progress, console, self.sources.name(self.file), pixels);
+        let progress =
+            Progress::new(config.progress, console, self.sources.name(self.file), pixels, target.shard().is_some());
         let mut monitor = Monitor::new(progress, token.clone());
         monitor.is_silent = config.cancel.is_some();
         monitor.journal = journal.cloned();

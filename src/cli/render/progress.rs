@@ -1,12 +1,12 @@
 //! Display of the rendering's progress. Only this file uses indicatif.
 
-use crate::cli::args::When;
+use crate::cli::args::ProgressDisplay;
 use crate::cli::console::{Console, print_message};
 use crate::cli::povray::client_lines;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use serde_json::json;
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Display of a render's progress.
 pub enum Progress {
@@ -14,12 +14,14 @@ pub enum Progress {
     Silent,
     /// Progress display as a bar on a terminal.
     Bar(ProgressBar),
-    /// Progress display without a terminal: a line at each tenth of the picture.
+    /// Progress display without a terminal: a line from time to time.
     Lines {
+        /// Text of the lines.
+        style: LineStyle,
         /// Time at which the rendering started.
         start: Instant,
-        /// Tenths of the progress that are printed so far.
-        printed: AtomicUsize,
+        /// Last printed line. Its lock keeps the lines of several threads in ascending order.
+        printed: Mutex<Printed>,
     },
     /// Progress display for programs that start POV-Ray: a line per percent.
     PovrayLines {
@@ -30,19 +32,82 @@ pub enum Progress {
     },
 }
 
+/// Text of the lines of a progress display.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineStyle {
+    /// Lines for people.
+    Plain,
+    /// Lines of JSON objects.
+    Json,
+    /// Lines `openjd_progress: PERCENT` and `openjd_status: TEXT` (Open Job Description 2023-09, "How Jobs Are Run").
+    OpenJobDescription,
+}
+
+/// The last line that a progress display has printed.
+pub struct Printed {
+    /// Percentage of the picture in the line.
+    percent: f64,
+    time: Instant,
+}
+
+/// Percentage after which a new line is printed.
+const LINE_PERCENT: f64 = 5.0;
+/// Time after which a new line is printed.
+const LINE_INTERVAL: Duration = Duration::from_secs(30);
+
+impl LineStyle {
+    /// Returns the line about a picture of which `percent` are finished.
+    fn progress(self, percent: f64, seconds_left: f64) -> String {
+        match self {
+            Self::Plain => format!("{percent:3.0}%, {seconds_left:.0} s left\n"),
+            Self::Json => {
+                let line =
+                    json!({ "event": "progress", "percent": tenths(percent), "seconds_left": tenths(seconds_left) });
+                format!("{line}\n")
+            }
+            Self::OpenJobDescription => format!("openjd_progress: {percent:.1}\n"),
+        }
+    }
+
+    /// Returns the line about a pass before the picture that is finished.
+    fn pass(self, pass: &str) -> String {
+        match self {
+            Self::Plain => format!("{pass}: finished\n"),
+            Self::Json => format!("{}\n", json!({ "event": "pass", "name": pass })),
+            Self::OpenJobDescription => format!("openjd_status: {pass} finished\n"),
+        }
+    }
+}
+
+fn tenths(x: f64) -> f64 {
+    (10.0 * x).round() / 10.0
+}
+
 impl Progress {
     /// Creates the display that `--progress` selects for a number of pixels; a bar is labelled with the scene's `name`.
-    pub fn new(when: When, console: &Console, name: &str, pixels: usize) -> Self {
-        match when {
+    pub fn new(display: ProgressDisplay, console: &Console, name: &str, pixels: usize, is_shard: bool) -> Self {
+        use ProgressDisplay::{Always, Auto, Json, Never, Openjd};
+        match display {
             // POV-Ray prints the progress unless `-V` turns it off.
-            When::Always | When::Auto if console.has_povray_lines() => {
-                Self::PovrayLines { pixels, printed: Mutex::default() }
+            Always | Auto if console.has_povray_lines() => Self::PovrayLines { pixels, printed: Mutex::default() },
+            Json => Self::lines(LineStyle::Json),
+            Openjd => {
+                print_message(&format!("openjd_status: rendering {name}\n"));
+                Self::lines(LineStyle::OpenJobDescription)
             }
-            When::Always if !console.terminal => Self::Lines { start: Instant::now(), printed: AtomicUsize::new(0) },
-            When::Always => Self::bar(name),
-            When::Auto if console.terminal && !console.quiet => Self::bar(name),
-            _ => Self::Silent,
+            Always if !console.terminal => Self::lines(LineStyle::Plain),
+            Always => Self::bar(name),
+            Auto if console.quiet => Self::Silent,
+            Auto if console.terminal => Self::bar(name),
+            // The log of a scheduler's task shows that the task is alive.
+            Auto if is_shard => Self::lines(LineStyle::Plain),
+            Auto | Never => Self::Silent,
         }
+    }
+
+    fn lines(style: LineStyle) -> Self {
+        let start = Instant::now();
+        Self::Lines { style, start, printed: Mutex::new(Printed { percent: 0.0, time: start }) }
     }
 
     fn bar(name: &str) -> Self {
@@ -70,11 +135,14 @@ impl Progress {
                     print_message(&client_lines::progress(pixels * done / total.max(1), *pixels));
                 }
             }
-            Self::Lines { start, printed } => {
-                let tenth = done * 10 / total.max(1);
-                if tenth > printed.fetch_max(tenth, Relaxed) {
-                    let left = start.elapsed().as_secs_f64() * (total - done) as f64 / done as f64;
-                    print_message(&format!("{:3}%, {left:.0} s left\n", 10 * tenth));
+            Self::Lines { style, start, printed } => {
+                let percent = 100.0 * done as f64 / total.max(1) as f64;
+                let mut printed = printed.lock().unwrap_or_else(PoisonError::into_inner);
+                let is_due = percent >= printed.percent + LINE_PERCENT || printed.time.elapsed() >= LINE_INTERVAL;
+                if percent > printed.percent && (is_due || done == total) {
+                    *printed = Printed { percent, time: Instant::now() };
+                    let left = start.elapsed().as_secs_f64() * (100.0 - percent) / percent;
+                    print_message(&style.progress(percent, left));
                 }
             }
         }
@@ -88,7 +156,7 @@ impl Progress {
                 bar.set_length(total as u64);
                 bar.set_position(done as u64);
             }
-            Self::Lines { .. } if done == total => print_message(&format!("{pass}: finished\n")),
+            Self::Lines { style, .. } if done == total => print_message(&style.pass(pass)),
             _ => {}
         }
     }
