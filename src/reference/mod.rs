@@ -8,7 +8,7 @@ use crate::medium::{INTERIOR, MEDIA, SCATTERING};
 use crate::pattern::{CellPattern, FieldPattern, Warp};
 use crate::shape::Shape;
 use crate::texture::DENSITY;
-use crate::texture::words::{FINISH, IMAGE_MAP, IRID, NORMAL, PIGMENT, REFLECTION, TEXTURE};
+use crate::texture::words::{FINISH, IMAGE_MAP, IRID, NORMAL, PIGMENT, REFLECTION, SUBSURFACE, TEXTURE};
 use crate::value::{Family, Spec};
 use crate::{atmosphere, camera, interpreter, light, scene};
 
@@ -65,12 +65,14 @@ pub const BLOCKS: &[Entry] = &[
     Entry::block(&FINISH, "`finish`", "finishes.md"),
     Entry::block(&REFLECTION, "`reflection`", "finishes.md"),
     Entry::block(&IRID, "`irid`", "finishes.md"),
+    Entry::block(&SUBSURFACE, "`subsurface` of `finish`", "finishes.md"),
     Entry::block(&INTERIOR, "`interior`", "finishes.md"),
     Entry::block(&MEDIA, "`media`", "media.md"),
     Entry::block(&SCATTERING, "`scattering`", "media.md#scattering"),
     Entry::block(&DENSITY, "`density`", "media.md#density"),
     Entry::block(&scene::words::SETTINGS, "`global_settings`", "settings.md"),
     Entry::block(&scene::RADIOSITY, "`radiosity` of `global_settings`", "settings.md#radiosity-of-the-scene"),
+    Entry::block(&scene::SUBSURFACE, "`subsurface` of `global_settings`", "settings.md#subsurface-of-the-scene"),
     Entry::block(&scene::PHOTON_MAP, "`photons` of `global_settings`", "photons.md#of-global_settings"),
 ];
 

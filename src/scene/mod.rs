@@ -6,6 +6,7 @@ mod pov_bounds;
 mod radiosity;
 mod recent_parts;
 mod settings;
+mod subsurface;
 mod surface;
 mod weight;
 pub mod words;
@@ -18,6 +19,7 @@ pub use photon_map::{PHOTON_MAP, PhotonMapSettings};
 pub use radiosity::{RADIOSITY, Radiosity};
 pub use recent_parts::RecentParts;
 pub use settings::Settings;
+pub use subsurface::{SUBSURFACE, SubsurfaceSettings};
 pub use surface::{Material, Painted, read_layers, read_material};
 pub use weight::Weight;
 

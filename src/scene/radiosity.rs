@@ -56,6 +56,8 @@ pub struct Radiosity {
     pub pretrace_end: f64,
     /// Maximum number of diffuse bounces.
     pub recursion_limit: u32,
+    /// True if rays that gather light show subsurface light transport.
+    pub subsurface: bool,
     /// True if `finish { ambient }` has an effect beside radiosity, as in scenes for versions before 3.7.
     pub keeps_ambient: bool,
 }
@@ -80,6 +82,7 @@ impl Default for Radiosity {
             pretrace_start: 0.08,
             pretrace_end: 0.04,
             recursion_limit: 2,
+            subsurface: false,
             keeps_ambient: false,
         }
     }
@@ -123,8 +126,8 @@ const ROWS: &[Row<Radiosity>] = &[
         .sets(|s, r| set(&mut s.pretrace_end, share("pretrace_end", r))),
     word("recursion_limit", Float, "2", "maximum number of diffuse bounces, 1 to 20")
         .sets(|s, r| set(&mut s.recursion_limit, whole("recursion_limit", 20, r))),
-    word("subsurface", Flag, "off", "gathered light is scattered below surfaces; durer does not render this yet")
-        .sets(|_, r| r.flag().map(drop)),
+    word("subsurface", Flag, "off", "rays that gather light show `finish { subsurface }`")
+        .sets(|s, r| set(&mut s.subsurface, r.flag())),
     word("load_file", Text, "", "in old scenes: file with samples to load; not supported yet")
         .sets(|_, r| skip_unsupported_text("load_file", r)),
     word("save_file", Text, "", "in old scenes: file to which samples are saved; not supported yet")

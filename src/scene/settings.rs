@@ -2,6 +2,7 @@
 
 use super::Radiosity;
 use super::photon_map::PhotonMapSettings;
+use super::subsurface::SubsurfaceSettings;
 use super::words::{SETTINGS, SETTINGS_ROWS};
 use crate::color::{Gamma, Rgb};
 use crate::diagnostic::Result;
@@ -40,6 +41,11 @@ pub struct Settings {
     /// Settings of the photon map; `None` for a scene without photons.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub photons: Option<PhotonMapSettings>,
+    /// Length of one unit of the scene in millimetres, for subsurface light transport.
+    pub mm_per_unit: f64,
+    /// Settings of subsurface light transport; `None` if the scene does not switch it on.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub subsurface: Option<SubsurfaceSettings>,
     /// Settings of the scene that durer does not support yet.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unsupported: Vec<Unsupported>,
@@ -59,6 +65,8 @@ impl Default for Settings {
             sky_by_share: false,
             radiosity: None,
             photons: None,
+            mm_per_unit: 10.0,
+            subsurface: None,
             unsupported: vec![],
         }
     }
@@ -86,9 +94,7 @@ impl Settings {
                 Next::Word("radiosity") | Next::Block("radiosity") => {
                     self.radiosity = Some(Box::new(Radiosity::read(r)?))
                 }
-                Next::Word(word) | Next::Block(word) if SETTINGS.is_unsupported(word) => {
-                    self.unsupported.push(r.read_unsupported(word)?);
-                }
+                Next::Block("subsurface") => self.subsurface = Some(SubsurfaceSettings::read(r)?),
                 _ => return Err(r.unknown_word_in(&SETTINGS)),
             }
         }

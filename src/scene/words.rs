@@ -4,6 +4,7 @@ use super::object::Flags;
 use super::settings::{Settings, read_gamma};
 use crate::pattern::read_noise_generator;
 use crate::value::ValueKind::{Block, Color, Flag, Float};
+use crate::value::ranges::positive;
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Spec, WordSpec};
 
@@ -93,12 +94,15 @@ pub(super) const SETTINGS_ROWS: &[Row<Settings>] = &[
         .sets(|s, r| set(&mut s.number_of_waves, r.float().map(|n| n.max(1.0) as usize))),
     word("ambient_light", Color, "1", "factor of `finish { ambient }` of all objects")
         .sets(|s, r| set(&mut s.ambient_light, r.color().map(|c| c.rgb))),
+    word("mm_per_unit", Float, "10", "millimetres per unit of the scene, for `finish { subsurface }`")
+        .sets(|s, r| set(&mut s.mm_per_unit, positive("mm_per_unit", r))),
 ];
 
 /// Parts of `global_settings` with braces of their own.
 const SETTINGS_PARTS: &[WordSpec] = &[
     word("photons", Block, "", "photon map: caustics of the objects that are targets of photons"),
     word("radiosity", Block, "", "diffuse light that surfaces receive from other surfaces and the sky"),
+    word("subsurface", Block, "", "switches `finish { subsurface }` on"),
 ];
 
 /// Specification of the block `global_settings`.
@@ -106,7 +110,6 @@ pub const SETTINGS: Spec = Spec {
     name: "global_settings",
     summary: "settings of the whole scene",
     words: &joined::<{ SETTINGS_ROWS.len() + SETTINGS_PARTS.len() }>(specs!(SETTINGS_ROWS), SETTINGS_PARTS),
-    ignored: &["charset", "hf_gray_16", "max_intersections", "mm_per_unit"],
-    unsupported: &["subsurface"],
+    ignored: &["charset", "hf_gray_16", "max_intersections"],
     ..Spec::EMPTY
 };

@@ -1,12 +1,12 @@
 //! `finish`: reflection, highlights and other reactions of a surface to light (manual, "Finish").
 
-use super::words::{FINISH, FINISH_ROWS, IRID, IRID_ROWS, REFLECTION, REFLECTION_ROWS};
+use super::words::{FINISH, FINISH_ROWS, IRID, IRID_ROWS, REFLECTION, REFLECTION_ROWS, SUBSURFACE, SUBSURFACE_ROWS};
 use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::math::noise::{NoiseGenerator, Turbulence, turbulence};
 use crate::math::{DVec3, fp};
 use crate::value::words::{read_row, set};
-use crate::value::{Next, Reader, ReaderExt, SharedDefault, StaticDefault, Unsupported};
+use crate::value::{Next, Reader, ReaderExt, SharedDefault, StaticDefault};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -64,9 +64,16 @@ pub struct Uncommon {
     pub caustics: Option<f64>,
     /// Factor of the transmitted light in the finish of an old scene, if the layer is the topmost.
     pub refraction: f64,
-    /// Parameters of the finish that durer reads and does not render yet.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub unsupported: Vec<Unsupported>,
+    /// Subsurface light transport of the finish; `None` without `subsurface`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub subsurface: Option<Subsurface>,
+}
+
+/// Subsurface light transport of a finish, from `subsurface` (manual, "Subsurface Light Transport").
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Subsurface {
+    /// Mean free path of light inside the solid between two changes of direction, in millimetres.
+    pub translucency: Rgb,
 }
 
 /// Thin-film interference of a finish, from `irid` (manual, "Iridescence").
@@ -124,7 +131,7 @@ impl Default for Finish {
 
 impl StaticDefault for Uncommon {
     fn static_default() -> &'static Self {
-        static NOTHING: Uncommon = Uncommon { ior: None, caustics: None, refraction: 1.0, unsupported: vec![] };
+        static NOTHING: Uncommon = Uncommon { ior: None, caustics: None, refraction: 1.0, subsurface: None };
         &NOTHING
     }
 }
@@ -159,8 +166,10 @@ impl Finish {
                     f.irid = Some(Box::new(Irid::read(r)?));
                     r.leave_block()?;
                 }
-                Next::Word(word) | Next::Block(word) if FINISH.is_unsupported(word) => {
-                    f.uncommon.unsupported.push(r.read_unsupported(word)?)
+                Next::Block("subsurface") => {
+                    r.take_token()?;
+                    f.uncommon.subsurface = Some(Subsurface::read(r)?);
+                    r.leave_block()?;
                 }
                 next if f.read_word(next, r)? => {}
                 _ => return Err(r.unknown_word_in(&FINISH)),
@@ -237,6 +246,20 @@ impl Irid {
             thickness *= 1.0 + self.turbulence * (2.0 * turbulence(p, series, noise) - 1.0);
         }
         wavelength.map(|lambda| 1.0 + self.amount * fp::cos(TAU * thickness * cosines / lambda))
+    }
+}
+
+impl Subsurface {
+    /// Reads the block `subsurface { translucency … }` of a finish.
+    fn read(r: &mut dyn Reader) -> Result<Self> {
+        let mut out = Self::default();
+        loop {
+            match r.next()? {
+                Next::End => return Ok(out),
+                next if read_row(SUBSURFACE_ROWS, &mut out, next, r)? => {}
+                _ => return Err(r.unknown_word_in(&SUBSURFACE)),
+            }
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The keywords of `pigment`, `finish` and `texture`, for readers and manual.
 
-use super::finish::{Finish, Irid, Reflection};
+use super::finish::{Finish, Irid, Reflection, Subsurface};
 use super::image_map::Clearness;
 use super::normal::Normal;
 use super::pigment::Pigment;
@@ -157,6 +157,8 @@ pub(super) const FINISH_ROWS: &[Row<Finish>] = &[
         .sets(|s, r| set(&mut s.reflection.exponent, r.float())),
     word("irid", Block, "", "the colours of a thin film, as on soap bubbles")
         .sets(|_, r| Err(r.unexpected("`{`").into())),
+    word("subsurface", Block, "", "light that enters the solid and leaves it elsewhere, as in wax and marble")
+        .sets(|_, r| Err(r.unexpected("`{`").into())),
     word("conserve_energy", Flag, "off", "what is mirrored is taken from what shines through")
         .sets(|s, r| set(&mut s.conserve_energy, r.flag())),
     word("ior", Float, "", "as in `interior`, which is newer; that of the topmost layer goes before the interior's")
@@ -178,7 +180,6 @@ pub const FINISH: Spec = Spec {
     summary: "how a surface answers to light",
     words: specs!(FINISH_ROWS),
     ignored: &["fade_distance", "fade_power"],
-    unsupported: &["subsurface"],
     ..Spec::EMPTY
 };
 
@@ -194,6 +195,23 @@ pub const IRID: Spec = Spec {
     name: "irid",
     summary: "the colours of a thin film: `{ amount thickness T turbulence U }`",
     words: specs!(IRID_ROWS),
+    ..Spec::EMPTY
+};
+
+/// Words of a finish's `subsurface` block, and how each is read.
+pub(super) const SUBSURFACE_ROWS: &[Row<Subsurface>] = &[word(
+    "translucency",
+    Color,
+    "0",
+    "mean distance that light travels inside between two changes of its direction, in millimetres, per channel",
+)
+.sets(|s, r| set(&mut s.translucency, r.color().map(|c| c.rgb)))];
+
+/// Description of `finish { subsurface { … } }`.
+pub const SUBSURFACE: Spec = Spec {
+    name: "subsurface",
+    summary: "light that enters the solid and leaves it elsewhere, if `global_settings` has a `subsurface` block",
+    words: specs!(SUBSURFACE_ROWS),
     ..Spec::EMPTY
 };
 

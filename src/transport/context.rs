@@ -21,6 +21,8 @@ pub struct Quality {
     pub reflection: bool,
     /// True from level 9 on: fog and rainbows.
     pub atmosphere: bool,
+    /// True from level 9 on, if the scene switches it on: subsurface light transport.
+    pub subsurface: bool,
 }
 
 impl Quality {
@@ -33,6 +35,7 @@ impl Quality {
             pigments: q >= 6,
             reflection: q >= 8,
             atmosphere: q >= 9,
+            subsurface: q >= 9,
         }
     }
 }
@@ -52,6 +55,8 @@ pub struct FrameContext<'w> {
     /// The lowered scene.
     pub world: &'w World,
     pub(super) quality: Quality,
+    /// Features that rays show which gather light for radiosity.
+    pub(super) gather_quality: Quality,
     pub(super) camera: CameraOrigin,
     /// Number of the frame, a part of each random number's key.
     pub(super) frame: u32,
@@ -85,9 +90,12 @@ impl<'w> FrameContext<'w> {
         let around = |origin| interiors_around(world, origin);
         let camera_interiors = camera.origin.filter(|_| tracks_interiors).map_or_else(Interiors::new, around);
         let settings = world.radiosity.as_deref().filter(|_| quality.atmosphere && quality.lights);
+        let quality = Quality { subsurface: quality.subsurface && world.subsurface.is_some(), ..quality };
+        let gathers_subsurface = world.radiosity.as_ref().is_some_and(|radiosity| radiosity.subsurface);
         Self {
             world,
             quality,
+            gather_quality: Quality { subsurface: quality.subsurface && gathers_subsurface, ..quality },
             camera,
             frame,
             keeps_alpha,

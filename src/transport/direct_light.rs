@@ -45,6 +45,9 @@ impl Tracer<'_> {
         for &number in &world.lit_by[shading.part.lights() as usize] {
             sum += self.reflected_light(&world.lights[number as usize], state, shading);
         }
+        if self.context.quality.subsurface {
+            sum += self.subsurface_light(state, shading);
+        }
         if self.context.photons.is_some() {
             sum += self.photon_light(state, shading);
         }
@@ -138,7 +141,7 @@ fn emitted(shaded: &ShadedLayer, has_ambient: bool) -> Rgb {
 pub(super) fn diffuse(shaded: &ShadedLayer, at: &Incidence, grain: f64, both_sides: bool) -> Rgb {
     let layer = shaded.layer;
     let amount = if at.cos > 0.0 || both_sides { layer.finish.diffuse } else { layer.finish.diffuse_back };
-    if amount == 0.0 {
+    if amount == 0.0 || shaded.is_translucent {
         return Rgb::ZERO;
     }
     // opacity · d·|N·l|ᵇ - grain (quirk: `crand_ignores_opacity`)

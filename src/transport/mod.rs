@@ -2,12 +2,13 @@
 //!
 //! [`Tracer`] estimates the radiance that arrives at a ray's origin. Its loop (`radiance`) works on a queue of ray states; each step
 //! is one file: `segment` (air and attenuation between two surfaces), `shading_point` (materials at a hit), `direct_light` with
-//! `visibility` and `area_light` (light from light sources), `photons` (light by way of targets), `radiosity` (diffuse light
+//! `visibility` and `area_light` (light from light sources), `subsurface` with `dipole` (light through translucent solids), `photons` (light by way of targets), `radiosity` (diffuse light
 //! from other surfaces), `scatter` with `reflect`, `interface` and `dispersion` (the rays that
 //! continue from the surface).
 
 mod area_light;
 mod context;
+mod dipole;
 mod direct_light;
 mod dispersion;
 mod interface;
@@ -22,6 +23,7 @@ mod reflect;
 mod scatter;
 mod segment;
 mod shading_point;
+mod subsurface;
 mod tracer;
 mod visibility;
 

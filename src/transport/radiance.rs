@@ -91,7 +91,8 @@ impl<'w> Tracer<'w> {
             return true;
         }
         // Light that the surface itself sends
-        let shading = ShadingPoint::new(self.context.world, &state.ray, &hit, &self.context.quality, &interface);
+        let quality = if state.bounces == 0 { &self.context.quality } else { &self.context.gather_quality };
+        let shading = ShadingPoint::new(self.context.world, &state.ray, &hit, quality, &interface);
         let is_collecting = self.context.radiosity.as_ref().is_some_and(|radiosity| !radiosity.is_final());
         // (Nobody reads the radiance of a camera ray in a pass that collects samples.)
         if state.bounces > 0 || !is_collecting {

@@ -18,10 +18,12 @@ pub enum Purpose {
     Rainbow,
     /// Positions of samples in media.
     Media,
+    /// Positions of samples on and below the surface of translucent solids.
+    Subsurface,
 }
 
 /// Number of purposes of random numbers.
-const PURPOSES: usize = Purpose::Media as usize + 1;
+const PURPOSES: usize = Purpose::Subsurface as usize + 1;
 
 /// Generator of the random numbers of one sample after another.
 #[derive(Clone, Copy, Debug)]

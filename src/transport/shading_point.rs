@@ -25,6 +25,8 @@ pub(super) struct ShadedLayer<'w> {
     pub normal: DVec3,
     /// Cosine of the angle between the reversed ray and `normal`; negative where bumps are seen from behind.
     pub cos: f64,
+    /// True if subsurface light transport replaces the layer's diffuse reflection.
+    pub is_translucent: bool,
 }
 
 /// One texture, evaluated at a point. Where a pattern blends several textures, each is lit, reflects and refracts
@@ -182,7 +184,8 @@ impl<'w> Painter<'w, '_> {
                 self.layers.truncate(first);
             }
             let weight = if self.quality.lights { weight } else { Rgb::ONE };
-            let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos };
+            let is_translucent = layer.finish.scattering_length.is_some() && self.quality.subsurface;
+            let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos, is_translucent };
             transmittance *= color.transmittance();
             // quirk: conserve_energy_without_pigment
             if layer.finish.conserve_energy && !layer.is_nothing(&seen_from(), quick) {

@@ -88,6 +88,10 @@ pub struct LoweredFinish {
     pub diffuse_back: f64,
     /// Exponent of the cosine in diffuse reflection (`brilliance`).
     pub brilliance: f64,
+    /// Mean distance between two changes of light's direction inside the solid, in world units; `None` for a finish without
+    /// subsurface light transport.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scattering_length: Option<Box<Rgb>>,
     /// Highlight of the Phong model, about the mirror direction.
     pub phong: Lobe,
     /// Highlight of the Blinn model, about the half-way vector.
@@ -249,8 +253,9 @@ impl Layer {
 }
 
 impl LoweredFinish {
-    /// Lowers a finish; `ambient_light` is the scene's factor of `ambient`.
-    pub fn new(f: &Finish, ambient_light: Rgb) -> Self {
+    /// Lowers a finish; `ambient_light` is the scene's factor of `ambient`, and `mm_per_unit` the length of one unit of a
+    /// scene with subsurface light transport.
+    pub fn new(f: &Finish, ambient_light: Rgb, mm_per_unit: Option<f64>) -> Self {
         // Negative strengths count as 0 (quirk: `negative_highlights`).
         let plain = f.without_albedo();
         let [diffuse, diffuse_back, phong, specular] =
@@ -261,6 +266,7 @@ impl LoweredFinish {
             diffuse,
             diffuse_back,
             brilliance: f.brilliance,
+            scattering_length: f.uncommon.subsurface.zip(mm_per_unit).map(|(s, mm)| Box::new(s.translucency / mm)),
             phong: Lobe { strength: phong, exponent: f.phong_size },
             // A roughness of 0 is the dullest, as in POV-Ray.
             specular: Lobe { strength: specular, exponent: if f.roughness == 0.0 { 0.0 } else { 1.0 / f.roughness } },

@@ -33,7 +33,7 @@ use crate::light::LoweredLight;
 use crate::math::noise::NoiseGenerator;
 use crate::math::{DVec3, Transform};
 use crate::medium::Interior;
-use crate::scene::{PhotonMapSettings, PhotonSettings, Radiosity};
+use crate::scene::{PhotonMapSettings, PhotonSettings, Radiosity, SubsurfaceSettings};
 use crate::source::Span;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -78,6 +78,9 @@ pub struct World {
     /// Settings of the photon map; `None` for a scene without photons.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub photon_map: Option<PhotonMapSettings>,
+    /// Settings of subsurface light transport; `None` for a scene without.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub subsurface: Option<SubsurfaceSettings>,
     /// Number of wave sources of `ripples` and `waves` (`number_of_waves`).
     pub waves: usize,
     /// True for each interior, by its number, that is not hollow and keeps fog out.

@@ -186,8 +186,8 @@ fn pattern_section(spec: &Spec) -> String {
 
 pub(super) fn finishes_page() -> String {
     use crate::medium::INTERIOR;
-    use texture::words::{FINISH, IRID, NORMAL, REFLECTION, TEXTURE};
-    let blocks = [&TEXTURE, &NORMAL, &FINISH, &REFLECTION, &IRID, &INTERIOR];
+    use texture::words::{FINISH, IRID, NORMAL, REFLECTION, SUBSURFACE, TEXTURE};
+    let blocks = [&TEXTURE, &NORMAL, &FINISH, &REFLECTION, &IRID, &SUBSURFACE, &INTERIOR];
     blocks.map(|block| section(block, block.name, &[])).concat()
 }
 
@@ -196,4 +196,5 @@ pub(super) fn settings_page() -> String {
         + "Without `assumed_gamma`, durer does what POV-Ray does for the file's `#version`. Write \
            `global_settings { assumed_gamma 1 }` into every new scene.\n\n"
         + &section(&scene::RADIOSITY, "Radiosity of the scene", &[])
+        + &section(&scene::SUBSURFACE, "Subsurface of the scene", &[])
 }

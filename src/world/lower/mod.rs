@@ -16,11 +16,10 @@ use super::{
     World,
 };
 use crate::color::Gamma;
-use crate::color::Rgb;
 use crate::diagnostic::Result;
 use crate::math::{Transform, cancel};
 use crate::medium::{Interior, Media};
-use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, PhotonSettings, Scene};
+use crate::scene::{CsgOp, Flags, Object, ObjectKind, Painted, PhotonSettings, Scene, Settings};
 use crate::shape::{Bounding, Kernel, Shape, transformed_box};
 use crate::source::{Activity, Span};
 use crate::texture::Texture;
@@ -51,7 +50,7 @@ pub fn lower_away(mut scene: Scene) -> Result<World> {
 
 fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) -> Result<World> {
     let _activity = Activity::begin("while its objects were prepared for rendering");
-    let mut lowering = Lowering::with_ambient_light(scene.settings.ambient_light);
+    let mut lowering = Lowering::new(&scene.settings);
     // Most objects have one part or more. Lists that grow from nothing leave gaps in the memory.
     lowering.parts.reserve(objects.len());
     lowering.objects.reserve(objects.len());
@@ -119,6 +118,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
         photons,
         radiosity: scene.settings.radiosity.clone(),
         photon_map: scene.settings.photons.clone(),
+        subsurface: scene.settings.subsurface.clone(),
         waves: scene.settings.number_of_waves,
         max_trace_level: scene.settings.max_trace_level,
         adc_bailout: scene.settings.adc_bailout,
@@ -187,10 +187,10 @@ struct Group {
 }
 
 impl Lowering {
-    /// Creates the state before any object is lowered; `ambient_light` is the scene's factor of `ambient`.
-    fn with_ambient_light(ambient_light: Rgb) -> Self {
+    /// Creates the state before any object of a scene with these settings is lowered.
+    fn new(settings: &Settings) -> Self {
         let photons = vec![PhotonSettings::default()];
-        Self { shared: SharedSurfaceParts::with_ambient_light(ambient_light), photons, ..Self::default() }
+        Self { shared: SharedSurfaceParts::new(settings), photons, ..Self::default() }
     }
 
     /// Drops shared textures that no object uses any more.

@@ -1,6 +1,7 @@
 //! Lowers each shared texture, finish and normal only once.
 
 use crate::color::Rgb;
+use crate::scene::Settings;
 use crate::texture::{Finish, Normal, NormalProgram};
 use crate::world::LoweredFinish;
 use crate::world::material::SharedParts;
@@ -11,14 +12,17 @@ use std::sync::Arc;
 #[derive(Default)]
 pub(super) struct SharedSurfaceParts {
     ambient_light: Rgb,
+    /// Length of one unit in millimetres; `None` for a scene without subsurface light transport.
+    mm_per_unit: Option<f64>,
     finishes: LoweredTable<Finish, Arc<LoweredFinish>>,
     normals: LoweredTable<Normal, Arc<NormalProgram>>,
 }
 
 impl SharedSurfaceParts {
-    /// Creates an empty table; `ambient_light` is the scene's factor of `ambient`.
-    pub fn with_ambient_light(ambient_light: Rgb) -> Self {
-        Self { ambient_light, ..Self::default() }
+    /// Creates an empty table for finishes of a scene with these settings.
+    pub fn new(settings: &Settings) -> Self {
+        let mm_per_unit = settings.subsurface.as_ref().map(|_| settings.mm_per_unit);
+        Self { ambient_light: settings.ambient_light, mm_per_unit, ..Self::default() }
     }
 
     /// Drops the finishes and normals added since the last call that no object uses.
@@ -30,7 +34,9 @@ impl SharedSurfaceParts {
 
 impl SharedParts for SharedSurfaceParts {
     fn lower_finish(&mut self, finish: &Arc<Finish>) -> Arc<LoweredFinish> {
-        self.finishes.get_or_lower(finish, |finish| Arc::new(LoweredFinish::new(finish, self.ambient_light))).clone()
+        self.finishes
+            .get_or_lower(finish, |finish| Arc::new(LoweredFinish::new(finish, self.ambient_light, self.mm_per_unit)))
+            .clone()
     }
 
     fn lower_normal(&mut self, normal: &Arc<Normal>) -> Arc<NormalProgram> {

@@ -1,0 +1,239 @@
+//! `finish { subsurface }`: light that enters a translucent solid and leaves it elsewhere, by the BSSRDF of Jensen,
+//! Marschner, Levoy and Hanrahan, A Practical Model for Subsurface Light Transport, SIGGRAPH 2001: light that is
+//! scattered often by the dipole approximation (section 2.1), light that is scattered once by its path (section 3.1).
+
+use super::dipole::{Dipole, boundary_mismatch};
+use super::random::{Purpose, RandomSequence};
+use super::ray_state::RayState;
+use super::shading_point::{ShadedLayer, ShadingPoint};
+use super::tracer::Tracer;
+use crate::color::Rgb;
+use crate::math::{DVec3, Range, Ray, fp};
+use crate::world::{Intersection, Surface};
+use std::f64::consts::{PI, TAU};
+
+/// Fractional part of the golden ratio: turns by this share of a circle spread points evenly.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// Point of a translucent surface that a ray shows.
+struct Exit<'a> {
+    state: &'a RayState,
+    point: DVec3,
+    /// Outward normal at the point, length 1.
+    normal: DVec3,
+    /// Number of the solid's interior: light enters where it bounds a solid.
+    interior: u32,
+    /// Index of refraction of the interior.
+    ior: f64,
+    /// Transmittance of the surface for light that leaves in the direction of the ray's origin.
+    transmittance: f64,
+    random: RandomSequence,
+}
+
+/// Light that leaves a surface, for the channels that share the dipole.
+#[derive(Clone, Copy)]
+struct Channels {
+    dipole: Dipole,
+    /// 1 for the channels with this dipole, 0 for the others.
+    mask: Rgb,
+}
+
+/// A direction at the boundary of a solid.
+struct Refracted {
+    /// Cosine of the angle between direction and normal inside the solid.
+    cos_inside: f64,
+    /// Transmittance of the boundary, for unpolarised light.
+    transmittance: f64,
+}
+
+impl<'w> Tracer<'w> {
+    /// Returns the radiance that translucent layers send along a ray, in place of their diffuse reflection.
+    #[inline(never)]
+    pub(super) fn subsurface_light(&mut self, state: &RayState, shading: &ShadingPoint) -> Rgb {
+        let mut sum = Rgb::ZERO;
+        for material in &shading.materials {
+            for shaded in shading.layers_of(material).iter().filter(|shaded| shaded.is_translucent) {
+                sum +=
+                    material.share * shaded.weight * shaded.opacity * self.light_through_solid(state, shading, shaded);
+            }
+        }
+        sum
+    }
+
+    /// Returns the radiance of one translucent layer that is opaque.
+    fn light_through_solid(&mut self, state: &RayState, shading: &ShadingPoint, shaded: &ShadedLayer) -> Rgb {
+        let ior = self.context.world.interiors[shading.part.interior as usize].ior;
+        let exit = Exit {
+            state,
+            point: shading.point,
+            normal: shading.smooth,
+            interior: shading.part.interior,
+            ior,
+            transmittance: refracted(-state.ray.dir.dot(shading.smooth), ior).transmittance,
+            random: self.random.sequence(Purpose::Subsurface),
+        };
+        let mut sum = Rgb::ZERO;
+        for channels in channels_of(shaded, ior) {
+            sum += channels.mask
+                * (self.diffuse_light(&exit, &channels.dipole) + self.single_light(&exit, &channels.dipole));
+        }
+        sum
+    }
+
+    /// Returns the radiance that was scattered often. Rays from a point below the surface in all directions find the
+    /// points where light enters (quirk: `subsurface_hits`).
+    fn diffuse_light(&mut self, exit: &Exit, dipole: &Dipole) -> Rgb {
+        let n_samples = self.context.world.subsurface.as_ref().map_or(0, |settings| settings.diffuse_samples);
+        let thickness = self.distance_inside(&Ray::new(exit.point, -exit.normal)).unwrap_or(f64::INFINITY);
+        let below = exit.point - exit.normal * dipole.depth.min(0.5 * thickness);
+        let tangent = exit.normal.any_orthonormal_vector();
+        let bitangent = exit.normal.cross(tangent);
+        let (mut sum, mut n_hits) = (Rgb::ZERO, 0_u32);
+        for i in 0..n_samples {
+            if self.is_stopped_at_next_surface() {
+                break;
+            }
+            // Points of a spiral on the sphere, which is turned by chance
+            let cos = 1.0 - 2.0 * (f64::from(i) + exit.random.at(0)) / f64::from(n_samples);
+            let sin = (1.0 - cos * cos).max(0.0).sqrt();
+            let (y, x) = fp::sin_cos(TAU * fp::fraction(f64::from(i) * GOLDEN + exit.random.at(1)));
+            let dir = exit.normal * cos + (tangent * x + bitangent * y) * sin;
+            let Some(hit) = self.next_surface(&Ray::new(below, dir)) else { continue };
+            n_hits += 1;
+            if self.interior_of(&hit) != exit.interior {
+                continue;
+            }
+            let surface = hit.surface(&Ray::new(below, dir));
+            // Density of the points per area: |n·ω|/(4πt²)
+            let density = surface.normal.dot(dir).abs() / (4.0 * PI * hit.t() * hit.t());
+            let weight = dipole.reflectance(surface.point.distance_squared(exit.point)) / density;
+            if weight.is_finite() {
+                sum += weight * self.entering_light(exit, &hit, &surface);
+            }
+        }
+        sum * (exit.transmittance / f64::from(n_hits.max(1)))
+    }
+
+    /// Returns the light of all light sources that enters a solid at a point of its surface: times the cosine and the
+    /// transmittance of the surface.
+    fn entering_light(&mut self, exit: &Exit, hit: &Intersection, surface: &Surface) -> Rgb {
+        let world = self.context.world;
+        let lights = world.parts[hit.part_number() as usize].lights();
+        let mut sum = Rgb::ZERO;
+        for &number in &world.lit_by[lights as usize] {
+            let light = &world.lights[number as usize];
+            let sample = light.emitter.sample(surface.point, DVec3::ZERO);
+            let cos = surface.normal.dot(sample.from);
+            if sample.light == Rgb::ZERO || cos.is_nan() || cos <= 0.0 {
+                continue;
+            }
+            let visibility = self.visibility(light, surface.point, &sample, &exit.state.inside);
+            sum += sample.light * visibility * (cos * refracted(cos, exit.ior).transmittance);
+        }
+        sum
+    }
+
+    /// Returns the radiance that was scattered once, on the refracted ray (section 3.1). Distances along the ray are
+    /// chosen with the density σ_t·exp(-σ_t·s).
+    fn single_light(&mut self, exit: &Exit, dipole: &Dipole) -> Rgb {
+        let n_samples = self.context.world.subsurface.as_ref().map_or(0, |settings| settings.single_samples);
+        let cos = -exit.state.ray.dir.dot(exit.normal);
+        let inner = refracted(cos, exit.ior);
+        if n_samples == 0 || inner.transmittance == 0.0 {
+            return Rgb::ZERO;
+        }
+        let along_surface = exit.state.ray.dir + exit.normal * cos;
+        let ray = Ray::new(exit.point, along_surface / exit.ior - exit.normal * inner.cos_inside);
+        let end = self.distance_inside(&ray).unwrap_or(f64::INFINITY);
+        let mut sum = Rgb::ZERO;
+        for i in 0..n_samples {
+            if self.is_stopped_at_next_surface() {
+                break;
+            }
+            let share = (f64::from(i) + exit.random.at(2 + u64::from(i))) / f64::from(n_samples);
+            let distance = -fp::ln(1.0 - share) * dipole.depth;
+            if distance < end {
+                sum += self.light_scattered_once(exit, dipole, &ray, distance);
+            }
+        }
+        sum * (inner.transmittance / f64::from(n_samples))
+    }
+
+    /// Returns the light of all light sources that one point of the refracted ray scatters along the ray (quirk:
+    /// `subsurface_single_scattering`).
+    fn light_scattered_once(&mut self, exit: &Exit, dipole: &Dipole, ray: &Ray, distance: f64) -> Rgb {
+        let world = self.context.world;
+        let point = ray.at(distance);
+        let mut sum = Rgb::ZERO;
+        for light in &world.lights {
+            let from = light.emitter.sample(point, DVec3::ZERO).from;
+            let to_light = Ray::new(point, from);
+            let Some(hit) = self.next_surface(&to_light).filter(|hit| self.interior_of(hit) == exit.interior) else {
+                continue;
+            };
+            let surface = hit.surface(&to_light);
+            let lights = world.parts[hit.part_number() as usize].lights();
+            let sample = light.emitter.sample(surface.point, DVec3::ZERO);
+            let cos = surface.normal.dot(sample.from);
+            let is_lit = world.lit_by[lights as usize].iter().any(|&number| number as usize == light.number);
+            if !is_lit || sample.light == Rgb::ZERO || cos.is_nan() || cos <= 0.0 {
+                continue;
+            }
+            let entry = refracted(cos, exit.ior);
+            // The path inside, as if light were refracted: s_i' = s_i·|n·ω|/|n·ω'|
+            let path = distance + hit.t() * cos / entry.cos_inside;
+            // G = |n·ω_o'|/|n·ω_i'|
+            let geometry = surface.normal.dot(ray.dir).abs() / entry.cos_inside;
+            let share = 0.25 * dipole.albedo * fp::exp(-path / dipole.depth) / (1.0 + geometry);
+            let visibility = self.visibility(light, surface.point, &sample, &exit.state.inside);
+            sum += sample.light * visibility * (share * cos * entry.transmittance);
+        }
+        sum
+    }
+
+    /// Returns the next surface of any object along a ray from inside a solid.
+    fn next_surface(&self, ray: &Ray) -> Option<Intersection<'w>> {
+        let world = self.context.world;
+        let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
+        world.geometry.closest(ray, range, |_| true)
+    }
+
+    /// Returns the distance up to the next surface along a ray from a surface into the solid.
+    fn distance_inside(&self, ray: &Ray) -> Option<f64> {
+        self.next_surface(ray).map(|hit| hit.t())
+    }
+
+    fn interior_of(&self, hit: &Intersection) -> u32 {
+        self.context.world.parts[hit.part_number() as usize].interior
+    }
+}
+
+/// Returns the dipoles of a layer, each with its channels; channels with equal dipoles are computed together.
+fn channels_of(shaded: &ShadedLayer, ior: f64) -> impl Iterator<Item = Channels> {
+    let finish = &shaded.layer.finish;
+    let lengths = finish.scattering_length.as_deref().copied().unwrap_or_default();
+    let mismatch = boundary_mismatch(ior);
+    let reflectances = shaded.color.rgb * finish.diffuse;
+    let dipoles: [Option<Dipole>; 3] = [0, 1, 2].map(|i| Dipole::new(reflectances[i], lengths[i], mismatch));
+    (0..3).filter_map(move |i| {
+        let dipole = dipoles[i]?;
+        let is_first = !dipoles[..i].contains(&Some(dipole));
+        let mask = Rgb::from_array(dipoles.map(|other| f64::from(u8::from(other == Some(dipole)))));
+        is_first.then_some(Channels { dipole, mask })
+    })
+}
+
+/// Returns the refraction of light that enters a solid from outside at this cosine of incidence, by Snell's law and
+/// Fresnel's equations.
+fn refracted(cos: f64, ior: f64) -> Refracted {
+    // cos²θ₂ = 1 - (1 - cos²θ₁)/n²
+    let cos2 = 1.0 - (1.0 - cos * cos) / (ior * ior);
+    if cos2.is_nan() || cos2 <= 0.0 {
+        return Refracted { cos_inside: 0.0, transmittance: 0.0 };
+    }
+    let inside = cos2.sqrt();
+    let perpendicular = (cos - ior * inside) / (cos + ior * inside);
+    let parallel = (inside - ior * cos) / (inside + ior * cos);
+    let reflectance = (perpendicular * perpendicular + parallel * parallel) / 2.0;
+    Refracted { cos_inside: inside, transmittance: 1.0 - reflectance }
+}
