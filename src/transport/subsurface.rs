@@ -10,6 +10,7 @@ use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::math::{DVec3, Range, Ray, fp};
 use crate::world::{Intersection, Surface};
+use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
 /// Fractional part of the golden ratio: turns by this share of a circle spread points evenly.
@@ -72,20 +73,24 @@ impl<'w> Tracer<'w> {
             transmittance: refracted(-state.ray.dir.dot(shading.smooth), ior).transmittance,
             random: self.random.sequence(Purpose::Subsurface),
         };
-        let mut sum = Rgb::ZERO;
-        for channels in channels_of(shaded, ior) {
-            sum += channels.mask
-                * (self.diffuse_light(&exit, &channels.dipole) + self.single_light(&exit, &channels.dipole));
-        }
-        sum
+        let all: SmallVec<[Channels; 3]> = channels_of(shaded, ior).collect();
+        let single =
+            |tracer: &mut Self, channels: &Channels| channels.mask * tracer.single_light(&exit, &channels.dipole);
+        all.iter().fold(self.diffuse_light(&exit, &all), |sum, channels| sum + single(self, channels))
     }
 
-    /// Returns the radiance that was scattered often. Rays from a point below the surface in all directions find the
-    /// points where light enters (quirk: `subsurface_hits`).
-    fn diffuse_light(&mut self, exit: &Exit, dipole: &Dipole) -> Rgb {
+    /// Returns the radiance that was scattered often. Rays in all directions, from a point below the surface for each
+    /// dipole, find the points where light enters (quirk: `subsurface_hits`). The dipoles share the points: the density
+    /// of the points is the mean of the densities around the origins (balance heuristic; Veach and Guibas, Optimally
+    /// Combining Sampling Techniques for Monte Carlo Rendering, 1995).
+    fn diffuse_light(&mut self, exit: &Exit, all: &[Channels]) -> Rgb {
         let n_samples = self.context.world.subsurface.as_ref().map_or(0, |settings| settings.diffuse_samples);
+        if all.is_empty() {
+            return Rgb::ZERO;
+        }
         let thickness = self.distance_inside(&Ray::new(exit.point, -exit.normal)).unwrap_or(f64::INFINITY);
-        let below = exit.point - exit.normal * dipole.depth.min(0.5 * thickness);
+        let below = |channels: &Channels| exit.point - exit.normal * channels.dipole.depth.min(0.5 * thickness);
+        let origins: SmallVec<[DVec3; 3]> = all.iter().map(below).collect();
         let tangent = exit.normal.any_orthonormal_vector();
         let bitangent = exit.normal.cross(tangent);
         let (mut sum, mut n_hits) = (Rgb::ZERO, 0_u32);
@@ -97,16 +102,24 @@ impl<'w> Tracer<'w> {
             let cos = 1.0 - 2.0 * (f64::from(i) + exit.random.at(0)) / f64::from(n_samples);
             let sin = (1.0 - cos * cos).max(0.0).sqrt();
             let (y, x) = fp::sin_cos(TAU * fp::fraction(f64::from(i) * GOLDEN + exit.random.at(1)));
-            let dir = exit.normal * cos + (tangent * x + bitangent * y) * sin;
-            let Some(hit) = self.next_surface(&Ray::new(below, dir)) else { continue };
+            let ray =
+                Ray::new(origins[i as usize % origins.len()], exit.normal * cos + (tangent * x + bitangent * y) * sin);
+            let Some(hit) = self.next_surface(&ray) else { continue };
             n_hits += 1;
             if self.interior_of(&hit) != exit.interior {
                 continue;
             }
-            let surface = hit.surface(&Ray::new(below, dir));
+            let surface = hit.surface(&ray);
             // Density of the points per area: |n·ω|/(4πt²)
-            let density = surface.normal.dot(dir).abs() / (4.0 * PI * hit.t() * hit.t());
-            let weight = dipole.reflectance(surface.point.distance_squared(exit.point)) / density;
+            let density = |origin: &DVec3| {
+                let path = surface.point - *origin;
+                let square = path.length_squared();
+                surface.normal.dot(path).abs() / (4.0 * PI * square * square.sqrt())
+            };
+            let density = origins.iter().map(density).sum::<f64>() / origins.len() as f64;
+            let square = surface.point.distance_squared(exit.point);
+            let weight = |sum: Rgb, channels: &Channels| sum + channels.mask * channels.dipole.reflectance(square);
+            let weight = all.iter().fold(Rgb::ZERO, weight) / density;
             if weight.is_finite() {
                 sum += weight * self.entering_light(exit, &hit, &surface);
             }
