@@ -16,6 +16,9 @@ use std::f64::consts::{PI, TAU};
 /// Fractional part of the golden ratio: turns by this share of a circle spread points evenly.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
+/// Weight of a sample up to which only a share of the samples is traced, each with this weight.
+const FULL_WEIGHT: f64 = 0.05;
+
 /// Point of a translucent surface that a ray shows.
 struct Exit<'a> {
     state: &'a RayState,
@@ -120,15 +123,20 @@ impl<'w> Tracer<'w> {
             let square = surface.point.distance_squared(exit.point);
             let weight = |sum: Rgb, channels: &Channels| sum + channels.mask * channels.dipole.reflectance(square);
             let weight = all.iter().fold(Rgb::ZERO, weight) / density;
-            if weight.is_finite() {
-                sum += weight * self.entering_light(exit, &hit, &surface);
+            if !weight.is_finite() {
+                continue;
+            }
+            // Russian roulette: most points far away count for nothing.
+            let kept = (weight.max_element() / FULL_WEIGHT).min(1.0);
+            if exit.random.at(2 * u64::from(i) + 3) < kept {
+                sum += weight / kept * self.entering_light(exit, &hit, &surface);
             }
         }
         sum * (exit.transmittance / f64::from(n_hits.max(1)))
     }
 
-    /// Returns the light of all light sources that enters a solid at a point of its surface: times the cosine and the
-    /// transmittance of the surface.
+    /// Returns the light that enters a solid at a point of its surface: times the cosine and the transmittance of the
+    /// surface. Light from either side enters (quirk: `subsurface_both_sides`).
     fn entering_light(&mut self, exit: &Exit, hit: &Intersection, surface: &Surface) -> Rgb {
         let world = self.context.world;
         let lights = world.parts[hit.part_number() as usize].lights();
@@ -136,12 +144,17 @@ impl<'w> Tracer<'w> {
         for &number in &world.lit_by[lights as usize] {
             let light = &world.lights[number as usize];
             let sample = light.emitter.sample(surface.point, DVec3::ZERO);
-            let cos = surface.normal.dot(sample.from);
-            if sample.light == Rgb::ZERO || cos.is_nan() || cos <= 0.0 {
+            let cos = surface.normal.dot(sample.from).abs();
+            if sample.light == Rgb::ZERO || cos.is_nan() || cos == 0.0 {
                 continue;
             }
             let visibility = self.visibility(light, surface.point, &sample, &exit.state.inside);
             sum += sample.light * visibility * (cos * refracted(cos, exit.ior).transmittance);
+        }
+        if world.subsurface.as_ref().is_some_and(|settings| settings.radiosity) {
+            // Gathered light counts as if it came along the normal.
+            let gathered = self.gathered_irradiance(exit.state, surface.point, surface.normal);
+            sum += gathered * refracted(1.0, exit.ior).transmittance;
         }
         sum
     }
@@ -163,7 +176,7 @@ impl<'w> Tracer<'w> {
             if self.is_stopped_at_next_surface() {
                 break;
             }
-            let share = (f64::from(i) + exit.random.at(2 + u64::from(i))) / f64::from(n_samples);
+            let share = (f64::from(i) + exit.random.at(2 * u64::from(i) + 2)) / f64::from(n_samples);
             let distance = -fp::ln(1.0 - share) * dipole.depth;
             if distance < end {
                 sum += self.light_scattered_once(exit, dipole, &ray, distance);
@@ -179,17 +192,18 @@ impl<'w> Tracer<'w> {
         let point = ray.at(distance);
         let mut sum = Rgb::ZERO;
         for light in &world.lights {
-            let from = light.emitter.sample(point, DVec3::ZERO).from;
-            let to_light = Ray::new(point, from);
+            let below = light.emitter.sample(point, DVec3::ZERO);
+            let to_light = Ray::new(point, below.from);
             let Some(hit) = self.next_surface(&to_light).filter(|hit| self.interior_of(hit) == exit.interior) else {
                 continue;
             };
             let surface = hit.surface(&to_light);
             let lights = world.parts[hit.part_number() as usize].lights();
             let sample = light.emitter.sample(surface.point, DVec3::ZERO);
-            let cos = surface.normal.dot(sample.from);
+            let cos = surface.normal.dot(sample.from).abs();
+            let is_inside = !light.emitter.is_parallel() && below.distance < hit.t();
             let is_lit = world.lit_by[lights as usize].iter().any(|&number| number as usize == light.number);
-            if !is_lit || sample.light == Rgb::ZERO || cos.is_nan() || cos <= 0.0 {
+            if is_inside || !is_lit || sample.light == Rgb::ZERO || cos.is_nan() || cos == 0.0 {
                 continue;
             }
             let entry = refracted(cos, exit.ior);

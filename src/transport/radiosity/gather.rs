@@ -36,6 +36,11 @@ impl Tracer<'_> {
         if u32::from(state.bounces) >= radiosity.settings.recursion_limit {
             return Rgb::ZERO;
         }
+        let enters = context.world.subsurface.as_ref().is_some_and(|settings| settings.radiosity);
+        let reflectance = |shaded: &ShadedLayer, side: f64| match enters && shaded.is_translucent {
+            true => Rgb::ZERO,
+            false => reflectance(shaded, side),
+        };
         let mut sum = Rgb::ZERO;
         for side in [1.0, -1.0] {
             let smooth = shading.smooth * side;
@@ -59,6 +64,16 @@ impl Tracer<'_> {
             }
         }
         sum
+    }
+
+    /// Returns the gathered light that enters a translucent solid at a point of its surface.
+    pub(in crate::transport) fn gathered_irradiance(&mut self, state: &RayState, point: DVec3, normal: DVec3) -> Rgb {
+        let Some(radiosity) = &self.context.radiosity else { return Rgb::ZERO };
+        let at = GatherPoint { point, normal, smooth: normal, depth: state.bounces, importance: state.weight };
+        match u32::from(state.bounces) < radiosity.settings.recursion_limit {
+            true => self.indirect_light_at(radiosity, at, Rgb::ONE),
+            false => Rgb::ZERO,
+        }
     }
 
     /// Returns the gathered light at a point times `factor`.
