@@ -1,6 +1,6 @@
 //! Finish, reflection, refraction, dispersion, layers.
 
-use super::{Quirk, emulated_quirk};
+use super::{Quirk, differing_quirk, emulated_quirk};
 
 pub(super) const QUIRKS: &[Quirk] = &[
     emulated_quirk(
@@ -159,6 +159,42 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "straight_ray_keeps_level",
         "A ray that passes a surface without being bent stays on its level of `max_trace_level`.",
         &["light_cases/dispersion_level"],
+    ),
+    emulated_quirk(
+        "subsurface_both_sides",
+        "Light from both sides of a surface enters a solid with `subsurface`; only shadows keep it from the far side, so \
+         that an object with `no_shadow` is lit all around.",
+        &["light_cases/subsurface_no_shadow"],
+    ),
+    emulated_quirk(
+        "subsurface_boundary",
+        "In `subsurface`, the index of refraction changes the spread of light less than the paper's formula for internal \
+         reflection states: the factor A is 1.19 for 1.5, not 3.96.",
+        &["src/transport/dipole.rs::mismatch_of_common_materials"],
+    ),
+    emulated_quirk(
+        "subsurface_hits",
+        "The mean over the `samples` of `subsurface` counts only rays that hit something: an open surface, such as a \
+         plane, is brighter than the face of a box, up to twice as bright.",
+        &["light_cases/subsurface_open"],
+    ),
+    emulated_quirk(
+        "subsurface_opacity",
+        "The light of `subsurface` does not depend on the transparency of the pigment.",
+        &["light_cases/subsurface_transparent"],
+    ),
+    emulated_quirk(
+        "subsurface_single_scattering",
+        "Light that is scattered once in `subsurface` is added to the diffuse light that has the pigment's colour, and \
+         falls with the distance along the ray more steeply than in nature.",
+        &["light_cases/subsurface_slab"],
+    ),
+    differing_quirk(
+        "subsurface_zero_channel",
+        "If a channel of the pigment times `diffuse`, or of `translucency`, is 0, or the product above 1, `subsurface` \
+         shows no diffuse light in any channel.",
+        "only that channel is dark: each channel is computed by itself.",
+        &["light_cases/subsurface_zero_channel"],
     ),
     emulated_quirk(
         "total_reflection_replaces_mirror",

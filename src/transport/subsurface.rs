@@ -57,14 +57,13 @@ impl<'w> Tracer<'w> {
         let mut sum = Rgb::ZERO;
         for material in &shading.materials {
             for shaded in shading.layers_of(material).iter().filter(|shaded| shaded.is_translucent) {
-                sum +=
-                    material.share * shaded.weight * shaded.opacity * self.light_through_solid(state, shading, shaded);
+                sum += material.share * shaded.weight * self.light_through_solid(state, shading, shaded);
             }
         }
         sum
     }
 
-    /// Returns the radiance of one translucent layer that is opaque.
+    /// Returns the radiance of one translucent layer; its transparency has no effect (quirk: `subsurface_opacity`).
     fn light_through_solid(&mut self, state: &RayState, shading: &ShadingPoint, shaded: &ShadedLayer) -> Rgb {
         let ior = self.context.world.interiors[shading.part.interior as usize].ior;
         let exit = Exit {
@@ -235,7 +234,8 @@ impl<'w> Tracer<'w> {
     }
 }
 
-/// Returns the dipoles of a layer, each with its channels; channels with equal dipoles are computed together.
+/// Returns the dipoles of a layer, each with its channels; channels with equal dipoles are computed together. A channel
+/// without a dipole is dark (quirk: `subsurface_zero_channel`).
 fn channels_of(shaded: &ShadedLayer, ior: f64) -> impl Iterator<Item = Channels> {
     let finish = &shaded.layer.finish;
     let lengths = finish.scattering_length.as_deref().copied().unwrap_or_default();

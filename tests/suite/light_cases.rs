@@ -43,6 +43,9 @@ impl Kept {
 /// The values are rounded to 1/65535, and stored with six digits.
 const TOLERANCE: f64 = 1.0 / 65535.0;
 
+/// Prefix of the cases with random samples, whose noise differs from POV-Ray's, and their tolerance.
+const NOISY: (&str, f64) = ("subsurface_", 0.015);
+
 const SIZE: (usize, usize) = (16, 12);
 
 /// Cases that still differ, with the reason.
@@ -54,6 +57,7 @@ const DIFFERS: &[(&str, &str)] = &[
     ("julia_transcendental", "quirk: hypercomplex_functions"),
     ("parametric_coarse", "quirk: parametric_accuracy"),
     ("sor_sturm_transparent", "quirk: sor_sturm"),
+    ("subsurface_zero_channel", "quirk: subsurface_zero_channel"),
 ];
 
 #[test]
@@ -88,7 +92,7 @@ fn compare(path: &Path) -> Option<String> {
     });
     let (worst, e) = differences.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
     let found = frame.pixels[e.y * SIZE.0 + e.x];
-    let fine = worst <= TOLERANCE;
+    let fine = worst <= if name.starts_with(NOISY.0) { NOISY.1 } else { TOLERANCE };
     match DIFFERS.iter().find(|(case, _)| *case == name) {
         Some(_) if fine => Some(format!("{name} is fine: take it off the list of those that differ")),
         None if !fine => Some(format!("{name}: off by {worst:.6} at {}, {}: {found:?} is not {:?}", e.x, e.y, e.rgb)),

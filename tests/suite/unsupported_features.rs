@@ -32,20 +32,17 @@ fn the_dump_shows_unsupported_blocks() {
     let dump = dump(
         r#"
         #version 3.7;
-        global_settings { assumed_gamma 1 max_intersections 7 subsurface { samples 17, 1+1 } }
+        global_settings { assumed_gamma 1 max_intersections 7 }
         camera { location <0, 0, -5> look_at 0 }
         light_source { 5*y, rgb 1 photons { refraction on area_light } }
         sphere {
           0, 1 hollow photons { target 0.75 }
-          finish { subsurface { translucency 0.25 } }
         }
         "#,
     );
     holds(&dump, r#"{"max_intersections":[7.0]}"#);
-    holds(&dump, r#"{"subsurface":["samples",17.0,2.0]}"#);
     holds(&dump, r#""photons":{"refraction":true,"reflection":null,"area_light":true}"#);
     holds(&dump, r#""photons":{"target":0.75,"refraction":null"#);
-    holds(&dump, r#"{"subsurface":["translucency",0.25]}"#);
 }
 
 #[test]
