@@ -36,6 +36,7 @@ mod resume;
 mod scene_builder;
 mod scratch;
 mod shards;
+mod subsurface;
 mod token_granularity;
 mod unsupported_features;
 mod watch;

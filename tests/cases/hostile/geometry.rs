@@ -228,7 +228,16 @@ fn finishes() -> Vec<Case> {
                  box { -10, 10 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } hollow }\n\
                  sphere { 0, 1 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } }\n";
     let limited = "render a.scene -o out.png --size 8x6 --max-time 0.5";
+    let endless = "global_settings { subsurface { samples 1e9, 1e9 } }\n\
+                   sphere { 0, 1 pigment { rgb 0.5 } finish { subsurface { translucency 1 } } }\n";
+    let extreme = "global_settings { mm_per_unit 1e-300 subsurface { samples 3, 3 radiosity on } }\n\
+                   sphere { x, 1 pigment { rgb <0.5, 0, 1e300> } finish { subsurface { translucency <1e300, 1, 1> } } }\n\
+                   sphere { 0, 1 pigment { rgb 1 } finish { diffuse 1 subsurface { translucency 1e-300 } } interior { ior 0 } }\n\
+                   sphere { y, 1 pigment { rgb 1 } finish { subsurface { translucency -1 } } interior { ior -1 } }\n\
+                   sphere { z, 1 pigment { rgb 0.3 } finish { subsurface { translucency 1e-200 } } interior { ior 1e300 } }\n";
     vec![
+        drawn("subsurface_endless", endless, 4, &["E0241"]).args("render a.scene -o out.png --size 8x6 --max-time 2"),
+        drawn("subsurface_extreme", extreme, 0, &[]),
         drawn("mirror_box", mirrors, 0, &[]),
         drawn("glass_box", glass, 4, &["E0241"]).args(limited),
         drawn(
