@@ -2,9 +2,9 @@
 //!
 //! [`Tracer`] estimates the radiance that arrives at a ray's origin. Its loop (`radiance`) works on a queue of ray states; each step
 //! is one file: `segment` (air and attenuation between two surfaces), `shading_point` (materials at a hit), `direct_light` with
-//! `visibility` and `area_light` (light from light sources), `subsurface` with `dipole` (light through translucent solids), `photons` (light by way of targets), `radiosity` (diffuse light
-//! from other surfaces), `scatter` with `reflect`, `interface` and `dispersion` (the rays that
-//! continue from the surface).
+//! `visibility` and `area_light` (light from light sources), `subsurface` with `dipole` (light through translucent solids),
+//! `photons` (light by way of targets), `radiosity` (diffuse light from other surfaces), `scatter` with `reflect`, `interface`
+//! and `dispersion` (the rays that continue from the surface).
 
 mod area_light;
 mod context;
