@@ -42,6 +42,15 @@ struct Channels {
     mask: Rgb,
 }
 
+/// A point of the refracted ray at which light is scattered.
+struct ScatteringPoint<'a> {
+    ray: &'a Ray,
+    /// Distance of the point along the ray.
+    distance: f64,
+    /// Density of the distance for each dipole, as a share of the mean density.
+    weights: SmallVec<[f64; 3]>,
+}
+
 /// A direction at the boundary of a solid.
 struct Refracted {
     /// Cosine of the angle between direction and normal inside the solid.
@@ -76,9 +85,7 @@ impl<'w> Tracer<'w> {
             random: self.random.sequence(Purpose::Subsurface),
         };
         let all: SmallVec<[Channels; 3]> = channels_of(shaded, ior).collect();
-        let single =
-            |tracer: &mut Self, channels: &Channels| channels.mask * tracer.single_light(&exit, &channels.dipole);
-        all.iter().fold(self.diffuse_light(&exit, &all), |sum, channels| sum + single(self, channels))
+        self.diffuse_light(&exit, &all) + self.single_light(&exit, &all)
     }
 
     /// Returns the radiance that was scattered often. Rays in all directions, from a point below the surface for each
@@ -159,12 +166,12 @@ impl<'w> Tracer<'w> {
     }
 
     /// Returns the radiance that was scattered once, on the refracted ray (section 3.1). Distances along the ray are
-    /// chosen with the density σ_t·exp(-σ_t·s).
-    fn single_light(&mut self, exit: &Exit, dipole: &Dipole) -> Rgb {
+    /// chosen with the mean of the dipoles' densities σ_t·exp(-σ_t·s) (balance heuristic).
+    fn single_light(&mut self, exit: &Exit, all: &[Channels]) -> Rgb {
         let n_samples = self.context.world.subsurface.as_ref().map_or(0, |settings| settings.single_samples);
         let cos = -exit.state.ray.dir.dot(exit.normal);
         let inner = refracted(cos, exit.ior);
-        if n_samples == 0 || inner.transmittance == 0.0 {
+        if all.is_empty() || inner.transmittance == 0.0 {
             return Rgb::ZERO;
         }
         let along_surface = exit.state.ray.dir + exit.normal * cos;
@@ -176,18 +183,25 @@ impl<'w> Tracer<'w> {
                 break;
             }
             let share = (f64::from(i) + exit.random.at(2 * u64::from(i) + 2)) / f64::from(n_samples);
-            let distance = -fp::ln(1.0 - share) * dipole.depth;
+            let distance = -fp::ln(1.0 - share) * all[i as usize % all.len()].dipole.depth;
             if distance < end {
-                sum += self.light_scattered_once(exit, dipole, &ray, distance);
+                let density = |channels: &Channels| {
+                    let depth = channels.dipole.depth;
+                    fp::exp(-distance / depth) / depth
+                };
+                let mean = all.iter().map(density).sum::<f64>() / all.len() as f64;
+                let weights = all.iter().map(|channels| density(channels) / mean).collect();
+                sum += self.light_scattered_once(exit, all, &ScatteringPoint { ray: &ray, distance, weights });
             }
         }
-        sum * (inner.transmittance / f64::from(n_samples))
+        sum * (inner.transmittance / f64::from(n_samples.max(1)))
     }
 
     /// Returns the light of all light sources that one point of the refracted ray scatters along the ray (quirk:
     /// `subsurface_single_scattering`).
-    fn light_scattered_once(&mut self, exit: &Exit, dipole: &Dipole, ray: &Ray, distance: f64) -> Rgb {
+    fn light_scattered_once(&mut self, exit: &Exit, all: &[Channels], scattering: &ScatteringPoint) -> Rgb {
         let world = self.context.world;
+        let &ScatteringPoint { ray, distance, ref weights } = scattering;
         let point = ray.at(distance);
         let mut sum = Rgb::ZERO;
         for light in &world.lights {
@@ -210,9 +224,12 @@ impl<'w> Tracer<'w> {
             let path = distance + hit.t() * cos / entry.cos_inside;
             // G = |n·ω_o'|/|n·ω_i'|
             let geometry = surface.normal.dot(ray.dir).abs() / entry.cos_inside;
-            let share = 0.25 * dipole.albedo * fp::exp(-path / dipole.depth) / (1.0 + geometry);
+            let share = |sum: Rgb, (Channels { dipole, mask }, weight): (&Channels, &f64)| {
+                sum + *mask * (weight * 0.25 * dipole.albedo * fp::exp(-path / dipole.depth) / (1.0 + geometry))
+            };
+            let share = all.iter().zip(weights).fold(Rgb::ZERO, share);
             let visibility = self.visibility(light, surface.point, &sample, &exit.state.inside);
-            sum += sample.light * visibility * (share * cos * entry.transmittance);
+            sum += share * sample.light * visibility * (cos * entry.transmittance);
         }
         sum
     }

@@ -66,12 +66,12 @@ pub struct Common {
 pub enum Command {
     /// Render scenes into picture files
     Render(Box<RenderArgs>),
-    /// Combine the shards of a picture
-    Merge(MergeArgs),
     /// Read and evaluate scenes without rendering
     Check(CheckArgs),
     /// Describe the object that one pixel shows
     Pick(PickArgs),
+    /// Combine the shards of a picture
+    Merge(MergeArgs),
     /// Render each scene that has a snapshot, and compare
     Test(TestArgs),
     /// Format scenes
@@ -207,7 +207,7 @@ pub struct RenderArgs {
     /// Compression of exr [default: rle] or tga [default: none]
     #[arg(help_heading = PICTURE, long, value_name = "HOW")]
     pub packing: Option<PackingMethod>,
-    /// Render one of N shards of the picture, 3/16, for `durer merge`; `auto` or auto/N for a scheduler's array task
+    /// Render shard K of N of the picture, for `durer merge`; `auto` or auto/N: the scheduler's task
     #[arg(help_heading = PICTURE, long, value_name = "K/N", conflicts_with_all = ["no_output", "dump"])]
     pub shard: Option<ShardChoice>,
     /// Continue an unfinished picture or animation

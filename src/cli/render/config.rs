@@ -41,7 +41,7 @@ pub struct Config {
     pub max_time: Option<Seconds>,
     /// Limit of the process's memory (`--max-memory`).
     pub max_memory: Option<Bytes>,
-    /// How `durer render` displays its progress.
+    /// Display of the render's progress.
     pub progress: ProgressDisplay,
     /// Destination of the render's times and counters.
     pub stats: Option<Stats>,

@@ -4,7 +4,7 @@ use crate::cli::args::values::ShardChoice;
 use crate::cli::exit::{Result, usage};
 use crate::render::Shard;
 
-/// How a scheduler numbers the tasks of an array.
+/// A scheduler, and its numbering of the tasks of an array.
 struct Scheduler {
     name: &'static str,
     /// Variable with the number of the task.
