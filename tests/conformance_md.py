@@ -82,6 +82,8 @@ CAUSES = {
     "advanced/balcony/balcony": f"{RADIOSITY}, and so do photons; {UNEXAMINED}.",
     "advanced/optics": "photons in media: durer's beams are wider and brighter. With a factor of the spacing above 1 durer stores more photons "
     "on a ray than POV-Ray, and their light is 1.3 times POV-Ray's.",
+    "subsurface/subsurface": "both programs choose the points where light enters at random. The FLIP error against POV-Ray's picture with 7.5 times "
+    "the samples is 0.013 for POV-Ray's own picture and 0.023 for durer's, whose candle is 1 % redder.",
     "radiosity/radiosity2": f"{RADIOSITY}. The FLIP error against POV-Ray's picture with more samples is 0.040 for POV-Ray's own picture and "
     "0.045 for durer's.",
     "radiosity/radiosity3": f"{RADIOSITY}. The FLIP error against POV-Ray's picture with more samples is 0.054 for POV-Ray's own picture and "
