@@ -8,16 +8,18 @@
 mod camera;
 mod csg;
 mod dark;
+mod global_light;
 mod media;
 mod overlap;
 mod unseen;
 
 use crate::diagnostic::{Diagnostic, codes};
 use crate::render;
-use crate::scene::Scene;
+use crate::scene::{LightKind, Scene};
 use crate::source::{FileId, Sources, Span};
 use crate::value::{Family, format_decimal};
 use crate::world::{Intersection, PlacedSolid, World};
+pub use global_light::other_light_warning;
 use std::path::Path;
 
 /// Returns warnings about a scene before it is rendered.
@@ -28,7 +30,9 @@ pub fn scene_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
 
 /// Returns warnings about a World, before it is rendered.
 pub fn world_warnings(world: &World) -> Vec<Diagnostic> {
-    media::unlit_media_warning(world).into_iter().chain(media::empty_density_warnings(world)).collect()
+    let saved = [LightKind::Photons, LightKind::Radiosity].into_iter();
+    let saved = saved.filter_map(|kind| other_light_warning(world, kind));
+    media::unlit_media_warning(world).into_iter().chain(media::empty_density_warnings(world)).chain(saved).collect()
 }
 
 /// Returns the warning about a picture that takes hours, before it is rendered.

@@ -134,6 +134,8 @@ impl RenderArgs {
             outside: self.outside.or(ini.outside),
             threads: self.threads.or(ini.threads),
             progress: self.progress.or(ini.progress),
+            load_radiosity: self.load_radiosity.or(ini.load_radiosity),
+            save_radiosity: self.save_radiosity.or(ini.save_radiosity),
             // Options that an INI file does not have:
             keep_after: self.keep_after,
             frames: self.frames,

@@ -317,6 +317,17 @@ density around the origin, and move both together.
     SLOW_MEDIA "W0415" "media that take hours"
 "The number of samples on a ray is `intervals` times `samples`, and each of them asks for the light of each light source, whose rays may pass media
 again. The estimate is reported before the render begins. Lower `samples`, `intervals` or `aa_level`, or render a small picture first."
+    UNUSED_LIGHT_FILE "W0416" "a file of photons or of radiosity that can't be used"
+"`load_file` names a file that does not exist, is damaged, has something else, or comes from another program or another version of durer. The
+picture is the same as without the word, and the photons or samples are computed anew. Save the file again:
+
+    global_settings { photons { count 20000 save_file \"glass.photons\" } }"
+    OTHER_LIGHT "W0417" "light that was saved for another scene"
+"The file of `load_file` was saved when an object, a light or a texture was different. Its light is used, but it may not fit what is there now. Moving the
+camera is no change. Save the file again, or remove `load_file`."
+    UNSAVED_LIGHT "W0418" "photons or samples of radiosity that could not be saved"
+"The picture is correct, but the file of `save_file` or `--save-radiosity` was not written. A scene creates files below the current folder, and replaces those
+that it created itself; `--allow-write` lets it write elsewhere. `--save-radiosity` replaces files of radiosity that durer saved, and no others."
     NOT_PORTABLE "W0420" "POV-Ray 3.7 would reject this"
 "Reported with `durer check --warn portable`. durer accepts it, POV-Ray 3.7 does not: a comma where it expects none, a vector for a colour, a texture's name without
 its `texture { }`, a missing `;`, or a word of durer's own."

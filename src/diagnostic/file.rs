@@ -33,7 +33,7 @@ pub fn unwritable(files: &dyn Files, path: &Path, error: &io::Error) -> Diagnost
 }
 
 /// Returns the operating system's message for an error without its number.
-fn reason(error: &io::Error) -> String {
+pub fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     let text = text.split(" (os error").next().unwrap_or_default();
     let mut letters = text.chars();

@@ -21,10 +21,12 @@ pub use shard::{BlockReceiver, Shard, block_edge, draw_shard, shard_blocks};
 use crate::diagnostic::{self, Fault};
 use crate::image_io::{Frame, Rows};
 use crate::math::cancel::CancelToken;
+use crate::scene::SaveFile;
 use crate::source::Span;
 pub use crate::transport::RayCounts;
 use crate::world::World;
 use prepare::FrameCamera;
+use std::io::{self, Write};
 use workers::Workers;
 
 /// Options of a render. Size, anti-aliasing, quality, region, frame and alpha determine every byte of the picture; the
@@ -156,6 +158,8 @@ pub trait Watch: Sync {
     fn load_tile(&self, _: Tile) -> Option<Vec<[f32; 4]>> {
         None
     }
+    /// Saves the light of a preparation pass to a file that the scene names. `write` writes the contents of the file.
+    fn save_light(&self, _: &SaveFile, _write: &dyn Fn(&mut dyn Write) -> io::Result<()>) {}
     /// Stores the pixels of a finished tile; [`light`] converts them to linear light and alpha.
     fn store_tile(&self, _: Tile, _: &[[f32; 4]]) {}
 }

@@ -7,9 +7,11 @@ use super::workers::Workers;
 use super::{Cancelled, Options, radiosity};
 use crate::camera::{Lens, LoweredCamera, View};
 use crate::math::DVec3;
+use crate::scene::SaveFile;
 use crate::source::Activity;
-use crate::transport::{CameraOrigin, FrameContext, PhotonPass, Quality, Tracer};
+use crate::transport::{CameraOrigin, FrameContext, PhotonPass, Photons, Quality, Tracer};
 use crate::world::World;
+use std::io::{self, Write};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The camera of a frame, prepared for a picture of one size.
@@ -89,10 +91,41 @@ impl<'a> Preparation<'a> {
         Ok(())
     }
 
+    /// Saves light to a file, unless the light is incomplete because the render must stop.
+    pub fn save_light(
+        &self,
+        save: &SaveFile,
+        write: &dyn Fn(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), Cancelled> {
+        if self.is_cancelled() {
+            return Err(Cancelled);
+        }
+        self.workers.watch.save_light(save, write);
+        Ok(())
+    }
+
     /// True if the render must stop, so that later results are invalid.
     pub fn is_cancelled(&self) -> bool {
         self.workers.is_cancelled()
     }
+}
+
+/// Returns the options that determine photons and samples of radiosity, as text for digests.
+pub(super) fn preparation_options(options: &Options) -> String {
+    let Options { width, height, quality, frame, alpha, .. } = options;
+    format!("{width} {height} {quality} {frame} {alpha}")
+}
+
+/// Saves the photons of a frame, if the scene names a file for them.
+fn save_photons(context: &FrameContext, options: &Options, preparation: &Preparation) -> Result<(), Cancelled> {
+    let settings = context.world.photon_map.as_ref();
+    let save = settings.and_then(|settings| settings.saved.save.as_ref());
+    if let (Some(photons), Some(save)) = (&context.photons, save) {
+        let scene = context.world.scene_digest();
+        let computation = context.world.photon_digest(&scene, &preparation_options(options));
+        preparation.save_light(save, &|out| photons.save([scene, computation], out))?;
+    }
+    Ok(())
 }
 
 /// Computes the data that all rays of a frame share.
@@ -110,13 +143,15 @@ pub(super) fn prepare<'w>(
     let origin = CameraOrigin { origin: camera.view.common_origin(), reach: camera.view.max_distance() };
     let quality = Quality::new(options.quality);
     let mut context = FrameContext::new(world, quality, origin, options.frame, options.alpha, options.has_shafts);
-    if let Some(pass) = PhotonPass::new(&context) {
+    context.photons = Photons::loaded(&context);
+    if let Some(pass) = PhotonPass::new(&context).filter(|_| context.photons.is_none()) {
         let is_cancelled = || preparation.is_cancelled();
         let shards = preparation.pass("photons", pass.jobs(), |job| {
             Tracer::new(&context, &is_cancelled).shoot_photons(&pass, job).ok_or(Cancelled)
         })?;
         context.photons = Some(pass.finish(shards));
     }
+    save_photons(&context, options, &preparation)?;
     radiosity::collect(&mut context, camera, options, &preparation)?;
     Ok(context)
 }

@@ -4,10 +4,11 @@
 //! The order of the points is scattered over the picture, so that the points of a batch, which do not share their samples,
 //! are far from each other. All points of the picture are visited, whatever region is rendered.
 
-use super::prepare::{FrameCamera, Pass, Preparation};
+use super::prepare::{FrameCamera, Pass, Preparation, preparation_options};
 use super::sampler::Sampler;
 use super::{Cancelled, Options};
 use crate::math::{GOLDEN_SECTION, next_coprime};
+use crate::scene::{Radiosity, SavedLight};
 use crate::transport::{FrameContext, RadiosityPass};
 
 /// Share of the number of known samples by which a batch may add samples.
@@ -19,16 +20,45 @@ const MAX_BATCH: usize = 512;
 /// Edge in pixels of the squares in which gaps are searched.
 const GAP_SQUARE: usize = 8;
 
-/// Collects the samples of a frame; does nothing without radiosity.
+/// Collects the samples of a frame; does nothing without radiosity. Samples of a file are added first, and replace all
+/// passes if they were saved by the same computation.
 pub(super) fn collect(
     context: &mut FrameContext,
     camera: &FrameCamera,
     options: &Options,
     preparation: &Preparation,
 ) -> Result<(), Cancelled> {
-    let Some(settings) = context.world.radiosity.as_deref().filter(|_| context.radiosity.is_some()) else {
-        return Ok(());
+    let Some(settings) = context.world.radiosity.as_deref() else { return Ok(()) };
+    let Some(state) = &mut context.radiosity else { return Ok(()) };
+    // Digests of the scene and the computation, for samples in files
+    let digests = || {
+        let scene = context.world.scene_digest();
+        [scene, context.world.radiosity_digest(&scene, &preparation_options(options))]
     };
+    let digests = (settings.saved != SavedLight::default()).then(digests);
+    let file = settings.saved.loaded.as_ref().map(|loaded| &loaded.file);
+    let is_complete = file.zip(digests).is_some_and(|(file, [_, own])| file.header.computation == own);
+    file.iter().for_each(|file| state.add_file(file));
+    if !is_complete {
+        run_passes(context, camera, options, settings, preparation)?;
+    }
+    if let Some(radiosity) = &mut context.radiosity {
+        radiosity.begin(RadiosityPass::Final);
+        if let (Some(save), Some(digests)) = (&settings.saved.save, digests) {
+            preparation.save_light(save, &|out| radiosity.save(digests, out))?;
+        }
+    }
+    Ok(())
+}
+
+/// Runs all passes of a frame.
+fn run_passes(
+    context: &mut FrameContext,
+    camera: &FrameCamera,
+    options: &Options,
+    settings: &Radiosity,
+    preparation: &Preparation,
+) -> Result<(), Cancelled> {
     let mut n_passes = 0;
     let mut pass = |context: &mut FrameContext, kind, step, edge| {
         n_passes += 1;
@@ -44,11 +74,7 @@ pub(super) fn collect(
         }
         step = (step / 2.0).max(end);
     }
-    pass(context, RadiosityPass::FillGaps, 1.0, GAP_SQUARE)?;
-    if let Some(radiosity) = &mut context.radiosity {
-        radiosity.begin(RadiosityPass::Final);
-    }
-    Ok(())
+    pass(context, RadiosityPass::FillGaps, 1.0, GAP_SQUARE)
 }
 
 /// Traces the camera rays of a pass, and merges the samples that they gathered.

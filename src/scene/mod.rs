@@ -1,16 +1,21 @@
 //! The scene as plain data, after all macros and loops have run.
 
+mod light_file;
 mod object;
 mod photon_map;
 mod pov_bounds;
 mod radiosity;
 mod recent_parts;
+mod saved_light;
 mod settings;
 mod subsurface;
 mod surface;
 mod weight;
 pub mod words;
 
+pub use light_file::{
+    Digest, LightFile, LightFileError, LightHeader, LightKind, LightWriter, is_light_file, numbers_of,
+};
 pub use object::{
     Bulk, CsgOp, Flags, LIGHT_GROUP, LightSource, OBJECT_RADIOSITY, Object, ObjectBody, ObjectKind, ObjectRadiosity,
     PHOTONS, PhotonSettings, Uncommon, is_object, read_camera,
@@ -18,6 +23,7 @@ pub use object::{
 pub use photon_map::{PHOTON_MAP, PhotonMapSettings};
 pub use radiosity::{RADIOSITY, Radiosity};
 pub use recent_parts::RecentParts;
+pub use saved_light::{LoadedLight, SaveFile, SavedLight};
 pub use settings::Settings;
 pub use subsurface::{SUBSURFACE, SubsurfaceSettings};
 pub use surface::{Material, Painted, read_layers, read_material};

@@ -1,9 +1,9 @@
 //! `global_settings { photons { … } }` (manual, "Photon Global Settings").
 
+use super::{LightKind, SavedLight};
 use crate::diagnostic::Result;
 use crate::value::ValueKind::{Float, Text};
 use crate::value::ranges::positive;
-use crate::value::skip_unsupported_text;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
@@ -37,6 +37,9 @@ pub struct PhotonMapSettings {
     pub radius: [f64; 2],
     /// Factor of the radius on surfaces and in media.
     pub radius_factor: [f64; 2],
+    /// Files of photons.
+    #[serde(skip)]
+    pub saved: SavedLight,
 }
 
 impl Default for PhotonMapSettings {
@@ -55,6 +58,7 @@ impl Default for PhotonMapSettings {
             expand_min: 40,
             radius: [0.0; 2],
             radius_factor: [1.0; 2],
+            saved: SavedLight::default(),
         }
     }
 }
@@ -106,10 +110,10 @@ const PHOTON_MAP_ROWS: &[Row<PhotonMapSettings>] = &[
             Ok(())
         },
     ),
-    word("load_file", Text, "", "file with photons to load; not supported yet")
-        .sets(|_, r| skip_unsupported_text("load_file", r)),
-    word("save_file", Text, "", "file to which the photons are saved; not supported yet")
-        .sets(|_, r| skip_unsupported_text("save_file", r)),
+    word("load_file", Text, "", "file with photons to use in place of computing them")
+        .sets(|s, r| s.saved.read_load(LightKind::Photons, r)),
+    word("save_file", Text, "", "file to which the photons are saved")
+        .sets(|s, r| s.saved.read_save(LightKind::Photons, r)),
 ];
 
 /// Specification of the block `photons { … }` of `global_settings`.

@@ -1,10 +1,10 @@
 //! `radiosity { … }` of `global_settings` (manual, "Radiosity").
 
+use super::{LightKind, SavedLight};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::source::Span;
 use crate::value::ValueKind::{Flag, Float, Text};
 use crate::value::ranges::{in_range, not_negative, positive, share, whole};
-use crate::value::skip_unsupported_text;
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
 use serde::Serialize;
@@ -60,6 +60,9 @@ pub struct Radiosity {
     pub subsurface: bool,
     /// True if `finish { ambient }` has an effect beside radiosity, as in scenes for versions before 3.7.
     pub keeps_ambient: bool,
+    /// Files of samples.
+    #[serde(skip)]
+    pub saved: SavedLight,
 }
 
 impl Default for Radiosity {
@@ -84,6 +87,7 @@ impl Default for Radiosity {
             recursion_limit: 2,
             subsurface: false,
             keeps_ambient: false,
+            saved: SavedLight::default(),
         }
     }
 }
@@ -128,10 +132,10 @@ const ROWS: &[Row<Radiosity>] = &[
         .sets(|s, r| set(&mut s.recursion_limit, whole("recursion_limit", 20, r))),
     word("subsurface", Flag, "off", "rays that gather light show `finish { subsurface }`")
         .sets(|s, r| set(&mut s.subsurface, r.flag())),
-    word("load_file", Text, "", "in old scenes: file with samples to load; not supported yet")
-        .sets(|_, r| skip_unsupported_text("load_file", r)),
-    word("save_file", Text, "", "in old scenes: file to which samples are saved; not supported yet")
-        .sets(|_, r| skip_unsupported_text("save_file", r)),
+    word("load_file", Text, "", "file with samples to use in place of computing them")
+        .sets(|s, r| s.saved.read_load(LightKind::Radiosity, r)),
+    word("save_file", Text, "", "file to which the samples are saved")
+        .sets(|s, r| s.saved.read_save(LightKind::Radiosity, r)),
 ];
 
 /// Specification of the block `radiosity { … }` of `global_settings`.

@@ -22,4 +22,4 @@ pub use registry::{Family, Stored};
 pub(crate) use registry::{delegate, family};
 pub use shared_default::{SharedDefault, StaticDefault};
 pub use spec::{Param, Spec, ValueKind, WordSpec};
-pub use unsupported::{Unsupported, skip_unsupported_text, unsupported_warning};
+pub use unsupported::{Unsupported, unsupported_warning};

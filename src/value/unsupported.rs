@@ -1,8 +1,8 @@
 //! Contents of blocks that durer does not render yet, evaluated and kept as plain data.
 
-use super::{Reader, Thing, Value, VecN};
+use super::{Thing, Value, VecN};
 use crate::color::Color;
-use crate::diagnostic::{self, Diagnostic, codes};
+use crate::diagnostic::{Diagnostic, codes};
 use crate::source::Span;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
@@ -33,16 +33,6 @@ pub enum Unsupported {
 /// Returns the warning that a word or block of the scene has no effect yet.
 pub fn unsupported_warning(word: &str, at: Span) -> Diagnostic {
     Diagnostic::new(codes::UNSUPPORTED, at, format!("`{word}` is not supported yet and has no effect"))
-}
-
-/// Reads the text after a word that has no effect yet, such as the name of a file, and warns.
-///
-/// # Errors
-/// A diagnostic at a token that is no text.
-pub fn skip_unsupported_text(word: &str, r: &mut dyn Reader) -> diagnostic::Result<()> {
-    let at = r.span();
-    r.report(unsupported_warning(word, at));
-    r.text().map(drop)
 }
 
 impl Unsupported {

@@ -21,6 +21,7 @@ mod function_internals;
 mod geometry;
 mod light;
 mod light_cases;
+mod light_files;
 mod lossless_syntax_tree;
 mod lowering;
 mod lsp;

@@ -216,6 +216,12 @@ pub struct RenderArgs {
     /// Write the resume journal after this time (for tests)
     #[arg(long, hide = true, value_name = "SECONDS", default_value = "1")]
     pub keep_after: Seconds,
+    /// Use the radiosity samples of this file
+    #[arg(help_heading = FILES, long, value_name = "FILE")]
+    pub load_radiosity: Option<PathBuf>,
+    /// Save the radiosity samples to this file
+    #[arg(help_heading = FILES, long, value_name = "FILE")]
+    pub save_radiosity: Option<PathBuf>,
     /// Render without writing a picture
     #[arg(help_heading = PICTURE, long, conflicts_with_all = ["output", "format", "bit_depth"])]
     pub no_output: bool,

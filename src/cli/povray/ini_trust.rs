@@ -9,7 +9,7 @@ impl Translation<'_> {
     /// warning, because the INI file is untrusted.
     ///
     /// # Errors
-    /// E0235 if the picture's name, or that of one of its folders, begins with a dot.
+    /// E0235 if the name of the picture or of the radiosity's file, or of one of their folders, begins with a dot.
     pub(super) fn is_refused_in_ini(
         &mut self,
         row: &Row,
@@ -21,14 +21,21 @@ impl Translation<'_> {
         if origin.word.is_none() {
             return Ok(false);
         }
-        if row.ini == "Output_File_Name" && is_hidden(path) {
-            let text = format!("the INI file names `{value}` for its picture, a file that begins with a dot");
+        let hidden = match row.ini {
+            _ if !is_hidden(path) => None,
+            "Output_File_Name" => Some(("picture", "-o")),
+            "Radiosity_File_Name" => Some(("radiosity", "--save-radiosity")),
+            _ => None,
+        };
+        if let Some((contents, option)) = hidden {
+            let text = format!("the INI file names `{value}` for its {contents}, a file that begins with a dot");
             let fault = Diagnostic::new(codes::FORBIDDEN_FILE, origin.value, text);
-            return Err(fault.help("`-o` on the command line takes any name"));
+            return Err(fault.help(format!("`{option}` on the command line takes any name")));
         }
         let reason = match row.ini {
             _ if !self.files.is_untrusted() => return Ok(false),
             "Library_Path" => "an untrusted INI file opens no folders",
+            "Radiosity_From_File" | "Radiosity_To_File" => "an untrusted INI file neither loads nor saves radiosity",
             "Output_File_Name" if !is_plain_name(path) => "an untrusted INI file names its picture without a folder",
             _ => return Ok(false),
         };

@@ -52,7 +52,14 @@ pub struct Settings {
     pub created_ini: Option<String>,
     /// True to append to text files (`Append_File`).
     pub appends_text: bool,
+    /// Path of the file of radiosity samples; `None` for the default.
+    pub radiosity_file: Option<String>,
+    pub loads_radiosity: bool,
+    pub saves_radiosity: bool,
 }
+
+/// Name of the file of radiosity samples without `Radiosity_File_Name`.
+const RADIOSITY_FILE: &str = "object.rca";
 
 type Checked = Result<(), String>;
 
@@ -212,6 +219,9 @@ impl Settings {
         for (name, value) in [("--output", output), ("--format", format), ("--packing", packing)] {
             value.into_iter().for_each(|value| put(name, value));
         }
+        let radiosity = || self.radiosity_file.clone().unwrap_or(RADIOSITY_FILE.into());
+        let uses = [("--load-radiosity", self.loads_radiosity), ("--save-radiosity", self.saves_radiosity)];
+        uses.iter().filter(|(_, is_on)| *is_on).for_each(|(name, _)| put(name, radiosity()));
         self.depth.iter().filter(|_| !self.gray).for_each(|depth| put("--bit-depth", depth.to_string()));
         if let (Some(clock), None) = (self.clock, self.animation()) {
             put("--clock", clock.to_string());

@@ -78,7 +78,6 @@ const fn both(switch: &'static str, ini: &'static str, takes: Takes, on: Effect)
 const NO_WINDOW: &str = "durer opens no window";
 const CTRL_C: &str = "Ctrl-C always ends durer";
 const NO_SHELL: &str = "durer never runs other programs";
-const NO_CACHE: &str = "durer has no radiosity files";
 
 /// All POV-Ray options, in the order of the manual.
 pub const ROWS: &[Row] = &[
@@ -219,8 +218,20 @@ pub const ROWS: &[Row] = &[
     row("J", "Jitter", MaybeNumber, Part(|p, v| p.jitter(v, true)), Part(|p, v| p.jitter(v, false))),
     both("", "Jitter_Amount", Number, Part(|p, v| p.jitter(v, true))),
     row("HR", "High_Reproducibility", Nothing, Same, Same),
-    both("RF", "Radiosity_File_Name", Text, Lacks(NO_CACHE)),
-    row("RFI", "Radiosity_From_File", Nothing, Lacks(NO_CACHE), Same),
-    row("RFO", "Radiosity_To_File", Nothing, Lacks(NO_CACHE), Same),
+    both("RF", "Radiosity_File_Name", Text, Part(|p, v| p.change(|p| p.radiosity_file = Some(v.into())))),
+    row(
+        "RFI",
+        "Radiosity_From_File",
+        Nothing,
+        Part(|p, _| p.change(|p| p.loads_radiosity = true)),
+        Part(|p, _| p.change(|p| p.loads_radiosity = false)),
+    ),
+    row(
+        "RFO",
+        "Radiosity_To_File",
+        Nothing,
+        Part(|p, _| p.change(|p| p.saves_radiosity = true)),
+        Part(|p, _| p.change(|p| p.saves_radiosity = false)),
+    ),
     both("RVP", "Radiosity_Vain_Pretrace", Nothing, Same),
 ];

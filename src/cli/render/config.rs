@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::interpreter::Timing;
 use crate::math::cancel::CancelToken;
 use crate::render::{Region, Shard};
-use crate::source::Span;
+use crate::source::{Sandbox, Span};
 use crate::{interpreter, render};
 use std::io::IsTerminal;
 use std::path::PathBuf;
@@ -45,6 +45,10 @@ pub struct Config {
     pub progress: ProgressDisplay,
     /// Destination of the render's times and counters.
     pub stats: Option<Stats>,
+    /// File whose radiosity samples are used.
+    pub load_radiosity: Option<PathBuf>,
+    /// File to which the radiosity samples are saved.
+    pub save_radiosity: Option<PathBuf>,
     /// Token of a caller that continues after the run; `None` if the process ends with the run.
     pub cancel: Option<CancelToken>,
     /// True if the picture belongs to an animation.
@@ -112,11 +116,18 @@ impl Config {
             max_memory: args.scene.memory_limit(),
             progress: args.progress.unwrap_or(ProgressDisplay::Auto),
             stats: args.stats,
+            load_radiosity: args.load_radiosity,
+            save_radiosity: args.save_radiosity.filter(|_| cancel.is_none()),
             is_animated: args.frames.is_some() || animation.is_some(),
             reading,
             drawing,
             cancel,
         })
+    }
+
+    /// Returns the policy for the files that the scene reads and writes.
+    pub fn sandbox(&self) -> &Sandbox {
+        &self.reading.sandbox
     }
 
     /// Returns the interpreter's options for a frame.

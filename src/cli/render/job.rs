@@ -2,6 +2,7 @@
 
 use super::Done;
 use super::config::{Config, Pictures};
+use super::light_files::{self, LightSaver};
 use super::monitor::Monitor;
 use super::pass_times::PassTime;
 use super::picture_writer::Written;
@@ -57,6 +58,8 @@ struct Rendered {
     is_black: bool,
     trace_time: Duration,
     encode_time: Duration,
+    /// Warnings about files that could not be written beside the picture.
+    warnings: Vec<Diagnostic>,
 }
 
 impl<'a> Job<'a> {
@@ -229,7 +232,8 @@ impl<'a> Job<'a> {
         }
         target.commit(self.console, draft)?;
         let (trace_time, encode_time) = (time.saturating_sub(rows_time), rows_time + encode.elapsed());
-        Ok(Rendered { rays, passes: monitor.passes.all(), is_black, trace_time, encode_time })
+        let warnings = monitor.light.as_ref().map(LightSaver::warnings).unwrap_or_default();
+        Ok(Rendered { rays, passes: monitor.passes.all(), is_black, trace_time, encode_time, warnings })
     }
 
     /// Renders a world into the picture's file, and reports an unfinished picture.
@@ -250,6 +254,7 @@ impl<'a> Job<'a> {
         let mut monitor = Monitor::new(progress, token.clone());
         monitor.is_silent = config.cancel.is_some();
         monitor.journal = journal.cloned();
+        monitor.light = Some(LightSaver::new(config.sandbox().clone()));
         if let Some(journal) = journal {
             journal::begin(console, journal, self.work(timing), config.resume, config.keep_after);
         }
@@ -309,7 +314,9 @@ impl<'a> Job<'a> {
             return Ok(Exit::Fine);
         }
         let is_incomplete = advice::is_incomplete(&built.diagnostics);
-        let world = session::report_and_take_world(console, self.sources, &mut built)?;
+        let mut world = session::report_and_take_world(console, self.sources, &mut built)?;
+        let warnings = light_files::add_option_files(&mut world, config, self.sources);
+        self.advise(warnings);
         match config.dump {
             Some(Dump::Scene) => return self.dump(&built.scene),
             Some(Dump::World) => return self.dump(&world),
@@ -321,8 +328,9 @@ impl<'a> Job<'a> {
         }
         self.advise(advice::time_warning(&world, &config.drawing(timing)).into_iter().collect());
         let deferred = Deferred::begin();
-        let Rendered { rays, passes, is_black, trace_time, encode_time } =
+        let Rendered { rays, passes, is_black, trace_time, encode_time, warnings } =
             self.render_to_draft(target, &world, timing, journal.as_ref(), token)?;
+        self.advise(warnings);
         self.finish_picture(target, timing, journal.as_deref(), finished);
         drop(deferred);
 

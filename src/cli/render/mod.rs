@@ -4,6 +4,7 @@ mod config;
 mod deps;
 mod dump;
 mod job;
+mod light_files;
 pub mod monitor;
 mod pass_times;
 mod picture_writer;

@@ -4,6 +4,7 @@ use crate::cli::console::print_message;
 use crate::cli::exit::{Exit, Failure, Result};
 use crate::cli::interrupt;
 use crate::cli::journal::Journal;
+use crate::cli::render::light_files::LightSaver;
 use crate::cli::render::pass_times::PassTimes;
 use crate::cli::render::progress::Progress;
 use crate::cli::shard::ShardWriter;
@@ -11,8 +12,10 @@ use crate::diagnostic::{Diagnostic, codes};
 use crate::image_io::{Frame, Rows};
 use crate::math::cancel::{CancelReason, CancelToken};
 use crate::render::{self, RayCounts, Shard, Stopped, Tile, Watch};
+use crate::scene::SaveFile;
 use crate::source::Span;
 use crate::world::World;
+use std::io::{self, Write};
 use std::sync::Arc;
 
 /// Watches a render: shows progress, stores tiles, and stops on Ctrl-C, on cancellation and after the time limit.
@@ -26,6 +29,8 @@ pub struct Monitor {
     pub journal: Option<Arc<Journal>>,
     /// Durations of the passes that prepared the picture.
     pub passes: PassTimes,
+    /// Saves photons and radiosity to files; `None` to save nothing.
+    pub light: Option<LightSaver>,
 }
 
 impl Watch for Monitor {
@@ -46,6 +51,10 @@ impl Watch for Monitor {
         self.cancel.clone()
     }
 
+    fn save_light(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) {
+        self.light.iter().for_each(|light| light.save(file, write));
+    }
+
     fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
         self.journal.as_ref()?.load_tile(tile)
     }
@@ -60,7 +69,7 @@ impl Watch for Monitor {
 impl Monitor {
     /// Creates the monitor of a render that `cancel` ends.
     pub fn new(progress: Progress, cancel: CancelToken) -> Self {
-        Self { progress, cancel, is_silent: false, journal: None, passes: PassTimes::default() }
+        Self { progress, cancel, is_silent: false, journal: None, passes: PassTimes::default(), light: None }
     }
 
     /// Renders a World and passes the rows to `rows`, unless the render is stopped.

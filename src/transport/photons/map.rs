@@ -28,6 +28,16 @@ impl Photon {
         Self { position, flux, dir }
     }
 
+    /// Creates a photon from position, flux and direction in single precision.
+    pub fn from_numbers(position: [f32; 3], flux: [f32; 3], dir: [f32; 3]) -> Self {
+        Self { position, flux, dir }
+    }
+
+    /// Returns position, flux and direction.
+    pub fn numbers(&self) -> impl Iterator<Item = f32> {
+        [self.position, self.flux, self.dir].into_iter().flatten()
+    }
+
     /// Returns the power of the photon.
     pub fn flux(&self) -> Rgb {
         Rgb::from_array(self.flux.map(f64::from))
@@ -63,6 +73,22 @@ impl PhotonMap {
         let mut axes = vec![0; photons.len()];
         divide(&mut photons, &mut axes);
         Self { photons, axes }
+    }
+
+    /// Creates a map from the photons and axes of [`Self::tree`].
+    pub fn from_tree(photons: impl Iterator<Item = (Photon, u8)>) -> Self {
+        let (photons, axes) = photons.unzip();
+        Self { photons, axes }
+    }
+
+    /// Returns the photons in the order of the tree, each with the axis of its division.
+    pub fn tree(&self) -> impl Iterator<Item = (&Photon, u8)> {
+        self.photons.iter().zip(self.axes.iter().copied())
+    }
+
+    /// Returns the number of photons.
+    pub fn len(&self) -> usize {
+        self.photons.len()
     }
 
     /// True if the map has no photons.

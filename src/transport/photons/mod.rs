@@ -4,6 +4,7 @@
 mod emission;
 mod gather;
 mod map;
+mod save;
 mod trace;
 
 use super::context::FrameContext;
@@ -48,6 +49,23 @@ struct Ring {
 }
 
 impl Photons {
+    /// Creates the photons of a frame from their maps.
+    fn new(surface: PhotonMap, media: PhotonMap, settings: &PhotonMapSettings) -> Self {
+        let gather = settings.gather.map(|n| n as usize);
+        let radius = |map: &PhotonMap, i: usize| match settings.radius[i] {
+            0.0 => RADIUS_FACTOR * map.mean_radius(gather[1]) * settings.radius_factor[i],
+            stated => stated * settings.radius_factor[i],
+        };
+        Self {
+            radius: [radius(&surface, 0), radius(&media, 1)],
+            surface,
+            media,
+            gather,
+            max_increase: settings.max_increase,
+            expand_min: settings.expand_min as usize,
+        }
+    }
+
     /// True if media store photons.
     pub(super) fn has_media_photons(&self) -> bool {
         !self.media.is_empty()
@@ -90,21 +108,7 @@ impl PhotonPass {
                 media.append(&mut ring.media);
             }
         }
-        let settings = &self.settings;
-        let (surface, media) = (PhotonMap::new(surface), PhotonMap::new(media));
-        let gather = settings.gather.map(|n| n as usize);
-        let radius = |map: &PhotonMap, i: usize| match settings.radius[i] {
-            0.0 => RADIUS_FACTOR * map.mean_radius(gather[1]) * settings.radius_factor[i],
-            stated => stated * settings.radius_factor[i],
-        };
-        Photons {
-            radius: [radius(&surface, 0), radius(&media, 1)],
-            surface,
-            media,
-            gather,
-            max_increase: settings.max_increase,
-            expand_min: settings.expand_min as usize,
-        }
+        Photons::new(PhotonMap::new(surface), PhotonMap::new(media), &self.settings)
     }
 }
 

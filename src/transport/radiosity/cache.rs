@@ -11,6 +11,8 @@ use smallvec::SmallVec;
 
 /// Maximum number of samples; later samples are used once and dropped.
 const MAX_SAMPLES: usize = 8 << 20;
+/// Maximum radius of a sphere of influence, so that the sphere overlaps at most 8 cells of the widest grid.
+const MAX_REACH: f64 = 1e300;
 /// Minimum cosine of the angle between the normals of a sample and of a point that uses it.
 const MIN_COSINE: f64 = 0.5;
 /// Distance in front of a sample, as a share of its radius, up to which points may use it.
@@ -83,6 +85,11 @@ impl RadiosityCache {
         self.samples.len()
     }
 
+    /// Returns the samples in the order of their insertion.
+    pub fn samples(&self) -> &[Sample] {
+        &self.samples
+    }
+
     /// Removes all samples.
     pub fn clear(&mut self) {
         if !self.samples.is_empty() {
@@ -103,7 +110,7 @@ impl RadiosityCache {
             return;
         }
         let number = self.samples.len() as u32;
-        let reach = sample.radius * self.reach;
+        let reach = (sample.radius * self.reach).min(MAX_REACH);
         let grid = grid_exponent(2.0 * reach);
         let depth = usize::from(sample.depth);
         if self.grids.len() <= depth {
@@ -164,7 +171,7 @@ fn weight(sample: &Sample, query: &Query, inverse_bound: f64) -> Option<f64> {
 /// Returns the exponent of the least power of 2 that is at least `width`.
 fn grid_exponent(width: f64) -> i16 {
     let exponent = ((width.to_bits() >> 52) & 0x7ff) as i16 - 1023;
-    exponent.clamp(-300, 300) + 1
+    exponent.clamp(-300, 1000) + 1
 }
 
 /// Returns the cell of a grid that contains a point. Cells far from the origin are clamped to the last ones.

@@ -7,6 +7,7 @@
 mod cache;
 mod directions;
 mod gather;
+mod save;
 
 pub use cache::Sample;
 

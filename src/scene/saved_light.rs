@@ -1,0 +1,110 @@
+//! The words `load_file` and `save_file` of `photons { }` and `radiosity { }` in `global_settings`.
+
+use super::light_file::{LightFile, LightFileError, LightKind, MAX_LENGTH};
+use crate::diagnostic::{Diagnostic, Result, codes, file};
+use crate::source::{Files, Span};
+use crate::value::Reader;
+use std::path::{Path, PathBuf};
+
+/// Files of light that a block of `global_settings` or an option names.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SavedLight {
+    /// Light that replaces its computation.
+    pub loaded: Option<LoadedLight>,
+    /// File that the light is saved to.
+    pub save: Option<SaveFile>,
+}
+
+/// Light from a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadedLight {
+    /// Contents of the file.
+    pub file: LightFile,
+    /// Name of the file in the scene.
+    pub name: String,
+    /// Span of the name in the scene; [`Span::NONE`] for a name on the command line.
+    pub source: Span,
+}
+
+/// Destination of light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SaveFile {
+    /// Kind of the light.
+    pub kind: LightKind,
+    /// Path of the file.
+    pub path: PathBuf,
+    /// Span of the name in the scene; [`Span::NONE`] for a name on the command line.
+    pub source: Span,
+}
+
+impl SavedLight {
+    /// Reads the name after `load_file`, and the file.
+    pub(super) fn read_load(&mut self, kind: LightKind, r: &mut dyn Reader) -> Result<()> {
+        let (at, name) = (r.span(), r.text()?);
+        self.load(kind, &name, at, r)
+    }
+
+    /// Reads the name after `save_file`.
+    pub(super) fn read_save(&mut self, kind: LightKind, r: &mut dyn Reader) -> Result<()> {
+        let (source, name) = (r.span(), r.text()?);
+        self.save = Some(SaveFile { kind, path: name.into(), source });
+        Ok(())
+    }
+
+    /// Reads a file of light. A file that cannot be used is reported, and the light is computed as without it.
+    ///
+    /// # Errors
+    /// E0235 if the scene may not read the file.
+    fn load(&mut self, kind: LightKind, name: &str, at: Span, r: &mut dyn Reader) -> Result<()> {
+        self.loaded = None;
+        let path = r.find_file(name, at)?;
+        match LoadedLight::read(kind, name, path.as_deref(), at, r.files()) {
+            Ok(loaded) => self.loaded = Some(loaded),
+            Err(warning) => r.report(*warning),
+        }
+        Ok(())
+    }
+}
+
+impl LoadedLight {
+    /// Reads the file `name`, which was found at `path`, or not at all.
+    ///
+    /// # Errors
+    /// The warning that the file is not used, with the reason.
+    pub fn read(kind: LightKind, name: &str, path: Option<&Path>, source: Span, files: &dyn Files) -> Result<Self> {
+        let file = match path {
+            None => Err("was not found".into()),
+            Some(path) if files.metadata(path).is_ok_and(|file| file.length > MAX_LENGTH) => {
+                Err(format!("is larger than {} GB", MAX_LENGTH >> 30))
+            }
+            Some(path) => match files.read(path) {
+                Ok(bytes) => LightFile::parse(bytes, kind).map_err(|error| reason(error, kind)),
+                Err(error) => Err(format!("can't be read: {}", file::reason(&error))),
+            },
+        };
+        match file {
+            Ok(file) => Ok(Self { file, name: name.into(), source }),
+            Err(reason) => {
+                let text = format!("`{name}` {reason}: the {} are computed", kind.contents());
+                let help = match kind {
+                    LightKind::Photons => "`save_file` in place of `load_file` writes the file",
+                    LightKind::Radiosity => "`save_file`, or `--save-radiosity` on the command line, writes the file",
+                };
+                Diagnostic::new(codes::UNUSED_LIGHT_FILE, source, text).help(help).into()
+            }
+        }
+    }
+}
+
+/// Returns the reason for which a file is not used, as the rest of a sentence about the file.
+fn reason(error: LightFileError, kind: LightKind) -> String {
+    match error {
+        LightFileError::PovRay => {
+            format!("was saved by POV-Ray, and durer reads only {} that it saved", kind.contents())
+        }
+        LightFileError::Foreign => format!("does not contain {}", kind.contents()),
+        LightFileError::OtherKind => format!("contains {}, not {}", kind.other().contents(), kind.contents()),
+        LightFileError::OtherVersion => "was saved by another version of durer".into(),
+        LightFileError::Damaged => "is damaged or cut off".into(),
+    }
+}
