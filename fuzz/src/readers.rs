@@ -1,4 +1,5 @@
-//! Properties of the readers of pictures, meshes, fonts, density files, INI files and resume journals.
+//! Properties of the readers of pictures, meshes, fonts, density files, INI files, resume journals,
+//! shards and files of light.
 
 use crate::Corpus;
 use durer::Memory;
@@ -162,5 +163,20 @@ pub fn journal(bytes: &[u8]) -> Corpus {
         static FOLDER: JournalFolder = JournalFolder::create();
     }
     FOLDER.with(|folder| folder.journal.resume_with(bytes));
+    Corpus::Keep
+}
+
+/// Checks the reader of shard files.
+pub fn shard(bytes: &[u8]) -> Corpus {
+    thread_local! {
+        static FOLDER: tempfile::TempDir = tempfile::tempdir().expect("a temporary folder can be created");
+    }
+    FOLDER.with(|folder| fuzzing::read_shard(folder.path(), bytes));
+    Corpus::Keep
+}
+
+/// Checks the reader of files of photons and radiosity samples, and a render that uses them.
+pub fn light_file(bytes: &[u8]) -> Corpus {
+    fuzzing::use_light_file(bytes);
     Corpus::Keep
 }

@@ -3,10 +3,12 @@
 
 use super::journal::{Journal, identity::Work};
 use super::povray::{self, Translated};
+use super::shard::ShardFile;
 use super::{Cli, unknown};
 use crate::font::{Font, FontLocation, find_family};
-use crate::render::{FINAL_PASS, FIRST_PASS, Region, Tile};
-use crate::source::{Exclusive, Lookups, Memory, ReadFiles, Sources};
+use crate::render::{FINAL_PASS, FIRST_PASS, Region, Tile, Unwatched};
+use crate::source::{Exclusive, Lookups, Memory, ReadFiles, Sandbox, SearchPath, Sources};
+use crate::{interpreter, render};
 use clap::Parser;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -54,6 +56,41 @@ fn parse_translated(translated: Translated, sources: &Sources) {
         spans.for_each(|span| assert!(sources.place(span).is_some(), "{span:?} is in no file: {diagnostic:?}"));
     }
     drop(Cli::try_parse_from(translated.words));
+}
+
+/// Scene that loads photons and radiosity samples from the file `light`.
+const LIGHT_SCENE: &str = "#version 3.7;
+global_settings { assumed_gamma 1 photons { spacing 0.3 load_file \"light\" } radiosity { count 4 load_file \"light\" } }
+camera { location -5*z look_at 0 }
+light_source { <3, 5, -4>, 1 }
+sphere { 0, 1 pigment { rgbf 1 } photons { target refraction on } }
+plane { y, -1 pigment { rgb 1 } }";
+
+/// Renders a small picture with the photons or samples of a file of light. The file is also read with a valid hash
+/// appended, so that damaged records are reached.
+pub fn use_light_file(bytes: &[u8]) {
+    for content in [bytes.to_vec(), [bytes, blake3::hash(bytes).as_bytes()].concat()] {
+        let files = Memory::default();
+        files.insert("scene.pov", LIGHT_SCENE);
+        files.insert("light", content);
+        let sources = Sources::new(Arc::new(files));
+        let Ok(scene) = crate::load(&sources, Path::new("scene.pov")) else { continue };
+        let search = SearchPath { folders: vec![".".into()], fonts: vec![] };
+        let options =
+            interpreter::Options { sandbox: Sandbox::allow_search_path(&search), search, ..Default::default() };
+        let world = crate::build(&sources, scene, &options, &mut |_| {}).world.expect("the scene has no errors");
+        render::render(&world, &render::Options::new(6, 4), &Unwatched).expect("the picture is small");
+    }
+}
+
+/// Reads a shard file and all of its blocks. `folder` is a folder for the file.
+pub fn read_shard(folder: &Path, bytes: &[u8]) {
+    let path = folder.join("fuzzed.png.shard-1-of-2");
+    let Ok(()) = std::fs::write(&path, bytes) else { return };
+    let Ok(shard) = ShardFile::open(&path) else { return };
+    for area in shard.header.layout.blocks(shard.header.shard) {
+        assert!(shard.block(area).is_ok_and(|block| block.is_some()), "a block of a valid shard");
+    }
 }
 
 /// A valid resume journal, from which damaged ones are made.

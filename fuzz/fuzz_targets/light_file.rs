@@ -1,0 +1,3 @@
+#![no_main]
+
+durer_fuzz::target!(durer_fuzz::readers::light_file);
