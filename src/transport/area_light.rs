@@ -19,6 +19,9 @@ const MAX_ARRAY: usize = 1 << 16;
 const MIN_LIGHTS: usize = 25;
 /// Minimum number of lights of a part of a grid for a shaft test.
 const MIN_PART: usize = 64;
+/// Number of halvings of a grid that is too large for an array, after which a piece is not subdivided if the light at its
+/// corners is nearly equal: 128 × 128 pieces, which miss only occluders narrower than 1/128 of the grid.
+const LARGE_GRID_LEVEL: u32 = 7;
 
 /// One evaluation of the visibility of a grid of lights.
 struct GridVisibility<'a> {
@@ -30,6 +33,11 @@ struct GridVisibility<'a> {
     /// Interiors that contain the point.
     inside: &'a Interiors,
     random: RandomSequence,
+    /// Number of halvings after which a piece is not subdivided if the light at its corners is nearly equal; `None` to
+    /// subdivide down to single lights.
+    settle_level: Option<u32>,
+    /// True if a shaft test is made for each piece whose corners are lit.
+    has_shafts: bool,
     known: Known,
 }
 
@@ -72,12 +80,6 @@ impl Piece {
             Some(Piece { low: [left, bottom], high: [right, top] })
         })
     }
-
-    /// Returns the weight of all lights of the piece in the mean of the grid; see [`cumulative_weights`].
-    fn weight(&self, cumulative: &[Vec<f64>; 2]) -> f64 {
-        let along = |i: usize| cumulative[i][self.high[i] as usize + 1] - cumulative[i][self.low[i] as usize];
-        along(0) * along(1)
-    }
 }
 
 impl GridVisibility<'_> {
@@ -109,7 +111,9 @@ impl Tracer<'_> {
         let count = n as usize * m as usize;
         let all = Piece { low: [0, 0], high: [n - 1, m - 1] };
         let random = self.random.sequence(Purpose::AreaLight);
-        let mut grid = GridVisibility { light, area, point, center, inside, random, known: Known::default() };
+        let (settle_level, known) = (area.adaptive, Known::default());
+        let mut grid =
+            GridVisibility { light, area, point, center, inside, random, settle_level, has_shafts: false, known };
         let mut has_shafts = self.has_shafts(light, area, point);
         let is_stored = count <= MAX_ARRAY;
         // Trace two shadow rays that are needed in any case: in full shadow, no shaft is clear.
@@ -122,20 +126,21 @@ impl Tracer<'_> {
             }
             has_shafts = !self.is_surrounded(light, point);
         }
-        if !is_stored && area.adaptive.is_none() {
-            let weights = area.size.map(cumulative_weights);
-            return self.weighted_visibility(&grid, &weights, all, has_shafts);
-        }
         if is_stored {
             grid.known = Known::Array(vec![Rgb::NAN; count]);
         }
         for (end, visibility) in ends {
             visibility.into_iter().for_each(|visibility| grid.store(Piece { low: end, high: end }, visibility));
         }
-        if has_shafts {
-            self.find_clear_parts(&mut grid, all);
+        if is_stored {
+            if has_shafts {
+                self.find_clear_parts(&mut grid, all);
+            }
+        } else {
+            grid.has_shafts = has_shafts;
+            grid.settle_level = area.adaptive.or(Some(LARGE_GRID_LEVEL));
         }
-        self.piece_visibility(&mut grid, all.low, all.high, 0)
+        self.piece_visibility(&mut grid, all, 0)
     }
 
     /// True if shaft tests may replace shadow rays from the point: all lights of the grid count, they are many, and nothing
@@ -183,49 +188,18 @@ impl Tracer<'_> {
         }
     }
 
-    /// Returns the sum of the visibilities of a piece's lights, each times the weights of its column and row, without
-    /// storing the visibilities. The weights of clear parts are added without shadow rays. All sums of weights are exact,
-    /// so that shafts change no bit of the result.
-    fn weighted_visibility(
-        &mut self,
-        grid: &GridVisibility,
-        weights: &[Vec<f64>; 2],
-        piece: Piece,
-        has_shafts: bool,
-    ) -> Rgb {
-        let mut sum = Rgb::ZERO;
-        if piece.count() < MIN_PART {
-            for row in piece.low[1]..=piece.high[1] {
-                for column in piece.low[0]..=piece.high[0] {
-                    if self.is_stopped_at_next_surface() {
-                        return sum;
-                    }
-                    let weight = Piece { low: [column, row], high: [column, row] }.weight(weights);
-                    sum += self.light_visibility(grid, [column, row]) * weight;
-                }
-            }
-            return sum;
-        }
-        for part in piece.parts().into_iter().flatten() {
-            if self.is_stopped() {
-                break;
-            }
-            sum += match has_shafts && part.count() >= MIN_PART && self.is_clear(grid, part) {
-                true => Rgb::splat(part.weight(weights)),
-                false => self.weighted_visibility(grid, weights, part, has_shafts),
-            };
-        }
-        sum
-    }
-
-    /// Returns the mean visibility of a piece of the grid, from the light `low` to `high`, after `level` halvings.
-    fn piece_visibility(&mut self, grid: &mut GridVisibility, low: [u32; 2], high: [u32; 2], level: u32) -> Rgb {
+    /// Returns the mean visibility of a piece of the grid after `level` halvings.
+    fn piece_visibility(&mut self, grid: &mut GridVisibility, piece: Piece, level: u32) -> Rgb {
+        let Piece { low, high } = piece;
         let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.cell_visibility(grid, cell));
         let is_single = (0..2).all(|i| high[i] - low[i] <= 1);
         let is_settled =
-            grid.area.adaptive.is_some_and(|least| level >= least) && is_uniform(&corners, grid.center.light);
+            grid.settle_level.is_some_and(|least| level >= least) && is_uniform(&corners, grid.center.light);
         if is_single || is_settled || self.is_stopped_at_next_surface() {
             return corners.iter().sum::<Rgb>() * 0.25;
+        }
+        if grid.has_shafts && corners == [Rgb::ONE; 4] && piece.count() >= MIN_PART && self.is_clear(grid, piece) {
+            return Rgb::ONE;
         }
         let halves = |i: usize| {
             let half = (high[i] - low[i]) / 2;
@@ -234,7 +208,7 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for (bottom, top) in halves(1) {
             for (left, right) in halves(0) {
-                sum += self.piece_visibility(grid, [left, bottom], [right, top], level + 1);
+                sum += self.piece_visibility(grid, Piece { low: [left, bottom], high: [right, top] }, level + 1);
             }
         }
         sum * 0.25
@@ -266,23 +240,6 @@ impl Tracer<'_> {
     }
 }
 
-/// Returns the weights of the lights along one side of a grid, whose sum is 1: the side is halved down to pairs, and
-/// both lights of a pair have equal weights.
-fn weights_of_halving(n_lights: u32) -> Vec<f64> {
-    let mut out = vec![0.0; n_lights as usize];
-    let mut pieces = vec![(0, n_lights - 1, 1.0)];
-    while let Some((low, high, weight)) = pieces.pop() {
-        let half = (high - low) / 2;
-        if high - low <= 1 {
-            out[low as usize] += 0.5 * weight;
-            out[high as usize] += 0.5 * weight;
-        } else {
-            pieces.extend([(low, low + half, 0.5 * weight), (high - half, high, 0.5 * weight)]);
-        }
-    }
-    out
-}
-
 /// Returns the offset of a light of the grid from the grid's centre, with jitter; `toward` is the direction from the
 /// light to the point.
 pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomSequence) -> DVec3 {
@@ -295,37 +252,4 @@ pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomS
 fn is_uniform(corners: &[Rgb; 4], light: Rgb) -> bool {
     let apart = |a: Rgb, b: Rgb| ((a - b) * light).abs().element_sum() > MAX_DIFFERENCE;
     !(0..4).any(|i| (0..i).any(|j| apart(corners[i], corners[j])))
-}
-
-/// Returns the sums of the weights of the first 0, 1, 2, … lights along one side of a grid; see [`weights_of_halving`].
-/// All weights are multiples of a power of two, so that the sums are exact.
-fn cumulative_weights(n_lights: u32) -> Vec<f64> {
-    let mut sum = 0.0;
-    let sums = weights_of_halving(n_lights).into_iter().map(|weight| {
-        sum += weight;
-        sum
-    });
-    std::iter::once(0.0).chain(sums).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Returns the weight of the light `at` in the mean from `low` to `high`, a range that is halved down to pairs.
-    fn light_weight(at: u32, low: u32, high: u32) -> f64 {
-        if high - low <= 1 {
-            return 0.5 * (f64::from(at == low) + f64::from(at == high));
-        }
-        let half = (high - low) / 2;
-        0.5 * (light_weight(at, low, low + half) + light_weight(at, high - half, high))
-    }
-
-    #[test]
-    fn weights_are_those_of_halving() {
-        for n in [1, 2, 3, 4, 5, 7, 8, 17, 100] {
-            let expected: Vec<f64> = (0..n).map(|at| light_weight(at, 0, n - 1)).collect();
-            assert_eq!(weights_of_halving(n), expected, "{n}");
-        }
-    }
 }
