@@ -40,11 +40,17 @@ fn file_access(command: &Command) -> Option<FileAccess> {
                 Some(Stats::File(path)) => Some(path),
                 _ => None,
             };
-            let files = args.output.iter().chain(&args.deps).chain(stats);
+            access.read.extend(args.prepared.iter().chain(&args.load_radiosity).cloned());
+            let files = args.output.iter().chain(&args.deps).chain(stats).chain(&args.save_radiosity);
             access.write = files.map(|path| written_folder(path)).collect();
             if args.output.is_none() {
                 access.write.push(".".into());
             }
+            Some(access)
+        }
+        Command::Prepare(args) => {
+            let mut access = scene_access(&args.scene, std::slice::from_ref(&args.input))?;
+            access.write.push(args.output.as_deref().map_or(PathBuf::from("."), written_folder));
             Some(access)
         }
         Command::Check(args) => scene_access(&args.scene, &args.inputs),
@@ -137,6 +143,13 @@ mod tests {
         assert_eq!(read, ["a", "a/b.pov", "lib", "e"]);
         assert_eq!(write, ["c", "f", "h"]);
         assert_eq!(access("durer render b.pov --untrusted").unwrap().1, ["."]);
+        let light = "durer render b.pov -o b.png --untrusted --prepared d/e --load-radiosity f/g --save-radiosity h/i";
+        let (read, write) = access(light).unwrap();
+        assert_eq!(
+            (&read[2..], &write[..]),
+            (&["d/e", "f/g"].map(String::from)[..], &[".", "h"].map(String::from)[..])
+        );
+        assert_eq!(access("durer prepare b.pov --untrusted -o j/k").unwrap().1, ["j"]);
         assert_eq!(access("durer check b.pov --untrusted").unwrap(), (vec![".".into(), "b.pov".into()], vec![]));
         assert_eq!(access("durer check b.pov"), None);
         assert_eq!(access("durer watch b.pov --untrusted"), None);

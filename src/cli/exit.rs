@@ -100,7 +100,7 @@ impl Exit {
             }
             codes::PICTURE_TOO_LARGE | codes::TIME_LIMIT => Exit::Limit,
             codes::UNKNOWN_FORMAT | codes::FORMAT_LIMIT | codes::OUTSIDE_PICTURE | codes::UNKNOWN_OPTION => Exit::Usage,
-            codes::INI_SYNTAX | codes::NO_SCENE | codes::INI_LOOP => Exit::Usage,
+            codes::INI_SYNTAX | codes::NO_SCENE | codes::INI_LOOP | codes::OTHER_PREPARATION => Exit::Usage,
             _ => Exit::Scene,
         }
     }

@@ -37,6 +37,9 @@ static TOKENS: Mutex<Vec<CancelToken>> = Mutex::new(vec![]);
 /// Task to run before the process ends in the middle of work, such as writing the journal.
 static CLEANUP: Mutex<Option<Box<dyn Fn() + Send>>> = Mutex::new(None);
 
+/// Task that the signal USR1 starts: writes the picture as far as it is finished.
+static STATUS_TASK: Mutex<Option<Arc<dyn Fn() + Send + Sync>>> = Mutex::new(None);
+
 /// Installs the handlers of the signals. The second Ctrl-C always ends the program at once.
 pub fn listen() {
     // If a handler cannot be installed, the system's default applies.
@@ -51,7 +54,8 @@ pub fn listen() {
 
 #[cfg(unix)]
 mod unix {
-    use super::{FILE_SIZE, FILE_SIZE_LIMIT, SIGNALS, receive};
+    use super::{FILE_SIZE, FILE_SIZE_LIMIT, SIGNALS, receive, start_status_task};
+    use signal_hook::consts::SIGUSR1;
     use signal_hook::flag::register_usize;
     use signal_hook::iterator::Signals;
     use std::io;
@@ -64,9 +68,14 @@ mod unix {
             register_usize(FILE_SIZE_LIMIT, FILE_SIZE.clone(), FILE_SIZE_LIMIT as usize)?;
         }
         let wanted = SIGNALS.iter().filter(|signal| !signal.may_be_ignored || is_wanted(signal.number));
-        let mut signals = Signals::new(wanted.map(|signal| signal.number))?;
+        let mut signals = Signals::new(wanted.map(|signal| signal.number).chain([SIGUSR1]))?;
         let mut first = None;
-        let receive_all = move || signals.forever().for_each(|number| receive(number, &mut first));
+        let receive_all = move || {
+            signals.forever().for_each(|number| match number {
+                SIGUSR1 => start_status_task(),
+                _ => receive(number, &mut first),
+            });
+        };
         std::thread::Builder::new().name("signals".into()).spawn(receive_all).map(drop)
     }
 
@@ -131,6 +140,37 @@ impl Drop for Cleanup {
     fn drop(&mut self) {
         *lock(&CLEANUP) = None;
     }
+}
+
+/// Registration of the task that the signal USR1 starts; removed when this value is dropped.
+pub struct StatusTask(());
+
+impl StatusTask {
+    /// Registers a task that runs whenever the signal USR1 arrives, on a thread of its own. Without a task, the signal has
+    /// no effect.
+    pub fn begin(task: impl Fn() + Send + Sync + 'static) -> Self {
+        *lock(&STATUS_TASK) = Some(Arc::new(task));
+        Self(())
+    }
+}
+
+impl Drop for StatusTask {
+    fn drop(&mut self) {
+        *lock(&STATUS_TASK) = None;
+    }
+}
+
+/// Starts the task of the signal USR1, unless it is running.
+#[cfg(unix)]
+fn start_status_task() {
+    static RUNNING: Mutex<()> = Mutex::new(());
+    let Some(task) = lock(&STATUS_TASK).clone() else { return };
+    let run = move || {
+        if let Ok(_running) = RUNNING.try_lock() {
+            task();
+        }
+    };
+    let _ = std::thread::Builder::new().name("status".into()).spawn(run);
 }
 
 /// Ends the process in the middle of work, after the cleanup.

@@ -24,6 +24,7 @@ mod new;
 mod overlay;
 mod pick;
 mod povray;
+mod prepare;
 mod query;
 mod render;
 mod session;
@@ -113,6 +114,7 @@ fn dispatch(console: &Console, command: &Command, context: Context) -> Result {
     confinement::confine(console, command);
     match command {
         Command::Render(args) => render::run(console, args, context).0,
+        Command::Prepare(args) => prepare::run(console, args, context.animation),
         Command::Merge(args) => shard::merge::run(console, args),
         Command::Check(args) => check::run(console, args, context.animation),
         Command::Pick(args) => pick::run(console, args, context.animation),

@@ -140,6 +140,7 @@ impl RenderArgs {
             keep_after: self.keep_after,
             frames: self.frames,
             shard: self.shard,
+            prepared: self.prepared,
             stats: self.stats,
             warn: self.warn,
             dump: self.dump,

@@ -91,6 +91,9 @@ line holds options only; `durer scene.pov low.ini` uses both."
     MESH_BROKEN "E0018" "the mesh's file can't be read"
 "`mesh { file \"NAME\" }` reads PLY, OBJ, STL and glTF files (ply, obj, stl, gltf, glb). The message gives the reason, and the line or the
 byte (counted from 0) where it is known: the file ends early, a corner's index is too large, a coordinate is not a number."
+    OTHER_PREPARATION "E0020" "light that was prepared for another picture"
+"The file of `--prepared` was written by `durer prepare` for another scene, size, frame or quality, or the scene has changed since. Its
+light would make a wrong picture, so nothing is rendered. Prepare the picture again with the options of the render."
     SYNTAX "E0100" "unexpected text"
 "The text can't be read as a scene from this place on."
     UNCLOSED "E0101" "something is opened and never closed"

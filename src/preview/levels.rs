@@ -4,7 +4,7 @@ use super::screen::{Image, Screen, View};
 use crate::diagnostic;
 use crate::image_io::Rows;
 use crate::math::cancel::CancelToken;
-use crate::render::{self, Options, RayCounts, Region, Stopped, Tile, Watch};
+use crate::render::{self, Options, OutputConversion, RayCounts, Region, Stopped, Tile, Watch};
 use crate::world::World;
 use std::time::{Duration, Instant};
 
@@ -117,7 +117,8 @@ impl Watch for TileDisplay<'_> {
         if self.cancelled() {
             return;
         }
-        let lit: Vec<_> = pixels.iter().map(|pixel| render::light(self.world, self.options, pixel)).collect();
+        let conversion = OutputConversion::new(self.world, self.options);
+        let lit: Vec<_> = pixels.iter().map(|pixel| conversion.light(pixel)).collect();
         self.screen.put(tile.area, &lit);
     }
 }

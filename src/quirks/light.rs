@@ -56,6 +56,13 @@ pub(super) const QUIRKS: &[Quirk] = &[
         "`irid` uses the direction to the centre of an area light, whichever light of the grid illuminates.",
         &["light_cases/area_illumination_irid"],
     ),
+    differing_quirk(
+        "large_area_light",
+        "Without `adaptive`, a point sends a shadow ray to each light of an area light, however many there are.",
+        "A grid of more than 65536 lights is sampled as with `adaptive 7`, and with `area_illumination` at most 128 lights \
+         of a side of more than 256 illuminate; 16-bit pictures stay the same.",
+        &["tests/suite/area_lights.rs::nine_million_lights_behind_a_small_box"],
+    ),
     emulated_quirk(
         "light_in_union_of_group",
         "A light in a union within a `light_group` is a light of the whole scene.",

@@ -105,7 +105,7 @@ impl FrameRender<'_> {
     ) -> Result<(Vec<Pixel>, RayCounts), Cancelled> {
         let watch = self.workers.watch;
         let (pixels, counts) = match watch.load_tile(tile) {
-            Some(pixels) if pixels.len() == tile.area.width * tile.area.height => (pixels, RayCounts::default()),
+            Some(pixels) if pixels.len() == tile.area.n_pixels() => (pixels, RayCounts::default()),
             _ => {
                 let rendered = render()?;
                 watch.store_tile(tile, &rendered.0);
@@ -153,7 +153,7 @@ impl FrameRender<'_> {
     }
 
     fn first_tile(&self, sampler: &mut Sampler, area: &Region) -> Vec<Pixel> {
-        let mut pixels = Vec::with_capacity(area.width * area.height);
+        let mut pixels = Vec::with_capacity(area.n_pixels());
         for y in area.y..area.y + area.height {
             pixels.extend((area.x..area.x + area.width).map(|x| self.method.first_sample(sampler, x, y)));
             if sampler.is_stopped() {

@@ -15,7 +15,9 @@ mod sampler;
 mod shard;
 mod workers;
 
+pub use output::OutputConversion;
 pub use pick::pick;
+pub use prepare::{light_digests, prepare_light};
 pub use shard::{BlockReceiver, Shard, block_edge, draw_shard, shard_blocks};
 
 use crate::diagnostic::{self, Fault};
@@ -160,7 +162,8 @@ pub trait Watch: Sync {
     }
     /// Saves the light of a preparation pass to a file that the scene names. `write` writes the contents of the file.
     fn save_light(&self, _: &SaveFile, _write: &dyn Fn(&mut dyn Write) -> io::Result<()>) {}
-    /// Stores the pixels of a finished tile; [`light`] converts them to linear light and alpha.
+    /// Stores the pixels of a finished tile; [`OutputConversion`] converts them to linear
+    /// light.
     fn store_tile(&self, _: Tile, _: &[[f32; 4]]) {}
 }
 
@@ -179,6 +182,11 @@ impl Watch for Unwatched {
 pub struct Cancelled;
 
 impl Region {
+    /// Returns the number of pixels.
+    pub fn n_pixels(&self) -> usize {
+        self.width * self.height
+    }
+
     /// Returns the part of the region that is within a picture of this size.
     fn clipped_to(self, width: usize, height: usize) -> Region {
         let (x, y) = (self.x.min(width), self.y.min(height));
@@ -234,8 +242,9 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     let context = prepare::prepare(world, &camera, options, &workers)?;
     let method = antialias::Method::new(world, camera.lens.as_ref(), options);
     outside_rows(rows, options, region.y)?;
+    let conversion = OutputConversion::new(world, options);
     let mut take = |mut pixels: Vec<pixel_rows::Pixel>| {
-        pixels.iter_mut().for_each(|pixel| *pixel = light(world, options, pixel));
+        pixels.iter_mut().for_each(|pixel| *pixel = conversion.light(pixel));
         if region.width == width {
             return rows.take_rows(&pixels);
         }
@@ -260,11 +269,6 @@ fn outside_pixel(options: &Options) -> [f32; 4] {
 fn outside_rows(to: &mut dyn Rows, options: &Options, rows: usize) -> diagnostic::Result<()> {
     let row = vec![outside_pixel(options); if rows > 0 { options.width } else { 0 }];
     (0..rows).try_for_each(|_| to.take_rows(&row))
-}
-
-/// Converts a pixel from [`Watch::store_tile`] to linear light and alpha.
-pub fn light(world: &World, options: &Options, pixel: &[f32; 4]) -> [f32; 4] {
-    output::light(pixel, world.gamma, options.alpha)
 }
 
 /// Returns the maximum memory for the render of a region, in bytes, besides the World and the stored rows.

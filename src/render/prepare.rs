@@ -4,10 +4,10 @@
 //! the [`FrameContext`], so that no ray of the picture can change it.
 
 use super::workers::Workers;
-use super::{Cancelled, Options, radiosity};
+use super::{Cancelled, Options, Watch, radiosity};
 use crate::camera::{Lens, LoweredCamera, View};
 use crate::math::DVec3;
-use crate::scene::SaveFile;
+use crate::scene::{Digest, SaveFile};
 use crate::source::Activity;
 use crate::transport::{CameraOrigin, FrameContext, PhotonPass, Photons, Quality, Tracer};
 use crate::world::World;
@@ -114,6 +114,22 @@ impl<'a> Preparation<'a> {
 pub(super) fn preparation_options(options: &Options) -> String {
     let Options { width, height, quality, frame, alpha, .. } = options;
     format!("{width} {height} {quality} {frame} {alpha}")
+}
+
+/// Returns the digests of everything that determines the photons and the radiosity samples of a picture.
+pub fn light_digests(world: &World, options: &Options) -> [Digest; 2] {
+    let (scene, options) = (world.scene_digest(), preparation_options(options));
+    [world.photon_digest(&scene, &options), world.radiosity_digest(&scene, &options)]
+}
+
+/// Computes the photons and radiosity samples of a picture, and passes those with a [`SaveFile`] to
+/// [`Watch::save_light`](super::Watch::save_light).
+///
+/// # Errors
+/// [`Cancelled`] if `watch` cancels the work.
+pub fn prepare_light(world: &World, options: &Options, watch: &dyn Watch) -> Result<(), Cancelled> {
+    let camera = FrameCamera::new(&world.eye, options.width, options.height);
+    prepare(world, &camera, options, &Workers::new(options.threads, watch)).map(drop)
 }
 
 /// Saves the photons of a frame, if the scene names a file for them.

@@ -8,7 +8,9 @@ use super::bands::{FrameRender, tiles};
 use super::pixel_rows::{Pixel, PixelRows};
 use super::prepare::{self, FrameCamera};
 use super::workers::Workers;
-use super::{Cancelled, FINAL_PASS, FIRST_PASS, Options, RayCounts, Region, Stopped, Tile, Watch, antialias, light};
+use super::{
+    Cancelled, FINAL_PASS, FIRST_PASS, Options, OutputConversion, RayCounts, Region, Stopped, Tile, Watch, antialias,
+};
 use crate::diagnostic;
 use crate::world::World;
 use std::sync::atomic::AtomicUsize;
@@ -101,11 +103,12 @@ pub fn draw_shard(
     let method = antialias::Method::new(world, camera.lens.as_ref(), options);
     let region = options.rendered_region();
     let frame = FrameRender { context: &context, camera: &camera, workers: &workers, method, region };
-    let (n_done, total) = (AtomicUsize::new(0), blocks.iter().map(|block| block.width * block.height).sum());
+    let (n_done, total) = (AtomicUsize::new(0), blocks.iter().map(Region::n_pixels).sum());
     let mut finished: Vec<(Region, Vec<Pixel>)> = vec![];
+    let conversion = OutputConversion::new(world, options);
     let mut pass_on = |blocks: &mut Vec<(Region, Vec<Pixel>)>| {
         blocks.drain(..).try_for_each(|(area, mut pixels)| {
-            pixels.iter_mut().for_each(|pixel| *pixel = light(world, options, pixel));
+            pixels.iter_mut().for_each(|pixel| *pixel = conversion.light(pixel));
             receiver(area, &pixels)
         })
     };
@@ -194,7 +197,7 @@ mod tests {
         for count in [2, 8, 64] {
             let n_pixels = |index| {
                 let blocks = blocks_of(&options(1280, 720), Shard { index, count });
-                blocks.iter().map(|block| block.width * block.height).sum::<usize>()
+                blocks.iter().map(Region::n_pixels).sum::<usize>()
             };
             let (least, most) = ((1..=count).map(n_pixels).min(), (1..=count).map(n_pixels).max());
             assert!(most.unwrap_or(0) as f64 <= 1.3 * least.unwrap_or(0) as f64, "{count}: {least:?} {most:?}");

@@ -8,9 +8,9 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 /// First bytes of a file of light.
-const MAGIC: [u8; 6] = *b"\x89durer";
+pub(super) const MAGIC: [u8; 6] = *b"\x89durer";
 /// Version of the format.
-const VERSION: u8 = 1;
+pub(super) const VERSION: u8 = 1;
 /// Length of a digest in bytes.
 const DIGEST: usize = 32;
 /// Length of the head in bytes.

@@ -4,6 +4,7 @@ mod light_file;
 mod object;
 mod photon_map;
 mod pov_bounds;
+mod prepared_light;
 mod radiosity;
 mod recent_parts;
 mod saved_light;
@@ -21,6 +22,7 @@ pub use object::{
     PHOTONS, PhotonSettings, Uncommon, is_object, read_camera,
 };
 pub use photon_map::{PHOTON_MAP, PhotonMapSettings};
+pub use prepared_light::PreparedLight;
 pub use radiosity::{RADIOSITY, Radiosity};
 pub use recent_parts::RecentParts;
 pub use saved_light::{LoadedLight, SaveFile, SavedLight};

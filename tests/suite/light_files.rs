@@ -123,3 +123,61 @@ fn only_renders_save_light_and_only_over_their_own_files() {
     let (_, messages) = render(&scratch, "save.scene", "--untrusted");
     assert_eq!(messages.matches("W0418").count(), 2, "{messages}");
 }
+
+#[test]
+fn prepared_light_gives_the_bytes_of_one_run() {
+    let scratch = Scratch::new();
+    put(&scratch, "a.scene", "", "save_file \"unwritten.photons\"");
+    let (plain, _) = render(&scratch, "a.scene", "");
+    std::fs::remove_file(scratch.path().join("unwritten.photons")).unwrap();
+    let (_, messages) = scratch.exits(0, &format!("prepare a.scene {SIZE} -j 2"));
+    assert!(messages.contains("a.prepared: ") && messages.contains(" photons and "), "{messages}");
+    assert!(!scratch.path().join("unwritten.photons").exists(), "only `durer render` writes the files of a scene");
+    let (prepared, messages) = render(&scratch, "a.scene", "--prepared a.prepared --stats stats.json");
+    assert!(prepared == plain && !messages.contains("warning"), "{messages}");
+    let stats = String::from_utf8(scratch.read("stats.json")).unwrap();
+    assert!(!stats.contains("\"photons\"") && !stats.contains("\"radiosity\""), "no pass has run: {stats}");
+    // Shards and a region use the preparation of the whole picture.
+    for index in 1..=3 {
+        scratch.exits(0, &format!("render a.scene {SIZE} -o b.png --prepared a.prepared --shard {index}/3"));
+    }
+    scratch.exits(0, "merge b.png");
+    assert!(scratch.read("b.png") == plain);
+    render(&scratch, "a.scene", "--prepared a.prepared --region 5,5,10,10");
+}
+
+#[test]
+fn prepared_light_of_another_picture_is_an_error() {
+    let scratch = Scratch::new();
+    put(&scratch, "a.scene", "", "");
+    scratch.put("plain.scene", "sphere { 0, 1 }");
+    scratch.exits(0, &format!("prepare a.scene {SIZE} -o a.light"));
+    let refuses = |words: &str, exit, reason: &str| {
+        let (_, messages) = scratch.exits(exit, &format!("render {words} --prepared a.light -o no.png"));
+        assert!(messages.contains(reason), "{messages}");
+        assert!(!scratch.path().join("no.png").exists());
+    };
+    refuses(&format!("plain.scene {SIZE}"), 2, "`a.light` was prepared for another picture");
+    refuses("a.scene --size 40x31 --aa off", 2, "E0020");
+    refuses(&format!("a.scene {SIZE} --frame 2"), 2, "E0020");
+    refuses(&format!("a.scene {SIZE} --quality 7"), 2, "E0020");
+    put(&scratch, "a.scene", "", "jitter 0.2");
+    refuses(&format!("a.scene {SIZE}"), 2, "E0020");
+    let whole = scratch.read("a.light");
+    scratch.put("a.light", &whole[..whole.len() - 1]);
+    refuses(&format!("a.scene {SIZE}"), 5, "`a.light` is damaged or cut off");
+    scratch.put("a.light", "sphere { 0, 1 }");
+    refuses(&format!("a.scene {SIZE}"), 5, "was not written by `durer prepare`");
+    // A file that is no light is not replaced.
+    let (_, messages) = scratch.exits(5, &format!("prepare a.scene {SIZE} -o a.light"));
+    assert!(messages.contains("durer did not save it as light"), "{messages}");
+    assert!(scratch.read("a.light") == b"sphere { 0, 1 }");
+    // A scene without photons and radiosity has an empty preparation, which serves it.
+    scratch.exits(0, "prepare plain.scene --size 20x20 -o plain.light");
+    scratch.exits(0, "render plain.scene --size 20x20 --prepared plain.light -o plain.png");
+    // An animation has a preparation for each frame.
+    scratch.put("film.ini", "Input_File_Name=a.scene\nInitial_Frame=1\nFinal_Frame=3\nWidth=40\nHeight=30");
+    scratch.exits(2, "prepare film.ini");
+    scratch.exits(0, "prepare film.ini --frame 2");
+    scratch.exits(0, "render film.ini --frame 2 --prepared a.prepared -o two.png");
+}

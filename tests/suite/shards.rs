@@ -160,7 +160,7 @@ fn schedulers_choose_the_shard() {
     assert!(err.contains("state the shard: `--shard 3/16`"), "{err}");
 }
 
-/// A scheduler's TERM keeps what is done, and the same command continues.
+/// A scheduler's TERM keeps what is done, and the same command continues. USR1 writes what is done as a picture.
 #[cfg(unix)]
 #[test]
 fn a_terminated_shard_is_continued() {
@@ -172,8 +172,16 @@ fn a_terminated_shard_is_continued() {
         assert!(durer.try_wait().unwrap().is_none(), "the render ended without a journal");
         std::thread::sleep(std::time::Duration::from_millis(1));
     }
-    let kill = format!("kill -TERM {}", durer.id());
-    assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
+    let send = |signal: &str| {
+        let kill = format!("kill -{signal} {}", durer.id());
+        assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
+    };
+    send("USR1");
+    let partial = scratch.path().join("a.png.shard-1-of-2.partial.png");
+    while !partial.exists() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    send("TERM");
     assert_eq!(durer.wait().unwrap().code(), Some(75));
     assert!(journal.exists());
     scratch.exits(0, line);
@@ -182,6 +190,12 @@ fn a_terminated_shard_is_continued() {
     scratch.exits(0, "render a.scene --size 200x150 --aa 0.1 -o whole.png");
     scratch.exits(0, "merge a.png");
     assert!(scratch.read("a.png") == scratch.read("whole.png"));
+    let [partial, whole] = ["a.png.shard-1-of-2.partial.png", "whole.png"]
+        .map(|name| image::load_from_memory(&scratch.read(name)).unwrap().into_rgba8());
+    let finished: Vec<_> = partial.pixels().zip(whole.pixels()).filter(|(pixel, _)| pixel[3] != 0).collect();
+    // Blocks of 16 pixels, at most one half of the picture
+    assert!(finished.len() >= 256 && finished.len() < 200 * 150, "{}", finished.len());
+    assert!(finished.iter().all(|(pixel, whole)| pixel == whole));
 }
 
 #[test]
@@ -203,4 +217,51 @@ fn progress_is_printed_for_logs_and_programs() {
     let percents: Vec<f64> = lines.iter().filter_map(|line| line["percent"].as_f64()).collect();
     assert!(percents.is_sorted() && percents.last() == Some(&100.0), "{percents:?}");
     assert!(lines.iter().any(|line| line["event"] == "pass" && line["name"] == "photons"), "{err}");
+}
+
+#[test]
+fn pictures_of_rows_are_merged_to_the_bytes_of_one_render() {
+    let scratch = scratch();
+    let formats =
+        ["png", "png --bit-depth 16", "png --gray", "png --file-gamma 1.8", "ppm", "bmp", "tga", "tiff", "exr", "hdr"];
+    for format in formats {
+        let (ending, options) = format.split_once(' ').unwrap_or((format, ""));
+        let line = format!("render a.scene --size 40x30 --aa 0.1 {options}");
+        for (part, region) in [("b", "0,0,40,11"), ("c", "0,11,25,19"), ("d", "25,9,15,21")] {
+            scratch.exits(0, &format!("{line} --region {region} --outside black -o {part}.{ending}"));
+        }
+        scratch.exits(0, &format!("{line} -o whole.{ending}"));
+        let (_, err) = scratch.exits(0, &format!("merge a.{ending} b.{ending} c.{ending} d.{ending}"));
+        assert_eq!(err, format!("a.{ending}: 3 pictures merged\n"));
+        assert!(scratch.read(&format!("a.{ending}")) == scratch.read(&format!("whole.{ending}")), "{format}");
+    }
+    // POV-Ray's options, and a part that is missing
+    for (part, rows) in [("b", "+SR1 +ER10"), ("c", "+SR11 +ER25")] {
+        scratch.exits(0, &format!("+Ia.scene +W40 +H30 +A0.1 {rows} +O{part}.png"));
+    }
+    let (_, err) = scratch.exits(0, "merge a.png b.png c.png");
+    assert_eq!(
+        err,
+        "a.png: 2 pictures merged\n5 rows are black in all pictures; the first is row 26, counted from 1\n"
+    );
+}
+
+#[test]
+fn pictures_that_do_not_fit_are_not_merged() {
+    let scratch = scratch();
+    let line = "render a.scene --size 20x15 --aa off --outside black";
+    scratch.exits(0, &format!("{line} --region 0,0,20,9 -o b.png"));
+    let refuses = |words: &str, code, reason: &str| {
+        let (_, err) = scratch.exits(code, &format!("merge {words}"));
+        assert!(err.contains(reason), "{err}");
+        assert!(!scratch.names().contains(&"a.png".to_string()));
+    };
+    scratch.exits(0, &format!("{line} --clock 1 --region 0,6,20,9 -o c.png"));
+    refuses("a.png b.png c.png", 5, "`c.png` can't be merged: its pixel ");
+    scratch.exits(0, &format!("{line} --size 20x16 -o c.png").replacen(" --size 20x15", "", 1));
+    refuses("a.png b.png c.png", 5, "it has another size or kind of pixels than `b.png`");
+    refuses("a.png b.png ball.scene", 5, "`ball.scene` can't be decoded");
+    refuses("a.jpg b.png", 2, "without loss");
+    refuses("a.exr b.png", 2, "exr can't hold 8 bits a channel");
+    refuses("a.png nothing.png", 5, "nothing.png");
 }

@@ -70,6 +70,8 @@ pub enum Command {
     Check(CheckArgs),
     /// Describe the object that one pixel shows
     Pick(PickArgs),
+    /// Compute a picture's photons and radiosity once for all of its shards
+    Prepare(Box<PrepareArgs>),
     /// Combine the shards of a picture
     Merge(MergeArgs),
     /// Render each scene that has a snapshot, and compare
@@ -222,6 +224,9 @@ pub struct RenderArgs {
     /// Save the radiosity samples to this file
     #[arg(help_heading = FILES, long, value_name = "FILE")]
     pub save_radiosity: Option<PathBuf>,
+    /// Use the photons and radiosity samples that `durer prepare` has computed for this picture
+    #[arg(help_heading = FILES, long, value_name = "FILE")]
+    pub prepared: Option<PathBuf>,
     /// Render without writing a picture
     #[arg(help_heading = PICTURE, long, conflicts_with_all = ["output", "format", "bit_depth"])]
     pub no_output: bool,
@@ -255,13 +260,36 @@ fn format_parser() -> clap::builder::PossibleValuesParser {
     clap::builder::PossibleValuesParser::new(Format::names())
 }
 
+/// Options of `durer prepare`.
+#[derive(Args, Clone, Debug)]
+pub struct PrepareArgs {
+    /// The scene, an INI file, or - for standard input
+    #[arg(value_name = "INPUT")]
+    pub input: PathBuf,
+    /// Output file [default: the input's name with .prepared, here]
+    #[arg(help_heading = FILES, short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    #[allow(missing_docs)]
+    pub look: LookArgs,
+    /// Number of threads [default: one for each processor]
+    #[arg(help_heading = LIMITS, short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    pub threads: Option<u16>,
+    /// Show progress [default: auto]
+    #[arg(help_heading = OUTPUT, long, value_name = "HOW")]
+    pub progress: Option<ProgressDisplay>,
+}
+
 /// Options of `durer merge`.
 #[derive(Args, Clone, Debug)]
 pub struct MergeArgs {
     /// The picture that the shards were rendered for
     #[arg(value_name = "PICTURE")]
     pub picture: PathBuf,
-    /// Files of the shards [default: all PICTURE.shard-K-of-N beside the picture]
+    /// Files of the shards, or pictures of parts [default: all PICTURE.shard-K-of-N beside the picture]
     #[arg(value_name = "SHARD")]
     pub shards: Vec<PathBuf>,
 }

@@ -13,10 +13,10 @@ pub mod record;
 use super::console::Console;
 use super::exit::{self, Failure};
 use crate::diagnostic::{Diagnostic, codes, file};
-use crate::render::{Region, Tile};
+use crate::render::{FINAL_PASS, Region, Tile};
 use crate::source::{Disk, Exclusive, OpenError, Span, follow_links, sync_folder_of};
 use identity::{Begun, Work};
-use record::{HEAD, Key, damaged, unreadable};
+use record::{HEAD, Key, Record, damaged, unreadable};
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
@@ -94,7 +94,8 @@ pub fn close_with_note(journal: &Journal) -> Option<String> {
         None => format!("the unfinished picture is stored in `{path}`"),
         Some(reason) => format!("a part of the unfinished picture is stored in `{path}` (writing stopped: {reason})"),
     };
-    Some(format!("{stored}; `--resume` continues it\n"))
+    let command = if journal.continues_itself { "the same command" } else { "`--resume`" };
+    Some(format!("{stored}; {command} continues it\n"))
 }
 
 /// Returns a line about a journal that could not be written.
@@ -119,6 +120,8 @@ const SYNC_INTERVAL: Duration = Duration::from_secs(5);
 /// The tiles of a picture that is being rendered.
 pub struct Journal {
     path: PathBuf,
+    /// True if the same command continues the work, as that of a shard does.
+    continues_itself: bool,
     state: Mutex<State>,
 }
 
@@ -156,7 +159,12 @@ impl Journal {
             error: None,
             synced: None,
         };
-        Self { path, state: Mutex::new(state) }
+        Self { path, continues_itself: false, state: Mutex::new(state) }
+    }
+
+    /// Changes the journal to that of a shard, which the same command continues.
+    pub fn of_shard(self) -> Self {
+        Self { continues_itself: true, ..self }
     }
 
     fn state(&self) -> MutexGuard<'_, State> {
@@ -208,16 +216,37 @@ impl Journal {
     pub fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
         let state = self.state();
         let (area, at) = state.known.get(&(tile.pass, tile.area.x, tile.area.y))?;
-        if *area != tile.area {
-            return None;
+        if *area == tile.area { state.pixels_at(*area, *at) } else { None }
+    }
+
+    /// Returns the finished tiles of the final pass, in the order of their rows, each with the offset of its pixels in
+    /// the file. Empty before the file has a header.
+    ///
+    /// # Errors
+    /// The reason for which the file cannot be read.
+    pub fn finished_tiles(&self) -> Result<Vec<(Region, u64)>, String> {
+        let mut guard = self.state();
+        let state = &mut *guard;
+        if state.key.is_none() {
+            return Ok(vec![]);
         }
-        let mut bytes = vec![0; area.width * area.height * 16];
-        let mut file = state.file.file();
-        file.seek(SeekFrom::Start(*at)).ok()?;
-        file.read_exact(&mut bytes).ok()?;
-        let (numbers, _) = bytes.as_chunks::<4>();
-        let numbers: Vec<f32> = numbers.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect();
-        Some(numbers.as_chunks::<4>().0.to_vec())
+        state.write().map_err(|e| unreadable(&e))?;
+        let Some(key) = &state.key else { return Ok(vec![]) };
+        let mut reader = reader(state.file.file()).map_err(|e| unreadable(&e))?;
+        let (mut at, mut tiles) = (read_header(&mut reader)?.len() as u64, vec![]);
+        while let Some(Record { tile, length }) = key.read(&mut reader, at)? {
+            if tile.pass == FINAL_PASS {
+                tiles.push((tile.area, at + HEAD as u64));
+            }
+            at += length as u64;
+        }
+        tiles.sort_by_key(|(area, _)| (area.y, area.x));
+        Ok(tiles)
+    }
+
+    /// Returns the pixels of a tile whose offset in the file is known.
+    pub fn pixels_at(&self, area: Region, offset: u64) -> Option<Vec<[f32; 4]>> {
+        self.state().pixels_at(area, offset)
     }
 
     /// Adds a finished tile. A write error ends the journal, but not the rendering.
@@ -287,6 +316,17 @@ impl Journal {
 }
 
 impl State {
+    /// Returns the pixels of an area, which are stored at an offset in the file.
+    fn pixels_at(&self, area: Region, offset: u64) -> Option<Vec<[f32; 4]>> {
+        let mut bytes = vec![0; area.width * area.height * 16];
+        let mut file = self.file.file();
+        file.seek(SeekFrom::Start(offset)).ok()?;
+        file.read_exact(&mut bytes).ok()?;
+        let (numbers, _) = bytes.as_chunks::<4>();
+        let numbers: Vec<f32> = numbers.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect();
+        Some(numbers.as_chunks::<4>().0.to_vec())
+    }
+
     fn store(&mut self, tile: Tile, pixels: &[[f32; 4]]) -> io::Result<()> {
         let new_work = self.new_work.take();
         let is_first = new_work.is_some();

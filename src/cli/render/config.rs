@@ -49,6 +49,8 @@ pub struct Config {
     pub load_radiosity: Option<PathBuf>,
     /// File to which the radiosity samples are saved.
     pub save_radiosity: Option<PathBuf>,
+    /// File of `durer prepare` whose photons and radiosity samples are used.
+    pub prepared: Option<PathBuf>,
     /// Token of a caller that continues after the run; `None` if the process ends with the run.
     pub cancel: Option<CancelToken>,
     /// True if the picture belongs to an animation.
@@ -118,6 +120,7 @@ impl Config {
             stats: args.stats,
             load_radiosity: args.load_radiosity,
             save_radiosity: args.save_radiosity.filter(|_| cancel.is_none()),
+            prepared: args.prepared,
             is_animated: args.frames.is_some() || animation.is_some(),
             reading,
             drawing,

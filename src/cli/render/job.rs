@@ -4,6 +4,7 @@ use super::Done;
 use super::config::{Config, Pictures};
 use super::light_files::{self, LightSaver};
 use super::monitor::Monitor;
+use super::partial_picture::PartialPicture;
 use super::pass_times::PassTime;
 use super::picture_writer::Written;
 use super::progress::Progress;
@@ -13,7 +14,7 @@ use crate::cli::allocator::MeteredHost;
 use crate::cli::args::Dump;
 use crate::cli::console::{Console, print_message};
 use crate::cli::exit::{Exit, Failure, Result};
-use crate::cli::interrupt::{self, Cleanup, Deadline, Deferred, Overrun};
+use crate::cli::interrupt::{self, Cleanup, Deadline, Deferred, Overrun, StatusTask};
 use crate::cli::journal::finished_frames::FinishedFrames;
 use crate::cli::journal::identity::{self, Begun, Work};
 use crate::cli::journal::{self, Journal};
@@ -23,7 +24,7 @@ use crate::cli::shard::{Header, Identity, Layout, ShardFile};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::{self, ParsedFiles, Timing};
 use crate::math::cancel::{CancelReason, CancelToken};
-use crate::render::{RayCounts, Shard};
+use crate::render::{OutputConversion, RayCounts, Region, Shard};
 use crate::source::{FileId, ReadFiles, Sources};
 use crate::world::World;
 use crate::{Built, Keep, advice};
@@ -157,7 +158,9 @@ impl<'a> Job<'a> {
     fn lock(&self, target: &Target) -> Result<Option<Arc<Journal>>> {
         let file = target.file().filter(|_| self.config.dump.is_none() && self.config.cancel.is_none());
         let picture = file.filter(|path| path.is_file() || !path.exists());
-        Ok(picture.map(journal::lock).transpose()?.map(Arc::new))
+        let journal = picture.map(journal::lock).transpose()?;
+        let is_shard = target.shard().is_some();
+        Ok(journal.map(|journal| if is_shard { journal.of_shard() } else { journal }).map(Arc::new))
     }
 
     /// Returns the options that affect the picture of a frame before its encoding, as text.
@@ -232,8 +235,8 @@ impl<'a> Job<'a> {
         }
         target.commit(self.console, draft)?;
         let (trace_time, encode_time) = (time.saturating_sub(rows_time), rows_time + encode.elapsed());
-        let warnings = monitor.light.as_ref().map(LightSaver::warnings).unwrap_or_default();
-        Ok(Rendered { rays, passes: monitor.passes.all(), is_black, trace_time, encode_time, warnings })
+        let passes = monitor.passes.all();
+        Ok(Rendered { rays, passes, is_black, trace_time, encode_time, warnings: vec![] })
     }
 
     /// Renders a world into the picture's file, and reports an unfinished picture.
@@ -248,17 +251,26 @@ impl<'a> Job<'a> {
         let (console, config) = (self.console, self.config);
         console.povray_line(client_lines::RENDERING);
         let drawing = config.drawing(timing);
-        let pixels = drawing.region.map_or(drawing.width * drawing.height, |region| region.width * region.height);
+        let pixels = match target.shard() {
+            Some(shard) => Layout::new(&drawing, shard.count).blocks(shard).iter().map(Region::n_pixels).sum(),
+            None => drawing.rendered_region().n_pixels(),
+        };
         let progress =
             Progress::new(config.progress, console, self.sources.name(self.file), pixels, target.shard().is_some());
         let mut monitor = Monitor::new(progress, token.clone());
         monitor.is_silent = config.cancel.is_some();
         monitor.journal = journal.cloned();
-        monitor.light = Some(LightSaver::new(config.sandbox().clone()));
+        let saver = LightSaver::new(config.sandbox().clone());
+        monitor.light = Some(&saver);
+        let partial = journal.zip(target.file()).map(|(journal, file)| {
+            let (size, conversion) = ([drawing.width, drawing.height], OutputConversion::new(world, &drawing));
+            let partial = PartialPicture::new(journal, file, size, pixels, conversion);
+            StatusTask::begin(move || print_message(&partial.write_and_describe()))
+        });
         if let Some(journal) = journal {
             journal::begin(console, journal, self.work(timing), config.resume, config.keep_after);
         }
-        self.render_and_write(target, world, timing, &monitor).map_err(|failure| {
+        let rendered = self.render_and_write(target, world, timing, &monitor).map_err(|failure| {
             journal.and_then(|journal| journal::close_with_note(journal)).iter().for_each(|note| console.info(note));
             match (interrupt::requested(), failure) {
                 // The signal that a file has reached its size limit is also an error of writing.
@@ -268,7 +280,9 @@ impl<'a> Job<'a> {
                 }
                 (_, failure) => failure,
             }
-        })
+        })?;
+        drop(partial);
+        Ok(Rendered { warnings: saver.warnings(), ..rendered })
     }
 
     /// Removes the journal of a picture that was written, and lists the picture among the finished frames.
@@ -317,6 +331,9 @@ impl<'a> Job<'a> {
         let mut world = session::report_and_take_world(console, self.sources, &mut built)?;
         let warnings = light_files::add_option_files(&mut world, config, self.sources);
         self.advise(warnings);
+        if let Some(path) = config.prepared.as_ref().filter(|_| config.dump.is_none()) {
+            light_files::add_prepared(&mut world, path, &config.drawing(timing))?;
+        }
         match config.dump {
             Some(Dump::Scene) => return self.dump(&built.scene),
             Some(Dump::World) => return self.dump(&world),

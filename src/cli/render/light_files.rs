@@ -1,9 +1,11 @@
 //! Files of photons and of radiosity samples that a render loads and saves.
 
 use super::config::Config;
+use super::monitor::ReceiveLight;
 use crate::advice;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
-use crate::scene::{LightKind, LoadedLight, SaveFile, is_light_file};
+use crate::render;
+use crate::scene::{LightFileError, LightKind, LoadedLight, PreparedLight, SaveFile, is_light_file};
 use crate::source::{Disk, Files, Sandbox, Sandboxed, Sources, Span, WriteMode, WritePolicy};
 use crate::world::World;
 use std::io::{self, ErrorKind, Write};
@@ -29,6 +31,47 @@ pub fn add_option_files(world: &mut World, config: &Config, sources: &Sources) -
     }
 }
 
+/// Uses the photons and radiosity samples of a file that `durer prepare` wrote for this picture, in place of those that the
+/// scene loads or computes.
+///
+/// # Errors
+/// E0020 if the file was prepared for another picture; E0003 for an unreadable or damaged file.
+pub fn add_prepared(world: &mut World, path: &Path, options: &render::Options) -> Result<()> {
+    let name = path.to_string_lossy();
+    let unreadable = |reason: &str| {
+        let text = format!("`{name}` {reason}");
+        let help = "`durer prepare` writes the file anew";
+        Box::new(Diagnostic::new(codes::FILE_UNREADABLE, Span::NONE, text).help(help))
+    };
+    let bytes = Disk.read(path).map_err(|error| file::unreadable(&Disk, path, &error.into()))?;
+    let PreparedLight { photons, radiosity } = PreparedLight::parse(&bytes).map_err(|error| match error {
+        LightFileError::Foreign | LightFileError::PovRay => unreadable("was not written by `durer prepare`"),
+        LightFileError::OtherKind => unreadable("was saved by a scene; its `load_file` reads the file"),
+        LightFileError::OtherVersion => unreadable("was written by another version of durer"),
+        LightFileError::Damaged => unreadable("is damaged or cut off"),
+    })?;
+    let digests = render::light_digests(world, options);
+    let saved = [
+        world.photon_map.as_mut().map(|settings| &mut settings.saved),
+        world.radiosity.as_mut().map(|settings| &mut settings.saved),
+    ];
+    for ((saved, light), digest) in saved.into_iter().zip([photons, radiosity]).zip(digests) {
+        match (saved, light) {
+            (Some(saved), Some(file)) if file.header.computation == digest => {
+                saved.loaded = Some(LoadedLight { file, name: name.to_string(), source: Span::NONE });
+            }
+            (_, None) => {}
+            _ => {
+                let text = format!("`{name}` was prepared for another picture");
+                let help = "the scene, the size of the picture, the frame and the quality have to be the same; \
+                            `durer prepare` writes the file anew";
+                return Diagnostic::new(codes::OTHER_PREPARATION, Span::NONE, text).help(help).into();
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Writes photons and radiosity samples to files.
 pub struct LightSaver {
     /// Policy for files that a scene names.
@@ -36,20 +79,22 @@ pub struct LightSaver {
     warnings: Mutex<Vec<Diagnostic>>,
 }
 
-impl LightSaver {
-    /// Creates a saver; `sandbox` is the policy for files that the scene names.
-    pub fn new(sandbox: Sandbox) -> Self {
-        Self { sandbox, warnings: Mutex::default() }
-    }
-
-    /// Saves light with the function `write`. A file that cannot be written gives a warning, because the picture does not
-    /// depend on the file.
-    pub fn save(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) {
+impl ReceiveLight for LightSaver {
+    /// Saves light to its file. A file that cannot be written gives a warning, because the picture does not depend on the
+    /// file.
+    fn receive(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) {
         let saved = match file.source {
             Span::NONE => save_for_user(&file.path, file.kind, write),
             _ => self.save_for_scene(file, write),
         };
         self.warnings.lock().unwrap_or_else(PoisonError::into_inner).extend(saved.err().map(|warning| *warning));
+    }
+}
+
+impl LightSaver {
+    /// Creates a saver; `sandbox` is the policy for files that the scene names.
+    pub fn new(sandbox: Sandbox) -> Self {
+        Self { sandbox, warnings: Mutex::default() }
     }
 
     /// Returns the warnings about files that could not be written.

@@ -6,6 +6,7 @@ mod dump;
 mod job;
 mod light_files;
 pub mod monitor;
+mod partial_picture;
 mod pass_times;
 mod picture_writer;
 pub mod progress;

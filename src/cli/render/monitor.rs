@@ -4,7 +4,6 @@ use crate::cli::console::print_message;
 use crate::cli::exit::{Exit, Failure, Result};
 use crate::cli::interrupt;
 use crate::cli::journal::Journal;
-use crate::cli::render::light_files::LightSaver;
 use crate::cli::render::pass_times::PassTimes;
 use crate::cli::render::progress::Progress;
 use crate::cli::shard::ShardWriter;
@@ -19,7 +18,7 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 /// Watches a render: shows progress, stores tiles, and stops on Ctrl-C, on cancellation and after the time limit.
-pub struct Monitor {
+pub struct Monitor<'a> {
     progress: Progress,
     /// Token that ends the rendering.
     cancel: CancelToken,
@@ -29,11 +28,17 @@ pub struct Monitor {
     pub journal: Option<Arc<Journal>>,
     /// Durations of the passes that prepared the picture.
     pub passes: PassTimes,
-    /// Saves photons and radiosity to files; `None` to save nothing.
-    pub light: Option<LightSaver>,
+    /// Receives the photons and radiosity samples to save; `None` to save nothing.
+    pub light: Option<&'a dyn ReceiveLight>,
 }
 
-impl Watch for Monitor {
+/// Receiver of photons and radiosity samples that a scene or a command saves.
+pub trait ReceiveLight: Sync {
+    /// Receives light for a file; `write` writes the contents of the file.
+    fn receive(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>);
+}
+
+impl Watch for Monitor<'_> {
     fn progress(&self, done: usize, total: usize) {
         self.progress.advance(done, total);
     }
@@ -52,7 +57,7 @@ impl Watch for Monitor {
     }
 
     fn save_light(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) {
-        self.light.iter().for_each(|light| light.save(file, write));
+        self.light.iter().for_each(|light| light.receive(file, write));
     }
 
     fn load_tile(&self, tile: Tile) -> Option<Vec<[f32; 4]>> {
@@ -66,7 +71,7 @@ impl Watch for Monitor {
     }
 }
 
-impl Monitor {
+impl Monitor<'_> {
     /// Creates the monitor of a render that `cancel` ends.
     pub fn new(progress: Progress, cancel: CancelToken) -> Self {
         Self { progress, cancel, is_silent: false, journal: None, passes: PassTimes::default(), light: None }
@@ -89,7 +94,12 @@ impl Monitor {
         self.render_with(|| render::draw_shard(world, options, shard, self, &mut take))
     }
 
-    fn render_with(&self, render: impl FnOnce() -> std::result::Result<RayCounts, Stopped>) -> Result<RayCounts> {
+    /// Computes the photons and radiosity samples of a picture, unless the work is stopped.
+    pub fn prepare_light(&self, world: &World, options: &render::Options) -> Result<()> {
+        self.render_with(|| render::prepare_light(world, options, self).map_err(Stopped::from))
+    }
+
+    fn render_with<T>(&self, render: impl FnOnce() -> std::result::Result<T, Stopped>) -> Result<T> {
         if self.cancelled() {
             return Err(self.reason());
         }

@@ -1,19 +1,25 @@
 //! The command `durer merge PICTURE [SHARD…]`: combines the shards of a picture.
 
-use super::{Layout, ShardFile, shard_of_name};
+use super::{Layout, ShardFile, parts, shard_of_name};
 use crate::cli::args::MergeArgs;
 use crate::cli::console::Console;
 use crate::cli::exit::{Exit, Failure, Result, usage};
 use crate::cli::render::target::Target;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::image_io::{Format, Rows};
+use crate::image_io::{Format, Rows, SIGNATURE_BYTES, begins_like_a_picture};
 use crate::render::{Region, Shard};
 use crate::source::Span;
 use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// Combines the shards of a picture, after proving that they are of one picture, complete and whole.
+/// Combines the shards of a picture, after proving that they are of one picture, complete and whole; or pictures of parts
+/// of it.
 pub fn run(console: &Console, args: &MergeArgs) -> Result {
+    if args.shards.first().is_some_and(|path| is_picture(path)) {
+        return parts::merge(console, &args.picture, &args.shards);
+    }
     let paths = if args.shards.is_empty() { shards_beside(&args.picture)? } else { args.shards.clone() };
     let shards = checked_shards(&paths)?;
     let Some(first) = shards.values().next() else { return usage("no shard was named") };
@@ -37,8 +43,15 @@ pub fn run(console: &Console, args: &MergeArgs) -> Result {
     Ok(Exit::Fine)
 }
 
-/// Returns the failure of a shard that cannot be merged.
-fn unusable(path: &Path, reason: &str) -> Failure {
+/// True for a file that begins like a picture.
+fn is_picture(path: &Path) -> bool {
+    let mut start = Vec::with_capacity(SIGNATURE_BYTES);
+    let read = File::open(path).and_then(|file| file.take(SIGNATURE_BYTES as u64).read_to_end(&mut start));
+    read.is_ok() && begins_like_a_picture(&start)
+}
+
+/// Returns the failure of a file that cannot be merged.
+pub(super) fn unusable(path: &Path, reason: &str) -> Failure {
     let text = format!("`{}` can't be merged: {reason}", path.display());
     Failure::Fault(Box::new(Diagnostic::new(codes::FILE_UNREADABLE, Span::NONE, text)))
 }

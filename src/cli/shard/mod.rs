@@ -7,6 +7,7 @@
 
 mod identity;
 pub mod merge;
+mod parts;
 mod reader;
 pub mod scheduler;
 mod writer;

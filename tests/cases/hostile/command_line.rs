@@ -71,6 +71,8 @@ pub fn cases() -> Vec<Case> {
         ball("scene_is_memory", "check /proc/self/mem", 5, &["E0003"]),
         ball("scene_is_null", "check /dev/null", 0, &["W0206"]),
         ball("scene_never_ends", "check /dev/zero", 5, &["E0003"]),
+        ball("prepared_is_no_light", "render a.scene -o out.png --prepared a.scene", 5, &["E0003", "durer prepare"]),
+        ball("prepare_over_a_scene", "prepare a.scene -o a.scene", 5, &["E0004", "did not save it"]),
         case("no_scene", "", 5, &["E0002", "a.scene"]).absent(),
         case("memory_tiny", BALL, 4, &["E0006"]).args("render a.scene -o out.png --max-memory 1"),
     ]
