@@ -60,7 +60,7 @@ impl PreparedLight {
 
 #[cfg(test)]
 mod tests {
-    use super::super::light_file::{LightHeader, LightWriter};
+    use crate::scene::{LightHeader, LightWriter};
     use super::*;
 
     fn light(kind: LightKind) -> Vec<u8> {
