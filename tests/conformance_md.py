@@ -3,17 +3,15 @@
 
     conformance_md.py OUT [--check]
 
-OUT is the folder of a whole run of the conformance tool (`../shared/conformance/conformance.py --out OUT`): its `results.json` and one
-`NAME.log` a scene. What a scene waits for is read from the warnings W0201 of its log; the causes in CAUSES were found by hand, by
-experiment, and a scene that differs or is close without such a warning and without a cause here is an error. Verdicts are those of the
-run, which may not be worse than `tests/conformance.json` says. `--check` compares with the page instead of writing it.
+OUT is the folder of a whole run of the conformance tool (`../shared/conformance/conformance.py --out OUT`) with its `results.json`. The
+causes in CAUSES were found by hand, by experiment; a scene that differs or is close without a cause here is an error. Verdicts are those
+of the run, which may not be worse than `tests/conformance.json` says. `--check` compares with the page instead of writing it.
 """
 
 import argparse
 import collections
 import json
 import pathlib
-import re
 import sys
 import textwrap
 
@@ -23,37 +21,6 @@ PAGE = HERE / "conformance.md"
 # From the worst to the best.
 RANK = ["error", "slow", "differs", "close", "same"]
 
-# What is told of one of these words belongs to one row of the table.
-FEATURES = {
-    "sky_sphere": ["sky_sphere"],
-    "text": ["text"],
-    "polynomials (quadric, cubic, quartic, poly)": ["quadric", "cubic", "quartic", "poly"],
-    "fog": ["fog"],
-    "spotlights and cylinder lights": ["spotlight", "cylinder light"],
-    "other cameras and focal blur": [
-        "orthographic", "fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical", "mesh_camera", "aperture", "blur_samples",
-        "focal_point", "variance", "confidence", "bokeh", "cylinder camera", "normal",
-    ],
-    "isosurface, parametric": ["isosurface", "parametric"],
-    "radiosity": ["radiosity"],
-    "prism, lathe, sor": ["prism", "lathe", "sor"],
-    "media": ["media", "density", "media_interaction", "media_attenuation"],
-    "other lights": ["parallel", "looks_like", "projected_through", "light_group"],
-    "area lights": ["area_light"],
-    "meshes": ["mesh", "mesh2"],
-    "height_field": ["height_field"],
-    "superellipsoid": ["superellipsoid"],
-    "blob": ["blob"],
-    "photons": ["photons"],
-    "julia_fractal": ["julia_fractal"],
-    "bicubic_patch": ["bicubic_patch"],
-    "rainbow": ["rainbow"],
-    "sphere_sweep": ["sphere_sweep"],
-    "subsurface": ["subsurface"],
-}
-# Told together with a word above, or of no weight in the picture.
-BESIDE = {"adaptive", "jitter", "circular", "orient", "point_at", "radius", "falloff", "tightness"}
-
 GRAIN = "grain (`crand`) is made of random numbers; durer has others than POV-Ray, of the same law (its mean is met to 0.02 of 255)"
 JITTER = "an area light's `jitter` is random; durer has other numbers than POV-Ray"
 BLUR = "the places on the lens are random in POV-Ray, and durer takes others"
@@ -61,7 +28,7 @@ JULIA = "both walk in steps as short as `precision` says, and pass other thin pi
 RADIOSITY = "radiosity: both programs gather light at places and in directions of their own"
 UNEXAMINED = "how much of the difference this explains was not examined"
 PHOTONS = "photons: both programs shoot them to places of their own"
-# What was found by experiment, for scenes that are drawn in full: scene -> cause. Causes that end with UNEXAMINED are suppositions.
+# What was found by experiment: scene -> cause. Causes that end with UNEXAMINED are suppositions.
 CAUSES = {
     **{
         scene: f"{RADIOSITY}; {UNEXAMINED}."
@@ -122,50 +89,17 @@ CAUSES = {
 }
 
 
-def warned(log):
-    """The words that a log says are not drawn, in order."""
-    words = []
-    for told in log.split("warning[W0201]: ")[1:]:
-        word = told.split("`")[1]
-        # A camera's has the number of its kind behind it.
-        if word == "cylinder":
-            word += " camera" if re.search(r"│.*\bcylinder\s+[1-4]\b", told) else " light"
-        words.append(word)
-    return list(dict.fromkeys(words))
-
-
-def features(log, name):
-    """The rows of the table to which a scene belongs."""
-    words = [word for word in warned(log) if word not in BESIDE]
-    rows = [row for row, told in FEATURES.items() if any(word in told for word in words)]
-    unknown = [word for word in words if not any(word in told for told in FEATURES.values())]
-    if unknown:
-        sys.exit(f"{name}: no row of FEATURES for {unknown}")
-    return rows
-
-
 def wrapped(text):
     return textwrap.fill(text, 128, break_long_words=False, break_on_hyphens=False)
 
 
-def page(rows, verdicts, logs):
+def page(verdicts):
     count = collections.Counter(verdicts.values())
-    waits, alone = collections.defaultdict(list), []
-    for row in rows:
-        if verdicts[row["name"]] == "same":
-            continue
-        scene = row["name"].removesuffix(".pov")
-        found = features(logs[row["name"]], scene)
-        for feature in found:
-            if verdicts[row["name"]] == "differs":
-                waits[feature].append(scene)
-        if not found:
-            alone.append((scene, verdicts[row["name"]]))
-    missing = [scene for scene, _ in alone if scene not in CAUSES]
-    stale = [scene for scene in CAUSES if scene not in dict(alone)]
+    unequal = {name.removesuffix(".pov"): verdict for name, verdict in verdicts.items() if verdict != "same"}
+    missing = [scene for scene in unequal if scene not in CAUSES]
+    stale = [scene for scene in CAUSES if scene not in unequal]
     if missing or stale:
-        sys.exit(f"without a cause: {missing}; causes of scenes that are the same or wait for something: {stale}")
-    order = sorted(waits, key=lambda feature: (-len(waits[feature]), feature))
+        sys.exit(f"without a cause: {missing}; causes of scenes that are the same: {stale}")
     refused = count["error"] + count["slow"]
     parts = [
         "# What differs from POV-Ray's pictures, and why",
@@ -173,14 +107,9 @@ def page(rows, verdicts, logs):
         wrapped(
             f"`tests/conformance.json` holds the verdict of each scene of POV-Ray's distribution (`../shared/conformance/conformance.py`). "
             f"Of {len(verdicts)} scenes, {count['same']} are the same to the eye, {count['close']} close, {count['differs']} differ, "
-            f"{refused} are refused. A scene that differs waits for what is not drawn yet, as the warnings W0201 of its run say; many "
-            f"wait for several of these:"
+            f"{refused} are refused. The causes were found by hand:"
         ),
-        "\n".join(["| waits for | scenes |", "|---|---|"] + [f"| {feature} | {len(waits[feature])} |" for feature in order]),
-        "## Drawn in full, and still not the same",
-        "\n".join(wrapped(f"- `{scene}.pov` ({verdict}): {CAUSES[scene]}") for scene, verdict in sorted(alone)),
-        "## Which scenes wait for what",
-        "\n".join(wrapped(f"- **{feature}**: {', '.join(sorted(waits[feature]))}.") for feature in order),
+        "\n".join(wrapped(f"- `{scene}.pov` ({verdict}): {CAUSES[scene]}") for scene, verdict in sorted(unequal.items())),
     ]
     return "\n\n".join(parts) + "\n"
 
@@ -195,8 +124,7 @@ def main():
     worse = [row["name"] for row in rows if RANK.index(row["verdict"]) < RANK.index(ledger.get(row["name"], "error"))]
     if worse or len(rows) != len(ledger):
         sys.exit(f"a run of {len(rows)} scenes, of {len(ledger)}; worse than tests/conformance.json says: {worse}")
-    logs = {row["name"]: (options.out / (row["name"][:-4].replace("/", "__") + ".log")).read_text(errors="replace") for row in rows}
-    text = page(rows, {row["name"]: row["verdict"] for row in rows}, logs)
+    text = page({row["name"]: row["verdict"] for row in rows})
     if not options.check:
         PAGE.write_text(text)
     elif PAGE.read_text() != text:

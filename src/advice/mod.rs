@@ -66,8 +66,6 @@ const TINY: usize = 10;
 pub struct Circumstances {
     /// True for a picture of an animation, where an empty or black picture is normal.
     pub one_of_many: bool,
-    /// True if unsupported parts of the scene were omitted, so that the intended picture is not known.
-    pub incomplete: bool,
     /// True if all pixels of the rendered picture are black.
     pub black: bool,
 }
@@ -78,26 +76,19 @@ pub fn picture_warnings(world: &World, options: &render::Options, circumstances:
     if options.width.min(options.height) < TINY {
         return out;
     }
-    if !circumstances.incomplete {
-        out.extend(camera::uneven_pixels_warning(world, options));
-    }
+    out.extend(camera::uneven_pixels_warning(world, options));
     // A region of a picture may be empty.
     if options.region.is_some() {
         return out;
     }
     out.extend(overlap::coincidence_warnings(world, options));
-    if !circumstances.incomplete && !circumstances.one_of_many {
+    if !circumstances.one_of_many {
         out.extend(
             unseen::unseen_warning(world, options)
                 .or_else(|| circumstances.black.then(|| dark::black_picture_warning(world, options)).flatten()),
         );
     }
     out
-}
-
-/// True if a diagnostic reports a part of the scene that durer does not support.
-pub fn is_incomplete(diagnostics: &[Diagnostic]) -> bool {
-    diagnostics.iter().any(|d| d.code == codes::UNSUPPORTED)
 }
 
 /// True if the object with this index is visible to the camera.

@@ -6,7 +6,7 @@ use super::{Frame, LoweredCamera, Projection};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec3, Transform, fp};
 use crate::source::Span;
-use crate::value::{Reader, Unsupported};
+use crate::value::Reader;
 use serde::Serialize;
 
 /// The lecture's camera as written in a scene: `eye`, `center`, `up` and angles of view.
@@ -24,9 +24,6 @@ pub struct LectureCamera {
     pub fov_y: Option<f64>,
     /// Transform of the whole camera, applied last.
     pub transform: Transform,
-    /// Items of the camera block that are read and not rendered yet.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub unsupported: Vec<Unsupported>,
 }
 
 impl Default for LectureCamera {
@@ -38,7 +35,6 @@ impl Default for LectureCamera {
             fov_x: None,
             fov_y: None,
             transform: Transform::IDENTITY,
-            unsupported: vec![],
         }
     }
 }

@@ -34,7 +34,7 @@ use crate::value::{Next, Reader, ReaderExt, Thing};
 use focal_blur::BLUR_ROWS;
 use serde::Serialize;
 use std::sync::Arc;
-use words::{KIND_ROWS, LECTURE, LECTURE_ROWS, POVRAY, POVRAY_ROWS};
+use words::{KIND_ROWS, LECTURE, LECTURE_ROWS, POVRAY_ROWS};
 
 /// Camera as written in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -80,7 +80,6 @@ impl Camera {
             true => povray.begin_ordered(),
             false => povray.end_ordered(),
         }
-        let mut unsupported = vec![];
         let mut lecture: Option<LectureCamera> = None;
         let mut transform = Transform::IDENTITY;
         loop {
@@ -121,22 +120,17 @@ impl Camera {
                     povray.normal = Some(Arc::new(Normal::read(r, defaults.layers[0].normal.as_deref(), defaults)?));
                     r.leave_block()?;
                 }
-                Next::Word(word) | Next::Block(word) if POVRAY.is_unsupported(word) => {
-                    unsupported.push(r.read_unsupported(word)?);
-                }
                 _ => return Err(r.unknown_word("camera", &words::camera_words()).into()),
             }
         }
         match lecture {
             Some(mut camera) => {
                 camera.transform = transform;
-                camera.unsupported = unsupported;
                 camera.check_camera(source)?;
                 Ok(Camera::Lecture(camera))
             }
             None => {
                 povray.transform = povray.transform.then(&transform);
-                povray.unsupported.extend(unsupported);
                 povray.check_camera(source)?;
                 Ok(Camera::Povray(povray))
             }

@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{DVec2, DVec3, Transform, fp};
 use crate::source::Span;
 use crate::texture::{Normal, Pigment};
-use crate::value::{Reader, Unsupported};
+use crate::value::Reader;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -54,9 +54,6 @@ pub struct PovrayCamera {
     pub bokeh: Option<Arc<Pigment>>,
     /// Transform of the whole camera, applied last.
     pub transform: Transform,
-    /// Items of the camera block that are read and not rendered yet.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub unsupported: Vec<Unsupported>,
 }
 
 impl Default for PovrayCamera {
@@ -81,7 +78,6 @@ impl Default for PovrayCamera {
             normal: None,
             bokeh: None,
             transform: Transform::IDENTITY,
-            unsupported: vec![],
         }
     }
 }

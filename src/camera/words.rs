@@ -123,7 +123,6 @@ pub const LECTURE: Spec = Spec {
 pub(super) fn camera_words() -> Vec<&'static str> {
     let own = LECTURE.words.iter().map(|w| w.name).filter(|name| *name != "up");
     let mut names = POVRAY.word_names();
-    let at = names.len() - POVRAY.unsupported.len();
-    names.splice(at..at, own);
+    names.extend(own);
     names
 }

@@ -170,8 +170,6 @@ only below its own folder; `--allow-read DIR` allows more. No scene can start a 
 "A file that includes itself, directly or through others, never ends. `#ifndef (Name_Inc) #declare Name_Inc = 1; … #end` around a file makes it harmless. Exit code 4."
     DIVISION_BY_ZERO "W0200" "a division by zero"
 "POV-Ray computes infinity, and so does durer; where such a number reaches a shape or a transform it is an error."
-    UNSUPPORTED "W0201" "not drawn yet"
-"The word belongs to the language and is read, but durer does not draw it yet: the picture will differ from POV-Ray's."
     USER_WARNING "W0202" "the scene's own `#warning`"
 "The scene itself, or a file it includes, has something to say."
     DEPRECATED "W0203" "a name that should not be used any more"

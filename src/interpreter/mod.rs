@@ -33,7 +33,6 @@ pub use parsed::ParsedFiles;
 pub use reader::COLOR_WORDS;
 use reporter::Reporter;
 pub use reporter::cancellation_error;
-pub use rvalue::UNSUPPORTED_BLOCKS;
 use scene_builder::{SceneBuilder, compat};
 pub use statement::STATEMENTS;
 use std::path::PathBuf;

@@ -5,6 +5,7 @@ use super::array::empty_dictionary;
 use super::evaluator::Slot;
 use super::evaluator::is_callable;
 use super::reader::TransformThing;
+use super::reporter::hints;
 use super::stream::{BlockName, Token};
 use crate::atmosphere::{Fog, Rainbow, SkySphere};
 use crate::diagnostic::Result;
@@ -17,9 +18,6 @@ use crate::texture::{
 };
 use crate::value::{Next, Reader, Thing, Value};
 use std::sync::Arc;
-
-/// Blocks that can be declared, but that durer does not render yet.
-pub const UNSUPPORTED_BLOCKS: &[&str] = &["warp", "radiosity", "photons", "pattern", "array", "texture_list"];
 
 impl<'a> Interpreter<'a> {
     /// Reads a complete value. Directives and macros after the value do not run yet.
@@ -104,9 +102,6 @@ impl<'a> Interpreter<'a> {
         if is_object(word) {
             return Ok(Arc::<Object>::from(Object::read(self, &defaults)?));
         }
-        if UNSUPPORTED_BLOCKS.contains(&word) {
-            return Ok(Arc::new(self.read_unsupported(word)?));
-        }
         let base = &defaults.texture.layers[0];
         match word {
             "pigment" => self.read_inside(|r, _| Pigment::read(r, &base.pigment, &defaults.texture)),
@@ -127,7 +122,10 @@ impl<'a> Interpreter<'a> {
             "sky_sphere" => self.read_inside(|r, at| SkySphere::read(r, &defaults.texture, at)),
             "camera" => self.read_inside(|r, at| read_camera(r, at, &defaults)),
             "transform" => self.read_inside(|r, _| Ok(TransformThing(r.transform_block()?))),
-            _ => Err(self.unexpected_token("something that can be declared").into()),
+            _ => {
+                let error = self.unexpected_token("something that can be declared");
+                Err(error.maybe_help(hints::place_of_block(word).map(Into::into)).into())
+            }
         }
     }
 

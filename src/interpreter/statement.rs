@@ -44,7 +44,6 @@ pub const STATEMENTS: Spec = Spec {
         word("max_trace_level", ValueKind::Float, "", "in old scenes: as in `global_settings`"),
     ],
     ignored: &["max_intersections"],
-    unsupported: &["radiosity", "photons"],
     ..Spec::EMPTY
 };
 
@@ -86,11 +85,6 @@ impl Interpreter<'_> {
     fn read_top_block(&mut self, word: &'static str) -> Result<()> {
         if is_object(word) {
             return self.read_top_object();
-        }
-        if STATEMENTS.is_unsupported(word) {
-            let block = self.read_unsupported(word)?;
-            self.builder.add_unsupported(block);
-            return Ok(());
         }
         const OTHERS: [&str; 8] =
             ["camera", "background", "sky_sphere", "fog", "rainbow", "media", "global_settings", "default"];
@@ -183,7 +177,7 @@ impl Interpreter<'_> {
             _ => self.stream.next_span(),
         };
         let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` is not a statement of its own"));
-        match hints::other_tools(word) {
+        match hints::place_of_block(word).or_else(|| hints::other_tools(word)) {
             Some(hint) => d.help(hint),
             None => d.help(format!("it belongs inside another block, or after `#declare Name = {word} {{…}}`")),
         }

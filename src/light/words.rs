@@ -19,9 +19,8 @@ pub(super) const LIGHT_ROWS: &[Row<Light>] = &[
         .sets(|s, r| set(&mut s.fade_distance, read_finite(r))),
     word("fade_power", Float, "0", "how fast it fades: 2 is as in nature; 0: it does not fade")
         .sets(|s, r| set(&mut s.fade_power, read_finite(r))),
-    word("media_interaction", Flag, "on", "it lights up media, which are not drawn yet")
-        .sets(|s, r| set(&mut s.media_interaction, r.flag())),
-    word("media_attenuation", Flag, "off", "fog takes from it on its way, and media, which are not drawn yet")
+    word("media_interaction", Flag, "on", "it illuminates media").sets(|s, r| set(&mut s.media_interaction, r.flag())),
+    word("media_attenuation", Flag, "off", "fog and media attenuate it on its way")
         .sets(|s, r| set(&mut s.media_attenuation, r.flag())),
 ];
 

@@ -126,6 +126,7 @@ pub const ELSEWHERE: &[(&str, &str)] = &[
     ("sum", "sums in `function { }`"),
     ("sys", "behind `charset`"),
     ("tile2", "`tiles` in [`texture`](finishes.md)"),
+    ("ttf", "[`text`](shapes.md#text), before the name of the font"),
     ("uint16be", "[`#write`](directives.md)"),
     ("uint16le", "[`#write`](directives.md)"),
     ("uint8", "[`#write`](directives.md)"),

@@ -1,7 +1,7 @@
 //! All words of the language by kind, for the grammars of editors, which `tests/suite/editors.rs` generates.
 
 use super::{BLOCKS, entries};
-use crate::interpreter::{UNSUPPORTED_BLOCKS, directives};
+use crate::interpreter::directives;
 use crate::pattern::Modifiers;
 use crate::shape::Shape;
 use crate::syntax::word::{CONSTANTS, FUNCTIONS, GROUPS, KEYWORDS};
@@ -34,9 +34,8 @@ pub struct Sorts {
 pub fn sorts() -> Sorts {
     let rows = || entries().map(|entry| entry.spec.words).chain([TRANSFORMS, Modifiers::WORDS]).flatten();
     let objects = sorted(Shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
-    let named = BLOCKS.iter().flat_map(|block| block.spec.unsupported.iter().copied().chain([block.spec.name]));
-    // `function` is part of the grammar itself.
-    let named = named.chain(UNSUPPORTED_BLOCKS.iter().copied()).chain(["function"]);
+    // These have no table.
+    let named = BLOCKS.iter().map(|block| block.spec.name).chain(["function", "array", "pattern", "warp"]);
     let with_braces = rows().filter(|row| row.kind == ValueKind::Block).map(|row| row.name);
     let is_keyword = |name: &&str| KEYWORDS.contains(name);
     let blocks = sorted(named.chain(with_braces).filter(is_keyword).filter(|name| !objects.contains(name)));

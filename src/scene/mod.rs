@@ -36,7 +36,6 @@ use crate::camera::Camera;
 use crate::medium::Media;
 use crate::source::Span;
 use crate::texture::Texture;
-use crate::value::Unsupported;
 use serde::Serialize;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -69,9 +68,6 @@ pub struct Scene {
     pub media: Vec<Media>,
     /// Objects and lights in the order of the text.
     pub objects: Vec<Object>,
-    /// Blocks of the scene that durer does not render yet.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub unsupported: Vec<Unsupported>,
 }
 
 /// Defaults set by `#default` for the text that follows.

@@ -60,8 +60,8 @@ impl PreparedLight {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::{LightHeader, LightWriter};
     use super::*;
+    use crate::scene::{LightHeader, LightWriter};
 
     fn light(kind: LightKind) -> Vec<u8> {
         let mut out = vec![];

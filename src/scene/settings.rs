@@ -10,7 +10,7 @@ use crate::math::noise::NoiseGenerator;
 use crate::pattern::TextureContext;
 use crate::value::ranges::positive;
 use crate::value::words::read_row;
-use crate::value::{Next, Reader, ReaderExt, Unsupported};
+use crate::value::{Next, Reader, ReaderExt};
 use serde::Serialize;
 
 /// Values of `global_settings`.
@@ -46,9 +46,6 @@ pub struct Settings {
     /// Settings of subsurface light transport; `None` if the scene does not switch it on.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub subsurface: Option<SubsurfaceSettings>,
-    /// Settings of the scene that durer does not support yet.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub unsupported: Vec<Unsupported>,
 }
 
 impl Default for Settings {
@@ -67,7 +64,6 @@ impl Default for Settings {
             photons: None,
             mm_per_unit: 10.0,
             subsurface: None,
-            unsupported: vec![],
         }
     }
 }
@@ -84,12 +80,10 @@ impl Settings {
                 next if read_row(SETTINGS_ROWS, self, next, r)? => {}
                 Next::Block("photons") => self.photons = Some(PhotonMapSettings::read(r)?),
                 Next::Word(word) if SETTINGS.ignores(word) => {
-                    let mut row = vec![];
                     r.take_token()?;
                     while r.is_at_color()? || matches!(r.next()?, Next::Value | Next::Word("utf8" | "ascii" | "sys")) {
-                        r.skip_unsupported(&mut row)?;
+                        r.skip_item()?;
                     }
-                    self.unsupported.push(Unsupported::Block(word, row.into()));
                 }
                 Next::Word("radiosity") | Next::Block("radiosity") => {
                     self.radiosity = Some(Box::new(Radiosity::read(r)?))

@@ -10,7 +10,6 @@ mod reader;
 mod registry;
 mod shared_default;
 mod spec;
-mod unsupported;
 pub mod words;
 
 pub use decimal::{format_decimal, trim_zeros};
@@ -22,4 +21,3 @@ pub use registry::{Family, Stored};
 pub(crate) use registry::{delegate, family};
 pub use shared_default::{SharedDefault, StaticDefault};
 pub use spec::{Param, Spec, ValueKind, WordSpec};
-pub use unsupported::{Unsupported, unsupported_warning};

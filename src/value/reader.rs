@@ -1,7 +1,7 @@
 //! The trait through which a family of blocks reads its words. The interpreter implements it, so that directives and
 //! macro calls before a token have run.
 
-use super::{Spec, Thing, Unsupported, Value, downcast};
+use super::{Spec, Thing, Value, downcast};
 use crate::color::{Color, Gamma};
 use crate::diagnostic::{Diagnostic, Fault, Result};
 use crate::font::Font;
@@ -153,10 +153,8 @@ pub trait Reader {
     fn flag(&mut self) -> Result<bool>;
     /// Returns the language version and gamma in force.
     fn language(&self) -> Language;
-    /// Reads a word or block that durer does not render yet, with its contents, and warns.
-    fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported>;
-    /// Reads the next token with its contents, and appends it to `row`.
-    fn skip_unsupported(&mut self, row: &mut Vec<Unsupported>) -> Result<()>;
+    /// Reads the next token with its contents, without effect. Directives run and values are evaluated.
+    fn skip_item(&mut self) -> Result<()>;
     /// Finds a file in the folders that a scene searches; `None` if it does not exist, an error if the scene may not
     /// read it. `at` is the span of the name.
     fn find_file(&mut self, name: &str, at: Span) -> Result<Option<PathBuf>>;

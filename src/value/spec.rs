@@ -18,8 +18,6 @@ pub struct Spec {
     pub has_transforms: bool,
     /// Words that are read without effect.
     pub ignored: &'static [&'static str],
-    /// Words that are read with a warning, because durer does not render them yet.
-    pub unsupported: &'static [&'static str],
 }
 
 /// A positional parameter of a block.
@@ -72,7 +70,7 @@ pub enum ValueKind {
 impl Spec {
     /// Description of a block without parameters and words, for struct updates.
     pub const EMPTY: Self =
-        Self { name: "", summary: "", params: &[], words: &[], has_transforms: false, ignored: &[], unsupported: &[] };
+        Self { name: "", summary: "", params: &[], words: &[], has_transforms: false, ignored: &[] };
 
     /// True if the word has an effect in the block.
     pub fn has_effect(&self, word: &str) -> bool {
@@ -84,17 +82,12 @@ impl Spec {
         self.ignored.contains(&word)
     }
 
-    /// True if the block reads the word with a warning.
-    pub fn is_unsupported(&self, word: &str) -> bool {
-        self.unsupported.contains(&word)
-    }
-
     /// All words, in the order in which messages list them. Messages show a dozen, so that transforms come early.
     pub fn word_names(&self) -> Vec<&'static str> {
         let (first, rest) = self.words.split_at(self.words.len().min(6));
         let transforms = TRANSFORMS.iter().filter(|_| self.has_transforms);
         let words = first.iter().chain(transforms).chain(rest).map(|w| w.name);
-        words.chain(self.ignored.iter().copied()).chain(self.unsupported.iter().copied()).collect()
+        words.chain(self.ignored.iter().copied()).collect()
     }
 
     /// Returns the syntax of a form without braces, such as `gradient orientation`.
@@ -118,10 +111,9 @@ mod tests {
     #[test]
     fn names_are_in_the_order_of_the_table() {
         const WORDS: &[WordSpec] = &[word("radius", ValueKind::Float, "1", "")];
-        let block =
-            Spec { words: WORDS, has_transforms: true, ignored: &["old"], unsupported: &["new"], ..Spec::EMPTY };
-        assert_eq!(block.word_names(), ["radius", "translate", "rotate", "scale", "matrix", "transform", "old", "new"]);
-        assert!(block.has_effect("radius") && !block.has_effect("new"));
-        assert!(block.is_unsupported("new") && block.ignores("old"));
+        let block = Spec { words: WORDS, has_transforms: true, ignored: &["old"], ..Spec::EMPTY };
+        assert_eq!(block.word_names(), ["radius", "translate", "rotate", "scale", "matrix", "transform", "old"]);
+        assert!(block.has_effect("radius") && !block.has_effect("old"));
+        assert!(block.ignores("old") && !block.ignores("radius"));
     }
 }

@@ -144,8 +144,6 @@ fn every_read_word() -> Result<(), Failed> {
             words.extend(lists.flat_map(|list| list.split('"').skip(1).step_by(2)).map(str::to_string));
         }
     }
-    // It belongs to an unsupported feature.
-    words.retain(|word| word != "ttf");
     all_found(words, 45, &told)
 }
 
@@ -363,7 +361,7 @@ fn of_picture(world: &durer::world::World) -> Result<Vec<Diagnostic>, Failed> {
     let drawing = drawing(160, 120);
     let (frame, _) = render::render(world, &drawing, &render::Unwatched).map_err(|e| format!("{e:?}"))?;
     let black = frame.rgba8().iter().all(|[r, g, b, _]| *r == 0 && *g == 0 && *b == 0);
-    let circumstances = durer::advice::Circumstances { one_of_many: false, incomplete: false, black };
+    let circumstances = durer::advice::Circumstances { one_of_many: false, black };
     Ok(durer::advice::picture_warnings(world, &drawing, circumstances))
 }
 

@@ -120,7 +120,7 @@ fn explain_accepts_codes_in_any_case() {
         let (out, _) = scratch.exits(0, &format!("explain {word}"));
         assert!(out.starts_with("E0203: ") && !out.contains("W0203: "), "{word}: {out}");
     }
-    assert!(scratch.exits(0, "explain w201").0.starts_with("W0201: "));
+    assert!(scratch.exits(0, "explain w202").0.starts_with("W0202: "));
     let (_, err) = scratch.exits(2, "explain E0299");
     assert!(err.contains("there is no code `E0299`; the nearest is `E0") && err.contains("lists all codes"), "{err}");
     for word in ["E9999", "sphere", "E", "", "99999999999999999999", "é"] {

@@ -100,10 +100,6 @@ fn section(block: &Spec, title: &str, durer_words: &[&str]) -> String {
     if !block.ignored.is_empty() {
         text += &format!("Read, and without effect in durer: {}.\n\n", list(block.ignored));
     }
-    if !block.unsupported.is_empty() {
-        text +=
-            &format!("Read and left out with warning W0201, until durer draws them: {}.\n\n", list(block.unsupported));
-    }
     text
 }
 

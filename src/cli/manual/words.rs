@@ -1,6 +1,6 @@
 //! Manual page with an index of all words of the language, and the blocks that take them.
 
-use super::{code, list, table};
+use super::{code, table};
 use crate::pattern::{Modifiers, TurbulenceParams, bitmap};
 use crate::reference::{ELSEWHERE, entries};
 use crate::syntax::word::{CONSTANTS, CONTEXTUAL, FUNCTIONS, KEYWORDS};
@@ -19,15 +19,12 @@ pub(super) fn words_page() -> String {
     let mut all: Vec<_> = all.chain(CONTEXTUAL.iter().flat_map(|(_, words)| words.iter().copied())).collect();
     all.sort_unstable();
     all.dedup();
-    let (listed, later): (Vec<_>, Vec<_>) = all.into_iter().partition(|word| index.contains_key(word));
-    let rows = listed.iter().map(|word| [code(word), index[word].join("; ")]);
+    let rows =
+        all.into_iter().map(|word| [code(word), index.get(word).map(|places| places.join("; ")).unwrap_or_default()]);
     format!(
         "What the language knows, and which blocks take it. No scene can declare these names; those that are *durer's own* are \
-         words only in their blocks.\n\n{}\
-         ## Not drawn yet\n\nThese too are words of the language, for things that are not drawn yet. durer reads them where \
-         POV-Ray does.\n\n{}.\n",
-        table(["word", "belongs to"], rows),
-        list(later)
+         words only in their blocks.\n\n{}",
+        table(["word", "belongs to"], rows)
     )
 }
 
@@ -50,7 +47,6 @@ fn blocks(index: &mut Index) {
         }
         add_words(index, spec.words, &place);
         spec.ignored.iter().for_each(|word| add(index, word, &format!("{place}, without effect")));
-        spec.unsupported.iter().for_each(|word| add(index, word, &format!("{place}, not drawn yet")));
     }
     for inner in ["finish", "normal", "interior", "reflection"] {
         add(index, inner, "[a block](finishes.md)");

@@ -149,8 +149,8 @@ impl Config {
     }
 
     /// Returns the circumstances that determine the advice about a finished picture.
-    pub fn circumstances(&self, incomplete: bool, black: bool) -> Circumstances {
-        Circumstances { one_of_many: self.is_animated, incomplete, black }
+    pub fn circumstances(&self, black: bool) -> Circumstances {
+        Circumstances { one_of_many: self.is_animated, black }
     }
 }
 

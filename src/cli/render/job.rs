@@ -327,7 +327,6 @@ impl<'a> Job<'a> {
             // The caller has no use for the messages of a run that it stopped.
             return Ok(Exit::Fine);
         }
-        let is_incomplete = advice::is_incomplete(&built.diagnostics);
         let mut world = session::report_and_take_world(console, self.sources, &mut built)?;
         let warnings = light_files::add_option_files(&mut world, config, self.sources);
         self.advise(warnings);
@@ -353,7 +352,7 @@ impl<'a> Job<'a> {
 
         let drawing = config.drawing(timing);
         if !console.quiet {
-            self.advise(advice::picture_warnings(&world, &drawing, config.circumstances(is_incomplete, is_black)));
+            self.advise(advice::picture_warnings(&world, &drawing, config.circumstances(is_black)));
         }
         let times = [built.parse_time + built.build_time, trace_time];
         console.povray_statistics(&client_lines::statistics([drawing.width, drawing.height], times));

@@ -20,7 +20,7 @@ use crate::math::{DVec2, DVec3, Transform};
 use crate::scene::Object;
 use crate::source::{Files, Span};
 use crate::syntax::ast::*;
-use crate::value::{BuildMesh, FloatOrColor, Language, Next, Reader, Solid, Thing, Unsupported, Value};
+use crate::value::{BuildMesh, FloatOrColor, Language, Next, Reader, Solid, Thing, Value};
 use crate::world::Probe;
 pub use color::COLOR_WORDS;
 pub(super) use color::begins_color;
@@ -315,8 +315,8 @@ impl Reader for Interpreter<'_> {
         self.find_font(name, at)
     }
 
-    fn skip_unsupported(&mut self, row: &mut Vec<Unsupported>) -> Result<()> {
-        self.read_into(row)
+    fn skip_item(&mut self) -> Result<()> {
+        self.skip_next_item()
     }
 
     fn report(&mut self, diagnostic: Diagnostic) {
@@ -330,10 +330,6 @@ impl Reader for Interpreter<'_> {
 
     fn unknown_word(&mut self, block: &str, takes: &[&'static str]) -> Diagnostic {
         self.unknown_word_error(block, takes)
-    }
-
-    fn read_unsupported(&mut self, what: &'static str) -> Result<Unsupported> {
-        self.read_unsupported_item(what)
     }
 }
 

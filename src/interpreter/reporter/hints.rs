@@ -11,6 +11,19 @@ pub fn newer_name(name: &str) -> Option<&'static str> {
     })
 }
 
+/// Returns a hint about the place of a block that can neither stand alone nor be declared; `None` for another block.
+pub fn place_of_block(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "radiosity" => "it belongs inside `global_settings { … }`",
+        "photons" => "it belongs inside `global_settings { … }`, an object or a `light_source`",
+        "subsurface" => "it belongs inside `finish { … }` or `global_settings { … }`",
+        "warp" => "it belongs inside a `pigment`, `normal`, `texture` or `density`, after the pattern",
+        "pattern" => "it belongs inside a function: `#declare F = function { pattern { bozo } }`",
+        "texture_list" => "it belongs inside `mesh2 { … }`",
+        _ => return None,
+    })
+}
+
 /// Returns a hint for a word that POV-Ray's language lacks, but that other tools have.
 pub fn other_tools(word: &str) -> Option<&'static str> {
     Some(match word.to_lowercase().as_str() {

@@ -11,7 +11,7 @@ use crate::medium::Media;
 use crate::scene::{Defaults, Object, ObjectRadiosity, Scene, Settings};
 use crate::source::Span;
 use crate::texture::Texture;
-use crate::value::{Language, Unsupported};
+use crate::value::Language;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
@@ -140,11 +140,6 @@ impl SceneBuilder {
 
     pub(super) fn add_rainbow(&mut self, rainbow: Rainbow) {
         self.scene.rainbows.push(rainbow);
-    }
-
-    /// Adds a block that durer reads but does not render.
-    pub(super) fn add_unsupported(&mut self, block: Unsupported) {
-        self.scene.unsupported.push(block);
     }
 
     /// Adds an object. Without a texture, it gets the present default texture, even if it was declared earlier.

@@ -111,7 +111,7 @@ impl Object {
                 return Ok(());
             }
             if !self.read_modifier(next, r, defaults)? {
-                r.skip_unsupported(&mut vec![])?;
+                r.skip_item()?;
             }
         }
     }

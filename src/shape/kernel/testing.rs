@@ -7,7 +7,7 @@ use crate::math::{DVec2, DVec3, Range, Ray, Transform};
 use crate::mesh_io::MeshMaterial;
 use crate::shape::{Hit, Hits, Kernel, Paints};
 use crate::source::Span;
-use crate::value::{FloatOrColor, Language, Next, Readable, Reader, Solid, Thing, Unsupported, Value, VecN};
+use crate::value::{FloatOrColor, Language, Next, Readable, Reader, Solid, Thing, Value, VecN};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -129,10 +129,6 @@ impl Reader for Words {
         unreachable!()
     }
 
-    fn read_unsupported(&mut self, _: &'static str) -> Result<Unsupported> {
-        unreachable!()
-    }
-
     fn vector(&mut self) -> Result<DVec3> {
         match self.value()?.0 {
             Value::Float(x) => Ok(DVec3::splat(x)),
@@ -224,7 +220,7 @@ impl Reader for Words {
         Ok(Arc::new(crate::font::Font::built_in()))
     }
 
-    fn skip_unsupported(&mut self, _: &mut Vec<Unsupported>) -> Result<()> {
+    fn skip_item(&mut self) -> Result<()> {
         unreachable!()
     }
 
