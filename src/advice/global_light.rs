@@ -1,8 +1,12 @@
 //! Warnings about photons and radiosity.
 
+use crate::color::Rgb;
 use crate::diagnostic::{Diagnostic, codes};
-use crate::scene::{LightKind, SavedLight};
-use crate::world::World;
+use crate::render;
+use crate::scene::{LightKind, PhotonMapSettings, Radiosity, SavedLight};
+use crate::world::{Material, Medium, World};
+use std::collections::BTreeSet;
+use std::f64::consts::PI;
 
 /// Returns the warning about light that was saved for another scene.
 pub fn other_light_warning(world: &World, kind: LightKind) -> Option<Diagnostic> {
@@ -17,4 +21,94 @@ pub fn other_light_warning(world: &World, kind: LightKind) -> Option<Diagnostic>
     let text = format!("the {} of `{}` were saved for another scene, and may not fit", kind.contents(), loaded.name);
     let help = "save the file again if an object, a light or a texture has changed";
     Some(Diagnostic::new(codes::OTHER_LIGHT, loaded.source, text).help(help))
+}
+
+/// Returns warnings about photons, or settings of photons, that have no effect.
+pub(super) fn idle_photon_warnings(world: &World) -> Vec<Diagnostic> {
+    let Some(settings) = world.photon_map.as_ref().filter(|settings| settings.saved.loaded.is_none()) else {
+        return vec![];
+    };
+    let warning = |text: &str, help: &str| Diagnostic::new(codes::IDLE_PHOTONS, settings.source, text).help(help);
+    let of_objects = || world.objects.iter().map(|object| object.photons);
+    let targets: BTreeSet<u32> = of_objects().filter(|&number| is_target(world, number)).collect();
+    let interacts = |&number: &u32| {
+        let settings = &world.photons[number as usize];
+        world.lights.iter().any(|light| settings.interaction(&light.emitter.photons).contains(&true))
+    };
+    let mut warnings = vec![];
+    if targets.is_empty() {
+        let help = "`photons { target refraction on reflection on }` in an object of glass or metal makes it a target";
+        warnings.push(warning("no photon is shot, because no object is a target", help));
+    } else if !targets.iter().any(interacts) {
+        let help = "write `refraction on` or `reflection on` into the `photons` of the target";
+        warnings.push(warning("no photon is shot, because the targets neither refract nor reflect photons", help));
+    }
+    let scatters = |medium: &Medium| medium.scattering.color != Rgb::ZERO;
+    if settings.media_steps > 0 && !world.air.iter().chain(world.media.values().flatten()).any(scatters) {
+        let help = "remove `media`, or give the media of the scene a `scattering`";
+        warnings.push(warning("no photon is stored in media, because no media scatter light", help));
+    }
+    if settings.count > 0.0 && settings.spacing > 0.0 {
+        warnings.push(warning("`spacing` has no effect beside `count`", "remove one of them"));
+    }
+    warnings
+}
+
+/// True if objects with the photon settings of this number are targets.
+fn is_target(world: &World, number: u32) -> bool {
+    world.photons[number as usize].target.is_some_and(|factor| factor > 0.0)
+}
+
+/// Maximum `ambient` of a finish that stands for indirect light. Brighter surfaces are lamps.
+const MAX_AMBIENT: f64 = 0.3;
+
+/// Returns the warning about `ambient` that adds to the light of radiosity, if most materials have it.
+pub(super) fn double_ambient_warning(world: &World) -> Option<Diagnostic> {
+    let settings = world.radiosity.as_ref().filter(|settings| settings.keeps_ambient)?;
+    let has_ambient = |material: &&Material| {
+        let largest = material.layers.iter().map(|layer| layer.finish.ambient.max_element()).fold(0.0, f64::max);
+        largest > 0.0 && largest <= MAX_AMBIENT
+    };
+    let (found, all) = (world.materials.iter().filter(has_ambient).count(), world.materials.len());
+    if 2 * found <= all {
+        return None;
+    }
+    let text = format!("`ambient` of {found} of {all} materials is added to the light of radiosity");
+    let help = "`#default { finish { ambient 0 } }` at the beginning, or `#version 3.7;`, leaves it out";
+    Some(Diagnostic::new(codes::DOUBLE_AMBIENT, settings.source, text).help(help))
+}
+
+/// Approximate time of a ray of a radiosity sample, in seconds.
+const GATHER_RAY_TIME: f64 = 2e-6;
+/// Approximate time to examine a photon, in seconds.
+const PHOTON_TIME: f64 = 5e-8;
+/// Approximate number of samples that overlap at a point, for each of `nearest_count`.
+const OVERLAP: f64 = 4.0;
+
+/// Returns the warning about photons or radiosity that take more than an hour of one processor.
+pub(super) fn slow_light_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
+    let radiosity = world.radiosity.as_ref().filter(|settings| settings.saved.loaded.is_none());
+    let radiosity =
+        radiosity.map(|settings| (radiosity_time(settings, options), settings.source, "`count` or `recursion_limit`"));
+    let gathering = |settings: &PhotonMapSettings| {
+        let n_photons = if settings.count > 0.0 { settings.count } else { f64::INFINITY };
+        options.rendered_region().n_pixels() as f64 * f64::from(settings.gather[1]).min(n_photons) * PHOTON_TIME
+    };
+    let photons = world
+        .photon_map
+        .as_ref()
+        .map(|settings| (gathering(settings), settings.source, "the second number of `gather`"));
+    let slowest = radiosity.into_iter().chain(photons).max_by(|a, b| a.0.total_cmp(&b.0));
+    let (seconds, source, word) = slowest.filter(|(seconds, ..)| *seconds >= 3600.0)?;
+    let text = format!("with these settings, the picture takes up to {:.0} hours of one processor", seconds / 3600.0);
+    Some(Diagnostic::new(codes::SLOW_LIGHT, source, text).help(format!("lower {word}")))
+}
+
+/// Returns an upper estimate of the time that radiosity takes, in seconds of one processor. The radius of a sample is at
+/// least `minimum_reuse` times its distance, so that it covers an area of the picture.
+fn radiosity_time(settings: &Radiosity, options: &render::Options) -> f64 {
+    let radius = settings.reuse()[0] * options.width as f64;
+    let n_pixels = (options.width * options.height) as f64;
+    let n_samples = n_pixels * OVERLAP * f64::from(settings.nearest_count) / (PI * radius * radius);
+    n_samples.min(n_pixels) * f64::from(settings.count) * f64::from(settings.recursion_limit) * GATHER_RAY_TIME
 }

@@ -1,7 +1,7 @@
 //! Warnings about scenes that are valid but probably not intended: "the picture is black: …".
 //!
 //! Advice never changes a picture. [`scene_warnings`] examines the Scene before the World is built, [`world_warnings`] and
-//! [`time_warning`] the World before it is rendered.
+//! [`time_warnings`] the World before it is rendered.
 //! [`picture_warnings`] examines a rendered picture with as few rays as possible. Warnings that concern a single word
 //! come from the reader of that word. Each family of warnings has a file.
 
@@ -32,12 +32,16 @@ pub fn scene_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
 pub fn world_warnings(world: &World) -> Vec<Diagnostic> {
     let saved = [LightKind::Photons, LightKind::Radiosity].into_iter();
     let saved = saved.filter_map(|kind| other_light_warning(world, kind));
-    media::unlit_media_warning(world).into_iter().chain(media::empty_density_warnings(world)).chain(saved).collect()
+    let light =
+        global_light::idle_photon_warnings(world).into_iter().chain(global_light::double_ambient_warning(world));
+    let media = media::unlit_media_warning(world).into_iter().chain(media::empty_density_warnings(world));
+    media.chain(saved).chain(light).collect()
 }
 
-/// Returns the warning about a picture that takes hours, before it is rendered.
-pub fn time_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
-    media::slow_media_warning(world, options)
+/// Returns warnings about a picture that takes hours, before it is rendered.
+pub fn time_warnings(world: &World, options: &render::Options) -> Vec<Diagnostic> {
+    let media = media::slow_media_warning(world, options);
+    media.into_iter().chain(global_light::slow_light_warning(world, options)).collect()
 }
 
 /// Returns warnings about text that is unusual but mostly intended, for `--warn doubtful`.

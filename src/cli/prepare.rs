@@ -120,7 +120,7 @@ fn prepare(
         let drawing = session::drawing_options(&args.scene, &args.look, threads, timing);
         save_all_light(&mut world, output);
         if !console.quiet {
-            console.report(sources, &advice::time_warning(&world, &drawing).into_iter().collect::<Vec<_>>());
+            console.report(sources, &advice::time_warnings(&world, &drawing));
         }
         let _deferred = Deferred::begin();
         let display = args.progress.unwrap_or(ProgressDisplay::Auto);

@@ -329,9 +329,25 @@ camera is no change. Save the file again, or remove `load_file`."
     UNSAVED_LIGHT "W0418" "photons or samples of radiosity that could not be saved"
 "The picture is correct, but the file of `save_file` or `--save-radiosity` was not written. A scene creates files below the current folder, and replaces those
 that it created itself; `--allow-write` lets it write elsewhere. `--save-radiosity` replaces files of radiosity that durer saved, and no others."
+    IDLE_PHOTONS "W0419" "photons, or settings of photons, without effect"
+"Photons are shot only at objects with `target` in their `photons` block, and only if the object or the light has `refraction on` or
+`reflection on`. They light up media only if the media scatter light. `count` and `spacing` are two ways to state how many photons there are;
+`spacing` has no effect beside `count`.
+
+    sphere { 0, 1 pigment { rgbf 1 } interior { ior 1.5 } photons { target refraction on reflection on } }"
     NOT_PORTABLE "W0420" "POV-Ray 3.7 would reject this"
 "Reported with `durer check --warn portable`. durer accepts it, POV-Ray 3.7 does not: a comma where it expects none, a vector for a colour, a texture's name without
 its `texture { }`, a missing `;`, or a word of durer's own."
+    DOUBLE_AMBIENT "W0421" "`ambient` beside radiosity"
+"`ambient` is a constant in place of the light that comes from other surfaces, and radiosity computes that light. In scenes for versions before
+3.7, and in those that state no version, both count, and most surfaces become too bright. Set `ambient` to 0 at the beginning, or state version
+3.7, in which radiosity switches `ambient` off.
+
+    #default { finish { ambient 0 } }"
+    SLOW_LIGHT "W0422" "photons or radiosity that take hours"
+"Each sample of radiosity traces `count` rays, and the smaller `minimum_reuse` and `error_bound` are, the more samples there are. Each pixel with photons
+examines up to the second number of `gather`. The estimate is an upper one, and is reported before the render begins. Lower these numbers, or render a
+small picture first."
 }
 
 /// Code of an error that follows from a reported one; never shown.

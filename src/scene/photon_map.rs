@@ -2,6 +2,7 @@
 
 use super::{LightKind, SavedLight};
 use crate::diagnostic::Result;
+use crate::source::Span;
 use crate::value::ValueKind::{Float, Text};
 use crate::value::ranges::positive;
 use crate::value::words::{Row, read_row, set, specs, word};
@@ -11,9 +12,10 @@ use serde::Serialize;
 /// Settings of the photon map.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PhotonMapSettings {
-    /// Distance between neighbouring photons at a target, in world units; 0 if only `count` is stated.
+    /// Distance between neighbouring photons at a target, in world units; 0 if none is stated. Without effect beside
+    /// `count`.
     pub spacing: f64,
-    /// Approximate number of photons to store; 0 if only `spacing` is stated.
+    /// Approximate number of photons to store; 0 if none is stated.
     pub count: f64,
     /// Minimum and maximum number of photons of one estimate.
     pub gather: [u32; 2],
@@ -40,6 +42,9 @@ pub struct PhotonMapSettings {
     /// Files of photons.
     #[serde(skip)]
     pub saved: SavedLight,
+    /// Span of the block's word.
+    #[serde(skip)]
+    pub source: Span,
 }
 
 impl Default for PhotonMapSettings {
@@ -59,6 +64,7 @@ impl Default for PhotonMapSettings {
             radius: [0.0; 2],
             radius_factor: [1.0; 2],
             saved: SavedLight::default(),
+            source: Span::NONE,
         }
     }
 }
@@ -130,7 +136,7 @@ impl PhotonMapSettings {
     /// # Errors
     /// A diagnostic at the first item that is not understood.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
-        let mut this = Self::default();
+        let mut this = Self { source: r.span(), ..Self::default() };
         r.take_token()?;
         loop {
             match r.next()? {

@@ -63,6 +63,9 @@ pub struct Radiosity {
     /// Files of samples.
     #[serde(skip)]
     pub saved: SavedLight,
+    /// Span of the block's word.
+    #[serde(skip)]
+    pub source: Span,
 }
 
 impl Default for Radiosity {
@@ -88,6 +91,7 @@ impl Default for Radiosity {
             subsurface: false,
             keeps_ambient: false,
             saved: SavedLight::default(),
+            source: Span::NONE,
         }
     }
 }
@@ -152,7 +156,8 @@ impl Radiosity {
     /// # Errors
     /// A diagnostic at the first item that is not understood or out of range.
     pub fn read(r: &mut dyn Reader) -> Result<Self> {
-        let (mut out, at) = (Self::default(), r.span());
+        let at = r.span();
+        let mut out = Self { source: at, ..Self::default() };
         r.take_token()?;
         loop {
             match r.next()? {

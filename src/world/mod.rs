@@ -233,6 +233,11 @@ pub struct LightSource {
 }
 
 impl World {
+    /// Returns whether objects with the photon settings of this number refract and whether they reflect photons of a light.
+    pub fn photon_interaction(&self, light: &LightSource, settings: u32) -> [bool; 2] {
+        self.photons[settings as usize].interaction(&light.emitter.photons)
+    }
+
     /// True if the space around objects changes light: by fog, rainbows or media.
     pub fn has_air(&self) -> bool {
         !self.fogs.is_empty() || !self.rainbows.is_empty() || !self.air.is_empty()

@@ -342,7 +342,7 @@ impl<'a> Job<'a> {
             self.written.extend(target.file().map(Path::to_path_buf));
             return Ok(Exit::Fine);
         }
-        self.advise(advice::time_warning(&world, &config.drawing(timing)).into_iter().collect());
+        self.advise(advice::time_warnings(&world, &config.drawing(timing)));
         let deferred = Deferred::begin();
         let Rendered { rays, passes, is_black, trace_time, encode_time, warnings } =
             self.render_to_draft(target, &world, timing, journal.as_ref(), token)?;

@@ -1,6 +1,7 @@
 //! `photons { … }` of an object (manual, "Shooting Photons at an Object").
 
 use crate::diagnostic::Result;
+use crate::light::LightPhotons;
 use crate::value::ValueKind::{Flag, Float};
 use crate::value::words::{Row, read_row, set, specs, word};
 use crate::value::{Next, Reader, ReaderExt, Spec};
@@ -44,6 +45,15 @@ pub const PHOTONS: Spec = Spec {
 };
 
 impl PhotonSettings {
+    /// Returns whether the object refracts and whether it reflects photons of a light.
+    pub fn interaction(&self, light: &LightPhotons) -> [bool; 2] {
+        let agree = |object: Option<bool>, light: Option<bool>| match (object, light) {
+            (Some(object), light) => object && light.unwrap_or(true),
+            (None, light) => light.unwrap_or(false),
+        };
+        [agree(self.refraction, light.refraction), agree(self.reflection, light.reflection)]
+    }
+
     /// Reads a `photons` block from its opening to its closing brace; what it states replaces the present values.
     ///
     /// # Errors

@@ -163,13 +163,12 @@ impl Plan {
         let pairs = || {
             world.lights.iter().flat_map(|light| targets.iter().map(move |target| (light, target))).filter(
                 |(light, target)| {
-                    let [refracts, reflects] = super::interaction(world, light, target.settings);
+                    let [refracts, reflects] = world.photon_interaction(light, target.settings);
                     refracts || reflects
                 },
             )
         };
-        let spacing =
-            if settings.spacing > 0.0 { settings.spacing } else { spacing_of_count(world, settings, pairs()) };
+        let spacing = if settings.count > 0.0 { spacing_of_count(world, settings, pairs()) } else { settings.spacing };
         let mut sources: Vec<Source> = vec![];
         for (light, target) in pairs() {
             for (offset, share) in emitters(light, context.quality.area_lights) {
@@ -221,7 +220,7 @@ fn spacing_of_count<'a>(
     pairs: impl Iterator<Item = (&'a LightSource, &'a Target)>,
 ) -> f64 {
     let area = |(light, target): (&LightSource, &Target)| {
-        let [refracts, reflects] = super::interaction(world, light, target.settings);
+        let [refracts, reflects] = world.photon_interaction(light, target.settings);
         let radius = 0.5 * finite_size(&target.bounds, light.emitter.location);
         0.5 * PI * radius * radius * if refracts && reflects { 4.0 } else { 1.0 }
     };

@@ -112,18 +112,7 @@ impl PhotonPass {
     }
 }
 
-/// Returns whether objects with the photon settings number `settings` refract and reflect photons of a light.
-fn interaction(world: &World, light: &LightSource, settings: u32) -> [bool; 2] {
-    let object = &world.photons[settings as usize];
-    let of_light = &light.emitter.photons;
-    let agree = |object: Option<bool>, light: Option<bool>| match (object, light) {
-        (Some(object), light) => object && light.unwrap_or(true),
-        (None, light) => light.unwrap_or(false),
-    };
-    [agree(object.refraction, of_light.refraction), agree(object.reflection, of_light.reflection)]
-}
-
 /// True if photons of a light replace the light that an object with these settings transmits.
 pub(super) fn replace_transmitted(world: &World, light: &LightSource, settings: u32) -> bool {
-    world.photons[settings as usize].target.is_some() && interaction(world, light, settings)[0]
+    world.photons[settings as usize].target.is_some() && world.photon_interaction(light, settings)[0]
 }

@@ -10,7 +10,7 @@ use super::super::shading_point::ShadingPoint;
 use super::super::tracer::Tracer;
 use super::emission::{Emitted, Job, Source, power_at};
 use super::map::Photon;
-use super::{PhotonPass, PhotonShard, Ring, interaction};
+use super::{PhotonPass, PhotonShard, Ring};
 use crate::color::Rgb;
 use crate::math::{Range, Ray};
 use crate::world::{LightSource, Medium};
@@ -128,7 +128,7 @@ impl<'w> Tracer<'w> {
             ring.surface.push(Photon::new(shading.point, flux, ray.dir));
         }
         // Photons that continue
-        let [refracts, reflects] = interaction(world, beam.light, world.objects[hit.object as usize].photons);
+        let [refracts, reflects] = world.photon_interaction(beam.light, world.objects[hit.object as usize].photons);
         if !refracts && !reflects {
             return;
         }
