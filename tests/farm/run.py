@@ -4,8 +4,8 @@
     run.py --durer target/release/durer [--only slurm]
 
 In each, one shard is killed and started again, and one is started twice. Schedulers that are not installed are skipped
-by name: GNU parallel, Slurm (slurmctld, slurmd and munged are started on this machine for the test, which needs root), and
-Open Job Description (`openjd`, package openjd-cli of PyPI).
+by name: GNU parallel, Open Job Description (`openjd`, package openjd-cli of PyPI), HyperQueue (package hyperqueue of PyPI), and
+Slurm and Grid Engine, whose daemons are started on this machine for the test, which needs root.
 """
 import argparse, json, os, pathlib, shutil, signal, socket, subprocess, sys, tempfile, time
 
@@ -91,6 +91,114 @@ def openjd(farm):
     return "ok: Open Job Description"
 
 
+HYPERQUEUE = """
+import sys
+from hyperqueue import Job
+from hyperqueue.cluster import LocalCluster, WorkerConfig
+folder, line = sys.argv[1], sys.argv[2:]
+with LocalCluster() as cluster:
+    cluster.start_worker(WorkerConfig(cores=2))
+    client = cluster.client()
+    job = Job(default_workdir=folder, max_fails=0)
+    # The Python interface counts tasks from 0, `hq submit --array 1-8` from 1.
+    job.program(["true"])
+    for _ in range(COUNT):
+        job.program(line)
+    client.wait_for_jobs([client.submit(job)])
+"""
+
+
+def hyperqueue(farm):
+    pythons = [sys.executable, "/tmp/durer-clients-venv/bin/python"]
+    has_it = lambda python: os.path.exists(python) and subprocess.run([python, "-c", "import hyperqueue"], capture_output=True).returncode == 0
+    python = next(filter(has_it, pythons), None)
+    if not python:
+        return "hyperqueue is not installed"
+    code = farm.kill_one("hq", 2)
+    call = [*farm.line, "-o", "hq.png", "--shard", f"auto/{COUNT}"]
+    twice = subprocess.Popen([*farm.line, "-o", "hq.png", "--shard", f"8/{COUNT}"], cwd=farm.folder, stderr=subprocess.DEVNULL)
+    subprocess.run([python, "-c", HYPERQUEUE.replace("COUNT", str(COUNT)), str(farm.folder), *call], cwd=farm.folder,
+                   capture_output=True, timeout=300)
+    twice.wait()
+    # The task that found its shard in use ended with exit code 5, and is run again.
+    check([*farm.line, "-o", "hq.png", "--shard", f"8/{COUNT}"], cwd=farm.folder)
+    farm.merged_is_whole("hq")
+    return f"ok: HyperQueue (one task was killed and ended with {code})"
+
+
+# Makes the editor of `qconf -aq` fill in the queue that it shows.
+QUEUE_EDITOR = """#!/bin/sh
+sed -i -e 's/^pe_list .*/pe_list NONE/' -e 's/^hostlist .*/hostlist localhost/' -e 's/^slots .*/slots 2/' \\
+    -e 's/^load_thresholds .*/load_thresholds NONE/' -e 's|^shell .*|shell /bin/sh|' "$1"
+"""
+# Exit code 99 asks Grid Engine to run the task again.
+GRID_ENGINE_JOB = """#!/bin/sh
+{line}
+code=$?
+[ $code = 75 ] && exit 99
+exit $code
+"""
+
+
+def grid_engine(farm):
+    system = pathlib.Path("/var/lib/gridengine")
+    if not all(map(shutil.which, ("sge_qmaster", "sge_execd", "qsub"))) or os.geteuid() != 0 or not system.exists():
+        return "Grid Engine is not installed, or the test does not run as root"
+    root, spool = farm.folder / "sge", farm.folder / "sge-spool"
+    shutil.copytree(system, root, symlinks=True)
+    common = root / "default/common"
+    common.mkdir(parents=True, exist_ok=True)
+    for part in ("qmaster/job_scripts", "db"):
+        (spool / part).mkdir(parents=True)
+    bootstrap = pathlib.Path("/usr/share/gridengine/default-bootstrap").read_text()
+    bootstrap = bootstrap.replace("/var/spool/gridengine/spooldb", f"{spool}/db").replace("/var/spool/gridengine/qmaster", f"{spool}/qmaster")
+    (common / "bootstrap").write_text(bootstrap)
+    (common / "act_qmaster").write_text("localhost\n")
+    (common / "host_aliases").write_text(f"localhost {socket.gethostname()}\n")
+    check(["chown", "-R", "sgeadmin", str(root), str(spool)])
+    editor = farm.folder / "queue-editor"
+    editor.write_text(QUEUE_EDITOR)
+    editor.chmod(0o755)
+    farm.folder.chmod(0o777)
+    environment = {**os.environ, "SGE_ROOT": str(root), "SGE_CELL": "default", "SGE_ND": "1", "EDITOR": str(editor),
+                   "SGE_QMASTER_PORT": "16444", "SGE_EXECD_PORT": "16445"}
+    as_user = lambda user, *words: check(["runuser", "-u", user, "--", *words], cwd=farm.folder, env=environment)
+    as_user("sgeadmin", "/usr/share/gridengine/scripts/init_cluster", str(root), "default", f"{spool}/db", "sgeadmin")
+    daemons = []
+    start = lambda program: daemons.append(
+        subprocess.Popen([shutil.which(program)], env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
+    answers = lambda: subprocess.run(["qconf", "-sh"], env=environment, capture_output=True).returncode == 0
+    try:
+        start("sge_qmaster")
+        wait_for(answers, 60, "grid engine: the master answers")
+        subprocess.run(["runuser", "-u", "sgeadmin", "--", "qconf", "-ah", "localhost"], env=environment, capture_output=True)
+        as_user("sgeadmin", "qconf", "-as", "localhost")
+        start("sge_execd")
+        wait_for(lambda: "localhost" in subprocess.run(["qconf", "-sel"], env=environment, capture_output=True, text=True).stdout,
+                 60, "grid engine: the host is known")
+        as_user("sgeadmin", "qconf", "-aq", "all.q")
+        line = " ".join([*farm.line, "-o", "sge.png", "--shard", "auto", "--keep-after", "0"])
+        script = farm.folder / "sge-job.sh"
+        script.write_text(GRID_ENGINE_JOB.format(line=line))
+        as_user("nobody", "qsub", "-cwd", "-r", "y", "-t", f"1-{COUNT}", str(script))
+        # One task is terminated and run again; one is started twice.
+        journals = lambda: [path for path in farm.folder.glob("sge.png.shard-*.unfinished") if path.stat().st_size > 0]
+        wait_for(journals, 120, "grid engine: a task runs")
+        subprocess.run(["pkill", "-TERM", "-o", "-f", "sge.png --shard auto"], capture_output=True)
+        subprocess.run([*farm.line, "-o", "sge.png", "--shard", f"4/{COUNT}"], cwd=farm.folder, capture_output=True)
+        is_done = lambda: not check(["qstat", "-u", "*"], env=environment).strip()
+        wait_for(is_done, 300, "grid engine: all tasks have ended")
+        # The task that found its shard in use, if any, is run again.
+        check([*farm.line, "-o", "sge.png", "--shard", f"4/{COUNT}"], cwd=farm.folder)
+        farm.merged_is_whole("sge")
+        return "ok: Grid Engine (one task was terminated and run again)"
+    finally:
+        for daemon in reversed(daemons):
+            daemon.terminate()
+        for daemon in daemons:
+            daemon.wait()
+
+
 SLURM = """ClusterName=test
 SlurmctldHost={host}
 AuthType=auth/munge
@@ -154,14 +262,17 @@ def slurm(farm):
         subprocess.run(["munged", "--stop"], capture_output=True)
 
 
+SCHEDULERS = (parallel, openjd, hyperqueue, slurm, grid_engine)
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--durer", required=True)
-    options.add_argument("--only", choices=["parallel", "openjd", "slurm"])
+    options.add_argument("--only", choices=[scheduler.__name__ for scheduler in SCHEDULERS])
     options = options.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         farm = Farm(os.path.abspath(options.durer), pathlib.Path(folder))
-        for scheduler in (parallel, openjd, slurm):
+        for scheduler in SCHEDULERS:
             if options.only in (None, scheduler.__name__):
                 result = scheduler(farm)
                 print(result if result.startswith("ok") else f"skipped: {result}", flush=True)
