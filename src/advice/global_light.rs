@@ -59,7 +59,7 @@ fn is_target(world: &World, number: u32) -> bool {
     world.photons[number as usize].target.is_some_and(|factor| factor > 0.0)
 }
 
-/// Maximum `ambient` of a finish that stands for indirect light. Brighter surfaces are lamps.
+/// Maximum `ambient` of a finish whose `ambient` imitates indirect light. Brighter surfaces are lamps.
 const MAX_AMBIENT: f64 = 0.3;
 
 /// Returns the warning about `ambient` that adds to the light of radiosity, if most materials have it.
