@@ -90,18 +90,19 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         item_cost: f32,
     ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
         let prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
-        let mut build = Build { prims, pairs: vec![], is_item, item_cost, bvh: Bvh::default(), items: vec![] };
+        // A binary tree of n leaves has 2n - 1 nodes: a vector that grows would leave gaps in memory.
+        let pairs = Vec::with_capacity(2 * prims.len());
+        let mut build = Build { prims, pairs, is_item, item_cost, bvh: Bvh::default(), items: vec![] };
         if !build.prims.is_empty() {
             let mut around = Around::EMPTY;
             build.prims.iter().for_each(|prim| around.add(prim));
             let root = build.build_subtree(0..build.prims.len(), &around, LEVELS);
-            build.bvh.nodes.reserve(root.items as usize / 5 + 1);
+            build.bvh.nodes.reserve_exact(build.count_nodes(root.number));
             build.bvh.nodes.push(Wide::EMPTY);
             build.items.reserve_exact(root.items as usize);
             build.fill_node(0, root.number);
         }
         build.pairs = vec![];
-        build.bvh.nodes.shrink_to_fit();
         let mut order = Vec::with_capacity(build.prims.len());
         for item in &mut build.items {
             let start = order.len() as u32;
@@ -160,16 +161,27 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         Half { number: self.pairs.len() as u32 - 1, lo, hi, items, cost }
     }
 
-    /// Fills a wide node of the BVH with children, recursively; returns their bounds.
-    fn fill_node(&mut self, node: usize, pair: u32) -> Around {
+    /// Returns the number of wide nodes of a subtree. (A list of nodes that grows would need three times their memory for a moment.)
+    fn count_nodes(&self, pair: u32) -> usize {
+        let is_node = |&child: &u32| !self.pairs[child as usize].is_leaf;
+        1 + self.children_of(pair).into_iter().filter(is_node).map(|child| self.count_nodes(child)).sum::<usize>()
+    }
+
+    /// Returns the children of the wide node that a node of the binary tree becomes.
+    fn children_of(&self, pair: u32) -> SmallVec<[u32; WIDTH]> {
         let mut children = SmallVec::new();
         match self.pairs[pair as usize].is_leaf {
             true => children.push(pair),
             false => self.choose_children(pair, WIDTH, &mut children),
         }
+        children
+    }
+
+    /// Fills a wide node of the BVH with children, recursively; returns their bounds.
+    fn fill_node(&mut self, node: usize, pair: u32) -> Around {
         let mut all = Around::EMPTY;
         let mut inner: SmallVec<[(usize, usize, u32); WIDTH]> = SmallVec::new();
-        for (slot, number) in children.into_iter().enumerate() {
+        for (slot, number) in self.children_of(pair).into_iter().enumerate() {
             let Pair { is_leaf, items, .. } = self.pairs[number as usize];
             if is_leaf {
                 let mut around = Around::EMPTY;

@@ -1,0 +1,231 @@
+//! All transcendental functions. They are computed by software that uses the exactly rounded operations of IEEE 754 alone, so that
+//! all processors and C libraries give the same bits. (The functions of the standard library call the system's, whose last bits
+//! differ; clippy.toml forbids them everywhere.)
+//!
+//! The crate `libm` is a port of musl's functions by the Rust project. Its errors are below 1 unit in the last place, but for the
+//! hyperbolic functions (below 2). [`pow`] is ours, because `libm`'s takes three times as long as the system's.
+
+mod pow;
+
+use std::f64::consts::TAU;
+
+pub use pow::pow;
+
+/// Sine of an angle in radians.
+#[inline]
+pub fn sin(x: f64) -> f64 {
+    libm::sin(x)
+}
+
+/// Cosine of an angle in radians.
+#[inline]
+pub fn cos(x: f64) -> f64 {
+    libm::cos(x)
+}
+
+/// Sine and cosine of an angle in radians.
+#[inline]
+pub fn sin_cos(x: f64) -> (f64, f64) {
+    libm::sincos(x)
+}
+
+/// Tangent of an angle in radians.
+#[inline]
+pub fn tan(x: f64) -> f64 {
+    libm::tan(x)
+}
+
+/// Arc sine in radians; the argument is clamped to [-1, 1].
+#[inline]
+pub fn asin(x: f64) -> f64 {
+    libm::asin(x.clamp(-1.0, 1.0))
+}
+
+/// Arc cosine in radians; the argument is clamped to [-1, 1].
+#[inline]
+pub fn acos(x: f64) -> f64 {
+    libm::acos(x.clamp(-1.0, 1.0))
+}
+
+/// Arc sine in radians; NaN outside of [-1, 1].
+#[inline]
+pub fn asin_or_nan(x: f64) -> f64 {
+    libm::asin(x)
+}
+
+/// Arc cosine in radians; NaN outside of [-1, 1].
+#[inline]
+pub fn acos_or_nan(x: f64) -> f64 {
+    libm::acos(x)
+}
+
+/// Arc tangent in radians.
+#[inline]
+pub fn atan(x: f64) -> f64 {
+    libm::atan(x)
+}
+
+/// Angle of the point (x, y) in radians.
+#[inline]
+pub fn atan2(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x)
+}
+
+/// Length of the vector (x, y).
+#[inline]
+pub fn hypot(x: f64, y: f64) -> f64 {
+    libm::hypot(x, y)
+}
+
+/// Fractional part of `x`, in [0, 1): x - ⌊x⌋.
+#[inline]
+pub fn fraction(x: f64) -> f64 {
+    x - x.floor()
+}
+
+/// Angle of the point (x, y) as a fraction of a turn, in [0, 1].
+#[inline]
+pub fn angle_in_turns(y: f64, x: f64) -> f64 {
+    fraction(atan2(y, x) / TAU)
+}
+
+/// Computes xⁿ by products alone, which are equal on all machines.
+#[inline]
+pub fn integer_power(x: f64, n: u32) -> f64 {
+    let (mut out, mut square, mut rest) = (1.0, x, n);
+    while rest > 0 {
+        if rest & 1 == 1 {
+            out *= square;
+        }
+        square *= square;
+        rest >>= 1;
+    }
+    out
+}
+
+/// x to the power of an exponent that a scene states: mostly a small whole number, for which a few products suffice.
+#[inline]
+pub fn power(x: f64, exponent: f64) -> f64 {
+    let whole = exponent as u32;
+    if f64::from(whole) == exponent && whole < 4096 { integer_power(x, whole) } else { pow(x, exponent) }
+}
+
+/// e to the power of x.
+#[inline]
+pub fn exp(x: f64) -> f64 {
+    libm::exp(x)
+}
+
+/// 2 to the power of x.
+#[inline]
+pub fn exp2(x: f64) -> f64 {
+    libm::exp2(x)
+}
+
+/// Natural logarithm of `x`.
+#[inline]
+pub fn ln(x: f64) -> f64 {
+    libm::log(x)
+}
+
+/// Cube root of `x`.
+#[inline]
+pub fn cbrt(x: f64) -> f64 {
+    libm::cbrt(x)
+}
+
+/// Logarithm of `x` to base 10.
+#[inline]
+pub fn log10(x: f64) -> f64 {
+    libm::log10(x)
+}
+
+/// Hyperbolic cosine of `x`.
+#[inline]
+pub fn cosh(x: f64) -> f64 {
+    libm::cosh(x)
+}
+
+/// Hyperbolic sine of `x`.
+#[inline]
+pub fn sinh(x: f64) -> f64 {
+    libm::sinh(x)
+}
+
+/// Hyperbolic tangent of `x`.
+#[inline]
+pub fn tanh(x: f64) -> f64 {
+    libm::tanh(x)
+}
+
+/// Inverse hyperbolic cosine of `x`.
+#[inline]
+pub fn acosh(x: f64) -> f64 {
+    libm::acosh(x)
+}
+
+/// Inverse hyperbolic sine of `x`.
+#[inline]
+pub fn asinh(x: f64) -> f64 {
+    libm::asinh(x)
+}
+
+/// Inverse hyperbolic tangent of `x`.
+#[inline]
+pub fn atanh(x: f64) -> f64 {
+    libm::atanh(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Maximum error of each function in units in the last place; 1 for all that are not named.
+    const MAX_ERRORS: &[(&str, u64)] =
+        &[("sinh", 2), ("cosh", 2), ("tanh", 2), ("asinh", 2), ("acosh", 2), ("atanh", 2)];
+
+    fn value(name: &str, arguments: &[f64]) -> f64 {
+        match (name, arguments) {
+            ("sin", &[x]) => sin(x),
+            ("cos", &[x]) => cos(x),
+            ("tan", &[x]) => tan(x),
+            ("asin", &[x]) => asin(x),
+            ("acos", &[x]) => acos(x),
+            ("atan", &[x]) => atan(x),
+            ("exp", &[x]) => exp(x),
+            ("exp2", &[x]) => exp2(x),
+            ("ln", &[x]) => ln(x),
+            ("log10", &[x]) => log10(x),
+            ("cbrt", &[x]) => cbrt(x),
+            ("sinh", &[x]) => sinh(x),
+            ("cosh", &[x]) => cosh(x),
+            ("tanh", &[x]) => tanh(x),
+            ("asinh", &[x]) => asinh(x),
+            ("acosh", &[x]) => acosh(x),
+            ("atanh", &[x]) => atanh(x),
+            ("atan2", &[y, x]) => atan2(y, x),
+            ("hypot", &[x, y]) => hypot(x, y),
+            ("pow", &[x, y]) => pow(x, y),
+            _ => panic!("no function {name}"),
+        }
+    }
+
+    #[test]
+    fn errors_are_at_most_a_unit_in_the_last_place() {
+        let mut worst = std::collections::BTreeMap::new();
+        for line in include_str!("../../../tests/math/known_values.txt").lines().filter(|line| !line.starts_with('#')) {
+            let (name, numbers) = line.split_once(' ').unwrap();
+            let numbers: Vec<_> =
+                numbers.split(' ').map(|bits| f64::from_bits(u64::from_str_radix(bits, 16).unwrap())).collect();
+            let (expected, arguments) = numbers.split_last().unwrap();
+            let found = value(name, arguments);
+            let error = found.to_bits().abs_diff(expected.to_bits());
+            let max = MAX_ERRORS.iter().find(|(other, _)| *other == name).map_or(1, |&(_, max)| max);
+            assert!(error <= max, "{name}{arguments:?}: {found:e} instead of {expected:e}, {error} units");
+            let entry = worst.entry(name).or_insert((0, 0, 0));
+            *entry = (entry.0.max(error), entry.1 + u32::from(error > 0), entry.2 + 1);
+        }
+        println!("largest error, values with an error, values: {worst:?}");
+        assert_eq!(worst.len(), 20);
+    }
+}
