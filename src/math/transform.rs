@@ -64,7 +64,11 @@ impl Transform {
 
     /// Rotation by `degrees` about `axis`, which need not have length 1.
     pub fn rotate_about(axis: DVec3, degrees: f64) -> Self {
-        let m = DMat3::from_axis_angle(axis.normalize_or(DVec3::Y), degrees.to_radians());
+        // Rodrigues' formula: column i is eᵢ·cos + (a × eᵢ)·sin + a·(a·eᵢ)·(1 - cos).
+        let a = axis.normalize_or(DVec3::Y);
+        let (sin, cos) = fp::sin_cos(degrees.to_radians());
+        let column = |i: usize| DVec3::AXES[i] * cos + a.cross(DVec3::AXES[i]) * sin + a * (a[i] * (1.0 - cos));
+        let m = DMat3::from_cols(column(0), column(1), column(2));
         Self { m: DAffine3::from_mat3(m), inv: DAffine3::from_mat3(m.transpose()) }
     }
 

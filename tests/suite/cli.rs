@@ -317,6 +317,26 @@ fn snapshots_are_accepted_and_compared() {
     assert_eq!(scratch.read("ball.snapshot.png"), accepted);
 }
 
+#[test]
+fn hashes_of_pictures_are_written_and_compared() {
+    let scratch = Scratch::new();
+    let scene = |red: f64| format!("//! test: --size 8x6 --aa off\n{SCENE} background {{ rgb <{red}, 0, 0> }}");
+    scratch.put("ball.scene", scene(0.6));
+    scratch.exits(0, "test --accept ball.scene");
+    let (out, err) = scratch.exits(5, "test --hashes hashes.txt");
+    assert!(out.is_empty() && err.contains("hashes.txt"), "{out}{err}");
+    let (out, _) = scratch.exits(0, "test --accept --hashes hashes.txt");
+    assert_eq!(out, "ok    ball.scene  accepted: a new hash\n1 ok\n");
+    assert_eq!(scratch.exits(0, "test --hashes hashes.txt").0, "ok    ball.scene\n1 ok\n");
+
+    // A picture that equals its snapshot within the tolerance has other bits.
+    scratch.put("ball.scene", scene(0.6000001));
+    let (out, _) = scratch.exits(3, "test --hashes hashes.txt");
+    assert!(out.contains("the pixels have other bits than their hash says\n"), "{out}");
+    assert!(out.contains("durer test --accept --hashes hashes.txt ball.scene\n"), "{out}");
+    assert_eq!(scratch.exits(0, "test").0.lines().last(), Some("1 ok"));
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn devices_and_full_disks() {

@@ -350,6 +350,9 @@ pub struct TestArgs {
     /// Write a page that shows the pictures side by side
     #[arg(long, value_name = "DIR")]
     pub report: Option<PathBuf>,
+    /// Compare all bits of the pixels with the hashes in a file, too; with --accept, write the file
+    #[arg(long, value_name = "FILE")]
+    pub hashes: Option<PathBuf>,
     /// Add a folder to the include path
     #[arg(help_heading = FILES, short = 'I', long = "include", value_name = "DIR")]
     pub include: Vec<PathBuf>,

@@ -1,5 +1,7 @@
 //! The command `durer test [PATH…]`: renders each scene that has a snapshot, and compares the pictures.
 
+mod hashes;
+
 use super::args::values::Size;
 use super::args::{LookArgs, MessageFormat, SceneArgs, TestArgs};
 use super::console::Console;
@@ -17,6 +19,7 @@ use crate::math::cancel::CancelToken;
 use crate::snapshot::{self, Case, Comparison, Entry, Tolerance, Verdict};
 use crate::source::{Disk, Files, Sources};
 use clap::Parser;
+use hashes::{HashResult, Hashes};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -76,11 +79,15 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
         return usage("no scene here has a snapshot; `durer test --accept NAME.scene` makes the first one");
     }
     let setting = Setting { include: args.include.clone(), threads: args.threads.map_or(0, usize::from) };
+    let mut hashes = args.hashes.as_deref().map(|file| Hashes::read(file, args.accept)).transpose()?;
     let mut outcomes = Vec::new();
     for case in cases {
         let mut outcome = try_case(console, &case, &setting);
         if args.accept {
             accept(&case, &mut outcome)?;
+        }
+        if let Some(hashes) = &mut hashes {
+            compare_hash(hashes, &case, args.accept, &mut outcome);
         }
         let accept = acceptance(args, &case, &outcome);
         match args.format {
@@ -94,6 +101,9 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
         if let Some(signal) = interrupt::requested() {
             return Err(Failure::Reported(signal.exit));
         }
+    }
+    if let Some(hashes) = hashes.filter(|_| args.accept) {
+        hashes.write()?;
     }
     if let Some(folder) = &args.report {
         let page = write_report(args, folder, &outcomes)?;
@@ -185,6 +195,23 @@ fn compare(rendered: Frame, expected: Option<&Pixels>, outcome: &mut Outcome) {
     outcome.rendered = Some(rendered);
 }
 
+/// Compares the bits of the rendered picture with those of its hash.
+fn compare_hash(hashes: &mut Hashes, case: &Case, accept: bool, outcome: &mut Outcome) {
+    let Some(rendered) = &outcome.rendered else { return };
+    let text = match hashes.check(&case.scene, rendered, accept) {
+        HashResult::Same => return,
+        HashResult::Differs if accept => "accepted: another hash",
+        HashResult::Missing if accept => "accepted: a new hash",
+        HashResult::Differs => "the pixels have other bits than their hash says",
+        HashResult::Missing => "has no hash; --accept adds one",
+    };
+    let gap = if outcome.text.is_empty() { "" } else { "; " };
+    outcome.text += &format!("{gap}{text}");
+    if !accept {
+        outcome.exit = Exit::Snapshot;
+    }
+}
+
 /// Writes the rendered picture as the new snapshot, unless both are identical.
 fn accept(case: &Case, outcome: &mut Outcome) -> Result<()> {
     let Some(rendered) =
@@ -211,7 +238,9 @@ fn word(outcome: &Outcome) -> Word {
 fn acceptance(args: &TestArgs, case: &Case, outcome: &Outcome) -> Option<String> {
     let differs = outcome.exit == Exit::Snapshot && outcome.rendered.is_some();
     let folders = args.include.iter().flat_map(|folder| ["-I".to_string(), quoted(folder)]);
-    let command = ["durer test --accept".to_string()].into_iter().chain(folders).chain([quoted(&case.scene)]);
+    let hashes = args.hashes.iter().flat_map(|file| ["--hashes".to_string(), quoted(file)]);
+    let command =
+        ["durer test --accept".to_string()].into_iter().chain(folders).chain(hashes).chain([quoted(&case.scene)]);
     differs.then(|| command.collect::<Vec<_>>().join(" "))
 }
 
