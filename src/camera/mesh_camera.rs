@@ -18,7 +18,7 @@ pub struct MeshCamera {
     pub rays: usize,
     /// Assignment of the mesh camera's faces to pixels.
     pub distribution: Distribution,
-    /// Maximum distance of a hit along a mesh camera's ray.
+    /// Distance along a mesh camera's ray beyond which hits are ignored, in world units; ∞ without a limit.
     pub reach: f64,
     /// True if the mesh camera interpolates the normals of corners.
     pub smooth: bool,

@@ -29,7 +29,7 @@ pub enum Dialect {
 #[derive(Clone, Debug)]
 pub struct Console {
     style: draw::Style,
-    /// Number of messages that the console and its clones have printed.
+    /// Numbers of errors and warnings that the console and its clones have printed since the last `take_count`.
     printed: Arc<Mutex<Count>>,
     /// True while one of several scenes is processed. The number of messages is then printed on the scene's line.
     among_several: bool,

@@ -19,7 +19,7 @@ pub enum Kernel {
 /// Arguments for which a script can evaluate a numeric function; in `function { }` all others give NaN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Domain {
-    /// Numeric function that accepts every number.
+    /// Domain of a numeric function that accepts every number.
     All,
     /// Numeric function for numbers from -1 to 1; others are clamped.
     Arc,

@@ -80,11 +80,11 @@ pub trait Rows: Send {
     ///
     /// # Errors
     /// The reason why the rows can't be stored.
-    fn take_rows(&mut self, rows: &[[f32; 4]]) -> Result<()>;
+    fn write_rows(&mut self, rows: &[[f32; 4]]) -> Result<()>;
 }
 
 impl Rows for Frame {
-    fn take_rows(&mut self, rows: &[[f32; 4]]) -> Result<()> {
+    fn write_rows(&mut self, rows: &[[f32; 4]]) -> Result<()> {
         self.pixels.extend_from_slice(rows);
         Ok(())
     }

@@ -14,22 +14,22 @@ const CHUNK: usize = 1 << 16;
 /// A PNG file that is being written.
 pub(super) struct PngWriter<W: Write> {
     out: W,
-    png: png::StreamWriter<'static, EncodedBytes>,
-    encoded: EncodedBytes,
+    png: png::StreamWriter<'static, MemoryBuffer>,
+    encoded: MemoryBuffer,
 }
 
 /// Bytes of the PNG file that are not yet written to `out`. (The stream writer has to own what it writes to, and `out`
 /// may be borrowed.)
 #[derive(Clone, Default)]
-struct EncodedBytes(Arc<Mutex<Vec<u8>>>);
+struct MemoryBuffer(Arc<Mutex<Vec<u8>>>);
 
-impl EncodedBytes {
+impl MemoryBuffer {
     fn take_bytes(&self) -> Vec<u8> {
         std::mem::take(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
 
-impl Write for EncodedBytes {
+impl Write for MemoryBuffer {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).extend(bytes);
         Ok(bytes.len())
@@ -47,7 +47,7 @@ impl<W: Write> PngWriter<W> {
             let side = u32::try_from(side).ok().filter(|side| i32::try_from(*side).is_ok());
             side.ok_or_else(|| EncodeError::Format("it is too large".into()))
         };
-        let encoded = EncodedBytes::default();
+        let encoded = MemoryBuffer::default();
         let mut encoder = png::Encoder::new(encoded.clone(), side(width)?, side(height)?);
         encoder.set_color(match (encoding.gray, encoding.keeps_alpha()) {
             (true, false) => ColorType::Grayscale,

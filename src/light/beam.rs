@@ -109,8 +109,9 @@ impl Profile {
     }
 
     /// Returns the share of a light's strength that reaches a point: `cos` is the cosine of the angle to the axis,
-    /// `beside` the distance from the axis, `ahead` the distance along it (quirk: `spotlight_profile`).
-    pub fn strength_share(&self, cos: f64, beside: f64, ahead: f64) -> f64 {
+    /// `beside` computes the distance from the axis, `ahead` is the distance along it (quirk: `spotlight_profile`).
+    #[inline]
+    pub fn strength_share(&self, cos: f64, beside: impl FnOnce() -> f64, ahead: f64) -> f64 {
         match *self {
             Profile::Round => 1.0,
             Profile::Cone { radius, falloff, tightness } => {
@@ -123,6 +124,7 @@ impl Profile {
                 if tightness == 0.0 { edge } else { edge * fp::power(cos.max(0.0), tightness) }
             }
             Profile::Tube(Edge { radius, falloff, tightness }) => {
+                let beside = beside();
                 if ahead < 0.0 || beside >= falloff {
                     return 0.0;
                 }
@@ -153,12 +155,12 @@ mod tests {
     fn spot(edge: [f64; 3], degrees: f64) -> f64 {
         let [radius, falloff, tightness] = edge;
         let beam = Beam::Spotlight(Edge { radius, falloff, tightness });
-        Profile::from_beam(&beam).strength_share(fp::cos(f64::to_radians(degrees)), 0.0, 1.0)
+        Profile::from_beam(&beam).strength_share(fp::cos(f64::to_radians(degrees)), || 0.0, 1.0)
     }
 
     fn tube(edge: [f64; 3], beside: f64) -> f64 {
         let [radius, falloff, tightness] = edge;
-        Profile::from_beam(&Beam::Cylinder(Edge { radius, falloff, tightness })).strength_share(1.0, beside, 1.0)
+        Profile::from_beam(&Beam::Cylinder(Edge { radius, falloff, tightness })).strength_share(1.0, || beside, 1.0)
     }
 
     #[test]

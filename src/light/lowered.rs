@@ -78,14 +78,15 @@ impl LoweredLight {
     /// Returns the light that reaches the point `p` from the light at `offset` from the location.
     pub fn sample(&self, p: DVec3, offset: DVec3) -> LightSample {
         let way = self.location + offset - p;
+        let length = way.length();
         let from = match self.parallel {
             true if offset == DVec3::ZERO => -self.axis,
             // Each light of a grid shines from its position towards `point_at`.
             true => (offset - self.axis * self.aim).normalize_or(-self.axis),
-            false => way / way.length(),
+            false => way / length,
         };
         // Distance of a parallel light: along its direction.
-        let distance = if self.parallel { way.dot(from) } else { way.length() };
+        let distance = if self.parallel { way.dot(from) } else { length };
         LightSample { from, distance, light: self.strength_at(distance) * self.share_towards(p, from, distance) }
     }
 
@@ -107,10 +108,8 @@ impl LoweredLight {
             // quirk: beam_without_axis
             _ if self.axis == DVec3::ZERO => 0.0,
             // Behind a parallel light, the cone is reversed.
-            profile if self.parallel => {
-                profile.strength_share(-from.dot(self.axis) * distance.signum(), beside(), ahead)
-            }
-            profile => profile.strength_share(-from.dot(self.axis), beside(), ahead),
+            profile if self.parallel => profile.strength_share(-from.dot(self.axis) * distance.signum(), beside, ahead),
+            profile => profile.strength_share(-from.dot(self.axis), beside, ahead),
         };
         if self.parallel && self.axis == DVec3::ZERO { 0.0 } else { share }
     }

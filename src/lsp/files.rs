@@ -46,7 +46,7 @@ impl Files {
     }
 }
 
-/// A text that can be reached from an open one.
+/// Text of an open document, or of a file that the document includes directly or indirectly.
 #[derive(Clone)]
 pub struct ReachableText {
     /// Path; `None` for a text that is not saved.

@@ -127,7 +127,7 @@ impl Watch for TileDisplay<'_> {
 struct Discard;
 
 impl Rows for Discard {
-    fn take_rows(&mut self, _: &[[f32; 4]]) -> diagnostic::Result<()> {
+    fn write_rows(&mut self, _: &[[f32; 4]]) -> diagnostic::Result<()> {
         Ok(())
     }
 }
@@ -142,7 +142,7 @@ struct Crop<'a> {
 }
 
 impl Rows for Crop<'_> {
-    fn take_rows(&mut self, rows: &[[f32; 4]]) -> diagnostic::Result<()> {
+    fn write_rows(&mut self, rows: &[[f32; 4]]) -> diagnostic::Result<()> {
         let Region { x, y, width, height } = self.part;
         for row in rows.chunks(self.row_width) {
             if (y..y + height).contains(&self.row) {

@@ -246,13 +246,13 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     let mut take = |mut pixels: Vec<pixel_rows::Pixel>| {
         pixels.iter_mut().for_each(|pixel| *pixel = conversion.light(pixel));
         if region.width == width {
-            return rows.take_rows(&pixels);
+            return rows.write_rows(&pixels);
         }
         // One row at a time: rows of the picture can be far longer than those of the region.
         let mut whole = vec![outside_pixel(options); width];
         pixels.chunks(region.width).try_for_each(|row| {
             whole[region.x..region.x + region.width].copy_from_slice(row);
-            rows.take_rows(&whole)
+            rows.write_rows(&whole)
         })
     };
     let frame = bands::FrameRender { context: &context, camera: &camera, workers: &workers, method, region };
@@ -268,7 +268,7 @@ fn outside_pixel(options: &Options) -> [f32; 4] {
 
 fn outside_rows(to: &mut dyn Rows, options: &Options, rows: usize) -> diagnostic::Result<()> {
     let row = vec![outside_pixel(options); if rows > 0 { options.width } else { 0 }];
-    (0..rows).try_for_each(|_| to.take_rows(&row))
+    (0..rows).try_for_each(|_| to.write_rows(&row))
 }
 
 /// Returns the maximum memory for the render of a region, in bytes, besides the World and the stored rows.

@@ -191,7 +191,7 @@ impl<const FORM: usize> Algebraic<FORM> {
     fn search(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
         // Start from the ray's point nearest to the origin, so that a distant eye costs no digits.
         let length = ray.dir.length();
-        let range = range.with_min_distance(tolerance::OWN_SURFACE / length);
+        let range = range.raised_to_min_distance(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let o = ray.origin + middle * v;

@@ -71,7 +71,7 @@ impl Blob {
 
     /// Calls `visit` with each hit on the blob in `range`, in ascending `t`, until it returns `Break`.
     fn visit_hits(&self, ray: &Ray, range: Range, mut visit: impl FnMut(f64) -> ControlFlow<()>) {
-        let range = range.with_min_distance(Self::QUIRKS.min_distance);
+        let range = range.raised_to_min_distance(Self::QUIRKS.min_distance);
         let Some((enter, _)) = self.bounds.slabs(ray, range) else { return };
         // Start near the blob, so that a distant eye costs no digits.
         let start = if enter.is_finite() { enter } else { -ray.origin.dot(ray.dir) / ray.dir.length_squared() };

@@ -289,7 +289,7 @@ impl Superellipsoid {
         }
         // Start from the point nearest to the origin.
         let length = ray.dir.length();
-        let range = range.with_min_distance(tolerance::OWN_SURFACE / length);
+        let range = range.raised_to_min_distance(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let line = Line { o: ray.origin + middle * v, v };

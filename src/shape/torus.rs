@@ -82,7 +82,7 @@ impl Torus {
             return;
         }
         let length = ray.dir.length();
-        let range = range.with_min_distance(tolerance::OWN_SURFACE / length);
+        let range = range.raised_to_min_distance(tolerance::OWN_SURFACE / length);
         let v = ray.dir / length;
         let middle = -ray.origin.dot(v);
         let o = ray.origin + middle * v;

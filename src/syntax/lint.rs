@@ -36,7 +36,7 @@ pub fn lint_scene(sources: &Sources, files: &[FileId], lints: Lints) -> Vec<Diag
         out.extend(unused(own, &outlines));
     }
     if lints.shadow {
-        out.extend(shadows(own, &outlines));
+        out.extend(locals_hiding_globals(own, &outlines));
     }
     if lints.portable {
         out.extend(portable::lint_portability(own, &outlines));
@@ -69,7 +69,8 @@ fn unused(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
     out
 }
 
-fn shadows(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
+/// Returns a warning for each parameter and `#local` of a macro in `own` that has the name of a global declaration in any outline.
+fn locals_hiding_globals(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
     let mut globals: FxHashMap<&str, Span> = FxHashMap::default();
     for outline in all {
         let global = |d: &&Declaration| d.scope.is_none() && d.kind != DeclarationKind::Counter;

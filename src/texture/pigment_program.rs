@@ -44,7 +44,7 @@ impl PigmentProgram {
         Self { nodes: nodes.into(), framed: pigment.pattern.framed }
     }
 
-    /// Returns the pigment's colour at a point of the outer space.
+    /// Returns the pigment's colour at a point in the texture's space, before the pigment's own transforms and warps.
     pub fn color_at(&self, ctx: &TextureContext) -> Color {
         self.node_color(self.nodes.len() - 1, ctx)
     }

@@ -134,7 +134,7 @@ impl Tracer<'_> {
         }
         if is_stored {
             if has_shafts {
-                self.find_clear_parts(&mut grid, all);
+                self.store_unoccluded_parts(&mut grid, all);
             }
         } else {
             grid.has_shafts = has_shafts;
@@ -175,7 +175,7 @@ impl Tracer<'_> {
     }
 
     /// Stores the visibilities of all lights in the clear parts of a piece that is not clear.
-    fn find_clear_parts(&mut self, grid: &mut GridVisibility, piece: Piece) {
+    fn store_unoccluded_parts(&mut self, grid: &mut GridVisibility, piece: Piece) {
         if piece.count() <= MIN_PART {
             return;
         }
@@ -183,7 +183,7 @@ impl Tracer<'_> {
             let is_lit = [part.low, part.high].iter().all(|end| self.cell_visibility(grid, *end) == Rgb::ONE);
             match is_lit && self.is_clear(grid, part) {
                 true => grid.store(part, Rgb::ONE),
-                false => self.find_clear_parts(grid, part),
+                false => self.store_unoccluded_parts(grid, part),
             }
         }
     }

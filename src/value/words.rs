@@ -14,7 +14,7 @@ pub type Setter<T> = fn(&mut T, &mut dyn Reader) -> Result<()>;
 /// A row of a table of words, with the function that reads its value.
 #[derive(Debug)]
 pub struct Row<T: 'static> {
-    /// Name, type and description of a word in a block.
+    /// Name, value type and description of the one word that this row reads.
     pub spec: WordSpec,
     /// Function that reads the word's value into the block.
     pub set: Setter<T>,

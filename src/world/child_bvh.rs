@@ -13,7 +13,7 @@ pub struct ChildBvh {
     bvh: Bvh,
     /// Numbers of the children with finite boxes, in the order of the hierarchy.
     order: Vec<u32>,
-    /// Numbers of the children with infinite boxes, which are always visited.
+    /// Numbers of the children with infinite boxes or with coordinates of 1e30 or more, which are always visited.
     rest: Vec<u32>,
 }
 

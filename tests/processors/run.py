@@ -28,7 +28,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 HASHES = HERE / "hashes.txt"
 DISTRIBUTION = pathlib.Path("/usr/share/povray-3.7")
-SECONDS = 600
+SECONDS = 3600
 
 
 def scenes():

@@ -88,7 +88,7 @@ pub fn begin(console: &Console, journal: &Journal, work: Work, resume: bool, aft
 /// Closes the journal, which waits for the disk, and returns a line that says where the tiles of the unfinished picture
 /// are; `None` if there are none and nothing failed.
 pub fn close_with_note(journal: &Journal) -> Option<String> {
-    let Some(path) = journal.close() else { return failure_note(journal) };
+    let Some(path) = journal.write_pending() else { return failure_note(journal) };
     let path = path.display();
     let stored = match journal.failure() {
         None => format!("the unfinished picture is stored in `{path}`"),
@@ -145,7 +145,7 @@ struct State {
 }
 
 impl Journal {
-    /// Creates the journal in a file whose old contents are kept until the work begins.
+    /// Creates the journal in a file, whose old contents remain until the first tile is stored.
     pub fn new(file: Exclusive) -> Self {
         let path = file.path().to_path_buf();
         let state = State {
@@ -264,8 +264,8 @@ impl Journal {
         self.sync(unsynced);
     }
 
-    /// Writes all pending records, and waits for the disk. Returns the path of the journal if it has records.
-    pub fn close(&self) -> Option<&Path> {
+    /// Writes all pending records, and waits for the disk. Returns the path of the journal if this run has written its header.
+    pub fn write_pending(&self) -> Option<&Path> {
         let mut state = self.state();
         state.key.as_ref()?;
         if state.error.is_none() {

@@ -14,7 +14,7 @@ const MAX_PIXELS: usize = 1 << 16;
 /// position, so that a record is valid in its own place alone.
 pub struct Key([u8; blake3::KEY_LEN]);
 
-/// Description of a record that was read.
+/// Tile and length in bytes of a record that was read from a journal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Record {
     /// Pass and area of the pixels.

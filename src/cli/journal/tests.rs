@@ -32,7 +32,7 @@ fn written(path: &Path, work: Work) -> Vec<u8> {
     let journal = at(path);
     journal.begin(work, Duration::ZERO);
     (0..9).for_each(|x| journal.store_tile(tile(x), &pixels(x)));
-    assert_eq!(journal.close(), Some(path));
+    assert_eq!(journal.write_pending(), Some(path));
     std::fs::read(path).unwrap()
 }
 
@@ -59,7 +59,7 @@ fn records_before_a_cut_are_known() {
         }
         let missing = (0..9).filter(|x| journal.load_tile(tile(*x)).is_none());
         missing.for_each(|x| journal.store_tile(tile(x), &pixels(x)));
-        journal.close();
+        journal.write_pending();
         assert!(std::fs::read(&path).unwrap() == whole);
     }
 }
@@ -119,7 +119,7 @@ fn journals_without_tiles_leave_no_file() {
     let journal = at(&path);
     journal.begin(work("a"), Duration::from_secs(9));
     journal.store_tile(tile(0), &pixels(0));
-    assert!(path.exists() && journal.close().is_none());
+    assert!(path.exists() && journal.write_pending().is_none());
     drop(journal);
     assert!(!path.exists());
 }

@@ -79,7 +79,7 @@ impl<'s> Files<'s> {
 
     /// Returns the path of a scene in the current folder, as in POV-Ray, or else beside the INI file that names it.
     pub fn scene(&self, name: &str) -> String {
-        self.located(name, |path| path.is_file() || has_with_ending(path)).display().to_string()
+        self.located(name, |path| path.is_file() || exists_with_pov_extension(path)).display().to_string()
     }
 
     /// Returns the path of a folder in the current folder, or else beside the INI file that names it.
@@ -118,12 +118,12 @@ fn with_ini(name: &str) -> String {
     if has_ini(Path::new(name)) || Path::new(name).is_file() { name.into() } else { format!("{name}.ini") }
 }
 
-fn has_with_ending(path: &Path) -> bool {
+fn exists_with_pov_extension(path: &Path) -> bool {
     path.extension().is_none() && path.with_extension("pov").is_file()
 }
 
 /// Returns `input.pov` if `input` does not exist and `input.pov` is a file; else `input`, as POV-Ray does.
 pub fn find_scene_file(input: String) -> String {
     let path = Path::new(&input);
-    if !path.exists() && has_with_ending(path) { format!("{input}.pov") } else { input }
+    if !path.exists() && exists_with_pov_extension(path) { format!("{input}.pov") } else { input }
 }

@@ -54,7 +54,7 @@ impl Stream {
 /// Text output that POV-Ray's options ask for.
 #[derive(Clone, Debug, Default)]
 pub struct TextOutput {
-    /// Files that receive a copy of a stream, in the order of the options.
+    /// Streams that are copied to files, each with its file, in the order of the options.
     pub files: Vec<(Stream, PathBuf)>,
     /// True to append to the files of an earlier run (`Append_File`).
     pub appends: bool,

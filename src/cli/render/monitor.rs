@@ -90,7 +90,7 @@ impl Monitor<'_> {
         shard: Shard,
         file: &mut ShardWriter,
     ) -> Result<RayCounts> {
-        let mut take = |area, pixels: &[[f32; 4]]| file.take_block(area, pixels);
+        let mut take = |area, pixels: &[[f32; 4]]| file.write_block(area, pixels);
         self.render_with(|| render::draw_shard(world, options, shard, self, &mut take))
     }
 

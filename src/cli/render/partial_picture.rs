@@ -64,7 +64,7 @@ impl PartialPicture {
         let mut writer = target.writer(draft.as_mut(), (width, height))?;
         let band_height = (BAND / width.max(1)).clamp(1, MAX_TILE_HEIGHT);
         for top in (0..height).step_by(band_height) {
-            writer.take_rows(&self.band(&tiles, top..(top + band_height).min(height)))?;
+            writer.write_rows(&self.band(&tiles, top..(top + band_height).min(height)))?;
         }
         writer.finish()?;
         let unwritable = |e| Box::new(file::unwritable(&Disk, &self.path, &e));

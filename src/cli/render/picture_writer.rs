@@ -56,7 +56,7 @@ impl<'d> PictureWriter<'d> {
 }
 
 impl Rows for PictureWriter<'_> {
-    fn take_rows(&mut self, rows: &[[f32; 4]]) -> diagnostic::Result<()> {
+    fn write_rows(&mut self, rows: &[[f32; 4]]) -> diagnostic::Result<()> {
         let start = Instant::now();
         self.written.is_black &= rows.iter().all(|pixel| pixel[..3].iter().all(|c| *c <= BLACK));
         let done = self.encoder.as_mut().map_or(Ok(()), |encoder| encoder.write_rows(rows));

@@ -143,7 +143,7 @@ fn write_rows(layout: &Layout, shards: &BTreeMap<usize, ShardFile>, rows: &mut d
         for (block, index) in owners.range([next_row, 0]..[end, 0]).map(|(_, owner)| owner) {
             copy_block(&mut band, width, next_row, *block, &shards[index])?;
         }
-        rows.take_rows(&band)?;
+        rows.write_rows(&band)?;
         next_row = end;
     }
     Ok(())

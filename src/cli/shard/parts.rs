@@ -120,7 +120,7 @@ fn write(console: &Console, path: &Path, format: Format, picture: &Picture) -> R
     target.check()?;
     let mut draft = target.draft()?;
     let mut writer = target.writer(draft.as_mut(), (light.width, light.height))?;
-    writer.take_rows(&light.pixels)?;
+    writer.write_rows(&light.pixels)?;
     writer.finish()?;
     target.commit(console, draft)?;
     Ok(())

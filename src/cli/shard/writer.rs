@@ -32,11 +32,11 @@ impl<'d> ShardWriter<'d> {
         Ok(Self { draft, key: Key::of(&start), length: start.len() as u64, unwritable: Box::new(unwritable) })
     }
 
-    /// Appends a block with the linear light of its pixels, row by row.
+    /// Writes a block with the linear light of its pixels, row by row.
     ///
     /// # Errors
     /// The diagnostic of a write error.
-    pub fn take_block(&mut self, area: Region, pixels: &[[f32; 4]]) -> Result<()> {
+    pub fn write_block(&mut self, area: Region, pixels: &[[f32; 4]]) -> Result<()> {
         let mut record = vec![];
         self.key.append(&mut record, self.length, Tile { pass: FINAL_PASS, area }, pixels);
         self.length += record.len() as u64;

@@ -241,7 +241,7 @@ impl preview::Backend for RenderLoop {
             target.check()?;
             let mut draft = target.draft()?;
             let mut writer = target.writer(draft.as_mut(), size)?;
-            writer.take_rows(&image.pixels)?;
+            writer.write_rows(&image.pixels)?;
             writer.finish()?;
             let path = target.commit(&Console::plain(), draft)?;
             Ok(path.map(|path| path.display().to_string()).unwrap_or_default())

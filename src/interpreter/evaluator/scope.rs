@@ -234,8 +234,8 @@ impl<'a> Scopes<'a> {
     }
 
     /// Adds an element without a value to the dictionary at a location, and returns its index.
-    pub fn add_key(&mut self, lvalue: &LValue, key: &str) -> usize {
-        let Some(Slot::Array(array)) = self.at_mut(lvalue) else { return 0 };
+    pub fn add_key(&mut self, dictionary: &LValue, key: &str) -> usize {
+        let Some(Slot::Array(array)) = self.at_mut(dictionary) else { return 0 };
         let array = Rc::make_mut(array);
         array.keys.get_or_insert_default().push(key.into());
         array.items.push(None);
@@ -297,18 +297,18 @@ impl<'a> Scopes<'a> {
             Some(depth) if stack[depth].level == level => self.rebind(symbol, depth, slot, pending),
             Some(depth) => {
                 stack.insert(depth, Binding { level, slot, pending: non_empty(pending) });
-                self.shift_aliases(symbol, depth);
+                self.shift_aliases_after_insertion(symbol, depth);
             }
             None => self.push(symbol, level, slot, pending),
         }
     }
 
-    /// Corrects the aliases of a symbol's bindings after another binding was inserted at `depth`.
-    fn shift_aliases(&mut self, symbol: Symbol, depth: usize) {
+    /// Corrects the aliases of a symbol's bindings after another binding was inserted at this place of the stack.
+    fn shift_aliases_after_insertion(&mut self, symbol: Symbol, inserted_at: usize) {
         for binding in self.bindings.iter_mut().flatten() {
             if let Slot::Alias(lvalue) = &mut binding.slot
                 && lvalue.symbol == symbol
-                && lvalue.depth >= depth
+                && lvalue.depth >= inserted_at
             {
                 lvalue.depth += 1;
             }

@@ -68,7 +68,7 @@ impl Interpreter<'_> {
             return;
         }
         let typed = self.inputs.sources.snippet(span);
-        if typed.parse::<f64>().is_ok() && !self.is_operand(span) {
+        if typed.parse::<f64>().is_ok() && !self.is_followed_by_operator(span) {
             let message = format!("`rotate {typed}` turns around all three axes, by {typed} degrees each");
             let help =
                 format!("write `rotate y*{typed}` for the y axis alone, or `rotate <{typed}, {typed}, {typed}>`");
@@ -77,9 +77,9 @@ impl Interpreter<'_> {
         }
     }
 
-    /// True if the number at `span` is an operand in the text: `360*rand(S)`, split into tokens, begins with a number.
-    fn is_operand(&self, span: Span) -> bool {
-        let Some((file, range)) = self.inputs.sources.locate(span) else { return false };
+    /// True if an operator follows the number in the text: the tokens of `360*rand(S)` begin with a number.
+    fn is_followed_by_operator(&self, number: Span) -> bool {
+        let Some((file, range)) = self.inputs.sources.locate(number) else { return false };
         let rest = self.inputs.sources.text(file).get(range.end..).unwrap_or("");
         rest.trim_start().starts_with(['*', '/', '+', '-', '.'])
     }

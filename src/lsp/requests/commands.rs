@@ -40,7 +40,7 @@ pub fn execute<S: Client>(server: &mut Server<S>, params: &ExecuteCommandParams)
     let argument = params.arguments.first()?.as_str()?;
     match params.command.as_str() {
         RENDER => render(Path::new(argument), server.events.clone()),
-        WATCH => watch(server, Path::new(argument)),
+        WATCH => open_watch_page(server, Path::new(argument)),
         EXPLAIN => {
             let found = codes::find(argument)?;
             server
@@ -96,8 +96,8 @@ fn render(scene: &Path, events: SyncSender<Event>) {
     let _ = std::thread::Builder::new().name("render".into()).spawn(work);
 }
 
-/// Opens the page of a scene, one for each scene.
-fn watch<S: Client>(server: &mut Server<S>, scene: &Path) {
+/// Starts `durer watch` for a scene unless it already runs, and asks the editor to open its page.
+fn open_watch_page<S: Client>(server: &mut Server<S>, scene: &Path) {
     let watches = &mut server.watches.0;
     // `try_wait` also removes an ended process from the system's table.
     watches.retain(|_, (child, _)| matches!(child.try_wait(), Ok(None)));

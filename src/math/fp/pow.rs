@@ -237,7 +237,7 @@ mod tests {
         assert_eq!(pow(10.0, 22.0), 1e22);
     }
 
-    /// What is not a positive normal number has the values of the standard (IEEE 754-2019, section 9.2.1).
+    /// Powers of other numbers have the values of the standard (IEEE 754-2019, section 9.2.1).
     #[test]
     fn unusual_powers() {
         for (x, y, expected) in [

@@ -54,7 +54,7 @@ struct Split {
 }
 
 impl Split {
-    /// Squared distance from the frustum's axis.
+    /// Returns x² + y²: the squared distance of a point from the frustum's axis, or the squared part of a direction across it.
     fn across_squared(&self) -> f64 {
         self.x * self.x + self.y * self.y
     }

@@ -13,7 +13,7 @@ impl SolidNode {
     pub fn bounded(mut self, by: impl IntoIterator<Item = SolidNode>) -> Self {
         let bounds: Vec<SolidNode> = by.into_iter().filter(|bound| !bound.surrounds(&self)).collect();
         if !bounds.is_empty() {
-            self.measure_again(vec![], bounds.into());
+            self.add_clips_and_bounds(vec![], bounds.into());
         }
         self
     }
@@ -23,7 +23,7 @@ impl SolidNode {
         if self.take_bounds().is_empty() {
             return self;
         }
-        self.measure_again(vec![], Box::default());
+        self.add_clips_and_bounds(vec![], Box::default());
         self.bounded(around.map(|b| SolidNode::leaf(Leaf::new(Shape::from(b), &Transform::IDENTITY, 0), 0)))
     }
 

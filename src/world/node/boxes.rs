@@ -135,10 +135,10 @@ impl SolidNode {
         self.composite = Some(Box::new(CompositeData { clip, bounds, unseen, boxes, convex_parts, child_bvh }));
     }
 
-    /// Computes the boxes again after parts have changed or clipping or bounding solids were added.
-    pub(super) fn measure_again(&mut self, by: Vec<SolidNode>, bounds: Box<[SolidNode]>) {
+    /// Adds clipping and bounding solids to the node, and recomputes the boxes around its surface and its inside.
+    pub(super) fn add_clips_and_bounds(&mut self, clips: Vec<SolidNode>, bounds: Box<[SolidNode]>) {
         let bounds = self.take_bounds().into_iter().chain(bounds).collect();
-        let clip = self.take_clip().into_iter().chain(by).collect();
+        let clip = self.take_clip().into_iter().chain(clips).collect();
         self.measure(clip, bounds, Box::default());
     }
 

@@ -110,7 +110,7 @@ impl SolidNode {
 
     /// Clips the solid by `by`: points outside of any of these solids are removed.
     pub fn clipped(mut self, by: Vec<SolidNode>) -> Self {
-        self.measure_again(by, Box::default());
+        self.add_clips_and_bounds(by, Box::default());
         self
     }
 
@@ -122,7 +122,7 @@ impl SolidNode {
             SolidKind::Union(children) | SolidKind::Merge(children) => SolidKind::Intersection(turned(children)),
             SolidKind::Intersection(children) => SolidKind::Merge(turned(children)),
         };
-        self.measure_again(vec![], Box::default());
+        self.add_clips_and_bounds(vec![], Box::default());
         self
     }
 
