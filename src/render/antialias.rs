@@ -146,13 +146,23 @@ pub(super) struct Difference {
     /// True if the scene's colour values follow the sRGB curve.
     is_srgb: bool,
     alpha: bool,
-    /// Maximum slope of the gamma curve from [`DARK`] on, and minimum slope up to 1: bounds that avoid most powers.
-    slopes: [f64; 2],
+    /// Slopes of the gamma curve, which decrease, at the starts of the half octaves from [`DARK`] on: bounds that avoid
+    /// most powers. Empty for a curve whose slope increases anywhere.
+    slopes: Vec<f64>,
     /// Difference of two values that is at most a quarter of the threshold after the gamma curve.
     negligible: f64,
 }
 
-const DARK: f64 = 1.0 / 32.0;
+/// Start of the first half octave with known slopes of the gamma curve.
+const DARK: f32 = 1.0 / 4096.0;
+/// Number of half octaves from [`DARK`] to 16.
+const HALF_OCTAVES: usize = 32;
+
+/// Returns the number of half octaves from [`DARK`] to the one of `x`, which is at least [`DARK`]. The half octaves of an octave
+/// are [1, 1.5) and [1.5, 2) times its start.
+fn half_octave(x: f32) -> usize {
+    ((x.to_bits() - DARK.to_bits()) >> (f32::MANTISSA_DIGITS - 2)) as usize
+}
 
 impl Difference {
     /// Creates the test for a threshold. Differences are measured on light to the power of 1/`gamma`; `numbers`
@@ -164,9 +174,13 @@ impl Difference {
             Gamma::Srgb => (gamma, true),
         };
         // For γ > 1 the slope of x^(1/γ) decreases with x, and a step of a given size is largest at 0.
+        let starts = (0..=HALF_OCTAVES as u32).map(|i| f64::from(f32::from_bits(DARK.to_bits() + (i << 22))));
         let (slopes, negligible) = match gamma >= 1.0 && !is_srgb {
-            true => ([fp::pow(DARK, 1.0 / gamma - 1.0) / gamma, 1.0 / gamma], fp::pow(threshold * 0.25, gamma)),
-            false => ([f64::INFINITY, 0.0], 0.0),
+            true => {
+                let slopes = starts.map(|x| fp::pow(x, 1.0 / gamma - 1.0) / gamma);
+                (slopes.collect(), fp::pow(threshold * 0.25, gamma))
+            }
+            false => (vec![], 0.0),
         };
         Self { threshold, gamma, is_srgb, alpha, slopes, negligible }
     }
@@ -184,23 +198,37 @@ impl Difference {
         if threshold <= 0.0 || a == b {
             return threshold <= 0.0;
         }
-        let pairs = [0, 1, 2].map(|c| (f64::from(a[c]).max(0.0), f64::from(b[c]).max(0.0)));
         let (mut most, mut least) = (opacity, opacity);
-        for &(a, b) in &pairs {
-            let (difference, [low, high]) = ((a - b).abs(), [a.min(b), a.max(b)]);
-            most += match low >= DARK {
-                true => self.slopes[0] * difference,
-                false if difference <= self.negligible => threshold * 0.25,
-                false => f64::INFINITY,
-            };
-            least += if high <= 1.0 { self.slopes[1] * difference } else { 0.0 };
+        for c in 0..3 {
+            let [least_of_channel, most_of_channel] = self.bounds(a[c].max(0.0), b[c].max(0.0), threshold);
+            (least, most) = (least + least_of_channel, most + most_of_channel);
         }
         if most < threshold || least > threshold * 1.000_001 {
             return most >= threshold;
         }
+        self.distance(a, b) + opacity >= threshold
+    }
+
+    /// Returns the sum of the colour channels' differences after the gamma curve.
+    fn distance(&self, a: &Pixel, b: &Pixel) -> f64 {
         let light = |x: f64| if self.is_srgb { Gamma::Srgb.decode(x) } else { x };
-        let curve = |x: f64| fp::pow(light(x), 1.0 / self.gamma);
-        pairs.iter().map(|(a, b)| (curve(*a) - curve(*b)).abs()).sum::<f64>() + opacity >= threshold
+        let curve = |x: f32| fp::pow(light(f64::from(x.max(0.0))), 1.0 / self.gamma);
+        (0..3).map(|c| (curve(a[c]) - curve(b[c])).abs()).sum()
+    }
+
+    /// Returns bounds below and above of the difference of two values after the gamma curve.
+    #[inline]
+    fn bounds(&self, a: f32, b: f32, threshold: f64) -> [f64; 2] {
+        let (low, high) = (a.min(b), a.max(b));
+        let difference = f64::from(high) - f64::from(low);
+        let Some(last) = self.slopes.len().checked_sub(1) else { return [0.0, f64::INFINITY] };
+        let most = match low >= DARK {
+            true => self.slopes[half_octave(low).min(last)] * difference,
+            false if difference <= self.negligible => threshold * 0.25,
+            false => f64::INFINITY,
+        };
+        let after = if high >= DARK { half_octave(high) + 1 } else { 0 };
+        [self.slopes.get(after).map_or(0.0, |slope| slope * difference), most]
     }
 }
 
@@ -238,6 +266,28 @@ mod tests {
             let gray = |x: f64| [x as f32, x as f32, x as f32, 0.0];
             let counts = |by: f64| judge.reaches_threshold(&gray(from), &gray(from + by));
             assert!(counts(difference + 1e-4) && !counts(difference - 1e-4), "{numbers:?} {gamma} {threshold} {from}");
+        }
+    }
+    proptest::proptest! {
+        /// The bounds that avoid powers decide as the powers do.
+        #[test]
+        fn bounds_contain_the_difference(
+            exponents in proptest::array::uniform6(-16.0..6.0_f32),
+            gamma in 1.0..3.0_f64,
+            threshold in 0.05..1.0_f64,
+        ) {
+            let judge = Difference::new(threshold, gamma, Gamma::Power(1.0), false);
+            let [r, g, b, red, green, blue] = exponents.map(|e| fp::exp2(f64::from(e)) as f32);
+            let (one, other) = ([r, g, b, 0.0], [red, green, blue, 0.0]);
+            let distance = judge.distance(&one, &other);
+            let sides = (0..3).map(|c| judge.bounds(one[c], other[c], threshold));
+            let [least, most] = sides.fold([0.0, 0.0], |sum, side| [sum[0] + side[0], sum[1] + side[1]]);
+            let negligible = (0..3).any(|c| f64::from((one[c] - other[c]).abs()) <= judge.negligible);
+            proptest::prop_assert!(least <= distance * (1.0 + 1e-12), "{least} {distance}");
+            proptest::prop_assert!(most >= distance * (1.0 - 1e-12) || negligible, "{most} {distance}");
+            if (distance - threshold).abs() > 1e-9 {
+                proptest::prop_assert_eq!(judge.reaches_threshold(&one, &other), distance >= threshold);
+            }
         }
     }
 }

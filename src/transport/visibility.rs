@@ -10,6 +10,7 @@ use crate::light::LightSample;
 use crate::math::{DVec3, Range, Ray};
 use crate::shape::Kernel;
 use crate::world::{Intersection, LightSource, World};
+use std::cell::Cell;
 use std::ops::ControlFlow;
 
 /// A ray from a surface to a light.
@@ -80,10 +81,16 @@ impl Tracer<'_> {
         let ShadowRay { light, ref ray, range, distance } = *shadow;
         let world = self.context.world;
         let (see_through, quick) = (world.see_through, !self.context.quality.pigments);
-        // Look for an opaque occluder first: that search ends at its first hit.
+        // Look for an opaque occluder first: that search ends at its first hit. Without a hit, it has come by all objects whose
+        // boxes the ray intersects, and knows whether any of them may filter the light.
+        let may_be_filtered = Cell::new(false);
         let occludes = |id: u32| {
             let object = &world.objects[id as usize];
-            object.shadow && (object.opaque || !see_through)
+            let occludes = object.opaque || !see_through;
+            if object.shadow && !occludes {
+                may_be_filtered.set(true);
+            }
+            object.shadow && occludes
         };
         if world.geometry.any_after(ray, range, occludes, &mut self.occluders[light.number])
             || self.context.photons.is_some() && self.is_replaced_by_photons(shadow)
@@ -93,7 +100,7 @@ impl Tracer<'_> {
         // Air attenuates only light with `media_attenuation` (quirk: `fog_and_shadows`).
         let has_air = light.emitter.attenuated && self.has_air();
         let has_media = self.has_media();
-        if !see_through && !has_air && !has_media {
+        if !may_be_filtered.get() && !has_air && !has_media {
             return Rgb::ONE;
         }
         let filters = |id: u32| {
@@ -102,7 +109,8 @@ impl Tracer<'_> {
         };
         if world.colors_light || has_air || has_media {
             let segments = ShadowSegments { distance, has_air, has_media };
-            return self.segmented_transmittance(ray, range, filters, copy_of(inside), segments);
+            let surfaces = if may_be_filtered.get() { surfaces(world, ray, range, filters) } else { vec![] };
+            return self.segmented_transmittance(ray, surfaces, copy_of(inside), segments);
         }
         let mut transmittance = Rgb::ONE;
         for hit in surfaces(world, ray, range, filters) {
@@ -116,14 +124,11 @@ impl Tracer<'_> {
     fn segmented_transmittance(
         &mut self,
         ray: &Ray,
-        range: Range,
-        filters: impl Fn(u32) -> bool,
+        surfaces: Vec<Intersection>,
         mut inside: Interiors,
         segments: ShadowSegments,
     ) -> Rgb {
         let (mut transmittance, mut from) = (Rgb::ONE, 0.0);
-        let world = self.context.world;
-        let surfaces = if world.see_through { surfaces(world, ray, range, filters) } else { vec![] };
         for hit in surfaces {
             transmittance *= self.shadow_segment(ray, &Span::new(from, hit.t()), &inside, &segments);
             transmittance *= self.surface_transmittance(ray, &hit, from, &mut inside);

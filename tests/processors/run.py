@@ -61,7 +61,7 @@ def hash_of(way, path):
         line = [*way, "render", str(path), "--size", "64x48", "--aa", "0.3", "--bit-depth", "16", "-q", "-j1", "-o", str(picture)]
         line += ["-I", str(DISTRIBUTION / "include")]
         try:
-            done = subprocess.run(line, cwd=path.parent, capture_output=True, text=True, timeout=SECONDS)
+            done = subprocess.run(line, cwd=folder, capture_output=True, text=True, timeout=SECONDS)
         except subprocess.TimeoutExpired:
             return f"not finished in {SECONDS} s"
         if not picture.exists():
