@@ -1,13 +1,14 @@
-//! Journal of a picture: the finished tiles, in a file beside the picture. After an interruption, `--resume` continues
-//! with it.
+//! Journal of a picture: the finished tiles, and the photons and radiosity samples, in a file beside the picture. After an
+//! interruption, `--resume` continues with it.
 //!
 //! The file is one line of JSON, the [`Begun`] work (program, options, files that were read and looked up), and then a
-//! sequence of records: pass, tile, pixels and a checksum. A record that is cut off is ignored; a record with a wrong
+//! sequence of records: tiles, and parts of files of light. A record that is cut off is ignored; a record with a wrong
 //! checksum makes the whole journal invalid. From the beginning of a render to its end the file is locked, so that one
 //! process at a time renders a picture.
 
 pub mod finished_frames;
 pub mod identity;
+mod light;
 pub mod record;
 
 use super::console::Console;
@@ -16,7 +17,8 @@ use crate::diagnostic::{Diagnostic, codes, file};
 use crate::render::{FINAL_PASS, Region, Tile};
 use crate::source::{Disk, Exclusive, OpenError, Span, follow_links, sync_folder_of};
 use identity::{Begun, Work};
-use record::{HEAD, Key, Record, damaged, unreadable};
+use light::StoredLight;
+use record::{Content, HEAD, Key, Record, SUM, damaged, unreadable};
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
@@ -98,9 +100,13 @@ pub fn close_with_note(journal: &Journal) -> Option<String> {
     Some(format!("{stored}; {command} continues it\n"))
 }
 
-/// Returns a line about a journal that could not be written.
+/// Returns a line about a journal that could not be written, whole or in part.
 pub fn failure_note(journal: &Journal) -> Option<String> {
-    journal.failure().map(|reason| format!("cannot write the resume journal: {reason}\n"))
+    let failure = journal.failure().map(|reason| format!("cannot write the resume journal: {reason}\n"));
+    failure.or_else(|| {
+        let reason = journal.light_failure()?;
+        Some(format!("cannot write photons or radiosity samples to the resume journal: {reason}\n"))
+    })
 }
 
 /// The path of a picture's journal: the picture's path and `.unfinished`.
@@ -135,6 +141,8 @@ struct State {
     key: Option<Key>,
     /// Offsets in the file of the pixels of finished tiles, by pass and corner.
     known: HashMap<(u8, usize, usize), (Region, u64)>,
+    /// Photons and radiosity samples in the file.
+    light: StoredLight,
     /// Length of the header and all records in the file.
     end: u64,
     /// Records that are not written yet.
@@ -154,6 +162,7 @@ impl Journal {
             new_work: None,
             key: None,
             known: HashMap::new(),
+            light: StoredLight::default(),
             end: 0,
             pending: vec![],
             error: None,
@@ -201,14 +210,19 @@ impl Journal {
         if let Some(reason) = work.differs(&Begun::parse(&header)?.work) {
             return Err(reason);
         }
-        let (key, mut known, mut end) = (Key::of(&header), HashMap::new(), header.len() as u64);
-        while let Some(record) = key.read(&mut reader, end)? {
-            let Tile { pass, area } = record.tile;
-            known.insert((pass, area.x, area.y), (area, end + HEAD as u64));
-            end += record.length as u64;
+        let (key, mut end) = (Key::of(&header), header.len() as u64);
+        let (mut known, mut light) = (HashMap::new(), StoredLight::default());
+        while let Some(Record { content, length }) = key.read(&mut reader, end)? {
+            let offset = end + HEAD as u64;
+            match content {
+                Content::Tile(Tile { pass, area }) => _ = known.insert((pass, area.x, area.y), (area, offset)),
+                Content::Light { kind, start } => light.add_part(kind, start, offset, length - HEAD - SUM),
+            }
+            end += length as u64;
         }
         state.file.file().set_len(end).map_err(|e| unreadable(&e))?;
-        (state.key, state.known, state.end, state.begins) = (Some(key), known, end, Some(Instant::now()));
+        (state.key, state.known, state.light) = (Some(key), known, light);
+        (state.end, state.begins) = (end, Some(Instant::now()));
         Ok(())
     }
 
@@ -234,11 +248,11 @@ impl Journal {
         let Some(key) = &state.key else { return Ok(vec![]) };
         let mut reader = reader(state.file.file()).map_err(|e| unreadable(&e))?;
         let (mut at, mut tiles) = (read_header(&mut reader)?.len() as u64, vec![]);
-        while let Some(Record { tile, length }) = key.read(&mut reader, at)? {
-            if tile.pass == FINAL_PASS {
+        while let Some(record) = key.read(&mut reader, at)? {
+            if let Some(tile) = record.tile().filter(|tile| tile.pass == FINAL_PASS) {
                 tiles.push((tile.area, at + HEAD as u64));
             }
-            at += length as u64;
+            at += record.length as u64;
         }
         tiles.sort_by_key(|(area, _)| (area.y, area.x));
         Ok(tiles)
@@ -328,16 +342,19 @@ impl State {
     }
 
     fn store(&mut self, tile: Tile, pixels: &[[f32; 4]]) -> io::Result<()> {
-        let new_work = self.new_work.take();
-        let is_first = new_work.is_some();
-        if let Some(work) = new_work {
-            // An empty file vanishes at the end.
-            self.write_header(work).inspect_err(|_| _ = self.file.file().set_len(0))?;
-        }
+        let is_first = self.write_new_header()?;
         let Some(key) = &self.key else { return Ok(()) };
         let offset = self.end + self.pending.len() as u64;
         key.append(&mut self.pending, offset, tile, pixels);
         if is_first || self.pending.len() >= CHUNK || self.is_sync_due(SYNC_INTERVAL) { self.write() } else { Ok(()) }
+    }
+
+    /// Replaces the old contents by the header of new work, if the header is not written yet. Returns true if it was written.
+    fn write_new_header(&mut self) -> io::Result<bool> {
+        let Some(work) = self.new_work.take() else { return Ok(false) };
+        // An empty file vanishes at the end.
+        self.write_header(work).inspect_err(|_| _ = self.file.file().set_len(0))?;
+        Ok(true)
     }
 
     /// Replaces the old contents by a header.

@@ -1,26 +1,60 @@
-//! Records of a journal: pass, tile, pixels and a checksum.
+//! Records of a journal: a head, the pixels of a tile or a part of a file of light, and a checksum.
+//!
+//! The head of a tile is its pass, x, y, width and height; the head of a part is the kind of the light, the offset of the
+//! part in the file of light, the length of the part in bytes, and two zeros.
 
 use crate::render::{FINAL_PASS, Region, Tile};
+use crate::scene::LightKind;
 use std::io::{self, Read};
 
-/// Bytes of a record before its pixels: pass, x, y, width and height.
+/// Bytes of a record's head: one byte and four `u64`.
 pub const HEAD: usize = 33;
-/// Bytes of the checksum after the pixels.
+/// Bytes of the checksum at the end of a record.
 pub const SUM: usize = 16;
 /// Largest number of pixels of a tile.
 const MAX_PIXELS: usize = 1 << 16;
+/// Largest length of a part of a file of light, in bytes.
+pub const MAX_PART: usize = MAX_PIXELS * size_of::<[f32; 4]>();
+/// First byte of a record with photons, in place of a pass.
+const PHOTONS: u8 = FINAL_PASS + 1;
+/// First byte of a record with samples of radiosity, in place of a pass.
+const RADIOSITY: u8 = FINAL_PASS + 2;
 
 /// Key of the checksums of one journal. The key depends on the journal's header, and each checksum on the record's
 /// position, so that a record is valid in its own place alone.
 pub struct Key([u8; blake3::KEY_LEN]);
 
-/// Tile and length in bytes of a record that was read from a journal.
+/// Kind and length of a record that was read from a journal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Record {
-    /// Pass and area of the pixels.
-    pub tile: Tile,
-    /// Length of the record in bytes.
+    /// Kind of the record's content.
+    pub content: Content,
+    /// Length of the record in bytes, with head and checksum.
     pub length: usize,
+}
+
+/// Kind of a record's content.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// Pixels of a tile.
+    Tile(Tile),
+    /// Part of a file of light.
+    Light {
+        /// Kind of the light.
+        kind: LightKind,
+        /// Offset of the part in the file of light, in bytes.
+        start: u64,
+    },
+}
+
+impl Record {
+    /// Returns the tile of the record's pixels; `None` for a part of a file of light.
+    pub fn tile(&self) -> Option<Tile> {
+        match self.content {
+            Content::Tile(tile) => Some(tile),
+            Content::Light { .. } => None,
+        }
+    }
 }
 
 impl Key {
@@ -37,13 +71,37 @@ impl Key {
         sum
     }
 
-    /// Appends a record that will be at `offset` in the file.
+    /// Appends the record of a tile, which will be at `offset` in the file.
     pub fn append(&self, out: &mut Vec<u8>, offset: u64, tile: Tile, pixels: &[[f32; 4]]) {
-        let start = out.len();
-        out.push(tile.pass);
         let Region { x, y, width, height } = tile.area;
-        [x, y, width, height].iter().for_each(|&n| out.extend((n as u64).to_le_bytes()));
-        pixels.as_flattened().iter().for_each(|x| out.extend(x.to_le_bytes()));
+        self.append_record(out, offset, tile.pass, [x, y, width, height].map(|n| n as u64), |out| {
+            pixels.as_flattened().iter().for_each(|x| out.extend(x.to_le_bytes()));
+        });
+    }
+
+    /// Appends the record of a part of a file of light, which will be at `offset` in the file. The part begins at `start` in
+    /// the file of light, and has at most [`MAX_PART`] bytes.
+    pub fn append_light(&self, out: &mut Vec<u8>, offset: u64, kind: LightKind, start: u64, part: &[u8]) {
+        let first = match kind {
+            LightKind::Photons => PHOTONS,
+            LightKind::Radiosity => RADIOSITY,
+        };
+        self.append_record(out, offset, first, [start, part.len() as u64, 0, 0], |out| out.extend(part));
+    }
+
+    /// Appends a record with this head, whose content `append_content` appends.
+    fn append_record(
+        &self,
+        out: &mut Vec<u8>,
+        offset: u64,
+        first: u8,
+        numbers: [u64; 4],
+        append_content: impl FnOnce(&mut Vec<u8>),
+    ) {
+        let start = out.len();
+        out.push(first);
+        numbers.iter().for_each(|number| out.extend(number.to_le_bytes()));
+        append_content(out);
         let sum = self.sum(offset, &out[start..]);
         out.extend(sum);
     }
@@ -57,22 +115,35 @@ impl Key {
         if !is_filled(from, &mut bytes)? {
             return Ok(None);
         }
-        let mut numbers = bytes[1..].as_chunks::<8>().0.iter().map(|&number| u64::from_le_bytes(number) as usize);
-        let [x, y, width, height] = [(); 4].map(|()| numbers.next().unwrap_or(0));
-        if width.saturating_mul(height) > MAX_PIXELS || bytes[0] > FINAL_PASS {
-            return Err(damaged());
-        }
-        bytes.resize(HEAD + width * height * 16 + SUM, 0);
+        let (content, n_bytes) = parse_head(&bytes).ok_or_else(damaged)?;
+        bytes.resize(HEAD + n_bytes + SUM, 0);
         if !is_filled(from, &mut bytes[HEAD..])? {
             return Ok(None);
         }
-        let (content, sum) = bytes.split_at(bytes.len() - SUM);
-        if self.sum(offset, content) != sum {
+        let (summed, sum) = bytes.split_at(bytes.len() - SUM);
+        if self.sum(offset, summed) != sum {
             return if ends_with_zeros(from, sum)? { Ok(None) } else { Err(damaged()) };
         }
-        let tile = Tile { pass: bytes[0], area: Region { x, y, width, height } };
-        Ok(Some(Record { tile, length: bytes.len() }))
+        Ok(Some(Record { content, length: bytes.len() }))
     }
+}
+
+/// Returns the kind of a record's content and the content's length in bytes; `None` if the head is damaged.
+fn parse_head(head: &[u8]) -> Option<(Content, usize)> {
+    let mut numbers = head[1..].as_chunks::<8>().0.iter().map(|&number| u64::from_le_bytes(number));
+    let [a, b, c, d] = [(); 4].map(|()| numbers.next().unwrap_or(0));
+    let kind = match head[0] {
+        PHOTONS => LightKind::Photons,
+        RADIOSITY => LightKind::Radiosity,
+        pass => {
+            let [x, y, width, height] = [a, b, c, d].map(|number| number as usize);
+            let is_valid = pass <= FINAL_PASS && width.saturating_mul(height) <= MAX_PIXELS;
+            let tile = Tile { pass, area: Region { x, y, width, height } };
+            return is_valid.then_some((Content::Tile(tile), width * height * size_of::<[f32; 4]>()));
+        }
+    };
+    let length = usize::try_from(b).ok().filter(|length| *length <= MAX_PART)?;
+    Some((Content::Light { kind, start: a }, length))
 }
 
 /// Returns the reason for a journal that is damaged.

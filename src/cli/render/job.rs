@@ -243,7 +243,7 @@ impl<'a> Job<'a> {
     fn render_to_draft(
         &self,
         target: &Target,
-        world: &World,
+        world: &mut World,
         timing: Timing,
         journal: Option<&Arc<Journal>>,
         token: &CancelToken,
@@ -260,16 +260,19 @@ impl<'a> Job<'a> {
         let mut monitor = Monitor::new(progress, token.clone());
         monitor.is_silent = config.cancel.is_some();
         monitor.journal = journal.cloned();
-        let saver = LightSaver::new(config.sandbox().clone());
+        let mut saver = LightSaver::new(config.sandbox().clone());
+        if let Some(journal) = journal {
+            journal::begin(console, journal, self.work(timing), config.resume, config.keep_after);
+            if config.prepared.is_none() {
+                saver.use_journal(journal, world, &drawing, config.keep_after);
+            }
+        }
         monitor.light = Some(&saver);
         let partial = journal.zip(target.file()).map(|(journal, file)| {
             let (size, conversion) = ([drawing.width, drawing.height], OutputConversion::new(world, &drawing));
             let partial = PartialPicture::new(journal, file, size, pixels, conversion);
             StatusTask::begin(move || print_message(&partial.write_and_describe()))
         });
-        if let Some(journal) = journal {
-            journal::begin(console, journal, self.work(timing), config.resume, config.keep_after);
-        }
         let rendered = self.render_and_write(target, world, timing, &monitor).map_err(|failure| {
             journal.and_then(|journal| journal::close_with_note(journal)).iter().for_each(|note| console.info(note));
             match (interrupt::requested(), failure) {
@@ -345,7 +348,7 @@ impl<'a> Job<'a> {
         self.advise(advice::time_warnings(&world, &config.drawing(timing)));
         let deferred = Deferred::begin();
         let Rendered { rays, passes, is_black, trace_time, encode_time, warnings } =
-            self.render_to_draft(target, &world, timing, journal.as_ref(), token)?;
+            self.render_to_draft(target, &mut world, timing, journal.as_ref(), token)?;
         self.advise(warnings);
         self.finish_picture(target, timing, journal.as_deref(), finished);
         drop(deferred);

@@ -1,16 +1,20 @@
-//! Files of photons and of radiosity samples that a render loads and saves.
+//! Files of photons and of radiosity samples that a render loads and saves; photons and radiosity samples in its journal.
 
 use super::config::Config;
 use super::monitor::ReceiveLight;
 use crate::advice;
+use crate::cli::journal::Journal;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::render;
-use crate::scene::{LightFileError, LightKind, LoadedLight, PreparedLight, SaveFile, is_light_file};
+use crate::scene::{
+    LightFile, LightFileError, LightKind, LoadedLight, PreparedLight, SaveFile, SavedLight, is_light_file,
+};
 use crate::source::{Disk, Files, Sandbox, Sandboxed, Sources, Span, WriteMode, WritePolicy};
 use crate::world::World;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 /// Loads the radiosity samples of `--load-radiosity`, and sets the destination of `--save-radiosity`. The options have no
 /// effect on a scene without radiosity. Returns warnings about the loaded file.
@@ -51,11 +55,7 @@ pub fn add_prepared(world: &mut World, path: &Path, options: &render::Options) -
         LightFileError::Damaged => unreadable("is damaged or cut off"),
     })?;
     let digests = render::light_digests(world, options);
-    let saved = [
-        world.photon_map.as_mut().map(|settings| &mut settings.saved),
-        world.radiosity.as_mut().map(|settings| &mut settings.saved),
-    ];
-    for ((saved, light), digest) in saved.into_iter().zip([photons, radiosity]).zip(digests) {
+    for ((saved, light), digest) in saved_light(world).into_iter().zip([photons, radiosity]).zip(digests) {
         match (saved, light) {
             (Some(saved), Some(file)) if file.header.computation == digest => {
                 saved.loaded = Some(LoadedLight { file, name: name.to_string(), source: Span::NONE });
@@ -72,29 +72,95 @@ pub fn add_prepared(world: &mut World, path: &Path, options: &render::Options) -
     Ok(())
 }
 
-/// Writes photons and radiosity samples to files.
+/// Returns the files of photons and of radiosity samples; `None` for light that the World does not have.
+fn saved_light(world: &mut World) -> [Option<&mut SavedLight>; 2] {
+    [
+        world.photon_map.as_mut().map(|settings| &mut settings.saved),
+        world.radiosity.as_mut().map(|settings| &mut settings.saved),
+    ]
+}
+
+/// Writes photons and radiosity samples to files and to the journal of a picture.
 pub struct LightSaver {
     /// Policy for files that a scene names.
     sandbox: Sandbox,
+    journal: Option<JournalOfLight>,
     warnings: Mutex<Vec<Diagnostic>>,
 }
 
+/// Journal that photons and radiosity samples are written to.
+struct JournalOfLight {
+    journal: Arc<Journal>,
+    /// Moment from which light is worth storing: its computation has taken long.
+    begins: Option<Instant>,
+    /// Kinds of light to store, each with the file that the scene or the command line names for it.
+    kinds: Vec<(LightKind, Option<SaveFile>)>,
+}
+
 impl ReceiveLight for LightSaver {
-    /// Saves light to its file. A file that cannot be written gives a warning, because the picture does not depend on the
-    /// file.
+    /// Writes light to the journal, if its computation has taken long, and to its file.
     fn receive(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) {
-        let saved = match file.source {
-            Span::NONE => save_for_user(&file.path, file.kind, write),
-            _ => self.save_for_scene(file, write),
-        };
-        self.warnings.lock().unwrap_or_else(PoisonError::into_inner).extend(saved.err().map(|warning| *warning));
+        let stored = self.journal.iter().find_map(|JournalOfLight { journal, begins, kinds }| {
+            let (_, named) = kinds.iter().find(|(kind, _)| *kind == file.kind)?;
+            Some((journal, begins.is_some_and(|begins| Instant::now() >= begins), named))
+        });
+        let Some((journal, is_worth_storing, named)) = stored else { return self.save(file, write) };
+        if is_worth_storing {
+            journal.store_light(file.kind, write);
+        }
+        named.iter().for_each(|named| self.save(named, write));
     }
 }
 
 impl LightSaver {
     /// Creates a saver; `sandbox` is the policy for files that the scene names.
     pub fn new(sandbox: Sandbox) -> Self {
-        Self { sandbox, warnings: Mutex::default() }
+        Self { sandbox, journal: None, warnings: Mutex::default() }
+    }
+
+    /// Uses the light in the journal of a picture, and stores other light in the journal if its computation takes longer
+    /// than `after`. Light in the journal that is incomplete or damaged is computed.
+    pub fn use_journal(
+        &mut self,
+        journal: &Arc<Journal>,
+        world: &mut World,
+        options: &render::Options,
+        after: Duration,
+    ) {
+        let mut kinds = vec![];
+        // The digest of a large scene takes time.
+        let is_loaded = |saved: &Option<&mut SavedLight>| saved.as_ref().is_some_and(|saved| saved.loaded.is_some());
+        let needs_digests = journal.has_light() || saved_light(world).iter().any(is_loaded);
+        let digests = needs_digests.then(|| render::light_digests(world, options));
+        for (i, (kind, saved)) in
+            [LightKind::Photons, LightKind::Radiosity].into_iter().zip(saved_light(world)).enumerate()
+        {
+            let Some(saved) = saved else { continue };
+            let is_current = |file: &LightFile| digests.is_some_and(|digests| file.header.computation == digests[i]);
+            if saved.loaded.as_ref().is_some_and(|loaded| is_current(&loaded.file)) {
+                continue;
+            }
+            let stored = journal.load_light(kind).and_then(|bytes| LightFile::parse(bytes, kind).ok());
+            if let Some(file) = stored.filter(is_current) {
+                let name = journal.path().to_string_lossy().into_owned();
+                saved.loaded = Some(LoadedLight { file, name, source: Span::NONE });
+                continue;
+            }
+            let in_journal = SaveFile { kind, path: journal.path().to_path_buf(), source: Span::NONE };
+            kinds.push((kind, saved.save.replace(in_journal)));
+        }
+        self.journal =
+            Some(JournalOfLight { journal: journal.clone(), begins: Instant::now().checked_add(after), kinds });
+    }
+
+    /// Saves light to a file. A file that cannot be written gives a warning, because the picture does not depend on the
+    /// file.
+    fn save(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) {
+        let saved = match file.source {
+            Span::NONE => save_for_user(&file.path, file.kind, write),
+            _ => self.save_for_scene(file, write),
+        };
+        self.warnings.lock().unwrap_or_else(PoisonError::into_inner).extend(saved.err().map(|warning| *warning));
     }
 
     /// Returns the warnings about files that could not be written.

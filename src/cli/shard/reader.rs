@@ -39,7 +39,7 @@ impl ShardFile {
         let mut offsets = HashMap::new();
         for block in header.layout.blocks(header.shard) {
             let record = key.read(&mut reader, end)?.ok_or("it is not complete")?;
-            if record.tile.area != block {
+            if record.tile().is_none_or(|tile| tile.area != block) {
                 return Err(damaged());
             }
             offsets.insert([block.x, block.y], end + HEAD as u64);
