@@ -5,6 +5,8 @@
 mod exclusive;
 mod identity;
 #[cfg(unix)]
+mod light;
+#[cfg(unix)]
 mod signals;
 
 use std::path::{Path, PathBuf};
@@ -32,10 +34,15 @@ impl Scratch {
         self.0.path().join(name)
     }
 
+    /// A render of the scene, whose journal is written from the beginning on.
     fn durer(&self, words: &str) -> Command {
+        self.command(&format!("render a.scene --keep-after 0 {words}"))
+    }
+
+    fn command(&self, line: &str) -> Command {
         let mut durer = Command::new(env!("CARGO_BIN_EXE_durer"));
-        durer.args(["render", "a.scene", "--keep-after", "0"]).args(words.split_whitespace());
-        durer.current_dir(&self.0).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        durer.args(line.split_whitespace()).current_dir(&self.0);
+        durer.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         durer
     }
 

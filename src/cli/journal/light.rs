@@ -4,7 +4,7 @@
 //! of its own, so that light whose last parts are missing is never used.
 
 use super::record::MAX_PART;
-use super::{Journal, State};
+use super::{Journal, SYNC_INTERVAL, State};
 use crate::scene::LightKind;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -72,7 +72,7 @@ impl Journal {
             Ok(()) => {}
             Err(error) => state.error = Some(error),
         }
-        let unsynced = state.take_unsynced(super::SYNC_INTERVAL);
+        let unsynced = state.take_unsynced(SYNC_INTERVAL);
         drop(state);
         self.sync(unsynced);
     }

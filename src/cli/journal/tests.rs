@@ -1,5 +1,6 @@
-use super::record::SUM;
+use super::record::{MAX_PART, SUM};
 use super::*;
+use crate::scene::LightKind;
 use crate::source::{ContentHash, FileKind, Lookup, ReadFiles};
 
 fn work(options: &str) -> Work {
@@ -110,6 +111,87 @@ fn records_are_valid_in_their_own_place_alone() {
     // A changed header belongs to no record.
     let text = String::from_utf8_lossy(&mine[..header]).replace("\"now\":null", "\"now\": null");
     assert!(is_damaged([text.as_bytes(), &mine[header..]].concat()));
+}
+
+/// Stores light whose bytes are written in pieces of different lengths.
+fn store(journal: &Journal, kind: LightKind, bytes: &[u8]) {
+    journal.store_light(kind, &|out| {
+        let (first, rest) = bytes.split_at(bytes.len() / 3);
+        out.write_all(first)?;
+        rest.chunks(MAX_PART / 2 + 7).try_for_each(|piece| out.write_all(piece))
+    });
+}
+
+#[test]
+fn light_is_read_as_it_was_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a");
+    for length in [1, 100, MAX_PART - 1, MAX_PART, 2 * MAX_PART + 1] {
+        let light = |factor: usize| (0..length).map(|i| (i * factor % 251) as u8).collect::<Vec<_>>();
+        let _ = std::fs::remove_file(&path);
+        let journal = at(&path);
+        journal.begin(work("a"), Duration::ZERO);
+        store(&journal, LightKind::Radiosity, &light(3));
+        journal.store_tile(tile(0), &pixels(0));
+        store(&journal, LightKind::Photons, &light(7));
+        assert!(journal.write_pending().is_some() && journal.finished_tiles() == Ok(vec![]));
+        drop(journal);
+        let journal = at(&path);
+        journal.resume(&work("a")).unwrap();
+        assert!(journal.has_light() && journal.load_tile(tile(0)).is_some());
+        assert!(journal.load_light(LightKind::Photons) == Some(light(7)), "{length}");
+        assert!(journal.load_light(LightKind::Radiosity) == Some(light(3)), "{length}");
+        // Light that is stored again replaces the light of before.
+        store(&journal, LightKind::Photons, &light(11));
+        drop(journal);
+        let journal = at(&path);
+        journal.resume(&work("a")).unwrap();
+        assert!(journal.load_light(LightKind::Photons) == Some(light(11)), "{length}");
+    }
+}
+
+#[test]
+fn light_that_is_cut_off_is_shorter() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a");
+    let journal = at(&path);
+    journal.begin(work("a"), Duration::ZERO);
+    let light = vec![5; MAX_PART + 100];
+    store(&journal, LightKind::Photons, &light);
+    drop(journal);
+    let whole = std::fs::read(&path).unwrap();
+    for (missing, length) in [(1, Some(MAX_PART)), (200, Some(MAX_PART)), (MAX_PART, None)] {
+        std::fs::write(&path, &whole[..whole.len() - missing]).unwrap();
+        let journal = at(&path);
+        journal.resume(&work("a")).unwrap();
+        assert_eq!(journal.load_light(LightKind::Photons).map(|light| light.len()), length, "{missing}");
+    }
+    for at in (whole.len() - 140..whole.len()).step_by(9) {
+        let mut bytes = whole.clone();
+        bytes[at] ^= 4;
+        std::fs::write(&path, bytes).unwrap();
+        assert_eq!(reason(&path, &work("a")), "it is damaged", "{at}");
+    }
+}
+
+#[test]
+fn light_that_cannot_be_written_leaves_room_for_tiles() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a");
+    let journal = at(&path);
+    journal.begin(work("a"), Duration::ZERO);
+    journal.store_light(LightKind::Photons, &|out| {
+        out.write_all(&vec![5; 2 * MAX_PART])?;
+        Err(io::Error::other("the disk is full"))
+    });
+    (0..9).for_each(|x| journal.store_tile(tile(x), &pixels(x)));
+    assert_eq!(journal.write_pending(), Some(&*path));
+    assert_eq!((journal.failure(), journal.light_failure().as_deref()), (None, Some("the disk is full")));
+    let note = "cannot write photons or radiosity samples to the resume journal: the disk is full\n";
+    assert_eq!(failure_note(&journal).as_deref(), Some(note));
+    drop(journal);
+    let other = folder.path().join("b");
+    assert!(written(&other, work("a")) == std::fs::read(&path).unwrap());
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::cli::journal::Journal;
 use crate::diagnostic::{Diagnostic, Result, codes, file};
 use crate::render;
 use crate::scene::{
-    LightFile, LightFileError, LightKind, LoadedLight, PreparedLight, SaveFile, SavedLight, is_light_file,
+    Digest, LightFile, LightFileError, LightKind, LoadedLight, PreparedLight, SaveFile, SavedLight, is_light_file,
 };
 use crate::source::{Disk, Files, Sandbox, Sandboxed, Sources, Span, WriteMode, WritePolicy};
 use crate::world::World;
@@ -80,6 +80,24 @@ fn saved_light(world: &mut World) -> [Option<&mut SavedLight>; 2] {
     ]
 }
 
+/// Kinds of light in the order of their computation.
+const LIGHT_KINDS: [LightKind; 2] = [LightKind::Photons, LightKind::Radiosity];
+
+/// True if light is loaded that the computation with this digest has saved.
+fn is_current(saved: &SavedLight, digest: Option<Digest>) -> bool {
+    let computation = saved.loaded.as_ref().map(|loaded| loaded.file.header.computation);
+    computation.is_some() && computation == digest
+}
+
+/// Loads light from a journal, if the computation with this digest has stored the light whole. Returns true if it is loaded.
+fn load_from_journal(saved: &mut SavedLight, journal: &Journal, kind: LightKind, digest: Option<Digest>) -> bool {
+    let file = journal.load_light(kind).and_then(|bytes| LightFile::parse(bytes, kind).ok());
+    let Some(file) = file.filter(|file| Some(file.header.computation) == digest) else { return false };
+    let name = journal.path().to_string_lossy().into_owned();
+    saved.loaded = Some(LoadedLight { file, name, source: Span::NONE });
+    true
+}
+
 /// Writes photons and radiosity samples to files and to the journal of a picture.
 pub struct LightSaver {
     /// Policy for files that a scene names.
@@ -127,30 +145,20 @@ impl LightSaver {
         options: &render::Options,
         after: Duration,
     ) {
-        let mut kinds = vec![];
-        // The digest of a large scene takes time.
+        // The digests of a large scene take time.
         let is_loaded = |saved: &Option<&mut SavedLight>| saved.as_ref().is_some_and(|saved| saved.loaded.is_some());
         let needs_digests = journal.has_light() || saved_light(world).iter().any(is_loaded);
-        let digests = needs_digests.then(|| render::light_digests(world, options));
-        for (i, (kind, saved)) in
-            [LightKind::Photons, LightKind::Radiosity].into_iter().zip(saved_light(world)).enumerate()
-        {
+        let digests = if needs_digests { render::light_digests(world, options).map(Some) } else { [None; 2] };
+        let mut kinds = vec![];
+        for ((kind, saved), digest) in LIGHT_KINDS.into_iter().zip(saved_light(world)).zip(digests) {
             let Some(saved) = saved else { continue };
-            let is_current = |file: &LightFile| digests.is_some_and(|digests| file.header.computation == digests[i]);
-            if saved.loaded.as_ref().is_some_and(|loaded| is_current(&loaded.file)) {
-                continue;
+            if !is_current(saved, digest) && !load_from_journal(saved, journal, kind, digest) {
+                let file = SaveFile { kind, path: journal.path().to_path_buf(), source: Span::NONE };
+                kinds.push((kind, saved.save.replace(file)));
             }
-            let stored = journal.load_light(kind).and_then(|bytes| LightFile::parse(bytes, kind).ok());
-            if let Some(file) = stored.filter(is_current) {
-                let name = journal.path().to_string_lossy().into_owned();
-                saved.loaded = Some(LoadedLight { file, name, source: Span::NONE });
-                continue;
-            }
-            let in_journal = SaveFile { kind, path: journal.path().to_path_buf(), source: Span::NONE };
-            kinds.push((kind, saved.save.replace(in_journal)));
         }
-        self.journal =
-            Some(JournalOfLight { journal: journal.clone(), begins: Instant::now().checked_add(after), kinds });
+        let begins = Instant::now().checked_add(after);
+        self.journal = Some(JournalOfLight { journal: journal.clone(), begins, kinds });
     }
 
     /// Saves light to a file. A file that cannot be written gives a warning, because the picture does not depend on the

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 const WORDS: &str = "--size 200x150 --aa 0.1 -o a.png";
 
-fn send(durer: &Child, signal: &str) {
+pub fn send(durer: &Child, signal: &str) {
     let line = format!("kill -{signal} {}", durer.id());
     assert!(Command::new("sh").args(["-c", &line]).status().unwrap().success());
 }
