@@ -160,7 +160,7 @@ fn light_that_is_cut_off_is_shorter() {
     store(&journal, LightKind::Photons, &light);
     drop(journal);
     let whole = std::fs::read(&path).unwrap();
-    for (missing, length) in [(1, Some(MAX_PART)), (200, Some(MAX_PART)), (MAX_PART, None)] {
+    for (missing, length) in [(1, Some(MAX_PART)), (HEAD + 100 + SUM, Some(MAX_PART)), (200, None)] {
         std::fs::write(&path, &whole[..whole.len() - missing]).unwrap();
         let journal = at(&path);
         journal.resume(&work("a")).unwrap();
