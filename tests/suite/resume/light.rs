@@ -3,7 +3,7 @@
 use super::signals::send;
 use super::{Scratch, err};
 use std::io::{BufRead, BufReader, Read};
-use std::process::Child;
+use std::process::{Child, Command};
 
 /// A scene with photons and with three passes of radiosity.
 const SCENE: &str = "#version 3.7;
@@ -33,8 +33,8 @@ fn finish(scratch: &Scratch, words: &str) -> Vec<String> {
 }
 
 /// Starts a render with one thread, and waits until its messages have `n` lines that contain `event`.
-fn start_until(scratch: &Scratch, words: &str, event: &str, n: usize) -> Child {
-    let mut durer = scratch.durer(&format!("{words} --threads 1 --progress json")).spawn().unwrap();
+fn start_until(mut durer: Command, event: &str, n: usize) -> Child {
+    let mut durer = durer.args(["--threads", "1", "--progress", "json"]).spawn().unwrap();
     let messages = BufReader::new(durer.stderr.as_mut().unwrap());
     let found = messages.lines().map_while(Result::ok).filter(|line| line.contains(event)).take(n).count();
     assert_eq!(found, n, "the render ended before");
@@ -59,7 +59,7 @@ fn a_render_is_interrupted_during_each_pass() {
     for signal in ["TERM", "KILL"] {
         for (moment, (event, n)) in moments.into_iter().enumerate() {
             let scratch = scratch();
-            end(start_until(&scratch, WORDS, event, n), signal);
+            end(start_until(scratch.durer(WORDS), event, n), signal);
             let passes = finish(&scratch, WORDS);
             // A pass of radiosity begins after the photons are stored, and the picture after the samples.
             assert!(moment < 2 || !passes.contains(&"photons".to_string()), "{signal}, moment {moment}: {passes:?}");
@@ -72,7 +72,7 @@ fn a_render_is_interrupted_during_each_pass() {
 #[test]
 fn stored_light_of_a_damaged_or_other_journal_is_not_used() {
     let (scratch, whole) = (scratch(), scratch());
-    end(start_until(&scratch, WORDS, "\"progress\"", 1), "KILL");
+    end(start_until(scratch.durer(WORDS), "\"progress\"", 1), "KILL");
     let journal = std::fs::read(scratch.at("a.png.unfinished")).unwrap();
     let header = journal.iter().position(|&byte| byte == b'\n').unwrap() + 1;
     finish(&whole, WORDS);
@@ -96,11 +96,19 @@ fn stored_light_of_a_damaged_or_other_journal_is_not_used() {
 fn shards_keep_their_light_and_prepared_light_is_not_stored() {
     let scratch = scratch();
     let words = format!("{WORDS} --shard 1/1");
-    end(start_until(&scratch, &words, "\"progress\"", 1), "KILL");
+    end(start_until(scratch.durer(&words), "\"progress\"", 1), "KILL");
     assert!(finish(&scratch, &words).is_empty());
     let prepare = scratch.command("prepare a.scene --size 40x30").output().unwrap();
     assert!(prepare.status.success(), "{}", err(&prepare));
-    end(start_until(&scratch, &format!("{WORDS} --prepared a.prepared"), "\"progress\"", 1), "KILL");
+    end(start_until(scratch.durer(&format!("{WORDS} --prepared a.prepared")), "\"progress\"", 1), "KILL");
     // Without the file, the light is computed.
     assert_eq!(finish(&scratch, WORDS).len(), 4);
+}
+
+#[test]
+fn light_of_a_short_preparation_is_not_stored() {
+    let scratch = scratch();
+    let durer = scratch.command(&format!("render a.scene {WORDS} --keep-after 100"));
+    end(start_until(durer, "\"progress\"", 1), "KILL");
+    assert!(!scratch.is_unfinished());
 }
