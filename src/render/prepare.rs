@@ -137,9 +137,12 @@ fn save_photons(context: &FrameContext, options: &Options, preparation: &Prepara
     let settings = context.world.photon_map.as_ref();
     let save = settings.and_then(|settings| settings.saved.save.as_ref());
     if let (Some(photons), Some(save)) = (&context.photons, save) {
-        let scene = context.world.scene_digest();
-        let computation = context.world.photon_digest(&scene, &preparation_options(options));
-        preparation.save_light(save, &|out| photons.save([scene, computation], out))?;
+        preparation.save_light(save, &|out| {
+            // (Digests of a large scene take time, and light that took little time is not saved.)
+            let scene = context.world.scene_digest();
+            let computation = context.world.photon_digest(&scene, &preparation_options(options));
+            photons.save([scene, computation], out)
+        })?;
     }
     Ok(())
 }

@@ -8,7 +8,7 @@ use super::prepare::{FrameCamera, Pass, Preparation, preparation_options};
 use super::sampler::Sampler;
 use super::{Cancelled, Options};
 use crate::math::{GOLDEN_SECTION, next_coprime};
-use crate::scene::{Radiosity, SavedLight};
+use crate::scene::Radiosity;
 use crate::transport::{FrameContext, RadiosityPass};
 
 /// Share of the number of known samples by which a batch may add samples.
@@ -30,22 +30,22 @@ pub(super) fn collect(
 ) -> Result<(), Cancelled> {
     let Some(settings) = context.world.radiosity.as_deref() else { return Ok(()) };
     let Some(state) = &mut context.radiosity else { return Ok(()) };
+    let world = context.world;
     // Digests of the scene and the computation, for samples in files
     let digests = || {
-        let scene = context.world.scene_digest();
-        [scene, context.world.radiosity_digest(&scene, &preparation_options(options))]
+        let scene = world.scene_digest();
+        [scene, world.radiosity_digest(&scene, &preparation_options(options))]
     };
-    let digests = (settings.saved != SavedLight::default()).then(digests);
     let file = settings.saved.loaded.as_ref().map(|loaded| &loaded.file);
-    let is_complete = file.zip(digests).is_some_and(|(file, [_, own])| file.header.computation == own);
+    let is_complete = file.is_some_and(|file| file.header.computation == digests()[1]);
     file.iter().for_each(|file| state.add_file(file));
     if !is_complete {
         run_passes(context, camera, options, settings, preparation)?;
     }
     if let Some(radiosity) = &mut context.radiosity {
         radiosity.begin(RadiosityPass::Final);
-        if let (Some(save), Some(digests)) = (&settings.saved.save, digests) {
-            preparation.save_light(save, &|out| radiosity.save(digests, out))?;
+        if let Some(save) = &settings.saved.save {
+            preparation.save_light(save, &|out| radiosity.save(digests(), out))?;
         }
     }
     Ok(())
