@@ -57,7 +57,7 @@ impl Tracer<'_> {
         let sum = shading.sum(|shaded| {
             let mut sum = Rgb::ZERO;
             for (_, index) in found {
-                let photon = photons.surface.photon(*index);
+                let photon = photons.surface.power(*index);
                 let to_light = -photon.dir();
                 let cos = shaded.normal.dot(to_light);
                 // The density of photons contains the cosine at the smooth surface.
@@ -87,7 +87,7 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         let light = |(_, index): &(f32, u32)| {
-            let photon = photons.media.photon(*index);
+            let photon = photons.media.power(*index);
             phase(-dir.dot(photon.dir())) * photon.flux()
         };
         let sum: Rgb = self.found_photons.iter().map(light).sum();

@@ -3,6 +3,7 @@
 
 use crate::color::Rgb;
 use crate::math::{DVec3, cancel};
+use glam::Vec4;
 
 /// Maximum number of photons of a leaf of the tree.
 const LEAF: usize = 16;
@@ -37,7 +38,16 @@ impl Photon {
     pub fn numbers(&self) -> impl Iterator<Item = f32> {
         [self.position, self.flux, self.dir].into_iter().flatten()
     }
+}
 
+/// Power and direction of a photon in a map.
+#[derive(Clone, Copy, Debug)]
+pub struct PhotonPower {
+    flux: [f32; 3],
+    dir: [f32; 3],
+}
+
+impl PhotonPower {
     /// Returns the power of the photon.
     pub fn flux(&self) -> Rgb {
         Rgb::from_array(self.flux.map(f64::from))
@@ -47,11 +57,6 @@ impl Photon {
     pub fn dir(&self) -> DVec3 {
         DVec3::from_array(self.dir.map(f64::from))
     }
-
-    fn squared_distance(&self, p: [f32; 3]) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|i| self.position[i] - p[i]);
-        x * x + y * y + z * z
-    }
 }
 
 /// Found photons: squared distances and indices. A heap with the farthest photon first when the list is full.
@@ -60,7 +65,10 @@ pub type Found = Vec<(f32, u32)>;
 /// A balanced kd-tree of photons. The middle photon of each range divides the range along an axis.
 #[derive(Debug, Default)]
 pub struct PhotonMap {
-    photons: Vec<Photon>,
+    /// Positions of the photons, a list for each coordinate: a search reads hardly anything else. [`LEAF`] infinite coordinates
+    /// follow, so that any photon begins a whole block.
+    positions: [Vec<f32>; 3],
+    powers: Vec<PhotonPower>,
     /// Axis of the division, by the index of the dividing photon.
     axes: Vec<u8>,
 }
@@ -72,33 +80,51 @@ impl PhotonMap {
         photons.truncate(u32::MAX as usize);
         let mut axes = vec![0; photons.len()];
         divide(&mut photons, &mut axes);
-        Self { photons, axes }
+        Self::from_parts(photons, axes)
     }
 
     /// Creates a map from the photons and axes of [`Self::tree`].
     pub fn from_tree(photons: impl Iterator<Item = (Photon, u8)>) -> Self {
         let (photons, axes) = photons.unzip();
-        Self { photons, axes }
+        Self::from_parts(photons, axes)
+    }
+
+    fn from_parts(photons: Vec<Photon>, axes: Vec<u8>) -> Self {
+        let positions = [0, 1, 2].map(|axis| {
+            let padding = std::iter::repeat_n(f32::INFINITY, LEAF);
+            photons.iter().map(|photon| photon.position[axis]).chain(padding).collect()
+        });
+        // (The standard library reuses the memory of `photons`.)
+        let powers = photons.into_iter().map(|Photon { flux, dir, .. }| PhotonPower { flux, dir }).collect();
+        Self { positions, powers, axes }
     }
 
     /// Returns the photons in the order of the tree, each with the axis of its division.
-    pub fn tree(&self) -> impl Iterator<Item = (&Photon, u8)> {
-        self.photons.iter().zip(self.axes.iter().copied())
+    pub fn tree(&self) -> impl Iterator<Item = (Photon, u8)> {
+        let photon = |i: usize| {
+            let PhotonPower { flux, dir } = self.powers[i];
+            Photon { position: self.position(i), flux, dir }
+        };
+        (0..self.len()).map(move |i| (photon(i), self.axes[i]))
     }
 
     /// Returns the number of photons.
     pub fn len(&self) -> usize {
-        self.photons.len()
+        self.powers.len()
     }
 
     /// True if the map has no photons.
     pub fn is_empty(&self) -> bool {
-        self.photons.is_empty()
+        self.powers.is_empty()
     }
 
-    /// Returns the photon of an index that a search found.
-    pub fn photon(&self, index: u32) -> &Photon {
-        &self.photons[index as usize]
+    /// Returns the power and direction of the photon with an index that a search found.
+    pub fn power(&self, index: u32) -> &PhotonPower {
+        &self.powers[index as usize]
+    }
+
+    fn position(&self, i: usize) -> [f32; 3] {
+        self.positions.each_ref().map(|list| list[i])
     }
 
     /// Finds the at most `count` photons nearest to a point within a radius, and returns the radius that they fill: the
@@ -106,18 +132,17 @@ impl PhotonMap {
     pub fn nearest(&self, p: DVec3, radius: f64, count: usize, found: &mut Found) -> f64 {
         found.clear();
         let mut search = Search { map: self, p: p.as_vec3().to_array(), limit: (radius * radius) as f32, count, found };
-        search.visit(0, self.photons.len());
+        search.visit(0, self.len(), [0.0; 3]);
         f64::from(search.limit).sqrt()
     }
 
     /// Returns the mean distance of the photon number `count` from a photon, over photons of the whole map.
     pub fn mean_radius(&self, count: usize) -> f64 {
-        let n = self.photons.len().min(RADIUS_SAMPLES);
+        let n = self.len().min(RADIUS_SAMPLES);
         let (mut sum, mut found) = (0.0, Found::new());
         for i in 0..n {
-            let photon = &self.photons[i * self.photons.len() / n];
-            let p = DVec3::from_array(photon.position.map(f64::from));
-            self.nearest(p, f64::MAX.sqrt(), count.min(self.photons.len()), &mut found);
+            let p = DVec3::from_array(self.position(i * self.len() / n).map(f64::from));
+            self.nearest(p, f64::MAX.sqrt(), count.min(self.len()), &mut found);
             sum += found.first().map_or(0.0, |(squared, _)| f64::from(*squared).sqrt());
         }
         sum / n.max(1) as f64
@@ -159,39 +184,63 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn visit(&mut self, from: usize, to: usize) {
+    /// Searches the photons of a range of the tree. `apart` is the distance of the point from the range's part of space along
+    /// each axis (S. Arya and D. M. Mount, "Algorithms for fast vector quantization", 1993).
+    fn visit(&mut self, from: usize, to: usize, apart: [f32; 3]) {
         if to - from <= LEAF {
-            for i in from..to {
-                self.add(i);
-            }
-            return;
+            return self.visit_leaf(from, to);
         }
         let middle = from + (to - from) / 2;
         let axis = self.map.axes[middle] as usize;
-        let beyond = self.p[axis] - self.map.photons[middle].position[axis];
+        let beyond = self.p[axis] - self.map.positions[axis][middle];
         let (near, far) =
             if beyond < 0.0 { ((from, middle), (middle + 1, to)) } else { ((middle + 1, to), (from, middle)) };
-        self.visit(near.0, near.1);
-        if beyond * beyond < self.limit {
-            self.add(middle);
-            self.visit(far.0, far.1);
+        self.visit(near.0, near.1, apart);
+        let mut apart_of_far = apart;
+        apart_of_far[axis] = beyond;
+        let [x, y, z] = apart_of_far;
+        if x * x + y * y + z * z < self.limit {
+            self.visit_leaf(middle, middle + 1);
+            self.visit(far.0, far.1, apart_of_far);
         }
     }
 
+    /// Adds the photons of a range of at most [`LEAF`] that are near enough.
     #[inline]
-    fn add(&mut self, i: usize) {
-        let squared = self.map.photons[i].squared_distance(self.p);
-        if squared >= self.limit {
-            return;
+    fn visit_leaf(&mut self, from: usize, to: usize) {
+        let blocks = self.map.positions.each_ref().map(|list| list[from..].first_chunk::<LEAF>());
+        let [Some(x), Some(y), Some(z)] = blocks else { return };
+        let [px, py, pz] = self.p.map(Vec4::splat);
+        let (mut squared, mut near) = ([0.0; LEAF], 0);
+        // Four photons at once; those beyond the range are ignored afterwards.
+        for at in (0..LEAF).step_by(4) {
+            let [x, y, z] = [x, y, z].map(|list| Vec4::from_slice(&list[at..]));
+            let (x, y, z) = (x - px, y - py, z - pz);
+            let block = x * x + y * y + z * z;
+            block.write_to_slice(&mut squared[at..]);
+            near |= block.cmplt(Vec4::splat(self.limit)).bitmask() << at;
         }
+        near &= (1 << (to - from)) - 1;
+        while near != 0 {
+            let i = near.trailing_zeros() as usize;
+            near &= near - 1;
+            // (Photons before have lowered the limit.)
+            if squared[i] < self.limit {
+                self.add(squared[i], (from + i) as u32);
+            }
+        }
+    }
+
+    /// Adds a photon that is nearer than the limit.
+    fn add(&mut self, squared: f32, i: u32) {
         if self.found.len() < self.count {
-            self.found.push((squared, i as u32));
+            self.found.push((squared, i));
             if self.found.len() == self.count {
                 (0..self.count / 2).rev().for_each(|i| sift_down(self.found, i));
                 self.limit = self.found[0].0;
             }
         } else {
-            self.found[0] = (squared, i as u32);
+            self.found[0] = (squared, i);
             sift_down(self.found, 0);
             self.limit = self.found[0].0;
         }
