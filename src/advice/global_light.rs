@@ -107,7 +107,7 @@ pub(super) fn slow_light_warning(world: &World, options: &render::Options) -> Op
 /// Returns an upper estimate of the time that radiosity takes, in seconds of one processor. The radius of a sample is at
 /// least `minimum_reuse` times its distance, so that it covers an area of the picture.
 fn radiosity_time(settings: &Radiosity, options: &render::Options) -> f64 {
-    let radius = settings.reuse()[0] * options.width as f64;
+    let radius = settings.reuse_radius_limits()[0] * options.width as f64;
     let n_pixels = (options.width * options.height) as f64;
     let n_samples = n_pixels * OVERLAP * f64::from(settings.nearest_count) / (PI * radius * radius);
     n_samples.min(n_pixels) * f64::from(settings.count) * f64::from(settings.recursion_limit) * GATHER_RAY_TIME

@@ -84,18 +84,18 @@ impl Orbits {
     }
 
     /// Returns the pattern's number for an orbit that begins at `z` and continues by `step` until it has `left`.
-    /// `starts` is true if `z` belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
+    /// `includes_start` is true if `z` belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
     fn orbit_number<const BLOCK: u32>(
         &self,
         z: Complex,
         step: impl Fn(Complex) -> Complex,
         left: impl Fn(Complex) -> bool,
-        starts: bool,
+        includes_start: bool,
     ) -> f64 {
         // Only interior type 1 needs the least distance from 0: loops without it are faster.
         let end = match self.interior.kind {
-            1 => self.follow_orbit::<BLOCK, true>(z, step, left, starts),
-            _ => self.follow_orbit::<BLOCK, false>(z, step, left, starts),
+            1 => self.follow_orbit::<BLOCK, true>(z, step, left, includes_start),
+            _ => self.follow_orbit::<BLOCK, false>(z, step, left, includes_start),
         };
         match end {
             End::Left(i, z) => {
@@ -126,9 +126,9 @@ impl Orbits {
         z: Complex,
         step: impl Fn(Complex) -> Complex,
         left: impl Fn(Complex) -> bool,
-        starts: bool,
+        includes_start: bool,
     ) -> End {
-        let (mut z, mut least) = (z, if starts { z.length_squared() } else { f64::INFINITY });
+        let (mut z, mut least) = (z, if includes_start { z.length_squared() } else { f64::INFINITY });
         let next = |z: &mut Complex, least: &mut f64| {
             *z = step(*z);
             if LEAST {
@@ -377,7 +377,7 @@ impl Field for Magnet {
         // escaped, or converged to the fixed point 1
         let left = |z: Complex| z.length_squared() > 10_000.0 || (z + -1.0).length_squared() < 1e-4;
         let (c1, c2) = (c + -1.0, c + -2.0);
-        let starts = self.constant.is_some();
+        let includes_start = self.constant.is_some();
         if self.second {
             let product = c1 * c2;
             let step = |z: Complex| {
@@ -385,9 +385,14 @@ impl Field for Magnet {
                 let below = 3.0 * z.square() + 3.0 * (c2 * z) + product + 1.0;
                 (above / below).square()
             };
-            self.orbits.orbit_number::<1>(start, step, left, starts)
+            self.orbits.orbit_number::<1>(start, step, left, includes_start)
         } else {
-            self.orbits.orbit_number::<1>(start, |z| ((z.square() + c1) / (2.0 * z + c2)).square(), left, starts)
+            self.orbits.orbit_number::<1>(
+                start,
+                |z| ((z.square() + c1) / (2.0 * z + c2)).square(),
+                left,
+                includes_start,
+            )
         }
     }
 }

@@ -8,13 +8,14 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-/// Interval of polling, for file systems that report no changes.
+/// Interval at which all watched files of a scene are checked, for file systems that report no changes.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
-/// Quiet time after a change: editors write in several steps.
+/// Time without further file events after which the watched files are checked, since editors write in several steps.
 const QUIET: Duration = Duration::from_millis(25);
-/// Largest number of quiet times that are waited for.
+/// Largest number of waits for a quiet time after a file event, before the watched files are checked anyway.
 const MAX_WAITS: usize = 12;
-/// Largest number of look-ups that are checked again.
+/// Largest number of a scene's questions about paths (such as whether a file exists) that are watched for another
+/// answer.
 const MAX_ANSWERS: usize = 4096;
 
 /// Watcher that reports changes of a scene's files.
@@ -28,7 +29,7 @@ struct Shared {
     watcher: Option<RecommendedWatcher>,
     folders: BTreeSet<PathBuf>,
     files: BTreeMap<PathBuf, File>,
-    /// Answers to the questions that the scene asked about paths.
+    /// Answers that the storage gave to the scene's questions about paths, such as whether a file exists.
     answers: Vec<Answer>,
 }
 
@@ -61,7 +62,8 @@ impl Answer {
     }
 }
 
-/// Returns the stamp of a regular file. A folder, device or pipe counts as no file, as for a scene that reads it.
+/// Returns the state of a regular file, which differs after the file was written; `None` for a missing file, a folder,
+/// a device or a pipe.
 fn stamp(path: &Path) -> Option<Stamp> {
     Disk.metadata(path).ok().filter(|metadata| metadata.kind == FileKind::File)?;
     Disk.stamp(path)

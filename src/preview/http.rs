@@ -68,7 +68,7 @@ impl Request {
         }
     }
 
-    /// Returns the length of the body in bytes.
+    /// Returns the length of the HTTP request's body in bytes, from `Content-Length`; 0 without that header.
     fn body_length(&self) -> io::Result<usize> {
         if !self.header("transfer-encoding").is_empty() {
             return Err(invalid("the request has a body of unknown length"));
@@ -116,7 +116,7 @@ fn invalid(text: impl Into<String>) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, text.into())
 }
 
-/// Input of a connection, as far as it has arrived.
+/// Connection of an HTTP client, with the bytes of the request that have arrived so far.
 struct Input<'a> {
     stream: &'a mut TcpStream,
     bytes: Vec<u8>,
@@ -125,7 +125,7 @@ struct Input<'a> {
 }
 
 impl Input<'_> {
-    /// Waits for more input.
+    /// Waits for more bytes of the HTTP request, and appends them.
     fn receive(&mut self) -> io::Result<()> {
         let slow = || invalid(format!("the request did not arrive within {} seconds", REQUEST_TIME.as_secs()));
         let left = self.deadline.saturating_duration_since(Instant::now());
@@ -159,7 +159,7 @@ const HEADERS: &str = "Cache-Control: no-store\r\n\
     X-Content-Type-Options: nosniff\r\n\
     Connection: close\r\n";
 
-/// Sends a response.
+/// Sends an HTTP response with a status, a content type (`kind`) and a body.
 ///
 /// # Errors
 /// If the client is gone.

@@ -8,11 +8,12 @@ use crate::render::{self, Options, OutputConversion, RayCounts, Region, Stopped,
 use crate::world::World;
 use std::time::{Duration, Instant};
 
-/// Largest number of pixels of the first level.
+/// Largest number of pixels of the first, coarsest picture of a progressive render.
 const FIRST_PIXELS: usize = 2_000;
-/// Factor of the number of pixels from one level to the next.
+/// Factor of the number of pixels from one picture of a progressive render to the next finer one.
 const LEVEL_FACTOR: usize = 16;
-/// Rendering time in seconds below which no further coarse level is useful.
+/// Estimated time of the full resolution, in seconds, below which a progressive render skips the remaining coarse
+/// pictures.
 const SHORT: f64 = 0.3;
 
 /// Renders to the screen until `cancel` is cancelled; pixels outside of the region in `options` are not displayed.
@@ -123,7 +124,7 @@ impl Watch for TileDisplay<'_> {
     }
 }
 
-/// Ignores rows, whose tiles are displayed already.
+/// Receiver that ignores the finished rows of a picture, because their tiles are already displayed.
 struct Discard;
 
 impl Rows for Discard {
@@ -132,10 +133,10 @@ impl Rows for Discard {
     }
 }
 
-/// Collects a part of each row.
+/// Receiver of a picture's rows that copies one region of the picture to an image.
 struct Crop<'a> {
     part: Region,
-    /// Number of pixels in a row.
+    /// Number of pixels in a row of the whole picture, not of the part that is copied.
     row_width: usize,
     row: usize,
     to: &'a mut Image,

@@ -61,19 +61,21 @@ pub struct Change {
     antialias: Option<bool>,
     quality: Option<u8>,
     clock: Option<f64>,
-    /// Four numbers, or an empty list for the whole picture.
+    /// Left, top, width and height of the displayed part as fractions of the picture's size; an empty list for the
+    /// whole picture.
     zoom: Option<Vec<f64>>,
 }
 
 impl Change {
-    /// True if the scene need not be evaluated again.
+    /// True if the change of the preview's settings affects only the rendering, so that the scene need not be evaluated
+    /// again.
     pub fn keeps_scene(&self) -> bool {
         self.scale.is_none() && self.clock.is_none()
     }
 }
 
 impl Settings {
-    /// Applies the valid parts of a change.
+    /// Applies a change to the preview's settings; values out of range are ignored or limited.
     pub fn apply(&mut self, change: &Change) {
         if let Some(scale) = change.scale.filter(|scale| (0.05..=8.0).contains(scale)) {
             self.scale = scale;
@@ -83,7 +85,7 @@ impl Settings {
         self.clock = change.clock.filter(|clock| clock.is_finite()).or(self.clock);
         match change.zoom.as_deref() {
             Some([]) => self.zoom = None,
-            Some(&[x, y, width, height]) if is_part(x, width) && is_part(y, height) => {
+            Some(&[x, y, width, height]) if is_within_unit_interval(x, width) && is_within_unit_interval(y, height) => {
                 self.zoom = Some([x, y, width, height]);
             }
             _ => {}
@@ -91,7 +93,7 @@ impl Settings {
     }
 }
 
-fn is_part(at: f64, length: f64) -> bool {
+fn is_within_unit_interval(at: f64, length: f64) -> bool {
     (0.0..1.0).contains(&at) && length > 0.0 && at + length <= 1.0 + 1e-9
 }
 

@@ -10,7 +10,7 @@ use std::time::Duration;
 /// Edge of the tiles in which a picture is sent, in pixels; equals the edge of the rendered tiles.
 const TILE: usize = 16;
 
-/// Linear colour and alpha, row by row.
+/// Picture of linear red, green, blue and alpha per pixel, row by row.
 pub type Image = Frame;
 
 /// The displayed part of a larger picture.
@@ -39,7 +39,7 @@ struct Contents {
 }
 
 struct Picture {
-    /// Number of the picture since the preview began.
+    /// Ordinal number of the present picture, counted since the preview began.
     run: u64,
     view: View,
     image: Image,
@@ -84,7 +84,7 @@ impl Picture {
         (x + width).div_ceil(TILE) - x / TILE
     }
 
-    /// Returns the pixels of a tile, relative to the displayed picture.
+    /// Returns the rectangle of the tile with the index `at`, relative to the displayed picture's top left corner.
     fn tile(&self, at: usize) -> Region {
         let Region { x, y, width, height } = self.view.area;
         let (column, row) = (at % self.columns() + x / TILE, at / self.columns() + y / TILE);
@@ -252,8 +252,8 @@ impl Contents {
     }
 }
 
-/// Encodes red, green, blue and alpha as sRGB bytes.
-pub(super) fn on_screen(image: &Image) -> Vec<u8> {
+/// Converts a picture to four bytes per pixel: red, green and blue in sRGB, and linear alpha.
+pub(super) fn to_srgb_bytes(image: &Image) -> Vec<u8> {
     let byte = |x: f32| (srgb_encode(f64::from(x).clamp(0.0, 1.0)) * 255.0).round() as u8;
     let pixel = |[r, g, b, a]: &[f32; 4]| [byte(*r), byte(*g), byte(*b), (a.clamp(0.0, 1.0) * 255.0).round() as u8];
     image.pixels.iter().flat_map(pixel).collect()

@@ -2,7 +2,7 @@
 //! `picture`.
 
 use super::http;
-use super::screen::{Cursor, Image, Screen, Update, on_screen};
+use super::screen::{Cursor, Image, Screen, Update, to_srgb_bytes};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use serde_json::json;
 use std::io::{self, Write};
@@ -39,7 +39,7 @@ fn events(update: &Update) -> String {
     }
     // Left, top, width, height, and the bytes red, green, blue and alpha of each pixel.
     let tile = |x: usize, y: usize, image: &Image| {
-        json!([x, y, image.width, image.height, BASE64_STANDARD.encode(on_screen(image))])
+        json!([x, y, image.width, image.height, BASE64_STANDARD.encode(to_srgb_bytes(image))])
     };
     let picture = json!({
         "run": update.run,

@@ -232,7 +232,8 @@ impl Difference {
     }
 }
 
-/// Converts the radiance of a camera ray to single precision: red, green and blue as linear light, and transparency.
+/// Converts the radiance of a camera ray to single precision: red, green and blue in the scene's colour space, and
+/// transparency.
 pub(super) fn pixel(sample: &Radiance) -> Pixel {
     let Radiance { rgb, transparency } = sample;
     [rgb.x as f32, rgb.y as f32, rgb.z as f32, *transparency as f32]

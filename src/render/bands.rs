@@ -127,7 +127,7 @@ impl FrameRender<'_> {
         let mut sampler = Sampler::new(self.context, self.camera, &is_cancelled);
         let pixels = match tile.pass {
             FINAL_PASS => self.method.tile(&mut sampler, first_samples, tile.area),
-            _ => self.first_tile(&mut sampler, &tile.area),
+            _ => self.first_pass_tile(&mut sampler, &tile.area),
         };
         // A search that the token has ended returned any result.
         if sampler.is_stopped() || self.workers.is_cancelled() {
@@ -152,7 +152,7 @@ impl FrameRender<'_> {
         self.method.tile_edge().unwrap_or(TILE)
     }
 
-    fn first_tile(&self, sampler: &mut Sampler, area: &Region) -> Vec<Pixel> {
+    fn first_pass_tile(&self, sampler: &mut Sampler, area: &Region) -> Vec<Pixel> {
         let mut pixels = Vec::with_capacity(area.n_pixels());
         for y in area.y..area.y + area.height {
             pixels.extend((area.x..area.x + area.width).map(|x| self.method.first_sample(sampler, x, y)));
@@ -163,7 +163,7 @@ impl FrameRender<'_> {
         pixels
     }
 
-    /// Returns the number of pixels of both passes.
+    /// Returns the number of pixels that both passes of the render compute together, for the display of progress.
     fn total(&self) -> usize {
         let pixels = |area: Region| area.width.saturating_mul(area.height);
         pixels(self.region).saturating_add(self.first_area().map_or(0, pixels))

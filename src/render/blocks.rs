@@ -52,7 +52,7 @@ impl Blocks<'_> {
         let mut sampled = vec![false; area.width * area.height];
         for y in area.y..area.y + area.height {
             for x in area.x..area.x + area.width {
-                self.compare(sampler, &mut now, &mut sampled, [x, y]);
+                self.resample_if_different(sampler, &mut now, &mut sampled, [x, y]);
             }
             if sampler.is_stopped() {
                 break;
@@ -63,7 +63,13 @@ impl Blocks<'_> {
     }
 
     /// Compares a pixel with the pixels to the left and above, and takes more samples of those that differ.
-    fn compare(&self, sampler: &mut Sampler, now: &mut PixelRows, sampled: &mut [bool], [x, y]: [usize; 2]) {
+    fn resample_if_different(
+        &self,
+        sampler: &mut Sampler,
+        now: &mut PixelRows,
+        sampled: &mut [bool],
+        [x, y]: [usize; 2],
+    ) {
         let mut differs = false;
         let (left, above) = ((x > now.area.x).then(|| [x - 1, y]), (y > now.area.y).then(|| [x, y - 1]));
         for other in [left, above].into_iter().flatten() {

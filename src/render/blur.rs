@@ -13,15 +13,15 @@ const STEPS: [f64; 4] =
 const RAYS_PER_CONVERGENCE_TEST: u32 = 4;
 
 /// Returns the mean of a pixel's rays; stops as soon as the variance is low enough (quirk: `focal_blur_convergence`).
-pub(super) fn pixel(sampler: &mut Sampler, lens: &Lens, number: u64, x: usize, y: usize) -> Pixel {
+pub(super) fn pixel(sampler: &mut Sampler, lens: &Lens, pixel_key: u64, x: usize, y: usize) -> Pixel {
     // Each pixel has its own start in the sequence.
-    sampler.begin_sample(number, 0);
+    sampler.begin_sample(pixel_key, 0);
     let random = sampler.pixel_random(Purpose::Lens);
     let start = [0, 1, 2, 3].map(|dimension| random.at(dimension));
     let (mut mean, mut spread) = ([0.0; 4], [0.0; 4]);
     for i in 0..lens.samples[1] {
         let at = |dimension: usize| (start[dimension] + STEPS[dimension] * f64::from(i)).fract();
-        sampler.begin_sample(number, u64::from(i));
+        sampler.begin_sample(pixel_key, u64::from(i));
         let sample = sampler.lens_sample(x as f64 + at(0), y as f64 + at(1), lens, DVec2::new(at(2), at(3)));
         let count = f64::from(i + 1);
         for (c, value) in [sample.rgb.x, sample.rgb.y, sample.rgb.z, sample.transparency].into_iter().enumerate() {

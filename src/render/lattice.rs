@@ -30,16 +30,16 @@ fn lattice_point(index: u32, symmetry: u32) -> [f64; 2] {
 pub(super) fn pixel(
     sampler: &mut Sampler,
     difference: &Difference,
-    number: u64,
+    pixel_key: u64,
     [x, y]: [usize; 2],
     middle: &Pixel,
 ) -> Pixel {
-    sampler.begin_sample(number, 0);
+    sampler.begin_sample(pixel_key, 0);
     let symmetry = (sampler.pixel_random(Purpose::PixelPosition).at(0) * 8.0) as u32;
     let (mut sum, mut differ, mut count) = (middle.map(f64::from), false, 1);
     while count < FIRST_SAMPLES || differ && count < ALL_SAMPLES {
         let [right, down] = lattice_point(count, symmetry);
-        sampler.begin_sample(number, u64::from(count));
+        sampler.begin_sample(pixel_key, u64::from(count));
         let sample = pixel_of(&sampler.sample(x as f64 + right, y as f64 + down));
         sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
         differ |= count < FIRST_SAMPLES && difference.exceeds(&sample, middle, LARGE_DIFFERENCE);

@@ -118,9 +118,9 @@ pub enum SampleLayout {
 /// A rectangle of pixels, counted from the top left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Region {
-    /// Leftmost column.
+    /// Leftmost column of the rectangle of pixels, counted from 0.
     pub x: usize,
-    /// Topmost row.
+    /// Topmost row of the rectangle of pixels, counted from 0.
     pub y: usize,
     /// Width of the rectangle in pixels.
     pub width: usize,
@@ -134,7 +134,7 @@ pub struct Tile {
     /// Number of the pass: [`FIRST_PASS`] takes the samples that anti-aliasing compares, [`FINAL_PASS`] computes the
     /// pixels.
     pub pass: u8,
-    /// Pixels of the tile.
+    /// Rectangle of pixels that the tile covers.
     pub area: Region,
 }
 
@@ -182,7 +182,7 @@ impl Watch for Unwatched {
 pub struct Cancelled;
 
 impl Region {
-    /// Returns the number of pixels.
+    /// Returns the number of pixels in the rectangle: width times height.
     pub fn n_pixels(&self) -> usize {
         self.width * self.height
     }

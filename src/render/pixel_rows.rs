@@ -7,14 +7,14 @@ pub(super) type Pixel = [f32; 4];
 
 /// Consecutive rows of an area; rows are added at the bottom and dropped at the top.
 pub(super) struct PixelRows {
-    /// Area of the rows that are stored.
+    /// Rectangle of the picture that the stored rows of pixels cover.
     pub area: Region,
     /// Pixels of the stored rows, row by row.
     pub pixels: Vec<Pixel>,
 }
 
 impl PixelRows {
-    /// Creates an empty window at the top of an area.
+    /// Creates a store for the pixel rows of an area, which begins at the area's top and holds no row yet.
     pub fn new(area: Region) -> Self {
         Self { area: Region { height: 0, ..area }, pixels: vec![] }
     }

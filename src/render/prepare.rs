@@ -31,7 +31,7 @@ impl FrameCamera {
     }
 }
 
-/// Work items of a pass.
+/// Name and work items of one pass that prepares a frame, such as the emission of photons.
 pub(super) struct Pass<'a, J> {
     /// Name of the pass for displays.
     pub name: &'static str,

@@ -11,17 +11,19 @@ use crate::math::{GOLDEN_SECTION, next_coprime};
 use crate::scene::Radiosity;
 use crate::transport::{FrameContext, RadiosityPass};
 
-/// Share of the number of known samples by which a batch may add samples.
+/// Divisor of the number of known radiosity samples that gives the number of jobs of the next batch.
 const BATCH_SHARE: usize = 16;
-/// Minimum number of jobs of a batch. The first job computes most samples of deeper bounces, which the next jobs reuse.
+/// Minimum number of jobs of a batch of radiosity. The first job computes most samples of deeper bounces, which the
+/// next jobs reuse.
 const MIN_BATCH: usize = 1;
-/// Maximum number of jobs of a batch.
+/// Maximum number of jobs of a batch of radiosity; the jobs of one batch do not use each other's samples.
 const MAX_BATCH: usize = 512;
-/// Edge in pixels of the squares in which gaps are searched.
+/// Edge in pixels of the squares of the picture that are the work items of the last radiosity pass, which looks for
+/// points without a usable sample.
 const GAP_SQUARE: usize = 8;
 
-/// Collects the samples of a frame; does nothing without radiosity. Samples of a file are added first, and replace all
-/// passes if they were saved by the same computation.
+/// Collects the radiosity samples of a frame; does nothing in a scene without radiosity. Samples loaded from a file are
+/// added first, and replace all passes if the same computation saved them.
 pub(super) fn collect(
     context: &mut FrameContext,
     camera: &FrameCamera,
@@ -51,7 +53,7 @@ pub(super) fn collect(
     Ok(())
 }
 
-/// Runs all passes of a frame.
+/// Runs all radiosity passes of a frame, which collect the radiosity samples.
 fn run_passes(
     context: &mut FrameContext,
     camera: &FrameCamera,
@@ -77,7 +79,8 @@ fn run_passes(
     pass(context, RadiosityPass::FillGaps, 1.0, GAP_SQUARE)
 }
 
-/// Traces the camera rays of a pass, and merges the samples that they gathered.
+/// Traces the camera rays of one radiosity pass, and adds the radiosity samples that they gathered to those of the
+/// frame.
 fn run_pass(
     context: &mut FrameContext,
     camera: &FrameCamera,
@@ -116,8 +119,8 @@ fn run_pass(
     )
 }
 
-/// A grid of points over the picture, in cells that are the work items of a pass. The points of a cell are computed when
-/// the cell is visited: a list of all points of a large picture would take more memory than its bands.
+/// Grid of points of the picture through which a radiosity pass traces camera rays; each of its cells is a work item.
+/// The points of a cell are computed when the cell is visited, to save memory.
 #[derive(Clone, Copy, Debug)]
 struct PointGrid {
     /// Width and height of the picture in pixels.

@@ -7,27 +7,27 @@ use std::fmt;
 use std::io::{self, Write};
 use std::sync::Arc;
 
-/// First bytes of a file of light.
+/// First bytes of each file in which durer saves photons or radiosity samples.
 pub(super) const MAGIC: [u8; 6] = *b"\x89durer";
-/// Version of the format.
+/// Version of the format of durer's files of saved photons and radiosity samples.
 pub(super) const VERSION: u8 = 1;
 /// Length of a digest in bytes.
 const DIGEST: usize = 32;
-/// Length of the head in bytes.
+/// Length in bytes of the head of a file of saved photons or radiosity samples.
 const HEAD: usize = MAGIC.len() + 2 + 2 * DIGEST + 16;
 /// Number of bytes that a writer collects before it hashes and writes them.
 const CHUNK: usize = 1 << 16;
 /// Maximum length of a file of light in bytes.
 pub const MAX_LENGTH: u64 = 4 << 30;
-/// Maximum number of diffuse bounces before a sample.
+/// Maximum number of diffuse bounces before a radiosity sample in a file; a file with more is damaged.
 const MAX_DEPTH: u8 = 20;
-/// Maximum radius of a sample.
+/// Maximum radius of a radiosity sample in a file, in world units; a file with a larger one is damaged.
 const MAX_RADIUS: f64 = 1e100;
 
-/// BLAKE3 hash of what light was computed from.
+/// BLAKE3 hash of the input from which photons or radiosity samples were computed.
 pub type Digest = [u8; DIGEST];
 
-/// Kind of light in a file.
+/// Kind of the records in a file of saved light: photons or radiosity samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightKind {
     /// Photons on surfaces, and then photons in media. Record: position, flux and direction, 3 × `f32` each, and the axis of
@@ -37,23 +37,23 @@ pub enum LightKind {
     Radiosity,
 }
 
-/// Head of a file of light.
+/// Head of a file of saved photons or radiosity samples: kind, digests and counts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LightHeader {
-    /// Kind of the light.
+    /// Kind of the file's records: photons or radiosity samples.
     pub kind: LightKind,
     /// Digest of the scene without the camera and the settings of the light.
     pub scene: Digest,
     /// Digest of everything that determines the light.
     pub computation: Digest,
-    /// Number of photons on surfaces and in media; number of samples, and 0.
+    /// Numbers of the file's records: of photons on surfaces and of photons in media, or of radiosity samples and 0.
     pub counts: [u64; 2],
 }
 
-/// Contents of a file of light, checked.
+/// Contents of a file of saved photons or radiosity samples whose hash and records were checked.
 #[derive(Clone)]
 pub struct LightFile {
-    /// Head of the file.
+    /// Head of the file of saved photons or radiosity samples.
     pub header: LightHeader,
     bytes: Arc<[u8]>,
 }
@@ -65,7 +65,7 @@ pub enum LightFileError {
     PovRay,
     /// Another program wrote the file.
     Foreign,
-    /// The file has the other kind of light.
+    /// The file holds photons where radiosity samples are expected, or the other way round.
     OtherKind,
     /// The file has another version of the format.
     OtherVersion,
@@ -74,7 +74,7 @@ pub enum LightFileError {
 }
 
 impl LightKind {
-    /// Returns the length of a record in bytes.
+    /// Returns the length in bytes of one photon or one radiosity sample in a file.
     fn record_length(self) -> usize {
         match self {
             Self::Photons => 9 * 4 + 1,
@@ -82,12 +82,12 @@ impl LightKind {
         }
     }
 
-    /// Returns the number of the kind in a file.
+    /// Returns the byte by which a file's head identifies the kind: photons or radiosity samples.
     fn number(self) -> u8 {
         self as u8 + 1
     }
 
-    /// Returns what a file of the kind contains.
+    /// Returns the words for messages: `photons` or `samples of radiosity`.
     pub fn contents(self) -> &'static str {
         match self {
             Self::Photons => "photons",
@@ -95,7 +95,7 @@ impl LightKind {
         }
     }
 
-    /// Returns the other kind.
+    /// Returns radiosity samples for photons, and photons for radiosity samples.
     pub fn other(self) -> Self {
         match self {
             Self::Photons => Self::Radiosity,
@@ -159,12 +159,12 @@ impl LightFile {
         Ok(Self { header, bytes: bytes.into() })
     }
 
-    /// Returns the records of the file in their order.
+    /// Returns the bytes of each photon or radiosity sample of the file, in the order of the file.
     pub fn records(&self) -> impl ExactSizeIterator<Item = &[u8]> {
         self.bytes[HEAD..self.bytes.len() - DIGEST].chunks_exact(self.header.kind.record_length())
     }
 
-    /// Returns the hash of the file.
+    /// Returns the BLAKE3 hash at the end of the file, which was checked against the contents.
     pub fn hash(&self) -> &[u8] {
         &self.bytes[self.bytes.len() - DIGEST..]
     }
@@ -222,7 +222,7 @@ impl PartialEq for LightFile {
     }
 }
 
-/// Writer of a file of light.
+/// Writer of a file of photons or radiosity samples, which hashes the bytes while it writes them.
 pub struct LightWriter<'a> {
     out: &'a mut dyn Write,
     hasher: blake3::Hasher,
@@ -230,7 +230,7 @@ pub struct LightWriter<'a> {
 }
 
 impl<'a> LightWriter<'a> {
-    /// Starts a file with its head.
+    /// Creates the writer of a file of photons or radiosity samples, with the head as the first bytes.
     pub fn new(out: &'a mut dyn Write, header: &LightHeader) -> Self {
         let mut buffer = Vec::with_capacity(CHUNK + 128);
         buffer.extend(MAGIC);
@@ -241,7 +241,7 @@ impl<'a> LightWriter<'a> {
         Self { out, hasher: blake3::Hasher::new(), buffer }
     }
 
-    /// Appends a part of a record.
+    /// Appends bytes of a photon or radiosity sample to the file.
     ///
     /// # Errors
     /// If the file cannot be written.

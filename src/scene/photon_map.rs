@@ -39,10 +39,10 @@ pub struct PhotonMapSettings {
     pub radius: [f64; 2],
     /// Factor of the radius on surfaces and in media.
     pub radius_factor: [f64; 2],
-    /// Files of photons.
+    /// Files that the photons are loaded from or saved to (`load_file`, `save_file`).
     #[serde(skip)]
     pub saved: SavedLight,
-    /// Span of the block's word.
+    /// Span of the word `photons` in `global_settings`.
     #[serde(skip)]
     pub source: Span,
 }
@@ -69,7 +69,7 @@ impl Default for PhotonMapSettings {
     }
 }
 
-/// Words of the block, and how each is read.
+/// Words of the block `photons` of `global_settings`, and how each is read.
 const PHOTON_MAP_ROWS: &[Row<PhotonMapSettings>] = &[
     word("spacing", Float, "", "distance between neighbouring photons at a target, in world units")
         .sets(|s, r| set(&mut s.spacing, positive("spacing", r))),
@@ -131,7 +131,7 @@ pub const PHOTON_MAP: Spec = Spec {
 };
 
 impl PhotonMapSettings {
-    /// Reads the block from its opening to its closing brace.
+    /// Reads the block `photons` of `global_settings` from its opening to its closing brace.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.
@@ -148,7 +148,7 @@ impl PhotonMapSettings {
     }
 }
 
-/// Returns a number of photons.
+/// Converts a number of the scene to a number of photons: rounded down, and limited to 0 … 1 000 000.
 fn count(number: f64) -> u32 {
     number.clamp(0.0, 1e6) as u32
 }

@@ -22,17 +22,18 @@ impl Object {
         })
     }
 
-    /// Returns the box of a CSG object before its transforms.
+    /// Returns the bounding box that POV-Ray computes for a CSG object of these parts, before the CSG object's own
+    /// transforms.
     pub(super) fn pov_bounds_of_parts(op: CsgOp, parts: &[Object]) -> Aabb {
         match op {
             CsgOp::Union | CsgOp::Merge => {
                 let all = parts.iter().map(Object::pov_bounds).reduce(Aabb::union);
                 all.map_or(Aabb::from_corners(DVec3::ZERO, DVec3::ZERO), |b| b.intersection(HUGE))
             }
-            CsgOp::Intersection => or_huge(intersection_of(parts.iter().map(restriction_box))),
+            CsgOp::Intersection => huge_if_empty_or_beyond(intersection_of(parts.iter().map(restriction_box))),
             CsgOp::Difference => {
-                let others = parts.iter().skip(1).map(|part| outer_side(part, true));
-                or_huge(intersection_of(parts.iter().take(1).map(restriction_box).chain(others)))
+                let others = parts.iter().skip(1).map(|part| operand_restriction_box(part, true));
+                huge_if_empty_or_beyond(intersection_of(parts.iter().take(1).map(restriction_box).chain(others)))
             }
         }
     }
@@ -42,7 +43,7 @@ fn intersection_of(boxes: impl Iterator<Item = Aabb>) -> Aabb {
     boxes.fold(Aabb::INFINITE, Aabb::intersection)
 }
 
-fn or_huge(b: Aabb) -> Aabb {
+fn huge_if_empty_or_beyond(b: Aabb) -> Aabb {
     let beyond = b.min.min_element() < HUGE.min.x || b.max.max_element() > HUGE.max.x;
     if b.is_empty() || beyond { HUGE } else { b }
 }
@@ -52,13 +53,14 @@ fn volume(b: &Aabb) -> f64 {
     size.x * size.y * size.z
 }
 
-/// Returns the box to which a part of an intersection restricts the others.
+/// Returns the box to which one part of an intersection limits the whole intersection, as in POV-Ray; infinite if it
+/// limits nothing.
 fn restriction_box(part: &Object) -> Aabb {
-    outer_side(part, false)
+    operand_restriction_box(part, false)
 }
 
-fn outer_side(part: &Object, taken_away: bool) -> Aabb {
-    let inverse = part.uncommon.flags.inverse != taken_away;
+fn operand_restriction_box(part: &Object, is_subtracted: bool) -> Aabb {
+    let inverse = part.uncommon.flags.inverse != is_subtracted;
     match &part.kind {
         ObjectKind::Shape(shape) => match shape.as_half_space() {
             Some((normal, distance)) if part.uncommon.clipped_by.is_none() => {

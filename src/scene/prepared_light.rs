@@ -7,7 +7,8 @@
 use super::light_file::{LightFile, LightFileError, LightKind, MAGIC, VERSION};
 use std::io::{self, Write};
 
-/// Number in the head in place of a [`LightKind`].
+/// Byte in a file's head that identifies a file with both photons and radiosity samples, in place of the byte of a
+/// [`LightKind`].
 const KIND: u8 = 3;
 
 /// Photons and radiosity samples of one picture.
@@ -20,7 +21,7 @@ pub struct PreparedLight {
 }
 
 impl PreparedLight {
-    /// Checks the bytes of a file.
+    /// Checks the bytes of a file that `durer prepare` wrote, and returns its photons and radiosity samples.
     ///
     /// # Errors
     /// The reason for which the file is not used.

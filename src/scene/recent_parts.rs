@@ -44,7 +44,7 @@ impl RecentParts {
         self.shapes.borrow().iter().find(|other| *other == shape).cloned()
     }
 
-    /// Adds a shape that builds caches while tracing.
+    /// Adds a shape to the recent ones if it builds caches while tracing; ignores any other shape.
     pub fn add_shape(&self, shape: &Shape) {
         if shape.caches_lazily() {
             push(&mut self.shapes.borrow_mut(), shape.clone());

@@ -9,16 +9,16 @@ use std::path::{Path, PathBuf};
 /// Files of light that a block of `global_settings` or an option names.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SavedLight {
-    /// Light that replaces its computation.
+    /// Photons or radiosity samples that were loaded from a file, and are used in place of computed ones.
     pub loaded: Option<LoadedLight>,
-    /// File that the light is saved to.
+    /// File that the computed photons or radiosity samples are saved to.
     pub save: Option<SaveFile>,
 }
 
-/// Light from a file.
+/// Photons or radiosity samples that were loaded from a file, with the file's name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadedLight {
-    /// Contents of the file.
+    /// Photons or radiosity samples of the loaded file.
     pub file: LightFile,
     /// Name of the file in the scene.
     pub name: String,
@@ -26,19 +26,19 @@ pub struct LoadedLight {
     pub source: Span,
 }
 
-/// Destination of light.
+/// File that computed photons or radiosity samples are to be saved to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SaveFile {
-    /// Kind of the light.
+    /// Kind of the records to save: photons or radiosity samples.
     pub kind: LightKind,
-    /// Path of the file.
+    /// Path of the file that the photons or radiosity samples are saved to.
     pub path: PathBuf,
     /// Span of the name in the scene; [`Span::NONE`] for a name on the command line.
     pub source: Span,
 }
 
 impl SavedLight {
-    /// Reads the name after `load_file`, and the file.
+    /// Reads the file name after `load_file`, and loads the photons or radiosity samples of that file.
     pub(super) fn read_load(&mut self, kind: LightKind, r: &mut dyn Reader) -> Result<()> {
         let (at, name) = (r.span(), r.text()?);
         self.load(kind, &name, at, r)

@@ -24,7 +24,7 @@ pub struct Weight {
 }
 
 impl Weight {
-    /// Depth and number of a single shape.
+    /// Nesting depth (0) and number of shapes (1) of a single shape.
     pub const SHAPE: Self = Self { depth: 0, shapes: 1 };
 
     /// Returns the number of shapes, counting each instance.

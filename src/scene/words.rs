@@ -8,7 +8,7 @@ use crate::value::ranges::positive;
 use crate::value::words::{Row, joined, set, specs, word};
 use crate::value::{Spec, WordSpec};
 
-/// Words of blocks inside objects.
+/// Words of the blocks that may stand inside an object, such as `texture` and `clipped_by`, with their descriptions.
 const PARTS: &[WordSpec] = &[
     word("pigment", Block, "black", "colour of the surface, as in `texture { pigment { … } }`"),
     word("texture", Block, "", "appearance of the surface; several are layers, the last on top"),

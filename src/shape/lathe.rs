@@ -27,7 +27,7 @@ pub struct Lathe {
     pub interpolation: Interpolation,
     /// Curve of the lathe: distance from the axis and height.
     pub curve: Curve,
-    /// Distance from the axis below which no point is inside (quirk: `lathe_inner_radius`).
+    /// Distance from the lathe's axis below which no point is inside the lathe (quirk: `lathe_inner_radius`).
     #[serde(skip)]
     inner_radius: f64,
     #[serde(skip)]

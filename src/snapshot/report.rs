@@ -36,10 +36,10 @@ pub fn report(entries: &[Entry<'_>]) -> Result<Report> {
     for entry in entries {
         let pictures = pictures(entry, &mut files)?;
         let (class, list) = if entry.fine { ("ok", &mut good) } else { ("bad", &mut bad) };
-        let (title, text) = (escape(&entry.name), escape(&entry.text));
-        let snapshot = format!("<small>{}</small>", escape(&entry.snapshot));
+        let (title, text) = (escape_html(&entry.name), escape_html(&entry.text));
+        let snapshot = format!("<small>{}</small>", escape_html(&entry.snapshot));
         let accept =
-            entry.accept.as_ref().map(|command| format!("<p>Is it right? <code>{}</code></p>", escape(command)));
+            entry.accept.as_ref().map(|command| format!("<p>Is it right? <code>{}</code></p>", escape_html(command)));
         let accept = accept.unwrap_or_default();
         *list += &format!(
             "<section class={class}><h2>{title}</h2>{snapshot}<p>{text}</p>{accept}<div>{pictures}</div></section>\n"
@@ -72,7 +72,7 @@ fn pictures(entry: &Entry<'_>, files: &mut Report) -> Result<String> {
     Ok(html)
 }
 
-fn escape(text: &str) -> String {
+fn escape_html(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

@@ -101,7 +101,7 @@ pub fn similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<Pat
     found.into_iter().find(|file| files.may_read(file))
 }
 
-/// Largest nesting depth of the folders.
+/// Largest nesting depth of the folders that are searched for font files.
 const MAX_DEPTH: usize = 6;
 /// Largest number of font files that a search for fonts reads.
 const MAX_FILES: usize = 20_000;

@@ -187,7 +187,11 @@ impl Overlay {
         whole().ok().or_else(beside).unwrap_or_else(|| path.to_path_buf())
     }
 
-    fn hidden<T>(&self, path: &Path, ask: impl FnOnce(&dyn Files, &Path) -> io::Result<T>) -> io::Result<T> {
+    fn ask_visible_storage<T>(
+        &self,
+        path: &Path,
+        ask: impl FnOnce(&dyn Files, &Path) -> io::Result<T>,
+    ) -> io::Result<T> {
         let key = self.key(path);
         if self.texts.is_file(&key) { ask(&self.texts, &key) } else { ask(&*self.files, path) }
     }
@@ -195,11 +199,11 @@ impl Overlay {
 
 impl Files for Overlay {
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        self.hidden(path, |files, path| files.read(path))
+        self.ask_visible_storage(path, |files, path| files.read(path))
     }
 
     fn metadata(&self, path: &Path) -> io::Result<Metadata> {
-        self.hidden(path, |files, path| files.metadata(path))
+        self.ask_visible_storage(path, |files, path| files.metadata(path))
     }
 
     fn list(&self, folder: &Path) -> io::Result<Vec<Entry>> {
@@ -212,7 +216,7 @@ impl Files for Overlay {
     }
 
     fn canonicalize(&self, path: &Path) -> io::Result<PathBuf> {
-        self.hidden(path, |files, path| files.canonicalize(path))
+        self.ask_visible_storage(path, |files, path| files.canonicalize(path))
     }
 
     fn is_link(&self, path: &Path) -> bool {

@@ -82,12 +82,13 @@ impl CreatedFiles for CreatedInSession {
 }
 
 impl Sandbox {
-    /// Allows a scene to read all files; files that the scene writes stay in memory.
+    /// Returns the rules that let a scene read all files, and that keep the files that the scene writes in memory.
     pub fn read_only() -> Self {
         Self { read: ReadPolicy::Anywhere, write: WritePolicy::InMemory }
     }
 
-    /// Allows a scene to read below all folders of the search path, and to create files below the current folder.
+    /// Returns the rules that let a scene read below all folders of the search path, and create files below the current
+    /// folder.
     pub fn allow_search_path(search: &super::SearchPath) -> Self {
         // Fonts are not confidential, and include folders hold links to them.
         let read = search.folders.iter().chain(&search.fonts).cloned().collect();
@@ -234,7 +235,7 @@ impl Files for Sandboxed<'_> {
             ReadPolicy::Nowhere => false,
             ReadPolicy::Below(folders) => self.resolved(path).is_ok_and(|path| self.is_below(&path, folders)),
         };
-        (allowed || self.in_memory(path).is_some() || self.is_writable_folder(path)) && self.files.may_read(path)
+        (allowed || self.in_memory(path).is_some() || self.is_in_writable_folder(path)) && self.files.may_read(path)
     }
 
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
@@ -292,7 +293,7 @@ impl Files for Sandboxed<'_> {
 
 impl Sandboxed<'_> {
     /// True if the file is in a folder that the scene may write to, so that the scene may also read the file.
-    fn is_writable_folder(&self, path: &Path) -> bool {
+    fn is_in_writable_folder(&self, path: &Path) -> bool {
         let WritePolicy::Below(folders) = &self.sandbox.write else { return false };
         let folders: Vec<PathBuf> = folders.iter().map(|folder| folder.path.clone()).collect();
         self.resolved(path).is_ok_and(|path| self.is_below(&path, &folders))

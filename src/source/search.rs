@@ -35,15 +35,15 @@ impl SearchPath {
             folders.extend(std::env::split_paths(&list));
         }
         folders.extend(INSTALLED.iter().map(PathBuf::from).filter(|folder| Disk.is_folder(folder)));
-        let installed = folders.iter().filter(|folder| is_installed(folder)).cloned();
+        let installed = folders.iter().filter(|folder| is_installed_povray_folder(folder)).cloned();
         let fonts = super::fonts::folders().into_iter().chain(installed).collect();
         Self { folders, fonts }
     }
 
     /// Removes the folders of an installed POV-Ray from the include path.
     pub fn without_installed(mut self) -> Self {
-        self.folders.retain(|folder| !is_installed(folder));
-        self.fonts.retain(|folder| !is_installed(folder));
+        self.folders.retain(|folder| !is_installed_povray_folder(folder));
+        self.fonts.retain(|folder| !is_installed_povray_folder(folder));
         self
     }
 
@@ -111,7 +111,7 @@ fn find_in_any_case(files: &dyn Files, folder: &Path, name: &str) -> Option<Foun
     files.is_file(&path).then(|| Found { path, portable: Some(portable.to_string_lossy().replace('\\', "/")) })
 }
 
-fn is_installed(folder: &Path) -> bool {
+fn is_installed_povray_folder(folder: &Path) -> bool {
     INSTALLED.iter().any(|installed| folder == Path::new(installed))
 }
 

@@ -152,7 +152,7 @@ impl Brackets {
         self.stack.iter().filter(|o| matches!(o.0, Opener::Directive(_))).count()
     }
 
-    /// Returns the token indices of the brackets outside of all directives that are still open.
+    /// Returns the token indices of those open brackets that were opened before the outermost open directive.
     pub(super) fn unclosed(&self) -> impl Iterator<Item = usize> + '_ {
         let outermost = self.stack.iter().take_while(|o| !matches!(o.0, Opener::Directive(_)));
         outermost.filter(|o| !o.0.is_weak()).map(|o| o.1)

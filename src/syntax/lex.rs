@@ -102,7 +102,7 @@ impl Lexer<'_> {
                     self.push(b, 1, 0);
                     self.brackets.end_choices();
                     if b == class::SEMICOLON {
-                        self.cut();
+                        self.add_cut_outside_brackets();
                     }
                 }
                 b'*' | b'/' | b'&' | b'|' => self.push(b, 1, 0),
@@ -149,7 +149,7 @@ impl Lexer<'_> {
         &self.text[start as usize..end as usize]
     }
 
-    fn cut(&mut self) {
+    fn add_cut_outside_brackets(&mut self) {
         if self.brackets.is_empty() {
             self.out.cuts.push(self.out.tokens.len() as u32);
         }
@@ -261,14 +261,14 @@ impl Lexer<'_> {
                 }
                 self.push(class, 1, 0);
                 if class == class::BRACE_END {
-                    self.cut();
+                    self.add_cut_outside_brackets();
                 }
             }
             None if b == b'>' => self.push(class::GREATER, 1, 0),
             None => {
                 self.loose_closers += usize::from(b != b':');
                 self.push(class::LOOSE, 1, 0);
-                self.cut();
+                self.add_cut_outside_brackets();
             }
         }
     }
@@ -391,7 +391,7 @@ impl Lexer<'_> {
                 Some(_) => {
                     self.brackets.end_directive();
                     self.push(class, end - at, 0);
-                    self.cut();
+                    self.add_cut_outside_brackets();
                 }
                 None => self.report_stray_branch(word, at, end),
             },

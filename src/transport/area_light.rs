@@ -43,7 +43,8 @@ struct GridVisibility<'a> {
 
 /// Known visibilities of the lights of a grid.
 enum Known {
-    /// Visibility of each light, row by row; NaN for a light without a shadow ray.
+    /// Visibility of each light of the area light's grid, row by row; NaN for a light whose shadow ray is not traced
+    /// yet.
     Array(Vec<Rgb>),
     Map(FxHashMap<[u32; 2], Rgb>),
 }
@@ -62,7 +63,7 @@ struct Piece {
 }
 
 impl Piece {
-    /// Returns the number of lights.
+    /// Returns the number of lights in this piece of an area light's grid.
     fn count(&self) -> usize {
         (0..2).map(|i| (self.high[i] - self.low[i] + 1) as usize).product()
     }

@@ -68,7 +68,7 @@ pub struct FrameContext<'w> {
     pub photons: Option<Photons>,
     /// Interiors that contain the common origin of camera rays.
     camera_interiors: Interiors,
-    /// Gathered light; `None` for a scene without radiosity and for low quality levels.
+    /// Radiosity settings and samples of the frame; `None` for a scene without radiosity and for low quality levels.
     pub radiosity: Option<RadiosityState<'w>>,
     /// True if `finish { ambient }` has an effect.
     pub(super) has_ambient: bool,

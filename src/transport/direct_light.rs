@@ -82,7 +82,8 @@ impl Tracer<'_> {
         sum / (columns.len() * rows.len()) as f64
     }
 
-    /// Returns the radiance that light from one direction causes. `visibility` is called only for reflected light.
+    /// Returns the radiance of the light from one direction that a surface reflects along the ray, diffusely and as
+    /// highlights. `visibility` is called only if any of this light is reflected.
     fn reflected_sample(
         &mut self,
         sample: &LightSample,
@@ -128,7 +129,8 @@ const MAX_SIDE: u32 = 256;
 /// lights differs from that of all by less than a 16-bit picture shows.
 const SAMPLES_OF_LONG_SIDE: u32 = 128;
 
-/// Returns the lights along a side of a grid with `area_illumination` that illuminate.
+/// Returns the indices of those lights along one side of an `area_illumination` grid that illuminate: all of a short
+/// side, evenly spaced ones of a long side.
 fn sampled_lights(side: u32) -> impl ExactSizeIterator<Item = u32> + Clone {
     let n_samples = if side > MAX_SIDE { SAMPLES_OF_LONG_SIDE } else { side };
     // The middle of each of `n_samples` equal parts

@@ -8,13 +8,14 @@ use std::sync::Arc;
 /// Numbers of the interiors that contain a ray's origin; the last entered is on top.
 pub(super) type Interiors = SmallVec<[u32; 6]>;
 
-/// Returns a copy of the list; faster than `clone`, which copies number by number.
+/// Returns a copy of a ray's list of interiors; faster than `clone`, which copies number by number.
 #[inline]
 pub(super) fn copy_of(interiors: &Interiors) -> Interiors {
     Interiors::from_slice(interiors)
 }
 
-/// Both sides of a surface that a ray hits.
+/// Optical boundary where a ray hits a surface: the indices of refraction on both sides, and whether the ray leaves an
+/// interior.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Interface {
     /// Index of refraction on the ray's side.
@@ -23,7 +24,8 @@ pub(super) struct Interface {
     pub n2: f64,
     /// Indices (n1, n2) in Fresnel's equations; inside several interiors, they differ from those of refraction.
     mirror: (f64, f64),
-    /// Position in the list of the interior that the ray leaves; `None` if the ray enters an interior.
+    /// Index, in the ray's list of interiors, of the interior that the ray leaves at the surface; `None` if the ray
+    /// enters an interior.
     leaves: Option<usize>,
 }
 
@@ -62,7 +64,8 @@ impl Interface {
         (dispersion(before) != dispersion(beyond)).then(samples)
     }
 
-    /// Returns the top of the list of interiors after the ray has crossed the boundary of `own`.
+    /// Returns the number of the interior on top of the ray's list after the ray has crossed the boundary of `own`;
+    /// `None` if the list is then empty.
     fn beyond(&self, inside: &Interiors, own: u32) -> Option<u32> {
         match self.leaves {
             Some(at) => inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, &i)| i),

@@ -67,7 +67,7 @@ impl PointSample {
         Self { light, extinction }
     }
 
-    /// Returns the difference of the light, summed over the channels.
+    /// Returns the absolute difference between the light of two points in media, summed over the channels.
     fn difference(&self, other: &Self) -> f64 {
         (self.light - other.light).abs().element_sum()
     }
@@ -343,7 +343,7 @@ struct Draws {
 }
 
 impl Draws {
-    /// Returns the number of a sample, in [-0.5, 0.5).
+    /// Returns the random number of the sample with this index, in [-0.5, 0.5).
     fn centered(self, sample: u32) -> f64 {
         self.random.at(self.first + u64::from(sample)) - 0.5
     }
@@ -354,7 +354,7 @@ impl Draws {
     }
 }
 
-/// Mean and variance of samples.
+/// Running mean and variance of the samples that are taken of media in one interval of a ray.
 #[derive(Default)]
 struct RunningMean {
     count: f64,
@@ -399,7 +399,7 @@ impl StoppingRule {
         Self { scaled_variance: per_sample / (length * length), normal_quantile }
     }
 
-    /// True if no further sample is needed.
+    /// True if the mean of the media samples is certain enough, so that no further sample is taken.
     fn is_certain(&self, mean: &RunningMean) -> bool {
         let quantile = statistics::chi_square_quantile(mean.count, self.normal_quantile);
         mean.variance_of_mean() <= self.scaled_variance * quantile

@@ -185,7 +185,7 @@ impl<'w> Tracer<'w> {
     /// Returns the light of sky and background in a ray's direction.
     fn background(&self, state: &RayState) -> Segment {
         let (world, keeps_alpha) = (self.context.world, self.context.keeps_alpha);
-        if keeps_alpha && !state.is_reflected && world.sky.leaves_alpha() {
+        if keeps_alpha && !state.is_reflected && world.sky.is_transparent_in_alpha_pictures() {
             return Segment::NONE;
         }
         let view = match keeps_alpha {

@@ -10,10 +10,11 @@ use crate::texture::Reflection;
 use crate::world::World;
 use smallvec::SmallVec;
 
-/// The ray that a surface reflects, and the point of the reflection.
+/// Data that the mirror reflections of all layers at a hit share: importance of the incoming ray, optical boundary and
+/// World.
 #[derive(Clone, Copy)]
 pub(super) struct MirrorContext<'a> {
-    /// Importance of the reflected ray, which is compared with `adc_bailout`.
+    /// Importance of the ray that hits the surface, from which the importance of the reflected rays follows.
     pub weight: f64,
     /// Importance below which rays are not traced.
     pub bailout: f64,
@@ -118,13 +119,13 @@ pub(super) fn unreflected_share(shaded: &ShadedLayer, interface: &Interface) -> 
     }
 }
 
-/// Returns the reflectance of one layer at the ray's angle.
+/// Returns the mirror reflectance of one layer at the ray's angle, with the tint of `metallic`.
 fn reflectance(mirror: &Reflection, shaded: &ShadedLayer, interface: &Interface) -> Rgb {
     let cos = shaded.cos;
     untinted_reflectance(mirror, cos, interface) * metal_tint(mirror.metallic, cos, shaded.color.rgb)
 }
 
-/// Returns the reflectance without the tint of `metallic`.
+/// Returns the mirror reflectance of a layer at this cosine of the angle to the normal, without the tint of `metallic`.
 fn untinted_reflectance(mirror: &Reflection, cos: f64, interface: &Interface) -> Rgb {
     let part = if mirror.fresnel {
         interface.fresnel(cos)

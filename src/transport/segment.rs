@@ -28,7 +28,7 @@ impl Span {
     }
 }
 
-/// Place of a segment in the scene.
+/// Interiors and lights of a segment of a ray, and whether the ray is a shadow ray.
 pub(super) struct SegmentContext<'a> {
     /// Interiors that contain the segment.
     pub inside: &'a Interiors,
@@ -41,7 +41,7 @@ pub(super) struct SegmentContext<'a> {
 
 /// Properties of the segments of one shadow ray.
 pub(super) struct ShadowSegments {
-    /// Distance of the light.
+    /// Distance of the light from the start of the shadow ray, in world units.
     pub distance: f64,
     /// True if fog, rainbows and media of the whole scene attenuate the light.
     pub has_air: bool,

@@ -153,7 +153,7 @@ impl<'w> Painter<'w, '_> {
         }
     }
 
-    /// Returns the context with the normal for patterns.
+    /// Returns the texture context with the normal that `slope` and `aoi` use in place of its own.
     fn pattern_context(&self, ctx: &TextureContext) -> TextureContext {
         TextureContext { normal: self.pattern_normal, ..*ctx }
     }
@@ -188,7 +188,7 @@ impl<'w> Painter<'w, '_> {
             let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos, is_translucent };
             transmittance *= color.transmittance();
             // quirk: conserve_energy_without_pigment
-            if layer.finish.conserve_energy && !layer.is_nothing(&seen_from(), quick) {
+            if layer.finish.conserve_energy && !layer.has_no_color(&seen_from(), quick) {
                 transmittance *= unreflected_share(&shaded, self.interface);
             }
             self.layers.push(shaded);

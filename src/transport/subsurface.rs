@@ -34,7 +34,7 @@ struct Exit<'a> {
     random: RandomSequence,
 }
 
-/// Light that leaves a surface, for the channels that share the dipole.
+/// Colour channels that share one dipole of subsurface scattering.
 #[derive(Clone, Copy)]
 struct Channels {
     dipole: Dipole,
@@ -51,7 +51,7 @@ struct ScatteringPoint<'a> {
     weights: SmallVec<[f64; 3]>,
 }
 
-/// A direction at the boundary of a solid.
+/// Refraction of a direction at the boundary of a solid: the cosine inside and the transmittance.
 struct Refracted {
     /// Cosine of the angle between direction and normal inside the solid.
     cos_inside: f64,

@@ -82,7 +82,8 @@ impl Spec {
         self.ignored.contains(&word)
     }
 
-    /// All words, in the order in which messages list them. Messages show a dozen, so that transforms come early.
+    /// Returns all words that the block accepts, in the order in which messages list them. Messages show a dozen, so
+    /// that transforms come early.
     pub fn word_names(&self) -> Vec<&'static str> {
         let (first, rest) = self.words.split_at(self.words.len().min(6));
         let transforms = TRANSFORMS.iter().filter(|_| self.has_transforms);

@@ -21,7 +21,7 @@ pub struct Row<T: 'static> {
 }
 
 impl WordSpec {
-    /// Adds the function that reads the value.
+    /// Returns the table row of this word, with the function that reads the word's value.
     pub const fn sets<T>(self, set: Setter<T>) -> Row<T> {
         Row { spec: self, set }
     }
@@ -67,7 +67,7 @@ pub const fn specs_of<T, const N: usize>(rows: &[Row<T>]) -> [WordSpec; N] {
     out
 }
 
-/// Concatenates two tables; `N` is the sum of their lengths.
+/// Concatenates two tables of words; `N` has to be the sum of their lengths.
 pub const fn joined<const N: usize>(first: &[WordSpec], second: &[WordSpec]) -> [WordSpec; N] {
     let mut out = [NO_WORD; N];
     let mut i = 0;

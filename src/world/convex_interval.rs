@@ -125,7 +125,7 @@ impl<'a> GatheredHits<'a> {
     }
 
     /// Reserves space for the intervals of all children.
-    pub(super) fn expect(&mut self, children: usize) {
+    pub(super) fn reserve_intervals(&mut self, children: usize) {
         self.intervals.resize(children, None);
     }
 
@@ -141,7 +141,7 @@ impl<'a> GatheredHits<'a> {
     ) -> Range {
         self.range = self.range.intersection(range);
         if let SolidKind::Leaf(leaf) = child.kind()
-            && child.is_whole()
+            && child.has_no_clips_or_bounds()
             && let Some(interval) = ConvexInterval::inside_shape(leaf, ray)
         {
             if only_inside {

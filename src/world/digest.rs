@@ -18,7 +18,7 @@ struct JsonHasher {
 }
 
 impl JsonHasher {
-    /// Adds a value.
+    /// Adds the JSON of a value to the hash, without spans.
     fn add(&mut self, value: &impl Serialize) {
         // A value that JSON cannot express counts as far as it was written.
         let _ = serde_json::to_writer(io::BufWriter::new(&mut *self), value);

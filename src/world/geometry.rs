@@ -184,8 +184,8 @@ impl Geometry {
         self.any_after(ray, range, accept, &mut None)
     }
 
-    /// True if the ray hits any accepted object in the range. Tests the object `last` first, which occluded an earlier
-    /// ray from nearby, and stores the new occluder there.
+    /// True if the ray hits any accepted object in the range. Tests the object in `before` first, which occluded an
+    /// earlier ray from nearby, and stores the new occluder in `before`.
     pub fn any_after(
         &self,
         ray: &Ray,
@@ -268,14 +268,19 @@ impl Geometry {
 
     /// Calls `visit` with each hit in the range on any shape, and with the object that contains the shape, even if the
     /// hit is not on the object's surface.
-    pub fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(PlacedSolid<'a>, Intersection<'a>)) {
+    pub fn visit_shape_hits<'a>(
+        &'a self,
+        ray: &Ray,
+        range: Range,
+        visit: &mut dyn FnMut(PlacedSolid<'a>, Intersection<'a>),
+    ) {
         self.each_intersected(ray, range, |i, range| {
             match &self.items[i] {
                 Item::Solid(node) => {
-                    node.shapes_at(ray, range, &mut |found| visit(PlacedSolid { node, instance: None }, found));
+                    node.visit_shape_hits(ray, range, &mut |found| visit(PlacedSolid { node, instance: None }, found));
                 }
                 Item::Instance(instance) => {
-                    instance.shared().shapes_at(&instance.local(ray), range, &mut |part, found| {
+                    instance.shared().visit_shape_hits(&instance.local(ray), range, &mut |part, found| {
                         visit(PlacedSolid { instance: Some(instance), ..part }, instance.hit_on_instance(found));
                     })
                 }
@@ -390,7 +395,7 @@ impl<'a> PlacedSolid<'a> {
         self.node
     }
 
-    /// Returns a box around all hits, in world space.
+    /// Returns a box around all hits on the solid, in world space.
     pub fn bounds(&self) -> Aabb {
         self.instance.map_or_else(|| self.node.bounds(), |instance| instance.bounds_of(self.node))
     }

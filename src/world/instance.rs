@@ -67,12 +67,12 @@ impl Instance {
         Intersection { object: self.first_object + found.object, instance: Some(self), ..found }
     }
 
-    /// Returns the closest hit in the range.
+    /// Returns the closest hit of a ray in world space on the instance, within the range.
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         self.shared.closest(&self.local(ray), range, |_| true).map(|found| self.hit_on_instance(found))
     }
 
-    /// Appends every hit in the range, in no particular order.
+    /// Appends every hit of a ray in world space on the instance, within the range, in no particular order.
     pub fn hits<'a>(&'a self, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         let _ = self.shared.visit(&self.local(ray), range, |_| true, &mut |found| {
             out.push(self.hit_on_instance(found));
@@ -80,7 +80,7 @@ impl Instance {
         });
     }
 
-    /// Returns a box around all hits, in world space.
+    /// Returns a box around all hits on the instance, in world space.
     pub fn bounds(&self) -> Aabb {
         self.shared.solids().map(|node| self.bounds_of(node)).fold(Aabb::EMPTY, Aabb::union)
     }
@@ -89,7 +89,9 @@ impl Instance {
     pub fn bounds_of(&self, node: &SolidNode) -> Aabb {
         let Some(m) = self.world_from_instance() else { return node.bounds() };
         match node.kind() {
-            SolidKind::Leaf(leaf) if node.is_whole() => loosened(leaf.shape.bounds_under(&leaf.transform().then(m))),
+            SolidKind::Leaf(leaf) if node.has_no_clips_or_bounds() => {
+                loosened(leaf.shape.bounds_under(&leaf.transform().then(m)))
+            }
             _ => loosened(m.transform_aabb(&node.bounds())),
         }
     }

@@ -40,7 +40,7 @@ pub type Intersections<'a> = SmallVec<[Intersection<'a>; 8]>;
 /// Point and normal of a hit, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
-    /// Point in world space.
+    /// Point of the hit in world space.
     pub point: DVec3,
     /// Outward normal in world space, length 1.
     pub normal: DVec3,

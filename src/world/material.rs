@@ -13,7 +13,7 @@ use std::sync::Arc;
 pub struct Material {
     /// Layers from the topmost to the lowest; never empty.
     pub layers: Box<[Layer]>,
-    /// True if no point transmits light.
+    /// True if the material transmits light at no point of a surface.
     pub opaque: bool,
     /// True if every layer has one colour everywhere, so that no point needs to be evaluated.
     pub solid: bool,
@@ -240,7 +240,7 @@ impl Layer {
     }
 
     /// True if the pigment has no colour at a point, for example beside an image map with `once`.
-    pub fn is_nothing(&self, ctx: &TextureContext, quick: bool) -> bool {
+    pub fn has_no_color(&self, ctx: &TextureContext, quick: bool) -> bool {
         match self.shown(quick) {
             LayerColor::Solid(_) => false,
             LayerColor::PigmentProgram(pigment) | LayerColor::Untinted(pigment) => pigment.has_no_color_at(ctx),

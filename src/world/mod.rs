@@ -118,10 +118,10 @@ pub struct World {
     pub irid_wavelength: Rgb,
 }
 
-/// Properties of a shape.
+/// Properties of one shape in the world apart from its geometry: materials, interior, lights, photons.
 #[derive(Clone, Debug, Serialize)]
 pub struct Part {
-    /// Material of the outside, in its space.
+    /// Material of the shape's outer side, with the transform of its texture space.
     pub outside: PlacedMaterial,
     /// Properties that only few shapes have.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -203,7 +203,7 @@ pub struct ObjectInfo {
     pub radiosity: bool,
     /// Index of the object's photon settings in [`World::photons`].
     pub photons: u32,
-    /// True if no point transmits light.
+    /// True if the object transmits light at no point of its surface.
     pub opaque: bool,
     /// Index of the object's interior, or [`Self::VIEW`].
     pub interior: u32,

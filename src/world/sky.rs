@@ -48,7 +48,7 @@ impl Sky {
     }
 
     /// True if pictures with alpha show the sky in reflections only.
-    pub fn leaves_alpha(&self) -> bool {
+    pub fn is_transparent_in_alpha_pictures(&self) -> bool {
         self.by_share
     }
 

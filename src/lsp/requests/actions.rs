@@ -97,7 +97,7 @@ fn wrapped(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> Op
         TextEdit { range: at(diagnostic.range.end), new_text: " }".into() }
     } else {
         // Remove the opening brace; the closing one then ends the block.
-        let next = document.outline.tokens.get(document.outline.first_token(bytes.end))?;
+        let next = document.outline.tokens.get(document.outline.first_token_from(bytes.end))?;
         let is_brace = document.outline.slice(&next.range) == "{";
         is_brace.then(|| TextEdit { range: document.text.range(bytes.end..next.range.end), new_text: String::new() })?
     };

@@ -43,7 +43,7 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
     if comment.is_some_and(|comment| offset < comment.end || outline.slice(comment).starts_with("//")) {
         return None;
     }
-    let before_offset = &outline.tokens[..outline.first_token(offset)];
+    let before_offset = &outline.tokens[..outline.first_token_from(offset)];
     let inside = before_offset.last().filter(|token| offset <= token.range.end);
     if let Some(string) = inside.filter(|token| token.kind == TokenKind::String) {
         return Some(paths(document, &text[string.range.start + 1..offset]));

@@ -28,7 +28,7 @@ pub fn hover<S: Client>(server: &mut Server<S>, params: &HoverParams) -> Option<
             .map(|(form, summary)| format!("```pov\n{form}\n```\n{summary}")),
         TokenKind::Word(_) => explained(text, words::block_at(outline, offset)),
         TokenKind::Name => {
-            let scope = outline.owner(text, outline.macro_at(token.range.end));
+            let scope = outline.declaring_macro(text, outline.macro_at(token.range.end));
             let own = related.iter().position(|one| one.path == document.path);
             declared(&related, text, scope, own).or_else(|| explained(text, words::block_at(outline, offset)))
         }
@@ -48,7 +48,7 @@ fn explained(word: &str, block: &str) -> Option<String> {
 fn declared(related: &[ReachableText], name: &str, scope: Option<usize>, own: Option<usize>) -> Option<String> {
     let all = related.iter().enumerate().flat_map(|(i, one)| one.outline.declarations.iter().map(move |d| (i, one, d)));
     let fits = |(i, one, d): &(usize, &ReachableText, &Declaration)| {
-        d.name == name && one.outline.owner(name, d.scope) == scope && (scope.is_none() || Some(*i) == own)
+        d.name == name && one.outline.declaring_macro(name, d.scope) == scope && (scope.is_none() || Some(*i) == own)
     };
     let found: Vec<_> = all.filter(fits).collect();
     let (_, one, d) = found.iter().find(|(i, ..)| Some(*i) == own).or(found.first())?;

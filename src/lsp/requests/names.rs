@@ -17,7 +17,7 @@ struct Named {
     name: String,
     range: Range,
     /// Index of the macro of this text that declares the name.
-    owner: Option<usize>,
+    declaring_macro: Option<usize>,
 }
 
 /// The name at a position of an open text.
@@ -28,8 +28,8 @@ fn named<S: Client>(server: &Server<S>, uri: &Uri, at: Position) -> Option<Named
     let token = outline.token_at(offset).filter(|token| token.kind == TokenKind::Name)?;
     let name = outline.slice(&token.range).to_string();
     // The declaration of a parameter is inside of its macro, too.
-    let owner = outline.owner(&name, outline.macro_at(token.range.end));
-    Some(Named { name, range: document.text.range(token.range.clone()), owner })
+    let declaring_macro = outline.declaring_macro(&name, outline.macro_at(token.range.end));
+    Some(Named { name, range: document.text.range(token.range.clone()), declaring_macro })
 }
 
 /// One occurrence of a name in a scene's texts.
@@ -41,10 +41,10 @@ struct Hit {
 /// All occurrences of a name in a text. A name of a macro of the first text occurs in no other text.
 fn hits(reached: &ReachableText, named: &Named, is_own: bool) -> Vec<Hit> {
     let (outline, text) = (&reached.outline, &reached.text);
-    if named.owner.is_some() && !is_own {
+    if named.declaring_macro.is_some() && !is_own {
         return vec![];
     }
-    let belongs = |scope| outline.owner(&named.name, scope) == named.owner;
+    let belongs = |scope| outline.declaring_macro(&named.name, scope) == named.declaring_macro;
     let declared = outline.declarations.iter().filter(|d| d.name == named.name && belongs(d.scope));
     let used = outline.uses.iter().filter(|one| outline.slice(&one.range) == named.name && belongs(one.scope));
     let mut out: Vec<Hit> = declared

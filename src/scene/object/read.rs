@@ -206,7 +206,7 @@ impl Object {
                     self.transform_by(&step);
                 }
             }
-            Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_bound(word, r, defaults)?,
+            Next::Block(word @ ("clipped_by" | "bounded_by")) => self.read_clips_or_bounds(word, r, defaults)?,
             Next::Word(word) if matches!(word, "clipped_by" | "bounded_by") || MODIFIERS.ignores(word) => {
                 r.take_token()?;
                 r.flag()?;
@@ -287,7 +287,7 @@ impl Object {
         Painted::new(layers, &self.transform)
     }
 
-    fn read_bound(&mut self, word: &'static str, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
+    fn read_clips_or_bounds(&mut self, word: &'static str, r: &mut dyn Reader, defaults: &Defaults) -> Result<()> {
         let at = r.take_token()?;
         let (mut parts, mut borrows) = (vec![], false);
         loop {

@@ -7,9 +7,9 @@ use crate::math::{DVec2, DVec3, Transform};
 pub struct Face {
     /// Corners of the triangle.
     pub corners: [DVec3; 3],
-    /// Normals at the corners of a smooth triangle; `None` for a flat triangle.
+    /// Geometric normal of the mesh's triangle, which is the same at all its points.
     pub normal: DVec3,
-    /// Normals at the corners of a smooth triangle.
+    /// Normals at the corners of a smooth triangle of a mesh; `None` for a flat triangle.
     pub normals: Option<[DVec3; 3]>,
     /// Surface coordinates of the triangle's corners; `None` if the mesh has none.
     pub uv: Option<[DVec2; 3]>,

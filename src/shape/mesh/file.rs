@@ -43,7 +43,8 @@ impl FileMesh {
         }
     }
 
-    /// Returns the object's numbers of the textures of a mesh file.
+    /// Adds the textures of the mesh file's materials to the object, and returns for each material the number of its
+    /// texture in the object.
     pub fn texture_weights(&self, paints: &mut dyn Paints, r: &mut dyn Reader) -> Result<Vec<u32>> {
         self.materials
             .iter()

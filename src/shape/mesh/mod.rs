@@ -27,7 +27,8 @@ pub struct TriangleMesh {
     /// Direction of a line that crosses the mesh an odd number of times from points inside; without it nothing is
     /// inside.
     inside_vector: Option<DVec3>,
-    /// The object's numbers of the mesh's embedded textures; empty for a mesh without any.
+    /// Number in the object of each texture of the mesh's file, by the index of the file's material; empty if the
+    /// triangles store such numbers themselves.
     #[serde(skip)]
     texture_weights: Vec<u32>,
 }

@@ -10,7 +10,8 @@ use crate::math::{Aabb, DVec2, DVec3, Range, Ray};
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
-/// Part of a parametric surface's container to which each patch is subdivided.
+/// Number of parts of a parametric surface's container, along its longest side, that a patch without further
+/// subdivision must be smaller than.
 const PARTS: f64 = 24.0;
 /// Maximum number of subdivisions of a parametric surface's patches.
 const DEPTH: u32 = 13;

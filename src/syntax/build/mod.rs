@@ -99,7 +99,7 @@ impl<'n> Builder<'n> {
         out.into_boxed_slice()
     }
 
-    /// Appends the elements of a pair that ends with a bracket, without the tokens before the first element.
+    /// Appends the elements between the brackets of a parser's pair, or all elements of a directive's body.
     fn inner_into(&self, pair: Pair<Rule>, context: Context, out: &mut Vec<Element>) {
         let mut range = range(&pair);
         match pair.as_rule() {
@@ -110,7 +110,8 @@ impl<'n> Builder<'n> {
         self.elements_into(pair.into_inner(), range, context, out);
     }
 
-    /// Handles the tokens between two elements, all of which are commas.
+    /// Processes the commas between two elements: each one sets the flag of the element before, or becomes an element
+    /// of its own.
     fn commas(&self, range: Range<usize>, first: usize, out: &mut Vec<Element>) {
         for i in range.filter(|i| self.classes[*i] == class::COMMA) {
             let behind = out.len() > first;

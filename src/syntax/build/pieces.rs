@@ -32,7 +32,7 @@ pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
                     out.whole(argument);
                     out.comma();
                 }
-                out.no_comma();
+                out.unmark_comma_after_last();
             });
         }
         ExprKind::Call(symbol, arguments) => {
@@ -107,7 +107,7 @@ impl Pieces {
         self.0.last_mut().into_iter().for_each(|last| last.comma = true);
     }
 
-    fn no_comma(&mut self) {
+    fn unmark_comma_after_last(&mut self) {
         self.0.last_mut().into_iter().for_each(|last| last.comma = false);
     }
 

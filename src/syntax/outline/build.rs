@@ -27,7 +27,7 @@ impl Outline {
         };
         let mut builder = Builder { outline, open: vec![], macros: vec![], first_use: 0 };
         for i in 0..builder.outline.tokens.len() {
-            builder.step(i);
+            builder.visit_token(i);
         }
         builder.leave_unclosed(0, text.len());
         builder.outline
@@ -70,7 +70,7 @@ struct Builder {
 }
 
 impl Builder {
-    fn step(&mut self, i: usize) {
+    fn visit_token(&mut self, i: usize) {
         self.set_pair(i);
         match self.outline.class(i) {
             class::BRACE | class::PAREN | class::BRACKET | class::VECTOR => self.open_bracket(i),
@@ -140,7 +140,7 @@ impl Builder {
             class::FOR if self.is_name(i + 2) => self.declare(i + 2, DeclarationKind::Counter, i),
             class::ELSE | class::ELSEIF | class::CASE | class::RANGE => self.next_branch(i),
             class::END => self.end(i),
-            class::PLAIN => self.plain(i),
+            class::PLAIN => self.visit_plain_directive(i),
             _ => {}
         }
     }
@@ -201,7 +201,7 @@ impl Builder {
         }
     }
 
-    fn plain(&mut self, i: usize) {
+    fn visit_plain_directive(&mut self, i: usize) {
         match self.outline.directive(&self.outline.tokens[i]) {
             "undef" if self.is_name(i + 1) => self.add_use(i + 1, false),
             "include" if self.outline.class(i + 1) == class::STRING => {

@@ -51,9 +51,9 @@ pub struct Pair {
     /// Byte range from the opening token to the end of the closing one. An unclosed pair extends to the end of the
     /// token that closes an enclosing pair, or of the text.
     pub range: Range<usize>,
-    /// Index of the opening token.
+    /// Index of the pair's opening token in the outline's tokens.
     pub opener: usize,
-    /// Index of the closing token; `None` for an unclosed pair.
+    /// Index of the pair's closing token in the outline's tokens; `None` for an unclosed pair.
     pub closer: Option<usize>,
     /// Index of the innermost pair that encloses this pair.
     pub outer: Option<usize>,
@@ -151,7 +151,7 @@ impl Outline {
     }
 
     /// Returns the index of the first token that starts at a byte offset or after it.
-    pub fn first_token(&self, offset: usize) -> usize {
+    pub fn first_token_from(&self, offset: usize) -> usize {
         self.tokens.partition_point(|token| token.range.start < offset)
     }
 
@@ -183,9 +183,9 @@ impl Outline {
         around.find(|&pair| self.is_macro(&self.pairs[pair]))
     }
 
-    /// Returns the macro that declares a name, for a use of the name in the macro `scope`, as the index of a pair;
-    /// `None` for a global name.
-    pub fn owner(&self, name: &str, scope: Option<usize>) -> Option<usize> {
+    /// Returns the index of the pair of the innermost macro, from the macro `scope` outwards, that declares a name as a
+    /// local or parameter; `None` for a global name.
+    pub fn declaring_macro(&self, name: &str, scope: Option<usize>) -> Option<usize> {
         use DeclarationKind::{Counter, Local, Parameter};
         let owns = |pair: &usize| {
             let mut own = self.declarations.iter().filter(|d| d.scope == Some(*pair) && d.name == name);
@@ -354,7 +354,10 @@ mod tests {
         assert_eq!(declared[3..], ["Macro 0: #macro D() B #end ", "Local 0: #local E "]);
         assert_eq!(uses(text), ["B2", "C0", "D-"]);
         let outline = outline(text);
-        assert_eq!(["A", "B", "E", "D"].map(|name| outline.owner(name, Some(2))), [None, Some(0), Some(0), None]);
+        assert_eq!(
+            ["A", "B", "E", "D"].map(|name| outline.declaring_macro(name, Some(2))),
+            [None, Some(0), Some(0), None]
+        );
         assert_eq!([0, 37, 45, 61].map(|offset| outline.macro_at(offset)), [None, Some(2), Some(0), None]);
         // An unclosed list of parameters ends before the next directive.
         let broken = "#macro A(B #local C = B;";
@@ -391,7 +394,7 @@ mod tests {
         let token = |offset: usize| all.token_at(offset).map_or("", |token| all.slice(&token.range));
         assert_eq!([0, 2, 3, 4, 6, 8, 13, 14].map(token), ["a", "{", "A", "A", "}", "", "12", "12"]);
         assert_eq!([5, 6, 11, 12].map(|at| all.comment_at(at).cloned()), [None, Some(6..11), Some(6..11), None]);
-        assert_eq!([0, 1, 2, 99].map(|offset| all.first_token(offset)), [0, 1, 1, 8]);
+        assert_eq!([0, 1, 2, 99].map(|offset| all.first_token_from(offset)), [0, 1, 1, 8]);
         // An unclosed brace contains the rest of the text.
         let block = |offset: usize| all.pair_at(offset, |pair| pair.bracket == b'{').map(|pair| all.head(pair));
         assert_eq!([2, 3, 6, 23].map(block), [None, Some("a"), None, Some("b")]);

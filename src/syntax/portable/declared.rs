@@ -65,14 +65,14 @@ impl<'a> Declared<'a> {
 
 /// True if the last token of the macro that a declaration defines is the `}` of a block.
 fn is_block_macro(outline: &Outline, d: &Declaration) -> bool {
-    let own = outline.opened_by(outline.first_token(d.whole.start)).and_then(|pair| pair.closer);
+    let own = outline.opened_by(outline.first_token_from(d.whole.start)).and_then(|pair| pair.closer);
     own.is_some_and(|end| outline.before(end) == class::BRACE_END)
 }
 
 /// Returns the kind of a declaration's value.
 fn kind_of(outline: &Outline, d: &Declaration) -> DeclaredKind {
     // The first token after the name is `=`.
-    let value = outline.first_token(d.range.end) + 1;
+    let value = outline.first_token_from(d.range.end) + 1;
     let end = match outline.class(value) {
         class::VECTOR => after_partner(outline, value),
         class::LITERAL if outline.word(value).starts_with('<') => Some(value + 1),

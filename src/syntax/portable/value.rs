@@ -20,7 +20,7 @@ pub(super) fn value_end(outline: &Outline, at: usize) -> Option<usize> {
         while matches!(outline.class(at), class::PLUS | class::MINUS | class::NOT) {
             at += 1;
         }
-        at = operand(outline, at)?;
+        at = operand_end(outline, at)?;
         while outline.class(at) == class::DOT {
             at += 2;
         }
@@ -36,7 +36,7 @@ fn is_color(outline: &Outline, at: usize) -> bool {
     is_keyword(outline, at) && COLOR_WORDS.contains(&outline.word(at))
 }
 
-fn operand(outline: &Outline, at: usize) -> Option<usize> {
+fn operand_end(outline: &Outline, at: usize) -> Option<usize> {
     match outline.class(at) {
         class::NUMBER => Some(at + 1),
         class::PAREN | class::VECTOR => after_partner(outline, at),
@@ -46,8 +46,8 @@ fn operand(outline: &Outline, at: usize) -> Option<usize> {
         _ if is_color(outline, at) => {
             let behind = at + 1;
             match outline.class(behind) {
-                class::PLUS | class::MINUS => operand(outline, behind + 1),
-                _ => operand(outline, behind),
+                class::PLUS | class::MINUS => operand_end(outline, behind + 1),
+                _ => operand_end(outline, behind),
             }
         }
         // Among names, only the built-in constants are known to be numbers.

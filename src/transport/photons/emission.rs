@@ -23,7 +23,7 @@ enum Bundle {
     Tube,
 }
 
-/// The photons that one light emits at one target.
+/// Photons that one point of a light emits at one target, in rings about the direction to the target.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
     /// Index of the light in [`World::lights`].
@@ -36,22 +36,23 @@ pub struct Source {
     pub distance: f64,
     bundle: Bundle,
     origin: DVec3,
-    /// Right, up and ahead.
+    /// Unit vectors right, up and ahead of the bundle of photon rays, whose axis is ahead, in world space.
     axes: [DVec3; 3],
-    /// Distance between rings: an angle or a length.
+    /// Distance between neighbouring rings of photons about the bundle's axis: an angle in radians for a cone, a length
+    /// in world units for parallel rays.
     step: f64,
-    /// Angle or distance from the axis up to which photons are emitted.
+    /// Largest angle (radians) or distance (world units) from the bundle's axis at which photons are emitted.
     extent: f64,
-    /// Share of the light's power.
+    /// Share of the light's power that these photons carry: 1, or that of one light of an area light's grid.
     share: f64,
     jitter: f64,
     key: u64,
 }
 
-/// A few rings of a source: a unit of work.
+/// Work item of the photon pass: a few rings of the photons that one light emits at one target.
 #[derive(Clone, Debug)]
 pub struct Job {
-    /// Index of the source in the plan.
+    /// Index, in the plan's list of sources, of the light and target whose photons the job emits.
     pub source: usize,
     /// Numbers of the rings, the innermost first.
     pub rings: Range<u32>,
@@ -94,7 +95,7 @@ impl Source {
         (2.0 * PI * length / self.step).round().max(1.0) as u32
     }
 
-    /// Returns a photon of a ring.
+    /// Returns the emitted photon with the index `number` in a ring: its ray, and its solid angle or area.
     pub fn emit(&self, ring: u32, number: u32) -> Emitted {
         let n = self.n_in_ring(ring);
         let random = |which: u64| rng::random_unit(&[self.key, u64::from(ring), u64::from(number), which]) - 0.5;
@@ -120,7 +121,7 @@ impl Source {
         }
     }
 
-    /// Divides the rings into jobs.
+    /// Divides the rings of this source into jobs of about 4096 photons each, and appends them to `jobs`.
     fn jobs(&self, source: usize, jobs: &mut Vec<Job>) {
         let (mut first, mut count) = (0, 0.0);
         let n_rings = (self.extent / self.step).ceil().clamp(1.0, 1e6) as u32;
@@ -143,12 +144,12 @@ impl Source {
 struct Target {
     object: u32,
     bounds: Aabb,
-    /// Factor of the spacing.
+    /// Factor of the distance between photons at this target, from the object's `photons` block.
     factor: f64,
     settings: u32,
 }
 
-/// All jobs of the emission.
+/// Plan of a frame's photon pass: all pairs of a light and a target, and the jobs that emit their photons.
 #[derive(Debug)]
 pub struct Plan {
     pub sources: Vec<Source>,
@@ -171,7 +172,7 @@ impl Plan {
         let spacing = if settings.count > 0.0 { spacing_of_count(world, settings, pairs()) } else { settings.spacing };
         let mut sources: Vec<Source> = vec![];
         for (light, target) in pairs() {
-            for (offset, share) in emitters(light, context.quality.area_lights) {
+            for (offset, share) in light_offsets_and_shares(light, context.quality.area_lights) {
                 let key = rng::random_word(&[u64::from(context.frame), sources.len() as u64]);
                 let source = source(light, offset, target, spacing * target.factor / share.sqrt());
                 sources.push(Source { share, jitter: settings.jitter, key, ..source });
@@ -190,8 +191,9 @@ impl Plan {
     }
 }
 
-/// Returns the offsets and shares of the point lights of a light source.
-fn emitters(light: &LightSource, area_lights: bool) -> Vec<(DVec3, f64)> {
+/// Returns, for each point of a light source that emits photons, its offset from the light's location and its share of
+/// the power.
+fn light_offsets_and_shares(light: &LightSource, area_lights: bool) -> Vec<(DVec3, f64)> {
     let grid = light.emitter.area.as_ref().filter(|_| light.emitter.photons.area_light && area_lights);
     let Some(Area { axes, size: [n, m], .. }) = grid else { return vec![(DVec3::ZERO, 1.0)] };
     let along = |i: u32, n: u32| if n > 1 { f64::from(i) / f64::from(n - 1) - 0.5 } else { 0.0 };
@@ -213,7 +215,8 @@ fn targets(world: &World) -> Vec<Target> {
     targets
 }
 
-/// Returns the spacing for `count` photons. A target with reflection and refraction gets a quarter of the photons.
+/// Returns the distance between photons at which about as many are stored as the setting `count` states. A target with
+/// both reflection and refraction counts four times.
 fn spacing_of_count<'a>(
     world: &World,
     settings: &PhotonMapSettings,

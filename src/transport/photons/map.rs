@@ -16,7 +16,7 @@ const RADIUS_SAMPLES: usize = 256;
 pub struct Photon {
     /// Position in world space.
     position: [f32; 3],
-    /// Power on a surface; power times length in a medium.
+    /// Flux of the stored photon: power on a surface, power times length in a medium.
     flux: [f32; 3],
     /// Direction of flight, length 1.
     dir: [f32; 3],
@@ -177,7 +177,8 @@ fn divide(photons: &mut [Photon], axes: &mut [u8]) {
 struct Search<'a> {
     map: &'a PhotonMap,
     p: [f32; 3],
-    /// Squared distance from which on photons are ignored.
+    /// Squared distance from the point of the search from which on photons are ignored; shrinks as nearer ones are
+    /// found.
     limit: f32,
     count: usize,
     found: &'a mut Found,

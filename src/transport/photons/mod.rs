@@ -21,26 +21,26 @@ const RADIUS_FACTOR: f64 = 3.0;
 pub struct Photons {
     surface: PhotonMap,
     media: PhotonMap,
-    /// Radius of the search on surfaces and in media, in world units.
+    /// Radius within which photons are searched for an estimate, on surfaces and in media, in world units.
     radius: [f64; 2],
     gather: [usize; 2],
     max_increase: f64,
     expand_min: usize,
 }
 
-/// Emission of all photons of a frame, before it starts.
+/// Photon pass of a frame: the plan of all photons to emit, and the settings of the photon map.
 pub struct PhotonPass {
     plan: Plan,
     settings: PhotonMapSettings,
 }
 
-/// Photons of one job, ring by ring.
+/// Photons that were stored for one job of the photon pass, ring by ring.
 pub struct PhotonShard {
     source: usize,
     rings: Vec<Ring>,
 }
 
-/// Photons of one ring.
+/// Photons that were stored on surfaces and in media for one emitted ring, and whether the ring hits the target.
 struct Ring {
     number: u32,
     hits_target: bool,
@@ -66,14 +66,15 @@ impl Photons {
         }
     }
 
-    /// True if media store photons.
+    /// True if any photon is stored in a medium.
     pub(super) fn has_media_photons(&self) -> bool {
         !self.media.is_empty()
     }
 }
 
 impl PhotonPass {
-    /// Plans the emission; `None` for a scene or a quality without photons.
+    /// Plans which photons each light of the scene emits at which targets; `None` for a scene or a quality without
+    /// photons.
     pub fn new(context: &FrameContext) -> Option<Self> {
         let settings = context.world.photon_map.as_ref().filter(|_| context.quality.reflection)?;
         if settings.spacing <= 0.0 && settings.count <= 0.0 {

@@ -40,7 +40,7 @@ impl Photons {
 }
 
 impl Photon {
-    /// Decodes a record.
+    /// Decodes a photon from its bytes in a file of saved photons.
     fn from_bytes(record: &[u8]) -> Self {
         let [a, b, c, d, e, f, g, h, i] = numbers_of(record, f32::from_le_bytes);
         Self::from_numbers([a, b, c], [d, e, f], [g, h, i])

@@ -19,13 +19,13 @@ use std::cell::Cell;
 /// A photon in flight.
 struct Flight {
     state: RayState,
-    /// Length of the path so far.
+    /// Length of the photon's path since its emission, in world units.
     distance: f64,
-    /// True after the hit on the target.
+    /// True once the photon has hit the target at which it was emitted.
     has_hit_target: bool,
 }
 
-/// A light and target whose photons are traced.
+/// The pass, the light and the target of the photons that are being traced.
 struct Beam<'a, 'w> {
     pass: &'a PhotonPass,
     source: &'a Source,

@@ -9,9 +9,10 @@ use crate::math::DVec3;
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
 
-/// Maximum number of samples; later samples are used once and dropped.
+/// Maximum number of radiosity samples in the cache; later samples are used once and dropped.
 const MAX_SAMPLES: usize = 8 << 20;
-/// Maximum radius of a sphere of influence, so that the sphere overlaps at most 8 cells of the widest grid.
+/// Maximum radius of the sphere in which a radiosity sample may be reused, so that the sphere overlaps at most 8 cells
+/// of the widest grid.
 const MAX_REACH: f64 = 1e300;
 /// Minimum cosine of the angle between the normals of a sample and of a point that uses it.
 const MIN_COSINE: f64 = 0.5;
@@ -33,12 +34,12 @@ pub struct Sample {
     pub depth: u8,
 }
 
-/// Weighted sum of samples near a point.
+/// Weighted sum of the radiosity samples that are reused at a point.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Blend {
     light: Rgb,
     weight: f64,
-    /// Number of samples.
+    /// Number of radiosity samples in the weighted sum.
     pub count: u32,
 }
 
@@ -49,7 +50,7 @@ impl Blend {
     }
 }
 
-/// A point where samples are wanted.
+/// Query of the radiosity cache: a point of a surface, and the maximum error of the samples that it may reuse.
 #[derive(Clone, Copy, Debug)]
 pub struct Query {
     /// Point in world space.
@@ -58,19 +59,20 @@ pub struct Query {
     pub normal: DVec3,
     /// Number of diffuse bounces between the camera ray and the point.
     pub depth: u8,
-    /// Maximum error of a sample.
+    /// Maximum error of a radiosity sample that may be reused, as `error_bound`.
     pub error_bound: f64,
 }
 
-/// Samples of all depths.
+/// Cache of radiosity samples after any number of diffuse bounces, in grids by position.
 #[derive(Debug, Default)]
 pub struct RadiosityCache {
     samples: Vec<Sample>,
-    /// Indices of the samples by depth, grid and cell.
+    /// Indices of the radiosity samples in each cell; the key is the number of bounces, the exponent of the grid's cell
+    /// width, and the cell.
     cells: FxHashMap<(u8, i16, [i32; 3]), SmallVec<[u32; 4]>>,
     /// Exponents of the cell widths of the grids of each depth, in ascending order.
     grids: Vec<Vec<i16>>,
-    /// Largest `error_bound` of queries.
+    /// Largest `error_bound` of a query, by which a sample's radius is multiplied to get its sphere of influence.
     reach: f64,
 }
 
@@ -80,7 +82,7 @@ impl RadiosityCache {
         Self { reach: error_bound, ..Self::default() }
     }
 
-    /// Returns the number of samples.
+    /// Returns the number of radiosity samples in the cache.
     pub fn len(&self) -> usize {
         self.samples.len()
     }
@@ -90,7 +92,7 @@ impl RadiosityCache {
         &self.samples
     }
 
-    /// Removes all samples.
+    /// Removes all radiosity samples from the cache.
     pub fn clear(&mut self) {
         if !self.samples.is_empty() {
             self.take_samples();
@@ -104,7 +106,7 @@ impl RadiosityCache {
         std::mem::take(&mut self.samples)
     }
 
-    /// Adds a sample.
+    /// Inserts a radiosity sample into the cache; drops it if the cache is full or a number is not finite.
     pub fn insert(&mut self, sample: Sample) {
         if self.samples.len() >= MAX_SAMPLES || !sample.light.is_finite() || !sample.point.is_finite() {
             return;
@@ -131,7 +133,7 @@ impl RadiosityCache {
         self.samples.push(sample);
     }
 
-    /// Adds the samples that a query may use to `blend`.
+    /// Adds to `blend` all radiosity samples of the cache that may be reused for the query, each with its weight.
     pub fn add_to(&self, query: &Query, blend: &mut Blend) {
         let Some(grids) = self.grids.get(usize::from(query.depth)) else { return };
         let inverse_bound = 1.0 / query.error_bound;
@@ -149,7 +151,8 @@ impl RadiosityCache {
     }
 }
 
-/// Returns the weight of a sample at a point, which falls to 0 at the maximum error; `None` beyond.
+/// Returns the weight with which a radiosity sample is reused at a point: it falls to 0 at the maximum error; `None`
+/// beyond.
 fn weight(sample: &Sample, query: &Query, inverse_bound: f64) -> Option<f64> {
     let between = query.point - sample.point;
     let distance2 = between.length_squared();
@@ -168,7 +171,8 @@ fn weight(sample: &Sample, query: &Query, inverse_bound: f64) -> Option<f64> {
     (weight > 0.0).then_some(weight)
 }
 
-/// Returns the exponent of the least power of 2 that is at least `width`.
+/// Returns the exponent of the least power of 2 that is greater than `width`, within limits: the cell width of the grid
+/// for a sample.
 fn grid_exponent(width: f64) -> i16 {
     let exponent = ((width.to_bits() >> 52) & 0x7ff) as i16 - 1023;
     exponent.clamp(-300, 1000) + 1

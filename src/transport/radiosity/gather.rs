@@ -9,7 +9,8 @@ use crate::transport::ray_state::RayState;
 use crate::transport::shading_point::{ShadedLayer, ShadingPoint};
 use crate::transport::tracer::Tracer;
 
-/// A point where light is gathered.
+/// Point of a surface at which rays gather light for a radiosity sample, with its normals and the importance of the
+/// light.
 struct GatherPoint {
     point: DVec3,
     /// Normal with bumps, if they count, on the side of the gathered light.
@@ -23,7 +24,7 @@ struct GatherPoint {
 }
 
 impl Tracer<'_> {
-    /// Removes the samples that this tracer has collected since the last call, and returns them.
+    /// Removes the radiosity samples that this tracer has collected since the last call, and returns them.
     pub fn take_radiosity_samples(&mut self) -> Vec<Sample> {
         self.radiosity_cache.take_samples()
     }
@@ -76,7 +77,8 @@ impl Tracer<'_> {
         }
     }
 
-    /// Returns the gathered light at a point times `factor`.
+    /// Returns the gathered light at a point times `factor` and `brightness`, made grayer by `gray_threshold`; black if
+    /// its importance is at most `adc_bailout`.
     fn indirect_light_at(&mut self, radiosity: &RadiosityState, mut at: GatherPoint, factor: Rgb) -> Rgb {
         let settings = radiosity.settings;
         at.importance = at.importance * factor.abs().max_element() * settings.brightness;
@@ -93,7 +95,7 @@ impl Tracer<'_> {
         let (query, mut blend) = (radiosity.query(at.point, at.normal, at.depth), Blend::default());
         radiosity.cache.add_to(&query, &mut blend);
         self.radiosity_cache.add_to(&query, &mut blend);
-        if blend.count < radiosity.wanted(at.depth) && !self.is_stopped() {
+        if blend.count < radiosity.wanted_sample_count(at.depth) && !self.is_stopped() {
             let sample = self.gather(radiosity, at);
             self.radiosity_cache.insert(sample);
             if at.depth == 0 && radiosity.pass != RadiosityPass::Final {
@@ -108,7 +110,7 @@ impl Tracer<'_> {
         blend.mean().unwrap_or(Rgb::ZERO)
     }
 
-    /// Computes a sample: traces rays into the hemisphere.
+    /// Computes a radiosity sample at a point: traces rays into the hemisphere about the normal.
     fn gather(&mut self, radiosity: &RadiosityState, at: &GatherPoint) -> Sample {
         let settings = radiosity.settings;
         let all = radiosity.directions(at.depth);
@@ -140,7 +142,7 @@ impl Tracer<'_> {
         let n = count as f64;
         let eye = at.point.distance(radiosity.eye);
         let harmonic = n / inverse_distances;
-        let [minimum, maximum] = settings.reuse();
+        let [minimum, maximum] = settings.reuse_radius_limits();
         let radius = harmonic.clamp(minimum * eye, maximum * eye);
         // (A camera on the surface, and a distance that is not a number, leave no radius.)
         let radius = if radius > 0.0 { radius } else { f64::MIN_POSITIVE.max(maximum * 1e-6) };
@@ -157,7 +159,8 @@ impl Tracer<'_> {
 }
 
 impl RayState {
-    /// Creates the state of a ray that gathers light for a point. `rank` is that among the rays of the point, from 0 to 1.
+    /// Creates the state of a ray that gathers light for a radiosity sample at a point; `rank` is the ray's place among
+    /// those of the sample, from 0 to 1.
     fn gather(ray: Ray, at: &GatherPoint, rank: f64) -> Self {
         Self {
             bounces: at.depth + 1,

@@ -21,16 +21,17 @@ use directions::directions;
 #[derive(Debug)]
 pub struct RadiosityState<'w> {
     settings: &'w Radiosity,
-    /// Directions about z of the rays of a sample, by depth; or, with a pool, one list that all samples choose from.
+    /// Directions about z of the rays of a radiosity sample, one list for each number of diffuse bounces; or, with a
+    /// pool, one list that all samples choose from.
     directions: Vec<Box<[DVec3]>>,
     cache: RadiosityCache,
     /// Centre of the view, from which the limits of the radii are measured.
     eye: DVec3,
-    /// Criteria for samples in the present pass.
+    /// Present pass, which decides how many radiosity samples a point needs and how large their errors may be.
     pass: RadiosityPass,
 }
 
-/// Criteria for the reuse of samples.
+/// Pass of radiosity, which decides where new samples are collected and which existing ones are reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RadiosityPass {
     /// Samples are collected where fewer than `nearest_count` are within the reduced error bound.
@@ -44,7 +45,8 @@ pub enum RadiosityPass {
 /// Minimum number of rays of a sample after the first bounce.
 const MIN_DEEPER_COUNT: u32 = 8;
 
-/// Returns the number of rays of a sample after `depth` bounces: half of that of the bounce before.
+/// Returns the number of rays that are traced for a radiosity sample after `depth` diffuse bounces: `count`, halved at
+/// each bounce, down to a minimum.
 fn ray_count(settings: &Radiosity, depth: u32) -> u32 {
     (settings.count >> depth.min(31)).max(MIN_DEEPER_COUNT).min(settings.count)
 }
@@ -64,27 +66,28 @@ impl<'w> RadiosityState<'w> {
         }
     }
 
-    /// Starts a pass.
+    /// Starts a radiosity pass, whose rules for collecting and reusing samples then apply.
     pub fn begin(&mut self, pass: RadiosityPass) {
         self.pass = pass;
     }
 
-    /// True if the passes are finished.
+    /// True in the final pass, when all passes that collect radiosity samples are finished.
     pub fn is_final(&self) -> bool {
         self.pass == RadiosityPass::Final
     }
 
-    /// Returns the number of samples.
+    /// Returns the number of radiosity samples that are collected so far.
     pub fn n_samples(&self) -> usize {
         self.cache.len()
     }
 
-    /// Adds the samples of a work item, except those that samples of other items have made superfluous.
+    /// Adds the radiosity samples that one work item has collected, except those at points for which other work items
+    /// have collected enough.
     pub fn merge(&mut self, samples: Vec<Sample>) {
         for sample in samples {
             let mut blend = Blend::default();
             self.cache.add_to(&self.query(sample.point, sample.normal, sample.depth), &mut blend);
-            if blend.count < self.wanted(sample.depth) {
+            if blend.count < self.wanted_sample_count(sample.depth) {
                 self.cache.insert(sample);
             }
         }
@@ -96,7 +99,7 @@ impl<'w> RadiosityState<'w> {
         list.map_or(&[], |list| list)
     }
 
-    /// Returns the query of a point in the present pass.
+    /// Returns the query for the radiosity samples near a point, with the maximum error of the present pass.
     fn query(&self, point: DVec3, normal: DVec3, depth: u8) -> Query {
         // Errors after the first bounce average out over the rays of a sample.
         let is_tightened = self.pass == RadiosityPass::Collect && depth == 0;
@@ -104,8 +107,8 @@ impl<'w> RadiosityState<'w> {
         Query { point, normal, depth, error_bound: self.settings.error_bound * factor }
     }
 
-    /// Returns the number of samples that a point needs in the present pass.
-    fn wanted(&self, depth: u8) -> u32 {
+    /// Returns the number of radiosity samples near a point below which a new one is computed in the present pass.
+    fn wanted_sample_count(&self, depth: u8) -> u32 {
         let nearest = (self.settings.nearest_count >> (2 * depth).min(31)).max(1);
         match self.pass {
             RadiosityPass::Collect => nearest,

@@ -37,7 +37,7 @@ impl RadiosityState<'_> {
 }
 
 impl Sample {
-    /// Decodes a record.
+    /// Decodes a radiosity sample from its bytes in a file of saved samples.
     fn from_bytes(record: &[u8]) -> Self {
         let [px, py, pz, nx, ny, nz, r, g, b, radius] = numbers_of(record, f64::from_le_bytes);
         Self {

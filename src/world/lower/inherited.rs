@@ -74,7 +74,7 @@ pub fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
 }
 
 /// Combines the flags of an object with those of its group; `inverse` is not inherited.
-pub fn joined(object: &Object, inherited: Flags) -> Flags {
+pub fn combined_flags(object: &Object, inherited: Flags) -> Flags {
     let own = object.uncommon.flags;
     Flags {
         no_shadow: own.no_shadow || inherited.no_shadow,

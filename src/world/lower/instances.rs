@@ -100,7 +100,10 @@ fn is_seen_as_one(objects: &[ObjectInfo]) -> bool {
 
 /// True if the node, whose numbers follow `before`, has the same shapes as the original and depends on no other data.
 fn is_copy(node: &SolidNode, original: &SolidNode, before: LoweredCounts) -> bool {
-    if !node.is_whole() || !original.is_whole() || node.object as usize != before.objects + original.object as usize {
+    if !node.has_no_clips_or_bounds()
+        || !original.has_no_clips_or_bounds()
+        || node.object as usize != before.objects + original.object as usize
+    {
         return false;
     }
     match (node.kind(), original.kind()) {

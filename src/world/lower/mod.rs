@@ -24,7 +24,7 @@ use crate::shape::{Bounding, Kernel, Shape, transformed_box};
 use crate::source::{Activity, Span};
 use crate::texture::Texture;
 use crate::value::SharedDefault;
-use inherited::{Inherited, hollow_inside, interior_of, joined};
+use inherited::{Inherited, combined_flags, hollow_inside, interior_of};
 use instances::Copies;
 use place::{BlockSpace, PlacedTexture, not_finite};
 use shared::{LoweredTable, SharedSurfaceParts};
@@ -74,7 +74,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
                 }
                 _ => solid.node,
             };
-            let number = node.is_dissolved().then_some(node.object);
+            let number = node.can_be_split_into_children().then_some(node.object);
             match lowering.copied(&object, &node, before)? {
                 Some(copied) => builder.add_instance(copied),
                 None => lowering.add_views(node, before.objects, &mut builder),
@@ -241,7 +241,7 @@ impl Lowering {
         let inside = look(&object.uncommon.interior_texture)?;
         let of_group = inherited.interior.is_some() && object.uncommon.interior.is_none();
         let interior = if of_group { None } else { interior_of(object) };
-        let flags = joined(object, inherited.flags);
+        let flags = combined_flags(object, inherited.flags);
         let lights = object.uncommon.light_group.map(|global| self.add_group(global));
         let group = lights.unwrap_or(inherited.lights);
         let hollow = || hollow_inside(object, inherited.flags.hollow).unwrap_or(flags.hollow);

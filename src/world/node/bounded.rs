@@ -18,7 +18,8 @@ impl SolidNode {
         self
     }
 
-    /// Replaces all bounds by a box, or removes them.
+    /// Replaces the node's bounding solids by one box, or removes them for `None`; a node without bounding solids stays
+    /// unchanged.
     pub fn bounded_by_box(mut self, around: Option<Aabb>) -> Self {
         if self.take_bounds().is_empty() {
             return self;
@@ -40,8 +41,8 @@ impl SolidNode {
 
     /// True if the ray intersects every bound or starts inside it, so that it can hit the node.
     #[inline]
-    pub(super) fn can_be_hit(&self, ray: &Ray) -> bool {
-        self.bounds_before()
+    pub(super) fn crosses_all_bounds(&self, ray: &Ray) -> bool {
+        self.bounding_solids()
             .iter()
             .all(|bound| bound.inside(ray.origin) || bound.closest(ray, Range::FORWARD).is_some())
     }
@@ -49,7 +50,7 @@ impl SolidNode {
     /// True if this solid contains all hits of `other`, as far as boxes show.
     fn surrounds(&self, other: &SolidNode) -> bool {
         let SolidKind::Leaf(leaf) = &self.kind else { return false };
-        if !self.is_whole() || leaf.inverse || !leaf.shape.is_convex() {
+        if !self.has_no_clips_or_bounds() || leaf.inverse || !leaf.shape.is_convex() {
             return false;
         }
         let holds = |b: Aabb| {

@@ -12,9 +12,9 @@ use smallvec::SmallVec;
 /// Bounding boxes of a solid.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct Boxes {
-    /// Box around all hits.
+    /// Box around all hits on the solid's surface.
     pub(super) surface: Aabb,
-    /// Box around all inside points.
+    /// Box around all points that are inside the solid.
     pub(super) solid: Aabb,
 }
 
@@ -81,8 +81,14 @@ impl SolidNode {
         planes
     }
 
-    /// Computes the boxes around surface and inside from the parts and the clipping solids.
-    pub(super) fn measure(&mut self, clip: Box<[SolidNode]>, bounds: Box<[SolidNode]>, unseen: Box<[SolidNode]>) {
+    /// Stores the clipping, bounding and invisible solids of the node, and computes the boxes around its surface and
+    /// its inside and the hierarchy over its children.
+    pub(super) fn set_solids_and_boxes(
+        &mut self,
+        clip: Box<[SolidNode]>,
+        bounds: Box<[SolidNode]>,
+        unseen: Box<[SolidNode]>,
+    ) {
         let inner: SmallVec<[Boxes; 8]> = self.children().iter().map(SolidNode::boxes).collect();
         let (surface, solid) = match &self.kind {
             SolidKind::Leaf(leaf) => {
@@ -122,8 +128,7 @@ impl SolidNode {
             SolidKind::Intersection(_) => boxes.surface.union(c.outside_box()),
             _ => boxes.surface.union(boxes.solid),
         };
-        let is_known =
-            |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.is_whole() && leaf.shape.computes_crossings());
+        let is_known = |c: &SolidNode| matches!(&c.kind, SolidKind::Leaf(leaf) if c.has_no_clips_or_bounds() && leaf.shape.computes_crossings());
         let known = match &self.kind {
             SolidKind::Leaf(_) | SolidKind::Union(_) => false,
             SolidKind::Intersection(children) | SolidKind::Merge(children) => children.iter().all(is_known),
@@ -139,13 +144,13 @@ impl SolidNode {
     pub(super) fn add_clips_and_bounds(&mut self, clips: Vec<SolidNode>, bounds: Box<[SolidNode]>) {
         let bounds = self.take_bounds().into_iter().chain(bounds).collect();
         let clip = self.take_clip().into_iter().chain(clips).collect();
-        self.measure(clip, bounds, Box::default());
+        self.set_solids_and_boxes(clip, bounds, Box::default());
     }
 
     /// Returns a box around all points that are outside of the solid; finite for an inverted shape.
     fn outside_box(&self) -> Aabb {
         match &self.kind {
-            _ if !self.is_whole() => Aabb::INFINITE,
+            _ if !self.has_no_clips_or_bounds() => Aabb::INFINITE,
             SolidKind::Leaf(leaf) if leaf.shape.is_open() || leaf.shape.is_solid_unbounded() || !leaf.inverse => {
                 Aabb::INFINITE
             }

@@ -82,7 +82,7 @@ impl SolidNode {
     /// Creates an intersection of the children.
     pub fn intersection(children: Vec<SolidNode>, object: u32) -> Self {
         // Flatten nested intersections.
-        let parts = children.into_iter().flat_map(|child| match (child.is_whole(), child.kind) {
+        let parts = children.into_iter().flat_map(|child| match (child.has_no_clips_or_bounds(), child.kind) {
             (true, SolidKind::Intersection(parts)) => parts,
             (_, kind) => vec![Self { kind, ..child }],
         });
@@ -104,7 +104,7 @@ impl SolidNode {
 
     fn new(kind: SolidKind, object: u32) -> Self {
         let mut node = Self { kind, object, composite: None };
-        node.measure(Box::default(), Box::default(), Box::default());
+        node.set_solids_and_boxes(Box::default(), Box::default(), Box::default());
         node
     }
 
@@ -146,7 +146,7 @@ impl SolidNode {
             SolidKind::Merge(_) => SolidKind::Merge(shown),
         };
         let mut node = Self { kind, object: self.object, composite: None };
-        node.measure(self.clip().into(), self.bounds_before().into(), unseen.into());
+        node.set_solids_and_boxes(self.clip().into(), self.bounding_solids().into(), unseen.into());
         Some(node)
     }
 
@@ -156,7 +156,7 @@ impl SolidNode {
     }
 
     /// True for a union without clipping, which can be replaced by its children.
-    pub(super) fn is_dissolved(&self) -> bool {
+    pub(super) fn can_be_split_into_children(&self) -> bool {
         matches!(self.kind, SolidKind::Union(_)) && self.clip().is_empty()
     }
 
@@ -173,12 +173,12 @@ impl SolidNode {
         }
     }
 
-    /// True if no other solid clips or bounds the node.
-    pub(super) fn is_whole(&self) -> bool {
-        self.clip().is_empty() && self.bounds_before().is_empty()
+    /// True if the node has no clipping solids and no bounding solids.
+    pub(super) fn has_no_clips_or_bounds(&self) -> bool {
+        self.clip().is_empty() && self.bounding_solids().is_empty()
     }
 
-    fn bounds_before(&self) -> &[SolidNode] {
+    fn bounding_solids(&self) -> &[SolidNode] {
         self.composite.as_ref().map_or(&[], |composite| &composite.bounds)
     }
 
@@ -224,7 +224,7 @@ impl SolidNode {
 
     /// Appends every hit in the range to `out`. `part` is true for a part of a CSG object; see [`Kernel::hits_in_csg`].
     pub(super) fn hits_as<'a>(&'a self, part: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
-        if !self.can_be_hit(ray) {
+        if !self.crosses_all_bounds(ray) {
             return;
         }
         let first = out.len();
@@ -262,7 +262,7 @@ impl SolidNode {
     }
 
     /// Calls `visit` with every hit on any shape of the solid, even if the hit is not on the solid's surface.
-    pub(super) fn shapes_at<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Intersection<'a>)) {
+    pub(super) fn visit_shape_hits<'a>(&'a self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Intersection<'a>)) {
         match &self.kind {
             SolidKind::Leaf(leaf) => {
                 let mut hits = Hits::new();
@@ -270,34 +270,34 @@ impl SolidNode {
                 hits.into_iter().for_each(|hit| visit(Intersection::new(hit, leaf, self.object)));
             }
             _ => self.each_child(ray, range, |_, child, range| {
-                child.shapes_at(ray, range, visit);
+                child.visit_shape_hits(ray, range, visit);
                 range
             }),
         }
     }
 
-    /// Returns the closest hit in the range.
+    /// Returns the closest hit of a ray on the solid within the range.
     #[inline]
     pub fn closest<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         match &self.kind {
             SolidKind::Leaf(leaf) if self.composite.is_none() => {
                 leaf.closest(ray, range).map(|hit| Intersection::new(hit, leaf, self.object))
             }
-            _ => self.closest_of_many(ray, range),
+            _ => self.closest_of_composite(ray, range),
         }
     }
 
-    /// True if the ray has any hit in the range.
+    /// True if the ray hits the solid anywhere in the range.
     pub fn any(&self, ray: &Ray, range: Range) -> bool {
         match &self.kind {
-            SolidKind::Leaf(leaf) if self.clip().is_empty() => self.can_be_hit(ray) && leaf.any(ray, range),
-            _ => self.closest_of_many(ray, range).is_some(),
+            SolidKind::Leaf(leaf) if self.clip().is_empty() => self.crosses_all_bounds(ray) && leaf.any(ray, range),
+            _ => self.closest_of_composite(ray, range).is_some(),
         }
     }
 
     /// Returns the closest hit of a composite solid.
-    fn closest_of_many<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
-        if !self.can_be_hit(ray) {
+    fn closest_of_composite<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
+        if !self.crosses_all_bounds(ray) {
             return None;
         }
         match &self.kind {
@@ -309,7 +309,7 @@ impl SolidNode {
                 self.hits(ray, range, &mut all);
                 all.iter().min_by(|a, b| a.t().total_cmp(&b.t())).copied()
             }
-            SolidKind::Union(_) if self.clip().is_empty() => self.closest_of_all(ray, range),
+            SolidKind::Union(_) if self.clip().is_empty() => self.closest_of_union(ray, range),
             SolidKind::Union(_) => self.closest_of_clipped(ray, range),
             _ if self.composite.as_ref().is_some_and(|composite| composite.convex_parts) => {
                 self.closest_of_convex(ray, range)
@@ -328,7 +328,7 @@ impl SolidNode {
         }
     }
 
-    fn closest_of_all<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
+    fn closest_of_union<'a>(&'a self, ray: &Ray, range: Range) -> Option<Intersection<'a>> {
         let mut best: Option<Intersection> = None;
         self.each_child(ray, range, |_, child, range| match child.closest(ray, range) {
             Some(found) if best.is_none_or(|best| found.wins_against(&best)) => {
@@ -363,7 +363,7 @@ impl SolidNode {
     /// Gathers the hits on the children of an intersection or merge.
     fn gather<'a>(&'a self, ray: &Ray, range: Range, all: &mut GatheredHits<'a>) {
         let children = self.children();
-        all.expect(children.len());
+        all.reserve_intervals(children.len());
         let only_inside = matches!(self.kind, SolidKind::Intersection(_));
         let mut met: SmallVec<[u32; 16]> = SmallVec::new();
         self.each_child(ray, range, |i, child, range| {
