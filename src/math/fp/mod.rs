@@ -3,7 +3,7 @@
 //! differ; clippy.toml forbids them everywhere.)
 //!
 //! The crate `libm` is a port of musl's functions by the Rust project. Its errors are below 1 unit in the last place, but for the
-//! hyperbolic functions (below 2). [`pow`] is ours, because `libm`'s takes three times as long as the system's.
+//! hyperbolic functions (below 2). `pow` is ours, because `libm`'s takes three times as long as the system's.
 
 mod pow;
 
