@@ -77,17 +77,25 @@ impl LoweredLight {
 
     /// Returns the light that reaches the point `p` from the light at `offset` from the location.
     pub fn sample(&self, p: DVec3, offset: DVec3) -> LightSample {
-        let way = self.location + offset - p;
-        let length = way.length();
-        let from = match self.parallel {
-            true if offset == DVec3::ZERO => -self.axis,
-            // Each light of a grid shines from its position towards `point_at`.
-            true => (offset - self.axis * self.aim).normalize_or(-self.axis),
-            false => way / length,
-        };
-        // Distance of a parallel light: along its direction.
-        let distance = if self.parallel { way.dot(from) } else { length };
+        let (from, distance) = self.direction_and_distance(p, offset);
         LightSample { from, distance, light: self.strength_at(distance) * self.share_towards(p, from, distance) }
+    }
+
+    /// Returns the direction from the point `p` to the light at `offset` from the location, length 1, and the distance: of a
+    /// parallel light, that along its direction.
+    #[inline]
+    pub fn direction_and_distance(&self, p: DVec3, offset: DVec3) -> (DVec3, f64) {
+        let way = self.location + offset - p;
+        if self.parallel {
+            // Each light of a grid shines from its position towards `point_at`.
+            let from = match offset == DVec3::ZERO {
+                true => -self.axis,
+                false => (offset - self.axis * self.aim).normalize_or(-self.axis),
+            };
+            return (from, way.dot(from));
+        }
+        let length = way.length();
+        (way / length, length)
     }
 
     /// Returns the light's axis, length 1, or 0.

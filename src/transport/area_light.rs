@@ -5,8 +5,8 @@ use super::random::{Purpose, RandomSequence};
 use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::light::{Area, LightSample};
-use crate::math::DVec3;
 use crate::math::bvh::Shaft;
+use crate::math::{DVec3, Ray};
 use crate::world::LightSource;
 use rustc_hash::FxHashMap;
 
@@ -236,8 +236,8 @@ impl Tracer<'_> {
     #[inline]
     fn light_visibility(&mut self, grid: &GridVisibility, cell: [u32; 2]) -> Rgb {
         let offset = offset(grid.area, cell, -grid.center.from, grid.random);
-        let sample = grid.light.emitter.sample(grid.point, offset);
-        self.point_visibility(grid.light, grid.point, &sample, grid.inside)
+        let (from, distance) = grid.light.emitter.direction_and_distance(grid.point, offset);
+        self.point_visibility(grid.light, Ray::new(grid.point, from), distance, grid.inside)
     }
 }
 

@@ -36,21 +36,14 @@ impl Tracer<'_> {
     ) -> Rgb {
         match light.emitter.area.as_ref().filter(|_| self.context.quality.area_lights) {
             Some(area) => self.area_visibility(light, area, point, sample, inside),
-            None => self.point_visibility(light, point, sample, inside),
+            None => self.point_visibility(light, Ray::new(point, sample.from), sample.distance, inside),
         }
     }
 
-    /// Returns the visibility along one shadow ray, per channel.
-    pub(super) fn point_visibility(
-        &mut self,
-        light: &LightSource,
-        point: DVec3,
-        sample: &LightSample,
-        inside: &Interiors,
-    ) -> Rgb {
+    /// Returns the visibility along one shadow ray to a light at a distance, per channel.
+    pub(super) fn point_visibility(&mut self, light: &LightSource, ray: Ray, distance: f64, inside: &Interiors) -> Rgb {
         let epsilon = self.context.world.epsilon.shadow;
-        let mut range = Range { min: epsilon, max: sample.distance - epsilon };
-        let ray = Ray::new(point, sample.from);
+        let mut range = Range { min: epsilon, max: distance - epsilon };
         if let Some(projector) = light.through.as_ref().filter(|_| self.context.quality.shadows) {
             let Some(hit) = projector.closest(&ray, range, |_| true) else { return Rgb::ZERO };
             // Objects between the projector and the light do not occlude, air does (quirk: `projected_through_range`).
@@ -60,7 +53,7 @@ impl Tracer<'_> {
             return Rgb::ONE;
         }
         self.counts.shadow += 1;
-        self.transmittance(&ShadowRay { light, ray, range, distance: sample.distance }, inside)
+        self.transmittance(&ShadowRay { light, ray, range, distance }, inside)
     }
 
     /// True if photons replace the light that an object on the shadow ray transmits. (Not inlined: shadow rays of scenes
