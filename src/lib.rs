@@ -255,9 +255,9 @@ pub struct Built {
     pub unused_branches: Vec<Span>,
     /// Files that the scene wrote to memory alone (see [`source::WritePolicy::InMemory`]).
     pub written_in_memory: Vec<std::path::PathBuf>,
-    /// Duration of text → Scene.
+    /// Duration of reading and evaluating the text into a Scene.
     pub parse_time: Duration,
-    /// Duration of Scene → World.
+    /// Duration of building the World from the Scene.
     pub build_time: Duration,
 }
 
@@ -271,13 +271,13 @@ pub fn build(sources: &Sources, file: FileId, options: &interpreter::Options, de
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keep {
-    /// Scene and World.
+    /// Keeps both the Scene and the World in the result of a build.
     Both,
-    /// The World alone. The Scene is consumed by the lowering, which needs less memory.
+    /// Keeps the World alone in the result of a build. The Scene is consumed by the lowering, which needs less memory.
     World,
 }
 
-/// [`build`] for one frame of many: files that an earlier frame has parsed are not parsed again.
+/// Evaluates a text like [`build`], as one frame of many: files that an earlier frame has parsed are not parsed again.
 #[doc(hidden)]
 pub fn build_with(
     parsed: &interpreter::ParsedFiles,
@@ -326,7 +326,7 @@ fn lower_outcome(
     if let Some(scene) = &scene {
         diagnostics.extend(advice::scene_warnings(scene, sources));
     }
-    advice::keep_own(&mut diagnostics, sources, file);
+    advice::remove_doubts_about_other_files(&mut diagnostics, sources, file);
     let start = options.host.elapsed();
     let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,

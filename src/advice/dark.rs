@@ -17,7 +17,7 @@ pub(super) fn black_picture_warning(world: &World, options: &render::Options) ->
     Some(d.help(help))
 }
 
-/// Returns the reason why the visible objects are dark, the span of the cause, and the remedy.
+/// Returns the cause of a black picture: the span of the cause, the reason in words, and the remedy.
 fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
     let emitter = || "`light_source { <10, 20, -10>, rgb 1 }`".to_string();
     if world.lights.is_empty() {
@@ -36,7 +36,7 @@ fn reason(world: &World, options: &render::Options) -> (Span, String, String) {
     (Span::NONE, "no light reaches the visible objects".into(), help)
 }
 
-/// Returns the reason, span and remedy if all lights are inside of opaque objects.
+/// Returns the span, the reason in words and the remedy, if all lights are inside of opaque objects; else `None`.
 fn enclosed_lights(world: &World) -> Option<(Span, String, String)> {
     let mut first = None;
     for light in &world.lights {
@@ -59,7 +59,7 @@ fn enclosing_object(world: &World, p: DVec3) -> Option<(&'static str, Span)> {
     found
 }
 
-/// Returns the reason, span and remedy if all visible objects are black.
+/// Returns the span, the reason in words and the remedy, if all visible objects are black; else `None`.
 fn black_objects(world: &World, options: &render::Options) -> Option<(Span, String, String)> {
     let mut first = None;
     for found in unseen::sample(world, options) {

@@ -49,8 +49,9 @@ pub fn doubtful(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     camera::view_along_sky_warning(scene).into_iter().chain(csg::single_part_warnings(scene, sources)).collect()
 }
 
-/// Removes warnings about other authors' files, such as the standard includes, from the diagnostics of a run.
-pub fn keep_own(diagnostics: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
+/// Removes three kinds of doubtful warnings (colours as bytes, rotations about all axes, falling map values) about
+/// files outside of the scene's folder, such as the standard includes. All other diagnostics stay.
+pub fn remove_doubts_about_other_files(diagnostics: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
     let doubts = [codes::COLOR_OF_BYTES, codes::ALL_AXES, codes::FALLING_MAP];
     diagnostics.retain(|d| !doubts.contains(&d.code) || is_own(sources, scene, d.span()));
 }

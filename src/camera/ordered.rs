@@ -4,7 +4,8 @@ use super::{Kind, PovrayCamera};
 use crate::math::Transform;
 
 impl PovrayCamera {
-    /// Makes the words that follow take effect where they are written, on the vectors of the camera so far.
+    /// Applies the camera's words so far to its vectors, so that each word that follows takes effect at once, in the
+    /// order written.
     pub(super) fn begin_ordered(&mut self) {
         let frame = self.frame();
         self.location = frame.origin;

@@ -31,7 +31,7 @@ pub fn set_limit(bytes: Option<u64>) {
     LIMIT.store(bytes.and_then(|bytes| usize::try_from(bytes).ok()).unwrap_or(usize::MAX), Relaxed);
 }
 
-/// Returns the number of bytes that the process has allocated.
+/// Returns the number of bytes that the process has allocated and not freed.
 fn allocated_bytes() -> usize {
     USED.load(Relaxed).max(0) as usize
 }

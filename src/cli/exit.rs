@@ -128,7 +128,7 @@ impl From<Fault> for Failure {
     }
 }
 
-/// Returns the error for contradictory options, in the form of clap's own errors.
+/// Returns the error for a wrong command line, with this message, in the form of clap's own errors.
 pub fn usage<T>(message: impl std::fmt::Display) -> Result<T> {
     use clap::CommandFactory;
     let error = super::Cli::command().error(clap::error::ErrorKind::ArgumentConflict, message);

@@ -72,7 +72,7 @@ fn address_space() -> Option<u64> {
     let limits = std::fs::read_to_string("/proc/self/limits").ok()?;
     let line = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
     let limit: u64 = line.split_whitespace().next()?.parse().ok()?;
-    Some(limit.saturating_sub(kilobytes("/proc/self/status", "VmSize:")?))
+    Some(limit.saturating_sub(read_kilobytes_as_bytes("/proc/self/status", "VmSize:")?))
 }
 
 /// Returns the free memory of the machine and the process's control groups, in bytes; `None` if it is not reported.
@@ -89,15 +89,15 @@ fn free_memory() -> Option<u64> {
         let number = |name: &str| std::fs::read_to_string(group.join(name)).ok()?.trim().parse::<u64>().ok();
         Some(number("memory.max")?.saturating_sub(number("memory.current")?))
     });
-    limits.chain(kilobytes("/proc/meminfo", "MemAvailable:")).min()
+    limits.chain(read_kilobytes_as_bytes("/proc/meminfo", "MemAvailable:")).min()
 }
 
 /// Returns the largest memory of this process so far, in bytes; `None` if the system does not report it.
 pub fn peak_memory() -> Option<u64> {
-    kilobytes("/proc/self/status", "VmHWM:")
+    read_kilobytes_as_bytes("/proc/self/status", "VmHWM:")
 }
 
-fn kilobytes(file: &str, key: &str) -> Option<u64> {
+fn read_kilobytes_as_bytes(file: &str, key: &str) -> Option<u64> {
     let text = std::fs::read_to_string(file).ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix(key))?;
     Some(line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()? * 1024)

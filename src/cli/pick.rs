@@ -131,7 +131,7 @@ fn origin_of(built: &Built, drawing: &render::Options, (x, y): (usize, usize), p
     let mut range = 0..scene.objects.len();
     while range.len() > 1 {
         let middle = range.start + range.len() / 2;
-        let half = Scene { objects: scene.objects[range.start..middle].to_vec(), ..frame_of(scene) };
+        let half = Scene { objects: scene.objects[range.start..middle].to_vec(), ..scene_without_objects(scene) };
         let found = crate::world::lower(&half).ok().and_then(|world| render::pick(&world, drawing, x, y));
         let is_there = found.is_some_and(|found| found.source == picked.source && found.t == picked.t);
         range = if is_there { range.start..middle } else { middle..range.end };
@@ -140,7 +140,7 @@ fn origin_of(built: &Built, drawing: &render::Options, (x, y): (usize, usize), p
 }
 
 /// Returns the scene's settings without its objects.
-fn frame_of(scene: &Scene) -> Scene {
+fn scene_without_objects(scene: &Scene) -> Scene {
     Scene { camera: scene.camera.clone(), settings: scene.settings.clone(), version: scene.version, ..Scene::default() }
 }
 

@@ -31,7 +31,7 @@ struct LightInMemory {
 }
 
 impl LightInMemory {
-    /// Returns the bytes of a kind of light; empty for none.
+    /// Returns the bytes of the saved photons or radiosity samples, as `kind` selects; empty for none.
     fn bytes(&self, kind: LightKind) -> std::sync::MutexGuard<'_, Vec<u8>> {
         let bytes = match kind {
             LightKind::Photons => &self.photons,
@@ -86,7 +86,7 @@ fn default_output(input: &Path) -> PathBuf {
     name.into()
 }
 
-/// Checks that an existing output file contains light.
+/// Checks that an existing output file contains photons or radiosity samples, so that no other file is replaced.
 fn check_output(output: &Path) -> Result<()> {
     if Disk.exists(output) && !Disk.read(output).is_ok_and(|bytes| is_light_file(&bytes)) {
         let text = format!("`{}` exists, and durer did not save it as light", output.display());
@@ -96,7 +96,7 @@ fn check_output(output: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Builds the scene, computes its light, and writes the file.
+/// Builds the scene, computes its photons and radiosity samples, and writes them to the output file.
 fn prepare(
     console: &Console,
     sources: &Sources,

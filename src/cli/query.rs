@@ -72,7 +72,7 @@ struct TextureRow {
     first: Option<Position>,
 }
 
-/// Prints the contents of a scene.
+/// Prints a list of a scene's cameras, lights, objects and textures.
 pub fn run(console: &Console, args: &QueryArgs) -> Result {
     let invocation = Invocation::without_picture(&session::named(&args.input), &args.scene, None);
     let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;

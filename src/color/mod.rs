@@ -7,13 +7,13 @@ pub use transfer::Gamma;
 use crate::math::DVec3;
 use serde::Serialize;
 
-/// Red, green, blue; linear, not clamped.
+/// Red, green and blue numbers of a colour or of light; linear, not clamped.
 pub type Rgb = DVec3;
 
 /// A colour of the scene language: `rgbft <red, green, blue, filter, transmit>`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Color {
-    /// Reflected colour.
+    /// Red, green and blue of the colour, which a surface reflects.
     pub rgb: Rgb,
     /// Fraction of the light from behind that is transmitted and tinted by `rgb`.
     pub filter: f64,
@@ -22,9 +22,9 @@ pub struct Color {
 }
 
 impl Color {
-    /// `rgb 0`.
+    /// Opaque black, `rgb 0`.
     pub const BLACK: Color = Color::opaque(Rgb::ZERO);
-    /// `rgb 1`.
+    /// Opaque white, `rgb 1`.
     pub const WHITE: Color = Color::opaque(Rgb::ONE);
 
     /// Finite number that replaces infinity in a colour.
@@ -40,7 +40,7 @@ impl Color {
         }
     }
 
-    /// A colour without filter and transmit.
+    /// Creates a colour whose filter and transmit are 0.
     pub const fn opaque(rgb: Rgb) -> Self {
         Self { rgb, filter: 0.0, transmit: 0.0 }
     }
@@ -62,7 +62,7 @@ impl Color {
         1.0 - filter - self.transmit
     }
 
-    /// Returns the colour with its filter as part of `transmit`.
+    /// Returns the colour with its filter added to `transmit`, and a filter of 0.
     pub fn without_tint(self) -> Self {
         Self { filter: 0.0, transmit: self.filter + self.transmit, ..self }
     }

@@ -161,7 +161,7 @@ struct Lines {
     text: String,
     /// Offset of `text` in the source file, in bytes.
     start: usize,
-    /// Number of the first line, from 0.
+    /// Number of the first source line that the message shows, counted from 0.
     line: usize,
     /// Number of characters of the first line before `text`.
     column: usize,
@@ -228,7 +228,8 @@ fn char_start(text: &str, mut at: usize) -> usize {
 }
 
 impl SourceCode for Lines {
-    /// Returns whole lines. (If no context is wanted, miette would cut the lines to the span.)
+    /// Returns the whole source lines that hold a span, for miette, which would cut the lines to the span if no context
+    /// is wanted.
     fn read_span<'a>(
         &'a self,
         span: &SourceSpan,

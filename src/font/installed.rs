@@ -16,7 +16,7 @@ pub enum FontLocation {
 }
 
 impl FontLocation {
-    /// The first or only font of a font file.
+    /// Returns the location of the first or only font of a font file.
     pub fn first_in_file(path: PathBuf) -> Self {
         Self::File(path, 0)
     }

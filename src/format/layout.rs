@@ -150,7 +150,7 @@ impl<'a> Setter<'a> {
 
     /// True if a range fits on the rest of the current line.
     fn fits(&self, from: usize, to: usize) -> bool {
-        let gap = if from < to && !self.at_start() { self.blanks_before(from) } else { 0 };
+        let gap = if from < to && !self.is_at_line_start() { self.blanks_before(from) } else { 0 };
         self.is_flat(from, to) && self.column + gap + self.flat_width(from, to) <= self.width
     }
 
@@ -171,7 +171,7 @@ impl<'a> Setter<'a> {
     }
 
     /// True if the current line has only blanks so far.
-    pub(super) fn at_start(&self) -> bool {
+    pub(super) fn is_at_line_start(&self) -> bool {
         self.out.as_bytes().last().is_none_or(|b| matches!(b, b'\n' | b' '))
     }
 
@@ -185,10 +185,10 @@ impl<'a> Setter<'a> {
             self.new_line(self.indent, false);
         }
         self.commented = self.ends_line(i);
-        if self.has(i, flag::LINE_COMMENT) && !self.at_start() {
+        if self.has(i, flag::LINE_COMMENT) && !self.is_at_line_start() {
             return self.put_trailing(i);
         }
-        let gap = if self.at_start() { usize::from(self.pads[i]) } else { self.blanks_before(i) };
+        let gap = if self.is_at_line_start() { usize::from(self.pads[i]) } else { self.blanks_before(i) };
         self.out.extend(std::iter::repeat_n(' ', gap));
         let text = self.read(i);
         self.column += gap + self.columns(i);

@@ -41,7 +41,7 @@ impl Setter<'_> {
                 hard += 1;
             }
             while at < hard {
-                let end = self.break_in(at, hard, nesting.open.len());
+                let end = self.atoms_before_break(at, hard, nesting.open.len());
                 for i in at..end {
                     nesting.pass(self.has(i, flag::OPEN), self.has(i, flag::CLOSE));
                 }
@@ -65,8 +65,8 @@ impl Setter<'_> {
 
     /// Returns the number of atoms that go on the line: all, or up to the best position for a break, which is outside
     /// of as many brackets as possible.
-    fn break_in(&self, from: usize, to: usize, depth: usize) -> usize {
-        let gap = if self.at_start() { 0 } else { self.blanks_before(from) };
+    fn atoms_before_break(&self, from: usize, to: usize, depth: usize) -> usize {
+        let gap = if self.is_at_line_start() { 0 } else { self.blanks_before(from) };
         let room = self.width.saturating_sub(self.column + gap);
         if self.flat_width(from, to) <= room {
             return to;

@@ -56,12 +56,12 @@ pub enum ResultType {
 pub trait Sampler: std::fmt::Debug + Send + Sync {
     /// Number of arguments that the evaluation of the pigment, pattern, transform or spline takes.
     fn arity(&self) -> usize;
-    /// Type of the result of the evaluation.
+    /// Type of the result of the pigment, pattern, transform or spline.
     fn result_type(&self) -> ResultType;
-    /// Evaluates the object. A number fills the first component, a vector of `n` numbers the first `n`, a colour all five:
-    /// red, green, blue, filter, transmit. Unused components are 0.
+    /// Evaluates the pigment, pattern, transform or spline. A number fills the first component, a vector of `n` numbers
+    /// the first `n`, a colour all five: red, green, blue, filter, transmit; other components are 0.
     fn sample(&self, arguments: &[f64]) -> [f64; 5];
-    /// Evaluates one component of the result.
+    /// Evaluates one component of the result of the pigment, pattern, transform or spline.
     fn sample_component(&self, component: usize, arguments: &[f64]) -> f64 {
         self.sample(arguments)[component]
     }

@@ -21,15 +21,15 @@ pub enum Kernel {
 pub enum Domain {
     /// Domain of a numeric function that accepts every number.
     All,
-    /// Numeric function for numbers from -1 to 1; others are clamped.
+    /// Domain of a numeric function for numbers from -1 to 1; a script clamps other numbers.
     Arc,
-    /// Numeric function for numbers of at least 0.
+    /// Domain of a numeric function that accepts 0 and positive numbers.
     FromZero,
-    /// Numeric function for numbers above 0.
+    /// Domain of a numeric function that accepts only numbers above 0.
     AboveZero,
-    /// Numeric function whose two arguments must not both be 0, with the reason.
+    /// Domain of a numeric function whose two arguments must not both be 0, with the reason.
     NotBothZero(&'static str),
-    /// Numeric function for which a second argument of 0 is a division by zero.
+    /// Domain of a numeric function for which a second argument of 0 is a division by zero.
     Divides,
 }
 

@@ -35,7 +35,7 @@ pub struct Encoding {
 /// Compression methods of OpenEXR and TGA pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Packing {
-    /// No compression.
+    /// Stores an OpenEXR or TGA picture without compression.
     None,
     /// Run-length encoding by lines; for OpenEXR ten times as fast as the denser methods.
     Runs,

@@ -21,7 +21,8 @@ pub(super) enum ArgumentForm<'a> {
     Name(Symbol),
     /// An array element that is passed as an argument, by its location.
     LValue(LValue),
-    /// Contents of an argument that is neither a location nor an array element.
+    /// Contents of an argument that is any other value, or whose name or array element is gone when the macro around it
+    /// ends.
     Slot(Slot<'a>),
 }
 
@@ -159,7 +160,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// True if the argument is a value, or a name or array element that has one.
+    /// True if the argument is a name or an array element that has a value; false for any other value.
     pub(super) fn is_argument_defined(&self, argument: &Argument<'a>) -> bool {
         match &argument.given {
             ArgumentForm::Name(symbol) => self.evaluator.is_declared(*symbol),

@@ -16,9 +16,10 @@ pub struct ParsedFiles {
     parts: elsa::FrozenMap<*const (), Box<[Element]>, FxBuildHasher>,
     /// Tokens of the rests of files after an old `#version`, by the address of the first element.
     rests: elsa::FrozenMap<*const (), Box<[Element]>, FxBuildHasher>,
-    /// Indices of the trees in `asts`.
+    /// Index in `asts` of the syntax tree of each parsed file, by file.
     trees: RefCell<FxHashMap<FileId, usize>>,
-    /// Files by path, with their stamps, because a scene may write a file that the next frame includes.
+    /// Files that were read, by path, each with its state at that time (stamp), because a scene may write a file that
+    /// the next frame includes.
     files: RefCell<FxHashMap<PathBuf, (FileId, Option<Stamp>)>>,
 }
 
@@ -29,7 +30,8 @@ impl ParsedFiles {
         self.asts.get(index)
     }
 
-    /// Returns the parts of a node of a syntax tree; `make` is called once per node.
+    /// Returns the smaller elements into which a node of a syntax tree is split. They are cached: `make` computes them
+    /// once per node.
     pub(super) fn parts_of<T>(&self, whole: &T, make: impl FnOnce() -> Vec<Element>) -> &[Element] {
         let key: *const () = std::ptr::from_ref(whole).cast();
         match self.parts.get(&key) {
@@ -38,7 +40,8 @@ impl ParsedFiles {
         }
     }
 
-    /// Returns the tokens of the rest of a file; `make` is called once per first element.
+    /// Returns the tokens of the rest of a file, which begins at the element `first`. They are cached: `make` computes
+    /// them once per first element.
     pub(super) fn rest_from(&self, first: &Element, make: impl FnOnce() -> Vec<Element>) -> &[Element] {
         let key: *const () = std::ptr::from_ref(first).cast();
         match self.rests.get(&key) {
@@ -52,7 +55,8 @@ impl ParsedFiles {
         self.asts.push_get(Box::new(ast))
     }
 
-    /// Returns the file at `path`; `None` if it was not read or has changed since. Built-in files have no stamp.
+    /// Returns the id of the file that was read from `path`; `None` if the file was not read or has changed since.
+    /// Built-in files have no stamp.
     pub(super) fn file(&self, files: &dyn Files, path: &Path) -> Option<FileId> {
         let (file, read) = self.files.borrow().get(path).copied()?;
         (read == files.stamp(path)).then_some(file)

@@ -25,7 +25,7 @@ pub struct LoweredLight {
     pub scattered: bool,
     /// Grid of the area light about its location; never a single light. `None` for a point light.
     pub area: Option<Area>,
-    /// Emission of photons.
+    /// Settings of the photons that the lowered light emits.
     pub photons: LightPhotons,
     /// Direction of the light's axis, length 1.
     axis: DVec3,
@@ -44,7 +44,7 @@ pub struct LightSample {
     /// Distance from the point to the light; negative behind a parallel light, which illuminates points there too
     /// (quirk: `parallel_light_behind`).
     pub distance: f64,
-    /// Light that reaches the point.
+    /// Red, green and blue of the light that reaches the point without occlusion.
     pub light: Rgb,
 }
 

@@ -50,7 +50,7 @@ pub struct Light {
     pub media_interaction: bool,
     /// True if media attenuate the light.
     pub media_attenuation: bool,
-    /// Emission of photons.
+    /// Settings of the photons that the light emits.
     pub photons: LightPhotons,
     /// Span of the light source in the scene.
     pub source: Span,

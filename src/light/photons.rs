@@ -36,7 +36,8 @@ pub const LIGHT_PHOTONS: Spec = Spec {
 };
 
 impl LightPhotons {
-    /// Reads the block from its opening to its closing brace; what it states replaces the present values.
+    /// Reads the `photons` block of a light source, from its opening to its closing brace; what the block states
+    /// replaces the present values.
     ///
     /// # Errors
     /// A diagnostic at the first item that is not understood.

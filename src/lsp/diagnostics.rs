@@ -14,7 +14,7 @@ use serde_json::json;
 /// Diagnostic in the form of the Language Server Protocol.
 pub type EditorDiagnostic = lsp_types::Diagnostic;
 
-/// Converts a diagnostic of a run; its first label is in `file`.
+/// Converts a diagnostic of a scene's run to one of the Language Server Protocol; its first label is in `file`.
 pub fn of_run(diagnostic: &Diagnostic, sources: &Sources, file: FileId) -> EditorDiagnostic {
     let text = |id: FileId| Text::new(sources.text(id).to_string());
     let range = match sources.locate(diagnostic.span()) {
@@ -31,7 +31,7 @@ pub fn of_run(diagnostic: &Diagnostic, sources: &Sources, file: FileId) -> Edito
     convert(diagnostic, range, places.filter_map(related).collect())
 }
 
-/// The hint for a branch that did not run.
+/// Returns the hint that the editor shows at a branch of `#if` or `#switch` that did not run.
 pub fn of_idle_branch(sources: &Sources, file: FileId, bytes: std::ops::Range<usize>) -> EditorDiagnostic {
     EditorDiagnostic {
         range: Text::new(sources.text(file).to_string()).range(bytes),
@@ -43,7 +43,7 @@ pub fn of_idle_branch(sources: &Sources, file: FileId, bytes: std::ops::Range<us
     }
 }
 
-/// Converts a fault of the syntax.
+/// Converts a syntax fault of an open document to a diagnostic of the Language Server Protocol.
 pub fn of_syntax(fault: &Diagnostic, text: &Text, uri: &Uri) -> EditorDiagnostic {
     let local = |place: u32| (place as usize).saturating_sub(BASE);
     let range = |label: &Label| text.range(local(label.span.lo)..local(label.span.hi));

@@ -26,7 +26,7 @@ pub struct Document {
     pub version: i32,
     /// Present text of the open document.
     pub text: Text,
-    /// Outline of the text.
+    /// Outline of the document's present text: its tokens, bracket pairs, declarations and uses of names.
     pub outline: Arc<Outline>,
     /// Syntax faults of the open document.
     pub faults: Vec<Diagnostic>,

@@ -28,7 +28,7 @@ pub struct Files(BTreeMap<PathBuf, File>);
 const MAX_FILES: usize = 500;
 
 impl Files {
-    /// The file at a path, or the built-in file.
+    /// Returns the included file at a path, real or built in, from the cache, and reads it if it is new or has changed.
     fn get(&mut self, path: &Path) -> Option<&File> {
         let now = Disk.stamp(path);
         if self.0.get(path).is_none_or(|file| file.read != now) {

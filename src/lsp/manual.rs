@@ -25,7 +25,7 @@ fn folder() -> Option<&'static Path> {
     FOLDER.get_or_init(find).as_deref()
 }
 
-/// The address of a page, if the manual is installed.
+/// Returns the address of a page of the manual; `None` if the manual is not installed.
 fn address(path: &str) -> Option<Uri> {
     let path = folder()?.join(path);
     path.is_file().then(|| uri_of(&path)).flatten()

@@ -50,7 +50,7 @@ pub enum End {
 /// Message to the editor.
 #[derive(Debug)]
 pub(in crate::lsp) enum Outgoing {
-    /// A response, a request or a notification.
+    /// Outgoing message: a response, a request or a notification to the editor.
     Message(lsp_server::Message),
     /// The error response to invalid input.
     Refusal(Refusal),

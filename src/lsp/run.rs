@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Limit of a run: number of elements and loop passes.
+/// Maximum number of directives, loop passes and macro calls of a background run of a scene.
 const MAX_STEPS: u64 = 50_000_000;
 /// Time limit of a background run of a scene.
 pub const MAX_TIME: Duration = Duration::from_secs(20);

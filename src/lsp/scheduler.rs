@@ -62,7 +62,8 @@ impl<S: Client> Server<S> {
         }
     }
 
-    /// Time of the next action: a scheduled run, or the time limit of an active one.
+    /// Time at which the language server has to act next: start a scheduled run, or cancel an active one at its time
+    /// limit.
     pub(in crate::lsp) fn next_action(&self) -> Option<Instant> {
         let runs = &self.runs.active;
         let is_free = runs.len() < MAX_ACTIVE;

@@ -54,12 +54,13 @@ pub struct Server<S> {
     pub include: Vec<PathBuf>,
     /// Background runs that have not ended yet.
     pub(in crate::lsp) runs: ActiveRuns,
-    /// Diagnostics of the last run of each scene, for each address.
+    /// Diagnostics of the last background run of each scene: by the address of the scene, then by the address of the
+    /// file that they are about.
     pub(in crate::lsp) results: BTreeMap<String, BTreeMap<String, Vec<EditorDiagnostic>>>,
     state: State,
 }
 
-/// Progress of the connection to the editor.
+/// State of the connection to the editor: before `initialize`, running, or after `shutdown`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum State {
     /// State before the editor's request `initialize`.
@@ -126,7 +127,8 @@ impl<S: Client> Server<S> {
         if self.state == State::ShutDown && matches!(end, End::Disconnected) { End::ShutDown } else { end }
     }
 
-    /// Reacts to an event that needs no response.
+    /// Handles an event other than a request: a notification, invalid input, the end of a run, or a message to pass to
+    /// the editor.
     fn handle(&mut self, event: Event) {
         match event {
             Event::Message(Message::Notification(note)) if self.state == State::Running => self.notification(note),
@@ -137,7 +139,7 @@ impl<S: Client> Server<S> {
         }
     }
 
-    /// Does a part of the work. A panic does not harm the texts: the server continues.
+    /// Runs `work` on the language server, which continues after a panic in it with its texts unharmed.
     fn guarded(&mut self, work: impl FnOnce(&mut Self)) {
         if catch_unwind(AssertUnwindSafe(|| work(self))).is_err() {
             self.log(INTERNAL_FAILURE.into());
@@ -185,7 +187,7 @@ impl<S: Client> Server<S> {
         }
     }
 
-    /// Reports a failure for which no request waits: a notification has no response.
+    /// Sends the editor a log message about a failed notification, which has no response.
     fn log(&self, message: String) {
         let params = LogMessageParams { typ: MessageType::ERROR, message };
         self.client.send(Message::Notification(Notification::new("window/logMessage".into(), params)));
@@ -320,7 +322,7 @@ impl<S: Client> Server<S> {
         out
     }
 
-    /// The address of a text that was reached from `from`.
+    /// Returns the editor's address of a text that the document `from` reaches by includes.
     pub fn uri(&self, reached: &ReachableText, from: &Uri) -> Option<Uri> {
         match &reached.path {
             None => Some(from.clone()),

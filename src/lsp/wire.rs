@@ -62,7 +62,7 @@ impl Refusal {
 /// Reader of messages that continues after invalid input.
 pub struct Reader<R> {
     from: R,
-    /// True after a frame with unknown length: the next frame starts at the next header [`LENGTH`].
+    /// True after a message whose length is unknown: the next message starts at the next header [`LENGTH`].
     is_lost: bool,
 }
 
@@ -94,7 +94,7 @@ impl<R: BufRead> Reader<R> {
         Ok(parse(&body))
     }
 
-    /// Reads the header of a frame.
+    /// Reads the header of the next message from the editor, which gives the length of the message.
     fn header(&mut self) -> io::Result<Header> {
         let mut from = (&mut self.from).take(MAX_HEADER);
         let (mut line, mut length) = (vec![], None);
@@ -182,7 +182,7 @@ fn skip_to_length(from: &mut impl BufRead) -> io::Result<bool> {
     }
 }
 
-/// Converts the body of a frame to a message.
+/// Parses the body of a message from the editor as JSON-RPC; a refusal if it is invalid.
 fn parse(body: &[u8]) -> Incoming {
     let parsed = serde_json::from_slice(body)
         .or_else(|error| without_lone_surrogates(body).ok_or(error).and_then(|body| serde_json::from_slice(&body)));

@@ -24,7 +24,7 @@ fn add(out: &mut Vec<WordSpec>, more: impl IntoIterator<Item = WordSpec>) {
     }
 }
 
-/// The names of blocks as words without a value.
+/// Returns the names of these blocks as entries of a word table that take no value.
 fn names(specs: &[&Spec]) -> impl Iterator<Item = WordSpec> {
     specs.iter().map(|spec| word(spec.name, ValueKind::Nothing, "", spec.summary))
 }
@@ -117,7 +117,7 @@ pub fn explain(word: &str, block: &str) -> Vec<String> {
     out
 }
 
-/// Removes links, which lead to pages of the manual.
+/// Removes the links from a Markdown text of the manual, because they lead to other pages.
 fn plain(markdown: &str) -> String {
     let mut text = String::new();
     let mut rest = markdown;
@@ -148,7 +148,7 @@ pub fn function(name: &str) -> Option<(String, &'static str)> {
     functions().find(|(other, ..)| *other == name).map(|(name, usage, summary)| (format!("{name}{usage}"), summary))
 }
 
-/// All functions: name, arguments in parentheses, description.
+/// Returns all built-in functions of the scene language: name, arguments in parentheses, description.
 pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     let numbers = numeric::TABLE.iter().map(|row| {
         let usage = match row.kernel {

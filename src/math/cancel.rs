@@ -32,7 +32,7 @@ impl CancelToken {
         let _ = self.0.compare_exchange(0, reason as u8, Ordering::Relaxed, Ordering::Relaxed);
     }
 
-    /// True after [`CancelToken::cancel`].
+    /// True once [`CancelToken::cancel`] was called on this token or on a clone of it.
     pub fn is_cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed) != 0
     }

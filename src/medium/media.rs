@@ -24,18 +24,18 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SamplingMethod {
-    /// Method 1: random points.
+    /// Sampling method 1 of media: random points along the ray.
     Random,
-    /// Method 2: points at equal distances.
+    /// Sampling method 2 of media: points at equal distances along the ray.
     Even,
-    /// Method 3: points at equal distances, and more of them where the light changes.
+    /// Sampling method 3 of media: points at equal distances along the ray, and more of them where the light changes.
     Adaptive,
 }
 
 /// Parameters of the sampling of a medium along a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct MediaSampling {
-    /// Method of the sampling.
+    /// Method by which the medium is sampled along a ray.
     pub method: SamplingMethod,
     /// Number of intervals into which a stretch of the ray is divided.
     pub intervals: u32,
@@ -82,7 +82,7 @@ pub struct Media {
     pub absorption: Rgb,
     /// Light that is emitted per world unit at density 1.
     pub emission: Rgb,
-    /// Light that is scattered.
+    /// Scattering of light by the medium: colour, phase function and extinction.
     pub scattering: Scattering,
     /// Densities whose product is the medium's; without one, the density is 1.
     pub densities: Vec<Density>,
@@ -90,7 +90,7 @@ pub struct Media {
     pub sampling: MediaSampling,
     /// True if the medium neither stores nor shows photons (`collect off`).
     pub ignores_photons: bool,
-    /// Span of the block.
+    /// Span of the `media` block in the scene.
     #[serde(skip)]
     pub source: Span,
 }
@@ -194,7 +194,7 @@ impl Media {
         }
     }
 
-    /// Transforms the densities.
+    /// Transforms the density patterns of the medium.
     pub fn transform(&mut self, by: &Transform) {
         self.densities.iter_mut().for_each(|density| density.transform(by));
     }
@@ -214,7 +214,7 @@ fn checked_count(word: &str, number: f64, at: Span) -> Result<u32> {
     Ok(number as u32)
 }
 
-/// Reads a probability below 1.
+/// Reads the value of `confidence`, a probability below 1.
 fn read_confidence(r: &mut dyn Reader) -> Result<f64> {
     let (at, number) = (r.span(), r.float()?);
     if number < 1.0 {
@@ -223,7 +223,7 @@ fn read_confidence(r: &mut dyn Reader) -> Result<f64> {
     Diagnostic::err(codes::BAD_ARGUMENT, at, format!("`confidence` is {number}; it is below 1"))
 }
 
-/// Reads a difference above 0.
+/// Reads the value of `aa_threshold`, a difference of samples above 0.
 fn read_threshold(r: &mut dyn Reader) -> Result<f64> {
     let (at, number) = (r.span(), r.float()?);
     if number > 0.0 {

@@ -15,13 +15,14 @@ pub enum Phase {
     /// Equal scattering in all directions.
     #[default]
     Isotropic,
-    /// Haze (Nishita, Miyawaki and Nakamae, A shading model for atmospheric scattering, 1987).
+    /// Phase function of haze (Nishita, Miyawaki and Nakamae, A shading model for atmospheric scattering, 1987).
     MieHaze,
-    /// Murky air (Nishita, Miyawaki and Nakamae 1987).
+    /// Phase function of murky air (Nishita, Miyawaki and Nakamae 1987).
     MieMurky,
-    /// Small molecules (Rayleigh 1871).
+    /// Phase function of small molecules (Rayleigh 1871).
     Rayleigh,
-    /// Henyey and Greenstein, Diffuse radiation in the galaxy, 1941, with the block's `eccentricity`.
+    /// Phase function of Henyey and Greenstein (Diffuse radiation in the galaxy, 1941), with the block's
+    /// `eccentricity`.
     HenyeyGreenstein,
 }
 

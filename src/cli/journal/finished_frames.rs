@@ -21,7 +21,8 @@ struct Entry {
     picture: PathBuf,
     /// Hash of the finished frame's picture file.
     hash: ContentHash,
-    /// Work of the frame; its options are also those of the picture's encoding.
+    /// Inputs of the finished frame (`Work`) and the program that rendered it; the work's options include those of the
+    /// picture's encoding.
     begun: Begun,
 }
 

@@ -21,22 +21,22 @@ pub struct Work {
     pub now: Option<Duration>,
 }
 
-/// Work and the program that began it.
+/// Inputs of a picture (`Work`), with the identity of the program that began to render it.
 #[derive(Serialize, Deserialize, Clone, Debug, PartialEq)]
 pub struct Begun {
     /// Identity of the program, from [`program`].
     program: String,
-    /// Work of the picture.
+    /// Inputs that determine the bytes of the picture: options, files, look-ups and `now`.
     pub work: Work,
 }
 
 impl Begun {
-    /// Creates work that this program begins.
+    /// Returns the work together with the identity of the running program, which begins it.
     pub fn new(work: Work) -> Self {
         Self { program: program().into(), work }
     }
 
-    /// Parses the JSON of a value of this type.
+    /// Parses the header of a journal, as JSON: the work, and the program that began it.
     ///
     /// # Errors
     /// If another version of the program wrote the text, or it is damaged.

@@ -116,9 +116,9 @@ pub fn path_beside(picture: &Path) -> PathBuf {
     name.into()
 }
 
-/// Bytes that are written together, approximately.
+/// Number of bytes of pending records from which a journal writes them to its file.
 const CHUNK: usize = 1 << 16;
-/// Bytes of the longest header.
+/// Maximum length of a journal's header, in bytes.
 const MAX_HEADER: u64 = 1 << 26;
 /// Time between two waits for the disk. A power loss costs at most the tiles that were finished within this time.
 const SYNC_INTERVAL: Duration = Duration::from_secs(5);
@@ -135,7 +135,7 @@ struct State {
     file: Exclusive,
     /// Moment from which tiles are written; `None` before the work is known.
     begins: Option<Instant>,
-    /// Work whose header is not written yet.
+    /// New work whose header is not yet written to the journal's file; `None` once the header is written.
     new_work: Option<Work>,
     /// Key of the records; `None` before the header is written.
     key: Option<Key>,
@@ -145,10 +145,10 @@ struct State {
     light: StoredLight,
     /// Length of the header and all records in the file.
     end: u64,
-    /// Records that are not written yet.
+    /// Bytes of the records that are not yet written to the journal's file.
     pending: Vec<u8>,
     error: Option<io::Error>,
-    /// Time of the last wait for the disk.
+    /// Moment at which the last wait until the journal was on the disk ended; `None` before the first.
     synced: Option<Instant>,
 }
 
@@ -185,20 +185,21 @@ impl Journal {
         self.state().file.file().metadata().is_ok_and(|metadata| metadata.len() > 0)
     }
 
-    /// Returns the work in the file that an earlier run of this program began.
+    /// Returns the work that an earlier run of this program began, from the header in the journal's file; `None`
+    /// without a valid header.
     pub fn begun(&self) -> Option<Begun> {
         let state = self.state();
         read_header(&mut reader(state.file.file()).ok()?).and_then(|header| Begun::parse(&header)).ok()
     }
 
-    /// Begins new work. The old contents remain until rendering has taken longer than `after`.
+    /// Begins a journal of new work. The file's old contents remain until rendering has taken longer than `after`.
     pub fn begin(&self, work: Work, after: Duration) {
         let mut state = self.state();
         state.begins = Instant::now().checked_add(after);
         state.new_work = Some(work);
     }
 
-    /// Continues the work in the file.
+    /// Continues the work whose tiles the journal's file holds, if it is the same as `work`.
     ///
     /// # Errors
     /// The reason, if the journal belongs to other work or is damaged.
@@ -258,7 +259,8 @@ impl Journal {
         Ok(tiles)
     }
 
-    /// Returns the pixels of a tile whose offset in the file is known.
+    /// Reads the pixels of a tile's area from the journal's file, at the offset that [`Self::finished_tiles`] gave;
+    /// `None` if reading fails.
     pub fn pixels_at(&self, area: Region, offset: u64) -> Option<Vec<[f32; 4]>> {
         self.state().pixels_at(area, offset)
     }
@@ -291,17 +293,18 @@ impl Journal {
         Some(&self.path)
     }
 
-    /// True if the file has the header of this work: rendering has taken some time.
+    /// True if this run's header is in the journal's file, which is so once rendering has taken some time.
     pub fn is_written(&self) -> bool {
         self.state().key.is_some()
     }
 
-    /// Returns the error that ended the journal.
+    /// Returns the write error after which the journal stores no more tiles; `None` without an error.
     pub fn failure(&self) -> Option<String> {
         self.state().error.as_ref().map(ToString::to_string)
     }
 
-    /// Deletes the file after the picture has been written. A file of other work that nothing was written to remains.
+    /// Deletes the journal's file after the picture has been written. A file of other work that nothing was written to
+    /// remains.
     pub fn remove(&self) {
         let state = self.state();
         if state.key.is_some() {
@@ -309,7 +312,7 @@ impl Journal {
         }
     }
 
-    /// Deletes a file without contents before the process ends.
+    /// Deletes the journal's file if it is empty, before the process ends.
     pub fn remove_empty(&self) {
         let state = self.state();
         if state.file.file().metadata().is_ok_and(|metadata| metadata.len() == 0) {
@@ -317,7 +320,7 @@ impl Journal {
         }
     }
 
-    /// Waits until the file is on the disk; its name, too, the first time.
+    /// Waits until the journal's contents are on the disk; the first time, also until the file's name is.
     fn sync(&self, unsynced: Option<(File, bool)>) {
         let Some((file, is_first)) = unsynced else { return };
         if let Err(error) = file.sync_data() {
@@ -330,7 +333,7 @@ impl Journal {
 }
 
 impl State {
-    /// Returns the pixels of an area, which are stored at an offset in the file.
+    /// Reads the pixels of a tile's area from the journal's file, at this offset; `None` if reading fails.
     fn pixels_at(&self, area: Region, offset: u64) -> Option<Vec<[f32; 4]>> {
         let mut bytes = vec![0; area.width * area.height * 16];
         let mut file = self.file.file();
@@ -357,7 +360,7 @@ impl State {
         Ok(true)
     }
 
-    /// Replaces the old contents by a header.
+    /// Replaces the old contents of the journal's file by the header of `work`.
     fn write_header(&mut self, work: Work) -> io::Result<()> {
         let mut header = serde_json::to_vec(&Begun::new(work))?;
         header.push(b'\n');
@@ -399,7 +402,7 @@ fn reader(mut file: &File) -> io::Result<BufReader<&File>> {
     Ok(BufReader::with_capacity(1 << 20, file))
 }
 
-/// Reads the first line, with its end.
+/// Reads the header of a journal, which is its first line, with the line's end.
 fn read_header(reader: &mut impl BufRead) -> Result<Vec<u8>, String> {
     let mut header = vec![];
     reader.by_ref().take(MAX_HEADER).read_until(b'\n', &mut header).map_err(|e| unreadable(&e))?;

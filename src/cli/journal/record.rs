@@ -7,11 +7,11 @@ use crate::render::{FINAL_PASS, Region, Tile};
 use crate::scene::LightKind;
 use std::io::{self, Read};
 
-/// Bytes of a record's head: one byte and four `u64`.
+/// Length of a record's head in bytes: one byte and four `u64`.
 pub const HEAD: usize = 33;
-/// Bytes of the checksum at the end of a record.
+/// Length of the checksum at the end of a record, in bytes.
 pub const SUM: usize = 16;
-/// Largest number of pixels of a tile.
+/// Maximum number of pixels of the tile in a journal's record; a record with more is damaged.
 const MAX_PIXELS: usize = 1 << 16;
 /// Largest length of a part of a file of light, in bytes.
 pub const MAX_PART: usize = MAX_PIXELS * size_of::<[f32; 4]>();
@@ -146,12 +146,12 @@ fn parse_head(head: &[u8]) -> Option<(Content, usize)> {
     Some((Content::Light { kind, start: a }, length))
 }
 
-/// Returns the reason for a journal that is damaged.
+/// Returns the words that a journal is damaged, as the reason why it cannot be continued.
 pub fn damaged() -> String {
     "it is damaged".into()
 }
 
-/// Returns the reason for a journal that the system does not read or write.
+/// Returns the words that the system cannot read or write a journal, as the reason why it cannot be continued.
 pub fn unreadable(error: &io::Error) -> String {
     format!("it can't be read: {error}")
 }

@@ -73,7 +73,7 @@ pub fn to_ascii(text: &str) -> String {
         .replace(['‘', '’'], "'")
 }
 
-/// Returns the last lines of the output.
+/// Returns the last lines of the output for POV-Ray's clients, which state success, failure or cancellation.
 pub fn ending_lines(exit: Exit) -> &'static str {
     match exit {
         Exit::Fine => "POV-Ray finished\n",

@@ -30,7 +30,7 @@ const NAMES_OF_VALUES: &[(&str, &str)] = &[
 const UNQUOTED: &[&str] = &["Declare", "Dither_Method", "File_Gamma", "Display_Gamma"];
 
 impl NamedSettings {
-    /// Adds an option that was read: its value, or whether it was turned on.
+    /// Adds a POV-Ray option that was read to the settings: its value, or whether it was turned on.
     pub fn add(&mut self, row: &Row, value: &str, on: bool) {
         if row.ini.is_empty() {
             return;
@@ -51,7 +51,8 @@ impl NamedSettings {
         }
     }
 
-    /// Sets the settings that of a file type such as `N16` or `Ng`.
+    /// Sets the INI settings that a file type such as `N16` or `Ng` names: format, grayscale, and bits per
+    /// channel.
     fn set_file_type(&mut self, value: &str) {
         let Some(letter) = value.get(..1) else { return };
         self.set("Output_File_Type", letter, false);

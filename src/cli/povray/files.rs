@@ -45,7 +45,7 @@ impl<'s> Files<'s> {
     /// Reads an INI file, `file.ini` or `file.ini[section]`, named at `span`.
     pub fn open_ini(&mut self, word: &str, span: Span) -> Result<Ini> {
         let (name, section) = ini::split_section(word);
-        let path = self.located(&with_ini(name), Path::is_file);
+        let path = self.located(&with_ini_extension(name), Path::is_file);
         self.check_named(&path, span)?;
         let entry = (path.canonicalize().unwrap_or_else(|_| path.clone()), section.map(str::to_lowercase));
         if self.open.contains(&entry) || self.open.len() >= MAX_NESTED {
@@ -69,7 +69,7 @@ impl<'s> Files<'s> {
     /// True if a word names an INI file, also one that is beside the INI file with the word.
     pub fn is_ini(&self, word: &str) -> bool {
         let exists = |word: &str| self.located(word, Path::is_file).is_file();
-        is_ini(word) || Path::new(word).extension().is_none() && !exists(word) && exists(&with_ini(word))
+        is_ini(word) || Path::new(word).extension().is_none() && !exists(word) && exists(&with_ini_extension(word))
     }
 
     /// Removes the innermost INI file after its end.
@@ -106,16 +106,16 @@ pub fn is_ini(word: &str) -> bool {
     let (name, section) = ini::split_section(word);
     let path = Path::new(name);
     !Path::new(word).is_file() && section.is_some()
-        || has_ini(path)
-        || path.extension().is_none() && !path.is_file() && Path::new(&with_ini(name)).is_file()
+        || has_ini_extension(path)
+        || path.extension().is_none() && !path.is_file() && Path::new(&with_ini_extension(name)).is_file()
 }
 
-fn has_ini(path: &Path) -> bool {
+fn has_ini_extension(path: &Path) -> bool {
     path.extension().is_some_and(|e| e.eq_ignore_ascii_case("ini"))
 }
 
-fn with_ini(name: &str) -> String {
-    if has_ini(Path::new(name)) || Path::new(name).is_file() { name.into() } else { format!("{name}.ini") }
+fn with_ini_extension(name: &str) -> String {
+    if has_ini_extension(Path::new(name)) || Path::new(name).is_file() { name.into() } else { format!("{name}.ini") }
 }
 
 fn exists_with_pov_extension(path: &Path) -> bool {

@@ -28,7 +28,7 @@ pub struct Word {
 /// Contents of an INI file: settings and syntax faults.
 #[derive(Debug, Default)]
 pub struct Ini {
-    /// Words in the order of the text.
+    /// Settings, switches and file names of the INI file, in the order of the text.
     pub words: Vec<Word>,
     /// Syntax faults of the INI file.
     pub faults: Vec<Diagnostic>,

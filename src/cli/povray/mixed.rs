@@ -27,7 +27,7 @@ pub fn form(words: &[OsString]) -> Form {
         return Form::Durer;
     }
     match command.find_subcommand(&first) {
-        Some(command) if is_mixing(command) => {
+        Some(command) if accepts_povray_options(command) => {
             let is_povray = mark_povray_options(command, &words[at + 1..]).iter().any(|(_, is_povray)| *is_povray);
             if is_povray { Form::Mixed(at) } else { Form::Durer }
         }
@@ -52,10 +52,10 @@ pub fn first_word(words: &[OsString]) -> Option<(usize, String)> {
 
 /// True if the word is a command that reads a scene, and no file has this name.
 pub fn is_command(word: &str) -> bool {
-    commands().find_subcommand(word).is_some_and(is_mixing) && !Path::new(word).exists()
+    commands().find_subcommand(word).is_some_and(accepts_povray_options) && !Path::new(word).exists()
 }
 
-fn is_mixing(command: &Command) -> bool {
+fn accepts_povray_options(command: &Command) -> bool {
     ["render", "check", "pick"].contains(&command.get_name())
 }
 

@@ -35,7 +35,7 @@ impl Translation<'_> {
         Ok(())
     }
 
-    /// Adds a stream that is not printed.
+    /// Records that an option turns off the printing of a stream of text.
     pub(super) fn silence(&mut self, stream: Stream, origin: Origin) {
         self.text.silent.push((stream, origin.word));
     }

@@ -15,13 +15,13 @@ pub enum Stream {
     All,
     /// Text that the scene prints.
     Debug,
-    /// Errors.
+    /// Stream of the error messages, as one of POV-Ray's kinds of text.
     Fatal,
     /// Notes about the progress of the command.
     Render,
     /// Times and memory of each picture.
     Statistics,
-    /// Warnings.
+    /// Stream of the warnings, as one of POV-Ray's kinds of text.
     Warning,
 }
 
@@ -82,7 +82,7 @@ impl TextFiles {
         output.files.iter().map(open).collect::<Result<_>>().map(Self)
     }
 
-    /// True if there are no files.
+    /// True if no stream of text is copied to a file.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

@@ -7,7 +7,7 @@ use serde_json::Value;
 /// Maximum length of an item that is written on one line, in bytes.
 const WIDTH: usize = 100;
 
-/// Formats a stage as JSON, with a line ending at the end.
+/// Formats a stage of the scene, which `--dump` prints, as JSON with a line ending at the end.
 pub fn to_json(sources: &Sources, stage: &impl Serialize) -> String {
     let mut value = serde_json::to_value(stage).unwrap_or_default();
     name_positions(sources, &mut value);

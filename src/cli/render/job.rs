@@ -141,7 +141,8 @@ impl<'a> Job<'a> {
         self.reported.extend(advice);
     }
 
-    /// Builds a frame. A render that continues a journal gets the value of `now` with which the journal began.
+    /// Builds the Scene and World of a frame. A render that continues a journal gets the value of `now` with which the
+    /// journal began.
     fn build_as_begun(&mut self, timing: Timing, cancel: &CancelToken, journal: Option<&Journal>) -> Built {
         let begun = journal.filter(|_| self.config.resume).and_then(Journal::begun);
         let options = self.options(timing);

@@ -176,7 +176,8 @@ impl LightSaver {
         self.warnings.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Saves light to a file that the scene names, if its policy allows that.
+    /// Saves photons or radiosity samples to a file that the scene names, if the policy for the scene's files allows
+    /// that.
     fn save_for_scene(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) -> Result<()> {
         if let WritePolicy::InMemory = self.sandbox.write {
             let error = io::Error::other("only `durer render` without `--untrusted` writes the files of a scene");
@@ -196,7 +197,8 @@ impl LightSaver {
     }
 }
 
-/// Saves light to a file that the command line names. An existing file is replaced only if it contains saved light.
+/// Saves photons or radiosity samples to a file that the command line names. An existing file is replaced only if it
+/// contains such saved light.
 fn save_for_user(path: &Path, kind: LightKind, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) -> Result<()> {
     let save = || {
         if Disk.exists(path) && !is_light_file(&Disk.read(path)?) {

@@ -34,7 +34,7 @@ pub struct Monitor<'a> {
 
 /// Receiver of photons and radiosity samples that a scene or a command saves.
 pub trait ReceiveLight: Sync {
-    /// Receives light for a file; `write` writes the contents of the file.
+    /// Receives the photons or radiosity samples for a file; `write` writes the contents of the file.
     fn receive(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>);
 }
 

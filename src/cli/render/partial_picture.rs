@@ -40,7 +40,7 @@ impl PartialPicture {
         Self { journal: journal.clone(), path: path.into(), size, n_pixels, conversion }
     }
 
-    /// Writes the file, and returns a line about the result for people.
+    /// Writes the finished tiles as a PNG file, and returns a line for people about the result.
     pub fn write_and_describe(&self) -> String {
         let path = self.path.display();
         match self.write() {
@@ -50,7 +50,8 @@ impl PartialPicture {
         }
     }
 
-    /// Writes the file, whole or not at all. Returns the finished share of the pixels, from 0 to 1.
+    /// Writes the finished tiles as a PNG file, whole or not at all. Returns the finished share of the pixels, from 0
+    /// to 1.
     fn write(&self) -> Result<f64> {
         let unreadable = |reason: String| {
             let text = format!("the journal of `{}` can't be read: {reason}", self.path.display());

@@ -16,7 +16,7 @@ pub enum Progress {
     Bar(ProgressBar),
     /// Progress display without a terminal: a line from time to time.
     Lines {
-        /// Text of the lines.
+        /// Form of the lines that state the progress: for people, JSON or Open Job Description.
         style: LineStyle,
         /// Time at which the rendering started.
         start: Instant,
@@ -45,7 +45,7 @@ pub enum LineStyle {
 
 /// The last line that a progress display has printed.
 pub struct Printed {
-    /// Percentage of the picture in the line.
+    /// Percentage of the picture that the last printed line stated as finished.
     percent: f64,
     time: Instant,
 }
@@ -161,7 +161,8 @@ impl Progress {
         }
     }
 
-    /// Removes the progress bar from the terminal.
+    /// Ends the display: removes the progress bar from the terminal, or ends the last line of the progress that
+    /// POV-Ray's clients read.
     pub fn clear(&self) {
         match self {
             Self::Bar(bar) => bar.finish_and_clear(),

@@ -29,7 +29,7 @@ pub const MAGIC: &[u8] = b"durer shard 1\n";
 pub struct Header {
     /// Everything that determines the picture's pixels.
     pub identity: Identity,
-    /// Size, region and layout of blocks.
+    /// Size of the picture, region that is rendered, and division into blocks.
     pub layout: Layout,
     /// Format and options of the merged picture.
     pub encoding: Encoding,

@@ -14,7 +14,7 @@ use crate::image_io::{self, Encoding, Format, Frame, Picture, Pixels, Rows, Samp
 use crate::source::{Disk, Span};
 use std::path::{Path, PathBuf};
 
-/// Combines pictures into the file `picture`.
+/// Combines pictures that each show a part of one picture, and writes the whole to the file `picture`.
 pub fn merge(console: &Console, picture: &Path, parts: &[PathBuf]) -> Result {
     let format = Format::from_path(picture)?;
     if format == Format::Jpg {

@@ -8,13 +8,13 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// Bytes of the longest header.
+/// Maximum length of a shard file's header, in bytes.
 const MAX_HEADER: u64 = 1 << 26;
 
 /// A complete shard on the disk.
 pub struct ShardFile {
     file: File,
-    /// Description of the shard.
+    /// Header of the shard file: picture, division into blocks, encoding, and number of the shard.
     pub header: Header,
     /// Offsets of the blocks' pixels in the file, by the blocks' corners.
     offsets: HashMap<[usize; 2], u64>,
@@ -64,7 +64,7 @@ impl ShardFile {
     }
 }
 
-/// Reads the line of the format and the header, with their ends.
+/// Reads the first two lines of a shard file, with their ends: the line that names the format, and the header.
 fn read_start(reader: &mut impl BufRead) -> Result<Vec<u8>, String> {
     let mut start = vec![];
     let mut reader = reader.take(MAX_HEADER);
@@ -77,7 +77,7 @@ fn read_start(reader: &mut impl BufRead) -> Result<Vec<u8>, String> {
     if start.ends_with(b"\n") { Ok(start) } else { Err("it is not complete".into()) }
 }
 
-/// Checks the numbers of a header, of which sizes and loops are made.
+/// Checks the sizes and counts in a shard's header, which determine allocations and loops.
 fn check_sizes(header: &Header) -> Result<(), String> {
     let (layout, shard) = (&header.layout, header.shard);
     let is_inside = |at: usize, length: usize, side| at.checked_add(length).is_some_and(|end| end <= side);

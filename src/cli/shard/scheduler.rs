@@ -7,16 +7,17 @@ use crate::render::Shard;
 /// A scheduler, and its numbering of the tasks of an array.
 struct Scheduler {
     name: &'static str,
-    /// Variable with the number of the task.
+    /// Name of the environment variable with the number of the scheduler's task.
     task: &'static str,
     range: TaskRange,
 }
 
-/// Numbers of the tasks of an array.
+/// Numbering of the tasks of a scheduler's array: bounds in environment variables, or a fixed first number.
 enum TaskRange {
-    /// Variables with the first number, the last one and the step.
+    /// Names of the environment variables with the first number of a task, the last one and the step.
     Bounds([&'static str; 3]),
-    /// Number of the first task, and a variable with the number of tasks if the scheduler has one.
+    /// Number of the first task, and the name of the environment variable with the number of tasks if the scheduler has
+    /// one.
     From(usize, Option<&'static str>),
 }
 
@@ -46,7 +47,7 @@ const SCHEDULERS: &[Scheduler] = &[
 /// A shard, and the words about the scheduler that chose it.
 #[derive(Debug, PartialEq)]
 pub struct Resolved {
-    /// The share of the picture.
+    /// Shard of the picture that this process renders.
     pub shard: Shard,
     /// Line that states what was recognised; `None` for a shard that the command line states.
     pub note: Option<String>,

@@ -30,7 +30,7 @@ pub(super) enum HashResult {
 }
 
 impl Hashes {
-    /// Reads a file of hashes. If `may_be_new`, a missing file has no hashes.
+    /// Reads the file with the hashes of scenes' pictures. If `may_be_new`, a missing file has no hashes.
     ///
     /// # Errors
     /// A file that cannot be read, or a line that is not a hash with a name.
@@ -67,7 +67,7 @@ impl Hashes {
         result
     }
 
-    /// Writes the file, sorted by names.
+    /// Writes the hashes to their file, sorted by the names of the scenes.
     ///
     /// # Errors
     /// A file that cannot be written.

@@ -89,7 +89,7 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
         if let Some(hashes) = &mut hashes {
             compare_hash(hashes, &case, args.accept, &mut outcome);
         }
-        let accept = acceptance(args, &case, &outcome);
+        let accept = accept_command(args, &case, &outcome);
         match args.format {
             MessageFormat::Human => {
                 console.info(&outcome.messages);
@@ -235,7 +235,7 @@ fn word(outcome: &Outcome) -> Word {
 }
 
 /// Returns the command that accepts the rendered picture as the snapshot; `None` if the pictures do not differ.
-fn acceptance(args: &TestArgs, case: &Case, outcome: &Outcome) -> Option<String> {
+fn accept_command(args: &TestArgs, case: &Case, outcome: &Outcome) -> Option<String> {
     let differs = outcome.exit == Exit::Snapshot && outcome.rendered.is_some();
     let folders = args.include.iter().flat_map(|folder| ["-I".to_string(), quoted(folder)]);
     let hashes = args.hashes.iter().flat_map(|file| ["--hashes".to_string(), quoted(file)]);
@@ -291,7 +291,7 @@ fn entry<'o>(args: &TestArgs, case: &Case, outcome: &'o Outcome) -> Entry<'o> {
         fine: outcome.exit == Exit::Fine,
         snapshot: case.picture.display().to_string(),
         text: format!("{}\n{}", outcome.text, outcome.messages).trim().to_string(),
-        accept: acceptance(args, case, outcome),
+        accept: accept_command(args, case, outcome),
         expected: outcome.expected.as_ref(),
         rendered: outcome.rendered.as_ref(),
     }

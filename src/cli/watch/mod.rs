@@ -21,7 +21,7 @@ use std::path::Path;
 use std::sync::Arc;
 use worker::Worker;
 
-/// Renders until the program is interrupted.
+/// Renders the scene again after each change, for a page or a file, until the program is interrupted.
 pub fn run(console: &Console, args: &WatchArgs) -> Result {
     let input = session::named(&args.input);
     if input == Path::new("-") {
@@ -34,7 +34,7 @@ pub fn run(console: &Console, args: &WatchArgs) -> Result {
     let args = WatchArgs { input, ..args.clone() };
     // Report an output name without a format at once.
     Target::new(&args.input, &render_args(&args))?;
-    if args.no_page { redraw(console, &args) } else { show(console, &args) }
+    if args.no_page { redraw(console, &args) } else { serve_page(console, &args) }
 }
 
 /// The arguments of `durer render` for the same picture.
@@ -97,8 +97,8 @@ fn check_regular(input: &Path) -> std::result::Result<(), Box<Diagnostic>> {
     }
 }
 
-/// Serves the page until the program is interrupted.
-fn show(console: &Console, args: &WatchArgs) -> Result {
+/// Serves the preview page with the scene's picture until the program is interrupted.
+fn serve_page(console: &Console, args: &WatchArgs) -> Result {
     let (queue, screen) = (Arc::new(RenderQueue::default()), Arc::new(Screen::default()));
     let files = file_watcher(&queue, &args.input);
     let render_loop = Arc::new(RenderLoop::new(args.clone(), queue, screen.clone()));

@@ -53,7 +53,7 @@ impl RenderQueue {
         self.changed.notify_all();
     }
 
-    /// Waits for a request, and removes it.
+    /// Waits until the queue has a request, removes it, and returns the rendering work that it asks for.
     pub fn pop(&self) -> Work {
         let pending = self.pending.lock().unwrap_or_else(PoisonError::into_inner);
         let is_empty = |pending: &mut Pending| pending.request.is_none();

@@ -22,7 +22,7 @@ use std::time::Duration;
 /// A watched scene that can be rendered.
 pub struct Scene {
     pub world: World,
-    /// Locked, since the registry of texts may not be used by two threads at once.
+    /// Registry of the watched scene's source texts; locked, since two threads may not use it at once.
     pub sources: Mutex<Sources>,
     /// Path of the watched scene's file.
     pub input: PathBuf,
@@ -43,14 +43,14 @@ pub struct Read {
     pub clock: [f64; 3],
     /// Files that were looked up for the watched scene.
     pub files: LookedUpFiles,
-    /// Durations of text → Scene and of Scene → World.
+    /// Durations of evaluating the text into a Scene, and of building the World from the Scene.
     pub times: [Duration; 2],
 }
 
 /// Largest length of [`Read::log`], in bytes.
 const MAX_LOG: usize = 64 << 10;
 
-/// Text → World. Messages and the scene's own output also go to the console.
+/// Reads the watched scene's text and builds its World. Messages and the scene's own output also go to the console.
 pub fn read(console: &Console, args: &WatchArgs, settings: &Settings, cancel: &CancelToken) -> Read {
     let sources = Sources::default();
     let mut out = Read::default();
@@ -158,7 +158,7 @@ pub fn link(sources: &Sources, span: Span) -> Option<Link> {
     Some(Link { file: place.file, line: place.line, column: place.column, url })
 }
 
-/// The path in an address, with a leading `/`.
+/// Returns a file's path as the path of a URL, with a leading `/`.
 fn in_url(path: &Path) -> String {
     let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"/-._~:".contains(&byte);

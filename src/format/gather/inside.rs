@@ -96,7 +96,7 @@ impl Gatherer<'_> {
         }
     }
 
-    /// Takes the rest of a directive's parentheses, and the body.
+    /// Adds the atoms of the rest of a directive's parentheses, and of its body.
     fn close_arm(&mut self, arms: &mut Vec<Arm>, start: usize, body: &[Element], span: Span, choice: bool) {
         let first = body.first().map_or(self.local(span.hi), |e| self.local(e.span.lo));
         let text = self.text;

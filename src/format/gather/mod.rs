@@ -255,7 +255,7 @@ impl<'a> Gatherer<'a> {
         }
     }
 
-    /// Adds the comma after an element.
+    /// Adds the atom of the comma that follows a syntax element, if there is one.
     fn gather_comma(&mut self, e: &Element) {
         if e.comma {
             self.pending = 0;

@@ -114,7 +114,7 @@ pub fn f_torus2([x, y, z, strength, major, minor]: [f64; 6]) -> f64 {
     clamp_field(strength, torus_polynomial(x * x + z * z, y * y, 2.0, major, minor))
 }
 
-/// -(q + y²)² + w (R² + r²) q - w (R² - r²) y² - (R² - r²)².
+/// Polynomial that the functions of tori share: -(q + y²)² + w (R² + r²) q - w (R² - r²) y² - (R² - r²)².
 fn torus_polynomial(q: f64, y2: f64, weight: f64, major: f64, minor: f64) -> f64 {
     let (sum, difference) = (major * major + minor * minor, major * major - minor * minor);
     let s = q + y2;

@@ -5,7 +5,7 @@ use crate::diagnostic::Result;
 use crate::function::numeric::{Kernel, Numeric};
 use crate::value::Value;
 
-/// Computes a numeric function. The number of arguments has been checked.
+/// Computes a built-in numeric function, such as `sin`, for arguments whose number has been checked.
 pub(super) fn compute(row: &Numeric, a: &Arguments) -> Result<Value> {
     let first = row.clamp_to_domain(a.float(0)?);
     match row.kernel {

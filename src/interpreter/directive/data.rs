@@ -69,19 +69,19 @@ pub(super) fn data_bytes(value: &Value, form: Option<Binary>) -> Option<Vec<u8>>
     let all = &v.c[..v.len as usize];
     Some(match (form, all) {
         (Some(form), all) => all.iter().flat_map(|x| form.bytes(*x)).collect(),
-        (None, [x]) => general(*x).into_bytes(),
+        (None, [x]) => format_six_digits(*x).into_bytes(),
         (None, all) => vector_text(all).into_bytes(),
     })
 }
 
 /// Formats a vector as POV-Ray does: `<1,2,3> `.
 fn vector_text(all: &[f64]) -> String {
-    let parts: Vec<String> = all.iter().map(|x| general(*x)).collect();
+    let parts: Vec<String> = all.iter().map(|x| format_six_digits(*x)).collect();
     format!("<{}> ", parts.join(","))
 }
 
 /// Formats a number as C's `%g` does: six significant digits, without trailing zeros.
-fn general(x: f64) -> String {
+fn format_six_digits(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return match x {
             _ if x.is_nan() => "nan".into(),
@@ -159,7 +159,7 @@ mod tests {
     #[test]
     fn numbers_are_formatted_as_by_c() {
         let all = [0.1, 1.23456789, 1e5, 1e6, 1234567.89, 1e300, -2.5e-7, 0.0001, 100.0, 999_999.5];
-        let texts: Vec<String> = all.iter().map(|x| general(*x)).collect();
+        let texts: Vec<String> = all.iter().map(|x| format_six_digits(*x)).collect();
         let wanted =
             ["0.1", "1.23457", "100000", "1e+06", "1.23457e+06", "1e+300", "-2.5e-07", "0.0001", "100", "1e+06"];
         assert_eq!(texts, wanted);

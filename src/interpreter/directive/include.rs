@@ -67,7 +67,7 @@ impl<'a> Interpreter<'a> {
         self.parse_file(file)
     }
 
-    /// Returns the text of a file, which is read again only if the file changes.
+    /// Returns the id in `Sources` of the text of an included file, which is read again only if the file has changed.
     pub fn source_file(&mut self, path: &Path, name: &str, span: Span) -> Result<FileId> {
         if let Some(file) = self.inputs.parsed.file(self.inputs.files, path) {
             return Ok(file);

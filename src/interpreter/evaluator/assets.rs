@@ -28,7 +28,8 @@ pub struct Assets {
 }
 
 impl Assets {
-    /// Returns the probe of an object that was queried before.
+    /// Returns the probe (an object prepared for ray queries) of the object at this address; `None` if no probe is
+    /// cached.
     pub fn probe(&self, object: *const ()) -> Option<Rc<Probe>> {
         self.probes.get(&object).map(|(_, probe)| probe.clone())
     }

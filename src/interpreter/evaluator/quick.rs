@@ -14,7 +14,7 @@ pub enum Quick {
 
 /// Result type of the fast evaluation: a number alone, which is fastest, or a number or vector.
 pub trait QuickValue: Sized {
-    /// True if results can be vectors.
+    /// True if the fast evaluation can give vectors; false if it gives numbers alone.
     const VECTORS: bool;
     fn float(x: f64) -> Self;
     fn vector(v: VecN) -> Option<Self>;

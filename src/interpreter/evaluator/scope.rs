@@ -124,7 +124,7 @@ impl<'a> Scopes<'a> {
         }
     }
 
-    /// Removes a name from the list of its level.
+    /// Removes a name from the list of the names that are bound at a scope level.
     fn forget(&mut self, symbol: Symbol, level: u32) {
         let Some(level) = (level as usize).checked_sub(1) else { return };
         let Some(&start) = self.levels.get(level) else { return };
@@ -252,7 +252,7 @@ impl<'a> Scopes<'a> {
         Some(slot)
     }
 
-    /// Returns the warnings that are reported when the name is used.
+    /// Returns the warnings about a name's declaration that the first use of the name is to report; `None` without any.
     pub fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
         let (symbol, depth, _) = self.find_binding(symbol)?;
         self.bindings[symbol.0 as usize][depth].pending.clone()

@@ -67,7 +67,7 @@ impl<'a> Interpreter<'a> {
             }
         };
         if self.peek()?.ends() {
-            return Ok(Arc::new(Function { parameters: default_names(), body: Body::Sampled(sampler) }));
+            return Ok(Arc::new(Function { parameters: default_parameter_names(), body: Body::Sampled(sampler) }));
         }
         Err(self.unexpected_token("the end of the function").into())
     }
@@ -445,7 +445,7 @@ fn too_large_error<T>(span: Span) -> Result<T> {
     Diagnostic::err(codes::TOO_DEEP, span, "this function has more than 60000 operations")
 }
 
-fn default_names() -> Box<[Box<str>]> {
+fn default_parameter_names() -> Box<[Box<str>]> {
     ["x", "y", "z"].map(Box::from).into()
 }
 

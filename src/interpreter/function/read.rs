@@ -109,7 +109,7 @@ impl<'a> Interpreter<'a> {
                 self.stream.advance();
                 self.compile(&mut compiler, e)?
             }
-            _ => self.climb(&mut Compiled(&mut compiler), true)?.0,
+            _ => self.read_by_precedence(&mut Compiled(&mut compiler), true)?.0,
         };
         compiler.graph.result = result;
         if !self.peek()?.ends() {

@@ -34,9 +34,9 @@ impl<'a> Operands<'a> for Compiled<'_> {
     }
 
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Id, Span)) -> Result<(Id, Span)> {
-        let (yes, _) = me.climb(self, true)?;
+        let (yes, _) = me.read_by_precedence(self, true)?;
         expect_colon(me)?;
-        let (no, span) = me.climb(self, true)?;
+        let (no, span) = me.read_by_precedence(self, true)?;
         Ok((self.0.graph.add_operation(Operation::Choice(condition.0, yes, no)), span))
     }
 
@@ -81,7 +81,7 @@ impl<'a> Interpreter<'a> {
                 }
                 Token::Open(Bracket::Paren, _) => {
                     self.open()?;
-                    let (id, _) = self.climb(&mut Compiled(c), true)?;
+                    let (id, _) = self.read_by_precedence(&mut Compiled(c), true)?;
                     let end = self.stream.next_span();
                     self.close("`)`")?;
                     Ok((id, joined_span_if_near(span, end)))
@@ -112,7 +112,7 @@ impl<'a> Interpreter<'a> {
         self.open()?;
         let mut ids = vec![];
         while !self.peek()?.ends() {
-            ids.push(self.climb(&mut Compiled(c), true)?.0);
+            ids.push(self.read_by_precedence(&mut Compiled(c), true)?.0);
         }
         let mut whole = joined_span_if_near(span, self.stream.next_span());
         self.close("`)`")?;
@@ -133,7 +133,7 @@ impl<'a> Interpreter<'a> {
         }
         let mut ids = vec![];
         while !self.peek()?.ends() {
-            ids.push(self.climb(&mut Compiled(c), true)?.0);
+            ids.push(self.read_by_precedence(&mut Compiled(c), true)?.0);
         }
         self.compile_builtin_of(c, word, &ids, span)
     }
@@ -148,10 +148,10 @@ impl<'a> Interpreter<'a> {
             );
         };
         self.stream.advance();
-        let first = self.climb(&mut Compiled(c), true)?.0;
-        let last = self.climb(&mut Compiled(c), true)?.0;
+        let first = self.read_by_precedence(&mut Compiled(c), true)?.0;
+        let last = self.read_by_precedence(&mut Compiled(c), true)?.0;
         let mut inner = c.with_counter(*counter);
-        inner.graph.result = self.climb(&mut Compiled(&mut inner), true)?.0;
+        inner.graph.result = self.read_by_precedence(&mut Compiled(&mut inner), true)?.0;
         series(c, product, vec![first, last], inner, span)
     }
 }

@@ -15,7 +15,7 @@ use crate::syntax::ast::*;
 use crate::syntax::word::Category;
 
 impl<'a> Interpreter<'a> {
-    /// Runs `read` in a changed mode, and restores the mode afterwards.
+    /// Runs `read` with a changed reading mode of the token stream, and restores the mode afterwards.
     #[inline]
     pub(super) fn in_mode<T>(
         &mut self,
@@ -140,7 +140,8 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-/// False for elements that are tokens in any case, which are most.
+/// True if the element may run a directive or macro, or end a frame, before the next token; false for elements that are
+/// tokens in any case, which are most.
 fn may_run_or_drop(element: &Element) -> bool {
     match &element.kind {
         ElementKind::Numbers(_) | ElementKind::Word(_) | ElementKind::Block(_) | ElementKind::Punctuation(_) => false,

@@ -270,7 +270,7 @@ fn value_kind_of(word: &str) -> Option<ValueKind> {
     words.into_iter().find(|known| known.name == word).map(|known| known.kind)
 }
 
-/// True if a `{` follows the word in the scene.
+/// True if the word opens a block in the scene language, so that a `{` has to follow it.
 fn opens_block(word: &str) -> bool {
     is_object(word)
         || matches!(word, "camera" | "background" | "global_settings")

@@ -9,7 +9,7 @@ use crate::syntax::ast::{Bracket, Expr, ExprKind, Operator, Punctuation};
 use crate::value::{Next, Reader};
 
 impl Interpreter<'_> {
-    /// Reads a block, entry or group to its end.
+    /// Skips a block, map entry or group up to its closing bracket, while its contents are evaluated.
     fn skip_enclosed(&mut self) -> Result<()> {
         self.take_token()?;
         while !self.peek()?.ends() {

@@ -34,7 +34,8 @@ pub(super) struct Reporter<'a> {
     mistakes: Mistakes,
     usage: Usage,
     limit_reached: bool,
-    /// True for each branch that ran at least once; filled if [`super::Options::record_branches`] is set.
+    /// For each branch of `#if`, `#ifdef` or `#switch`, by its span: true if it ran at least once. Filled if
+    /// [`super::Options::record_branches`] is set.
     branches: BTreeMap<Span, bool>,
 }
 

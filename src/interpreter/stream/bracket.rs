@@ -23,11 +23,11 @@ pub struct OpenBracket {
     pub mode: Mode,
 }
 
-/// Brackets that were open where an error was found.
+/// Number of brackets that were open where an error was found.
 #[derive(Clone, Copy)]
 pub(super) struct Unclosed {
     pub(super) count: usize,
-    /// True if only braces are counted, and other brackets are ignored.
+    /// True if the number counts only braces, and ignores other brackets.
     pub(super) braces: bool,
 }
 
@@ -67,7 +67,8 @@ impl<'a> TokenStream<'a> {
         }
     }
 
-    /// Returns the name as a keyword, if only durer has the keyword and the innermost block takes it.
+    /// Returns the keyword with the spelling of a name, if only durer has the keyword and the innermost open block
+    /// takes it.
     pub fn own_word(&self, symbol: Symbol) -> Option<&'static str> {
         let words = self.open_brackets.last()?.own_words;
         if words.is_empty() {

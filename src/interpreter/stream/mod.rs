@@ -26,7 +26,7 @@ pub(super) use token::{BlockName, Token};
 /// The state of the token stream.
 pub(super) struct TokenStream<'a> {
     inputs: Inputs<'a>,
-    /// Call frames, the innermost last.
+    /// Frames whose elements are read: of files, brackets, branches, loops and macro calls, the innermost last.
     frames: Vec<StackFrame<'a>>,
     /// Next token of the stream, which is not consumed yet.
     look_ahead: Option<Token<'a>>,

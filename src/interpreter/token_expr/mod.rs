@@ -44,16 +44,25 @@ const LOOSEST: u8 = 0;
 
 impl<'a> Interpreter<'a> {
     /// Reads operands and operators by precedence climbing. `compares` allows comparisons, `&`, `|` and `?`.
-    pub(super) fn climb<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool) -> Result<(O::Value, Span)> {
+    pub(super) fn read_by_precedence<O: Operands<'a>>(
+        &mut self,
+        operands: &mut O,
+        compares: bool,
+    ) -> Result<(O::Value, Span)> {
         if self.stream.mode().nesting >= MAX_NESTED {
             let message = format!("more than {MAX_NESTED} values are read inside each other here");
             let at = self.stream.next_span();
             return self.reporter.limit_error(codes::TOO_DEEP, at, message, "does a macro give one without end?");
         }
-        self.in_mode(|mode| mode.nesting += 1, |me| me.climb_from(operands, compares, LOOSEST))
+        self.in_mode(|mode| mode.nesting += 1, |me| me.read_from_precedence(operands, compares, LOOSEST))
     }
 
-    fn climb_from<O: Operands<'a>>(&mut self, operands: &mut O, compares: bool, least: u8) -> Result<(O::Value, Span)> {
+    fn read_from_precedence<O: Operands<'a>>(
+        &mut self,
+        operands: &mut O,
+        compares: bool,
+        least: u8,
+    ) -> Result<(O::Value, Span)> {
         let (mut left, mut span) = operands.operand(self)?;
         while let Some(op) = self.operator_ahead(compares)? {
             let strength = operands.precedence(op);
@@ -68,7 +77,7 @@ impl<'a> Interpreter<'a> {
                 let at = self.stream.next_span();
                 return Diagnostic::err(codes::EXPECTED_VALUE, at, message);
             }
-            let (right, right_span) = self.climb_from(operands, compares, strength + 1)?;
+            let (right, right_span) = self.read_from_precedence(operands, compares, strength + 1)?;
             left = operands.combine(self, op, (left, span), (right, right_span))?;
             span = joined_span_if_near(span, right_span);
         }
@@ -128,12 +137,12 @@ impl<'a> Interpreter<'a> {
                 _ => {}
             }
         }
-        self.climb(&mut Computed::default(), compares)
+        self.read_by_precedence(&mut Computed::default(), compares)
     }
 
     /// Reads the rest of a value whose first operand has been read.
     pub(super) fn continue_value(&mut self, first: Value, span: Span) -> Result<(Value, Span)> {
-        self.climb(&mut Computed(Some((first, span))), false)
+        self.read_by_precedence(&mut Computed(Some((first, span))), false)
     }
 
     /// Reads a number, vector, string, name or call without signs.
@@ -190,7 +199,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    /// Reads the components and arguments after a value.
+    /// Reads the components (`.x`) and call arguments after a value, and applies them to the value.
     fn postfix(&mut self, (mut value, mut span): (Value, Span)) -> Result<(Value, Span)> {
         loop {
             match self.peek_after()? {
@@ -208,7 +217,7 @@ impl<'a> Interpreter<'a> {
         }
     }
 
-    /// Reads the word after a `.`.
+    /// Reads the name of a component after the `.` that follows a value, as in `V.x`.
     pub(super) fn component_name(&mut self) -> Result<Name> {
         // A word is the name whatever follows, so that directives after it do not run yet.
         if self.stream.look_ahead().is_none()
@@ -357,9 +366,9 @@ impl<'a> Operands<'a> for Computed {
     fn choose(&mut self, me: &mut Interpreter<'a>, condition: (Value, Span)) -> Result<(Value, Span)> {
         let is_true = as_float(&condition.0, condition.1)?.abs() > TOLERANCE;
         // quirk: choices_evaluate_all
-        let yes = me.climb(self, true)?;
+        let yes = me.read_by_precedence(self, true)?;
         expect_colon(me)?;
-        let no = me.climb(self, true)?;
+        let no = me.read_by_precedence(self, true)?;
         Ok((if is_true { yes.0 } else { no.0 }, no.1))
     }
 }

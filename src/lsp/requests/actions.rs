@@ -73,16 +73,16 @@ fn remedies(document: &Document, diagnostic: &EditorDiagnostic) -> Vec<(String, 
     if help == "remove it" {
         out.push(("Remove it".into(), vec![TextEdit { range: diagnostic.range, new_text: String::new() }]));
     }
-    let written = wrapped(document, diagnostic, help).or_else(|| statement(document, diagnostic, help));
+    let written = wrap_in_block(document, diagnostic, help).or_else(|| statement(document, diagnostic, help));
     out.extend(written);
-    out.extend(separated(diagnostic));
+    out.extend(insert_semicolon(diagnostic));
     out.extend(missing(document, help));
     out
 }
 
 /// Help of the form "write `object { Ball … }`" or "write `texture { Oak }`": puts the marked name, or the name and the
 /// following braces, into a block.
-fn wrapped(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> Option<(String, Vec<TextEdit>)> {
+fn wrap_in_block(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> Option<(String, Vec<TextEdit>)> {
     let code = help.strip_prefix("write `")?.strip_suffix('`')?;
     let bytes = document.text.offset(diagnostic.range.start)..document.text.offset(diagnostic.range.end);
     let name = document.text.as_str().get(bytes.clone()).filter(|name| !name.is_empty())?;
@@ -175,7 +175,7 @@ fn missing(document: &Document, help: &str) -> Option<(String, Vec<TextEdit>)> {
 }
 
 /// Inserts a missing `;` at the related position of the diagnostic.
-fn separated(diagnostic: &EditorDiagnostic) -> Option<(String, Vec<TextEdit>)> {
+fn insert_semicolon(diagnostic: &EditorDiagnostic) -> Option<(String, Vec<TextEdit>)> {
     let is_it = |place: &&DiagnosticRelatedInformation| place.message == MISSING_SEMICOLON;
     let place = diagnostic.related_information.iter().flatten().find(is_it)?;
     let at = place.location.range.end;

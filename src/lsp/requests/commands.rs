@@ -35,7 +35,7 @@ impl Drop for Watches {
     }
 }
 
-/// Starts a command. The editor displays its result later.
+/// Starts the command that the editor asks for (render, watch or explain). The editor displays its result later.
 pub fn execute<S: Client>(server: &mut Server<S>, params: &ExecuteCommandParams) -> Option<Value> {
     let argument = params.arguments.first()?.as_str()?;
     match params.command.as_str() {
@@ -64,7 +64,7 @@ fn show_document(uri: Uri, number: i32) -> Message {
     Message::Request(Request::new(number.into(), "window/showDocument".into(), params))
 }
 
-/// Returns the command line of this program for a scene.
+/// Returns the process to start for a scene: this program with `words` as its arguments, then the scene's path.
 fn durer(words: &[&str], scene: &Path) -> std::io::Result<Command> {
     let mut command = Command::new(std::env::current_exe()?);
     command.args(words).arg(scene).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
@@ -117,7 +117,8 @@ fn open_watch_page<S: Client>(server: &mut Server<S>, scene: &Path) {
     }
 }
 
-/// Starts a page, and waits for its address, which comes at once.
+/// Starts `durer watch` for a scene, and waits for the address of its page, which comes at once. Returns the process
+/// and the address.
 fn begin(scene: &Path) -> Result<(Child, String), String> {
     let start = || durer(&["watch"], scene)?.spawn();
     let mut child = start().map_err(|error| format!("cannot start durer: {error}"))?;

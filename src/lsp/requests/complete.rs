@@ -92,7 +92,7 @@ fn completion_item(label: &str, detail: String, about: &str) -> CompletionItem {
     }
 }
 
-/// A word of the block; shapes and blocks are completed with their braces.
+/// Returns the completion for a word that a block takes; shapes and blocks are completed with their braces.
 fn item_of_word(taken: &WordSpec) -> CompletionItem {
     let shape = words::shape(taken.name);
     let snippet = match shape {
@@ -127,7 +127,8 @@ fn directives() -> Vec<CompletionItem> {
         .collect()
 }
 
-/// Declared names that are visible in the macro `within` of the first text.
+/// Returns completions for the declared names that are visible in the macro `within` of the first text, or outside of
+/// macros.
 fn names(reached: &[ReachableText], within: Option<usize>) -> Vec<CompletionItem> {
     let mut out: Vec<CompletionItem> = vec![];
     let mut seen = std::collections::HashSet::new();
@@ -178,7 +179,8 @@ pub fn parameters(one: &ReachableText, d: &Declaration) -> Option<Vec<String>> {
     (d.kind == DeclarationKind::Macro).then(|| one.outline.parameters(d).map(String::from).collect())
 }
 
-/// Names of standard include files that are not included yet.
+/// Returns completions for the names that standard include files declare and the document does not know yet; each also
+/// adds the `#include` of its file.
 fn of_library(document: &Document, known: &[CompletionItem], typed: &str) -> Vec<CompletionItem> {
     let lower = typed.to_lowercase();
     let fits = |name: &&str| name.to_lowercase().starts_with(&lower) && !known.iter().any(|item| item.label == **name);

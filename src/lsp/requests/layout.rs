@@ -62,7 +62,8 @@ fn next_equal(a: &[&str], b: &[&str], i: usize, j: usize) -> (usize, usize) {
     (a.len(), b.len())
 }
 
-/// Blocks, directives with bodies, and comments that extend over several lines.
+/// Returns the folding ranges of a document: blocks, directives with bodies, and comments that extend over several
+/// lines.
 pub fn folds<S: Client>(server: &mut Server<S>, params: &FoldingRangeParams) -> Option<Vec<FoldingRange>> {
     let document = server.document(&params.text_document.uri)?;
     let (text, outline) = (&document.text, &document.outline);
@@ -96,7 +97,8 @@ fn fold(start_line: u32, end_line: u32, kind: FoldingRangeKind) -> FoldingRange 
     FoldingRange { start_line, end_line, kind: Some(kind), ..FoldingRange::default() }
 }
 
-/// The word, the contents of its brackets, the brackets with their name, and so on up to the whole text.
+/// Returns the nested selection ranges at each position: the word, the contents of its brackets, the brackets with
+/// their name, and so on up to the whole text.
 pub fn selections<S: Client>(server: &mut Server<S>, params: &SelectionRangeParams) -> Option<Vec<SelectionRange>> {
     let document = server.document(&params.text_document.uri)?;
     Some(params.positions.iter().map(|at| selection(document, document.text.offset(*at))).collect())

@@ -5,7 +5,8 @@ use crate::lsp::server::{Client, Server};
 use lsp_types::{CodeLens, CodeLensParams, Command};
 use serde_json::json;
 
-/// The lenses above the first line that is no comment; none for include files and for texts that are not saved.
+/// Returns the code lenses of a scene, which render and watch it: above the first line that is no comment. None for
+/// include files and for texts that are not saved.
 pub fn lenses<S: Client>(server: &mut Server<S>, params: &CodeLensParams) -> Option<Vec<CodeLens>> {
     let document = server.document(&params.text_document.uri)?;
     let path = document.path.as_ref().filter(|_| document.is_scene())?;

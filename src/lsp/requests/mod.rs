@@ -52,7 +52,7 @@ pub fn capabilities(asked: &Value) -> Value {
 
 /// Responds to a request from the editor.
 pub fn answer<S: Client>(server: &mut Server<S>, request: Request) -> Response {
-    fn by<R: ask::Request>(request: Request, answer: impl FnOnce(R::Params) -> R::Result) -> Response {
+    fn respond_with<R: ask::Request>(request: Request, answer: impl FnOnce(R::Params) -> R::Result) -> Response {
         match serde_json::from_value(request.params) {
             Ok(params) => Response::new_ok(request.id, answer(params)),
             Err(error) => Response::new_err(request.id, ErrorCode::InvalidParams as i32, error.to_string()),
@@ -62,35 +62,45 @@ pub fn answer<S: Client>(server: &mut Server<S>, request: Request) -> Response {
         return response;
     }
     match request.method.as_str() {
-        "textDocument/completion" => by::<ask::Completion>(request, |p| complete::complete(server, &p)),
-        "textDocument/hover" => by::<ask::HoverRequest>(request, |p| hover::hover(server, &p)),
-        "textDocument/signatureHelp" => by::<ask::SignatureHelpRequest>(request, |p| signature::help(server, &p)),
-        "textDocument/definition" => by::<ask::GotoDefinition>(request, |p| names::definition(server, &p)),
-        "textDocument/references" => by::<ask::References>(request, |p| names::references(server, &p)),
-        "textDocument/documentHighlight" => {
-            by::<ask::DocumentHighlightRequest>(request, |p| names::highlights(server, &p))
+        "textDocument/completion" => respond_with::<ask::Completion>(request, |p| complete::complete(server, &p)),
+        "textDocument/hover" => respond_with::<ask::HoverRequest>(request, |p| hover::hover(server, &p)),
+        "textDocument/signatureHelp" => {
+            respond_with::<ask::SignatureHelpRequest>(request, |p| signature::help(server, &p))
         }
-        "textDocument/prepareRename" => by::<ask::PrepareRenameRequest>(request, |p| names::prepare(server, &p)),
+        "textDocument/definition" => respond_with::<ask::GotoDefinition>(request, |p| names::definition(server, &p)),
+        "textDocument/references" => respond_with::<ask::References>(request, |p| names::references(server, &p)),
+        "textDocument/documentHighlight" => {
+            respond_with::<ask::DocumentHighlightRequest>(request, |p| names::highlights(server, &p))
+        }
+        "textDocument/prepareRename" => {
+            respond_with::<ask::PrepareRenameRequest>(request, |p| names::prepare(server, &p))
+        }
         "textDocument/rename" => rename(server, request),
         "textDocument/documentSymbol" => {
-            by::<ask::DocumentSymbolRequest>(request, |p| symbols::of_document(server, &p))
+            respond_with::<ask::DocumentSymbolRequest>(request, |p| symbols::of_document(server, &p))
         }
-        "workspace/symbol" => by::<ask::WorkspaceSymbolRequest>(request, |p| symbols::of_workspace(server, &p)),
-        "textDocument/formatting" => by::<ask::Formatting>(request, |p| layout::format(server, &p)),
-        "textDocument/rangeFormatting" => by::<ask::RangeFormatting>(request, |p| layout::format_range(server, &p)),
-        "textDocument/foldingRange" => by::<ask::FoldingRangeRequest>(request, |p| layout::folds(server, &p)),
-        "textDocument/selectionRange" => by::<ask::SelectionRangeRequest>(request, |p| layout::selections(server, &p)),
+        "workspace/symbol" => {
+            respond_with::<ask::WorkspaceSymbolRequest>(request, |p| symbols::of_workspace(server, &p))
+        }
+        "textDocument/formatting" => respond_with::<ask::Formatting>(request, |p| layout::format(server, &p)),
+        "textDocument/rangeFormatting" => {
+            respond_with::<ask::RangeFormatting>(request, |p| layout::format_range(server, &p))
+        }
+        "textDocument/foldingRange" => respond_with::<ask::FoldingRangeRequest>(request, |p| layout::folds(server, &p)),
+        "textDocument/selectionRange" => {
+            respond_with::<ask::SelectionRangeRequest>(request, |p| layout::selections(server, &p))
+        }
         "textDocument/semanticTokens/full" => {
-            by::<ask::SemanticTokensFullRequest>(request, |p| semantic::tokens(server, &p))
+            respond_with::<ask::SemanticTokensFullRequest>(request, |p| semantic::tokens(server, &p))
         }
-        "textDocument/codeAction" => by::<ask::CodeActionRequest>(request, |p| actions::actions(server, &p)),
-        "textDocument/documentColor" => by::<ask::DocumentColor>(request, |p| colors::colors(server, &p)),
+        "textDocument/codeAction" => respond_with::<ask::CodeActionRequest>(request, |p| actions::actions(server, &p)),
+        "textDocument/documentColor" => respond_with::<ask::DocumentColor>(request, |p| colors::colors(server, &p)),
         "textDocument/colorPresentation" => {
-            by::<ask::ColorPresentationRequest>(request, |p| colors::present(server, &p))
+            respond_with::<ask::ColorPresentationRequest>(request, |p| colors::present(server, &p))
         }
-        "textDocument/inlayHint" => by::<ask::InlayHintRequest>(request, |p| inlay::hints(server, &p)),
-        "textDocument/codeLens" => by::<ask::CodeLensRequest>(request, |p| lens::lenses(server, &p)),
-        "workspace/executeCommand" => by::<ask::ExecuteCommand>(request, |p| commands::execute(server, &p)),
+        "textDocument/inlayHint" => respond_with::<ask::InlayHintRequest>(request, |p| inlay::hints(server, &p)),
+        "textDocument/codeLens" => respond_with::<ask::CodeLensRequest>(request, |p| lens::lenses(server, &p)),
+        "workspace/executeCommand" => respond_with::<ask::ExecuteCommand>(request, |p| commands::execute(server, &p)),
         other => {
             let text = format!("`{other}` is not supported");
             Response::new_err(request.id, ErrorCode::MethodNotFound as i32, text)

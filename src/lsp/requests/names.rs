@@ -38,7 +38,8 @@ struct Hit {
     declares: bool,
 }
 
-/// All occurrences of a name in a text. A name of a macro of the first text occurs in no other text.
+/// Returns all occurrences of a name in a text. A parameter or local name of a macro has occurrences only in the text
+/// of the macro (`is_own`).
 fn hits(reached: &ReachableText, named: &Named, is_own: bool) -> Vec<Hit> {
     let (outline, text) = (&reached.outline, &reached.text);
     if named.declaring_macro.is_some() && !is_own {

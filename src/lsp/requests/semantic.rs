@@ -8,7 +8,7 @@ use lsp_types::{SemanticToken, SemanticTokens, SemanticTokensParams, SemanticTok
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
-/// The token types, in the order of [`Type`].
+/// Returns the legend of the semantic tokens: the names of their types, in the order of [`Type`].
 pub fn legend() -> Value {
     json!({
         "tokenTypes": [
@@ -31,8 +31,8 @@ enum Type {
     Constant,
 }
 
-/// The types of all words, names and directives of a text. Numbers, strings and comments are left to the editor's
-/// grammar.
+/// Returns the semantic tokens of a document: the types of all words, names and directives. Numbers, strings and
+/// comments are left to the editor's grammar.
 pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) -> Option<SemanticTokensResult> {
     let uri = &params.text_document.uri;
     let related = server.related(uri);

@@ -9,7 +9,7 @@ use lsp_types::{
     SignatureInformation,
 };
 
-/// The signature of the innermost call around a position.
+/// Returns the signature of the innermost function or macro call around a position of the document.
 pub fn help<S: Client>(server: &mut Server<S>, params: &SignatureHelpParams) -> Option<SignatureHelp> {
     let at = &params.text_document_position_params;
     let uri = &at.text_document.uri;

@@ -275,7 +275,7 @@ impl Prim {
     }
 
     /// Returns twice the centre of the box.
-    fn center(&self) -> Vec3A {
+    fn doubled_center(&self) -> Vec3A {
         self.lower_corner() + self.upper_corner()
     }
 }
@@ -295,12 +295,12 @@ impl Around {
 
     #[inline]
     fn add(&mut self, prim: &Prim) {
-        let (lo, hi, center) = (prim.lower_corner(), prim.upper_corner(), prim.center());
+        let (lo, hi, doubled_center) = (prim.lower_corner(), prim.upper_corner(), prim.doubled_center());
         *self = Around {
             lo: self.lo.min(lo),
             hi: self.hi.max(hi),
-            first: self.first.min(center),
-            last: self.last.max(center),
+            first: self.first.min(doubled_center),
+            last: self.last.max(doubled_center),
         };
     }
 
@@ -359,7 +359,7 @@ impl Cut {
         let mut bins = [[Bin::EMPTY; BINS]; 3];
         for prim in prims {
             let one = Bin { lo: prim.lower_corner(), hi: prim.upper_corner(), count: 1 };
-            let places = ((prim.center() - around.first) * scale).to_array();
+            let places = ((prim.doubled_center() - around.first) * scale).to_array();
             for axis in 0..3 {
                 let bin = &mut bins[axis][(places[axis] as i32 as usize).min(BINS - 1)];
                 *bin = bin.join(one);

@@ -26,7 +26,7 @@ pub(super) enum Kind {
 }
 
 impl Child {
-    /// Child of a BVH node without items.
+    /// Unused child of a BVH node: it has no items.
     pub const NONE: Child = Child(Self::LEAF);
     const LEAF: u32 = 1 << 31;
     const COUNT: u32 = 28;

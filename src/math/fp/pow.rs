@@ -77,7 +77,8 @@ fn ln(x: f64) -> Pair {
 /// e to the power of a pair whose first number is below [`MAX_EXPONENT`].
 #[inline]
 fn exp(x: Pair) -> f64 {
-    /// The sum with it rounds a number to an integer, which is then in the lowest bits.
+    /// Number to be added: a number's sum with [`ROUNDER`] is rounded to an integer, which is then in the lowest bits
+    /// of the sum.
     const ROUNDER: f64 = 6_755_399_441_055_744.0;
     let rounded = x.high * (1.0 / (STEP.high + STEP.low)) + ROUNDER;
     let n = rounded.to_bits() as i32;

@@ -30,13 +30,14 @@ pub(super) struct Mistakes {
     files: Vec<(String, FileId)>,
     /// True if a directive with a body was not recognized, so that its `#end` is surplus.
     lost_directive: bool,
-    /// Lines that cannot be parsed: the file and the offset of the line.
+    /// Source lines that cannot be parsed, each as its file and the offset of the line's start.
     lines: FxHashSet<(FileId, usize)>,
     /// Spans of errors beyond the maximum, which are only counted.
     unreported: FxHashSet<Span>,
     /// Span of the first error beyond the maximum.
     first_unreported: Option<Span>,
-    /// Error about the braces of each file; `None` for files without one.
+    /// For each examined file, the error about a `}` that ends a block too early; `None` for a file without such a
+    /// brace.
     early: FxHashMap<FileId, Option<Box<Diagnostic>>>,
 }
 
