@@ -49,7 +49,7 @@ fn unusual_pow(x: f64, y: f64) -> f64 {
 
 /// Natural logarithm of a positive normal number, with a relative error below 2⁻⁶⁵.
 #[inline]
-fn ln(x: f64) -> Pair {
+pub(super) fn ln(x: f64) -> Pair {
     // x = 2ᵏ·z, and r = z·reciprocal - 1, exactly.
     let offset = x.to_bits().wrapping_sub(FIRST);
     let k = (offset as i64 >> 52) as f64;
@@ -77,8 +77,20 @@ fn ln(x: f64) -> Pair {
 /// e to the power of a pair whose first number is below [`MAX_EXPONENT`].
 #[inline]
 fn exp(x: Pair) -> f64 {
-    /// Number to be added: a number's sum with [`ROUNDER`] is rounded to an integer, which is then in the lowest bits
-    /// of the sum.
+    let (power, scale) = scaled_exp(x);
+    (power.high + power.low) * scale
+}
+
+/// e to the power of a pair whose first number is below [`MAX_EXPONENT`], as a pair with a relative error below 2⁻⁶⁰.
+pub(super) fn exp_pair(x: Pair) -> Pair {
+    let (power, scale) = scaled_exp(x);
+    Pair::sum(power.high * scale, power.low * scale)
+}
+
+/// Returns e to the power of a pair as a sum of two numbers, and the power of 2 that it is to be multiplied by.
+#[inline]
+fn scaled_exp(x: Pair) -> (Pair, f64) {
+    /// The sum with it rounds a number to an integer, which is then in the lowest bits.
     const ROUNDER: f64 = 6_755_399_441_055_744.0;
     let rounded = x.high * (1.0 / (STEP.high + STEP.low)) + ROUNDER;
     let n = rounded.to_bits() as i32;
@@ -88,7 +100,7 @@ fn exp(x: Pair) -> f64 {
     let growth = r + r2 * ((0.5 + r * (1.0 / 6.0)) + r2 * (1.0 / 24.0 + r * (1.0 / 120.0)));
     let root = ROOTS[n as usize % ROWS];
     let scale = f64::from_bits((((n >> 7) + 1023) as u64) << 52);
-    (root.high + (root.low + root.high * growth)) * scale
+    (Pair { high: root.high, low: root.low + root.high * growth }, scale)
 }
 
 /// Row of the table of logarithms, for numbers of an interval whose centre is c.
@@ -133,15 +145,15 @@ const fn root_table() -> [Pair; ROWS] {
 
 /// Unevaluated sum of two numbers, of which the second is small against the first.
 #[derive(Clone, Copy)]
-struct Pair {
-    high: f64,
-    low: f64,
+pub(super) struct Pair {
+    pub high: f64,
+    pub low: f64,
 }
 
 impl Pair {
     /// The exact sum of two numbers (D. E. Knuth, "The Art of Computer Programming", volume 2, 1969).
     #[inline]
-    const fn sum(a: f64, b: f64) -> Self {
+    pub const fn sum(a: f64, b: f64) -> Self {
         let high = a + b;
         let part = high - a;
         Self { high, low: (a - (high - part)) + (b - part) }
@@ -149,20 +161,49 @@ impl Pair {
 
     /// The exact product of two numbers whose magnitudes are below 2⁹⁰⁰ (Dekker 1971).
     #[inline]
-    const fn product(a: f64, b: f64) -> Self {
+    pub const fn product(a: f64, b: f64) -> Self {
         let high = a * b;
         let ((a1, a2), (b1, b2)) = (split(a), split(b));
         Self { high, low: ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2 }
     }
 
-    const fn plus(self, other: Self) -> Self {
+    pub const fn plus(self, other: Self) -> Self {
         let sum = Self::sum(self.high, other.high);
         Self::sum(sum.high, sum.low + (self.low + other.low))
     }
 
-    const fn times(self, other: Self) -> Self {
+    pub const fn times(self, other: Self) -> Self {
         let product = Self::product(self.high, other.high);
         Self::sum(product.high, product.low + (self.high * other.low + self.low * other.high))
+    }
+
+    /// Returns the pair of a number.
+    pub const fn of(high: f64) -> Self {
+        Self { high, low: 0.0 }
+    }
+
+    /// Returns the sum of both numbers.
+    pub const fn value(self) -> f64 {
+        self.high + self.low
+    }
+
+    pub const fn negative(self) -> Self {
+        Self { high: -self.high, low: -self.low }
+    }
+
+    /// Returns the quotient of two pairs.
+    pub const fn over(self, divisor: Self) -> Self {
+        let first = self.high / divisor.high;
+        let product = Self::product(first, divisor.high);
+        let rest = (self.high - product.high) - product.low + (self.low - first * divisor.low);
+        Self::sum(first, rest / divisor.high)
+    }
+
+    /// Returns the square root of a positive pair.
+    pub fn square_root(self) -> Self {
+        let first = self.high.sqrt();
+        let square = Self::product(first, first);
+        Self::sum(first, ((self.high - square.high) - square.low + self.low) / (2.0 * first))
     }
 
     const fn divided_by(self, divisor: f64) -> Self {
