@@ -108,6 +108,13 @@ impl<'w> FrameContext<'w> {
         }
     }
 
+    /// True if all light comes from light sources, and the quality level leaves nothing out.
+    pub(super) fn has_plain_light(&self) -> bool {
+        let Quality { lights, shadows: _, area_lights: _, pigments, reflection, atmosphere: _, subsurface } =
+            self.quality;
+        lights && pigments && reflection && !subsurface && self.radiosity.is_none() && self.photons.is_none()
+    }
+
     /// Returns the interiors that contain the origin of a camera ray.
     pub(super) fn interiors_at(&self, origin: DVec3) -> Interiors {
         match self.camera.origin {

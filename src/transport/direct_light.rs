@@ -9,7 +9,7 @@ use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::light::LightSample;
 use crate::math::{DVec3, fp};
-use crate::world::{LightSource, Lobe};
+use crate::world::{LightSource, Lobe, Part};
 use std::f64::consts::FRAC_PI_2;
 
 /// Geometry of the reflection of light by one layer.
@@ -24,6 +24,17 @@ pub(super) struct Incidence {
     pub cos: f64,
 }
 
+/// Point of a surface that light sources illuminate, with its layers.
+pub(super) trait LitSurface<'w> {
+    fn part(&self) -> &'w Part;
+    /// Returns the point in world space.
+    fn point(&self) -> DVec3;
+    /// True if `test` is true for any layer.
+    fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool;
+    /// Returns the sum of `light` over all layers, weighted by the shares of their materials.
+    fn sum(&self, light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb;
+}
+
 /// A light source, relative to one point of a surface.
 #[derive(Clone, Copy)]
 struct Source<'a> {
@@ -33,18 +44,15 @@ struct Source<'a> {
     center: DVec3,
 }
 
-impl Tracer<'_> {
+impl<'w> Tracer<'w> {
     /// Returns the radiance that a surface sends along the ray by its own emission and by diffuse and specular
     /// reflection of light sources, without `reflection` and transmission.
-    pub(super) fn direct_light(&mut self, state: &RayState, shading: &ShadingPoint) -> Rgb {
+    pub(super) fn direct_light(&mut self, state: &RayState, shading: &ShadingPoint<'w>) -> Rgb {
         if !self.context.quality.lights {
             return shading.sum(|shaded| shaded.weight * shaded.color.rgb);
         }
         let mut sum = shading.sum(|shaded| shaded.weight * emitted(shaded, self.context.has_ambient));
-        let world = self.context.world;
-        for &number in &world.lit_by[shading.part.lights() as usize] {
-            sum += self.reflected_light(&world.lights[number as usize], state, shading);
-        }
+        self.add_light_of_sources(state, shading, &mut sum);
         if self.context.quality.subsurface {
             sum += self.subsurface_light(state, shading);
         }
@@ -54,17 +62,26 @@ impl Tracer<'_> {
         sum
     }
 
+    /// Adds to `sum` the radiance that the light sources of the surface cause by diffuse and specular reflection.
+    #[inline]
+    pub(super) fn add_light_of_sources(&mut self, state: &RayState, surface: &impl LitSurface<'w>, sum: &mut Rgb) {
+        let world = self.context.world;
+        for &number in &world.lit_by[surface.part().lights() as usize] {
+            *sum += self.reflected_light(&world.lights[number as usize], state, surface);
+        }
+    }
+
     /// Returns the radiance that one light source causes by diffuse and specular reflection.
-    fn reflected_light(&mut self, light: &LightSource, state: &RayState, shading: &ShadingPoint) -> Rgb {
-        let center = light.emitter.sample(shading.point, DVec3::ZERO);
+    fn reflected_light(&mut self, light: &LightSource, state: &RayState, surface: &impl LitSurface<'w>) -> Rgb {
+        let center = light.emitter.sample(surface.point(), DVec3::ZERO);
         let source = Source { light, center: center.from };
         let area_lights = self.context.quality.area_lights;
         let Some(area) = light.emitter.area.as_ref().filter(|area| area.illumination && area_lights) else {
-            let visibility = |tracer: &mut Self| tracer.visibility(light, shading.point, &center, &state.inside);
-            return self.reflected_sample(&center, source, state, shading, visibility);
+            let visibility = |tracer: &mut Self| tracer.visibility(light, surface.point(), &center, &state.inside);
+            return self.reflected_sample(&center, source, state, surface, visibility);
         };
         // `area_illumination`: each light of the grid illuminates, with the shadow of the whole grid (quirk: `area_illumination_shadow`)
-        let visibility = self.visibility(light, shading.point, &center, &state.inside);
+        let visibility = self.visibility(light, surface.point(), &center, &state.inside);
         if visibility == Rgb::ZERO {
             return Rgb::ZERO;
         }
@@ -76,8 +93,8 @@ impl Tracer<'_> {
                 break;
             }
             let offset = offset(area, cell, -center.from, random);
-            let sample = light.emitter.sample(shading.point, offset);
-            sum += self.reflected_sample(&sample, source, state, shading, |_| visibility);
+            let sample = light.emitter.sample(surface.point(), offset);
+            sum += self.reflected_sample(&sample, source, state, surface, |_| visibility);
         }
         sum / (columns.len() * rows.len()) as f64
     }
@@ -89,7 +106,7 @@ impl Tracer<'_> {
         sample: &LightSample,
         Source { light, center }: Source,
         state: &RayState,
-        shading: &ShadingPoint,
+        surface: &impl LitSurface<'w>,
         visibility: impl FnOnce(&mut Self) -> Rgb,
     ) -> Rgb {
         let l = sample.from;
@@ -99,15 +116,15 @@ impl Tracer<'_> {
         // quirk: area_illumination_both_sides
         let shines_through =
             light.emitter.area.as_ref().is_some_and(|area| area.illumination) && !self.context.quality.area_lights;
-        let both_sides = shading.part.double_illuminate || shines_through;
-        if sample.light == Rgb::ZERO || !l.is_finite() || !reflects_light(shading, l, both_sides) {
+        let both_sides = surface.part().double_illuminate || shines_through;
+        if sample.light == Rgb::ZERO || !l.is_finite() || !reflects_light(surface, l, both_sides) {
             return Rgb::ZERO;
         }
         let incident = sample.light * visibility(self);
         if incident == Rgb::ZERO {
             return Rgb::ZERO;
         }
-        let sum = shading.sum(|shaded| {
+        let sum = surface.sum(|shaded| {
             let at = Incidence { dir, normal: shaded.normal, to_light: l, cos: shaded.normal.dot(l) };
             let crand = shaded.layer.finish.crand;
             let grain = if crand == 0.0 { 0.0 } else { crand * self.random.next(Purpose::Grain) };
@@ -116,7 +133,7 @@ impl Tracer<'_> {
             if (at.cos > 0.0 || both_sides) && has_highlights && !light.emitter.shadowless {
                 reflected += highlight(shaded, &at);
             }
-            reflected *= film_factor(shading.point, shaded, center, self.context.world);
+            reflected *= film_factor(surface.point(), shaded, center, self.context.world);
             shaded.weight * reflected
         });
         sum * incident
@@ -138,8 +155,8 @@ fn sampled_lights(side: u32) -> impl ExactSizeIterator<Item = u32> + Clone {
 }
 
 /// True if any layer reflects light from a direction.
-fn reflects_light(shading: &ShadingPoint, from: DVec3, both_sides: bool) -> bool {
-    shading.layers().any(|shaded| {
+fn reflects_light<'w>(surface: &impl LitSurface<'w>, from: DVec3, both_sides: bool) -> bool {
+    surface.any_layer(|shaded| {
         let finish = &shaded.layer.finish;
         match both_sides || shaded.normal.dot(from) > 0.0 {
             true => finish.diffuse != 0.0 || finish.phong.strength != 0.0 || finish.specular.strength != 0.0,
@@ -149,7 +166,7 @@ fn reflects_light(shading: &ShadingPoint, from: DVec3, both_sides: bool) -> bool
 }
 
 /// Returns the light of `ambient` and `emission`.
-fn emitted(shaded: &ShadedLayer, has_ambient: bool) -> Rgb {
+pub(super) fn emitted(shaded: &ShadedLayer, has_ambient: bool) -> Rgb {
     let finish = &shaded.layer.finish;
     shaded.color.rgb * shaded.opacity * (if has_ambient { finish.ambient + finish.emission } else { finish.emission })
 }

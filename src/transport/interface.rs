@@ -11,7 +11,10 @@ pub(super) type Interiors = SmallVec<[u32; 6]>;
 /// Returns a copy of a ray's list of interiors; faster than `clone`, which copies number by number.
 #[inline]
 pub(super) fn copy_of(interiors: &Interiors) -> Interiors {
-    Interiors::from_slice(interiors)
+    match interiors.as_slice() {
+        [] => Interiors::new(),
+        numbers => Interiors::from_slice(numbers),
+    }
 }
 
 /// Optical boundary where a ray hits a surface: the indices of refraction on both sides, and whether the ray leaves an

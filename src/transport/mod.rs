@@ -15,6 +15,7 @@ mod interface;
 mod media;
 mod media_intervals;
 mod photons;
+mod plain;
 mod radiance;
 mod radiosity;
 mod random;

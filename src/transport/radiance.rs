@@ -9,7 +9,7 @@ use super::tracer::Tracer;
 use crate::atmosphere::{Segment, ViewKind};
 use crate::color::{Rgb, gray};
 use crate::math::{Range, Ray};
-use crate::world::Intersection;
+use crate::world::{Intersection, RayKind};
 
 /// Light that arrives along a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +56,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Traces a ray up to its first hit: adds the light of the segment and of the surface to `sum`, and pushes the rays that
-    /// continue. True if the surface is clear, and `state` the ray beyond it.
+    /// continue. True if one ray continues that was not pushed, and `state` is that ray.
     #[inline]
     fn trace(&mut self, state: &mut RayState, sum: &mut Radiance) -> bool {
         self.random.next_vertex();
@@ -77,17 +77,17 @@ impl<'w> Tracer<'w> {
         {
             return false;
         }
-        let air = match self.sees_air(state) {
-            true => self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.lights()),
-            false => Segment::NONE,
-        };
-        sum.rgb += state.throughput * air.radiance;
-        state.attenuate(&air);
+        if (self.has_air() || self.has_media()) && self.sees_air(state) {
+            let air = self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.lights());
+            sum.rgb += state.throughput * air.radiance;
+            state.attenuate(&air);
+        }
+        let material = &self.context.world.materials[part.outside.material as usize];
+        if part.uncommon.is_none() && material.is_plain && self.has_plain_light {
+            return self.trace_plain(state, &hit, sum);
+        }
         let interface = self.interface(state, &hit);
-        if part.uncommon.is_none()
-            && self.context.world.materials[part.outside.material as usize].is_clear
-            && self.passes_clear_surface(state, &hit, &interface)
-        {
+        if part.uncommon.is_none() && material.is_clear && self.passes_clear_surface(state, &hit, &interface) {
             return true;
         }
         // Light that the surface itself sends
@@ -150,17 +150,15 @@ impl<'w> Tracer<'w> {
     /// Returns the closest hit among the objects that are visible to this kind of ray.
     fn closest(&self, state: &RayState) -> Option<Intersection<'w>> {
         let world = self.context.world;
-        let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
-        if state.bounces > 0 {
-            world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].radiosity)
-        } else if state.is_reflected {
-            world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].reflection)
-        } else if state.has_transmitted {
-            world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].through)
-        } else {
-            let range = Range { max: self.context.camera.reach, ..range };
-            world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].image)
-        }
+        let kind = match state {
+            _ if state.bounces > 0 => RayKind::Radiosity,
+            _ if state.is_reflected => RayKind::Reflected,
+            _ if state.has_transmitted => RayKind::Transmitted,
+            _ => RayKind::Camera,
+        };
+        let max = if kind == RayKind::Camera { self.context.camera.reach } else { f64::INFINITY };
+        let range = Range { min: world.epsilon.surface, max };
+        world.geometry.closest(&state.ray, range, |id| world.objects[id as usize].is_visible_to(kind))
     }
 
     /// True if fog and media count along the ray (`radiosity { media }`).

@@ -8,7 +8,6 @@ use crate::color::{Rgb, gray};
 use crate::math::{DVec3, fp};
 use crate::texture::Reflection;
 use crate::world::World;
-use smallvec::SmallVec;
 
 /// Data that the mirror reflections of all layers at a hit share: importance of the incoming ray, optical boundary and
 /// World.
@@ -22,12 +21,29 @@ pub(super) struct MirrorContext<'a> {
     pub world: &'a World,
 }
 
-/// A layer with `reflection`.
+/// A layer with `reflection`, and the ray that it reflects.
 pub(super) struct Mirror<'a> {
-    pub reflection: &'a Reflection,
-    pub shaded: &'a ShadedLayer<'a>,
+    reflection: &'a Reflection,
+    shaded: &'a ShadedLayer<'a>,
     /// Share of the layer's material in a blend of materials.
-    pub share: f64,
+    share: f64,
+    /// The reflected ray.
+    bounce: Bounce,
+}
+
+impl<'a> Mirror<'a> {
+    /// Creates the mirror of a layer that has the share `share` in a blend of materials; `None` if the layer has no
+    /// `reflection`, or reflects a ray whose weight is below `adc_bailout`.
+    #[inline]
+    pub fn new(shaded: &'a ShadedLayer<'a>, share: f64, context: MirrorContext) -> Option<Self> {
+        let reflection = shaded.layer.finish.mirror.as_deref()?;
+        Some(Self { reflection, shaded, share, bounce: bounce(reflection, shaded, context)? })
+    }
+
+    /// Returns the ray that the layer reflects.
+    pub fn bounce(&self) -> Bounce {
+        self.bounce
+    }
 }
 
 /// A reflected ray: the normal that reflects it, and its weight. Layers with an equal normal and weight share one ray.
@@ -38,20 +54,15 @@ pub(super) struct Bounce {
 }
 
 /// Returns the rays that the layers reflect, equal ones only once.
-pub(super) fn bounces(mirrors: &[Mirror], context: MirrorContext) -> SmallVec<[Bounce; 2]> {
-    let mut bounces = SmallVec::new();
-    for bounce in mirrors.iter().filter_map(|mirror| bounce(mirror, context)) {
-        if !bounces.contains(&bounce) {
-            bounces.push(bounce);
-        }
-    }
-    bounces
+#[inline]
+pub(super) fn bounces<'a>(mirrors: &'a [Mirror]) -> impl Iterator<Item = Bounce> + use<'a> {
+    let is_new = |i: usize| mirrors[..i].iter().all(|before| before.bounce != mirrors[i].bounce);
+    (0..mirrors.len()).filter(move |&i| is_new(i)).map(|i| mirrors[i].bounce)
 }
 
 /// True if a bounce's reflected light is proportional to the incoming light: no layer has an `exponent` except 1.
-pub(super) fn is_linear(mirrors: &[Mirror], context: MirrorContext, ray: Bounce) -> bool {
-    let has_exponent = |mirror: &Mirror| mirror.reflection.exponent != 1.0 && bounce(mirror, context) == Some(ray);
-    !mirrors.iter().any(has_exponent)
+pub(super) fn is_linear(mirrors: &[Mirror], ray: Bounce) -> bool {
+    mirrors.iter().all(|mirror| mirror.reflection.exponent == 1.0 || mirror.bounce != ray)
 }
 
 /// Returns the radiance that a bounce's layers reflect from the incoming `light` into the direction `out`, at `point`.
@@ -64,7 +75,7 @@ pub(super) fn reflected_radiance(
     light: Rgb,
 ) -> Rgb {
     let mut sum = Rgb::ZERO;
-    for mirror in mirrors.iter().filter(|mirror| bounce(mirror, context) == Some(ray)) {
+    for mirror in mirrors.iter().filter(|mirror| mirror.bounce == ray) {
         let light = light * film_factor(point, mirror.shaded, out, context.world);
         let seen = match mirror.reflection.exponent {
             1.0 => light,
@@ -101,8 +112,8 @@ pub(super) fn film_factor(point: DVec3, shaded: &ShadedLayer, from: DVec3, world
 /// Returns the ray that one layer reflects; `None` if its weight is below `adc_bailout`. The gray of the layers above
 /// lowers the weight, but shares of a blend, the tint of a metal and, without `fresnel`, the angle do not (quirk:
 /// `reflection_weight`).
-fn bounce(mirror: &Mirror, context: MirrorContext) -> Option<Bounce> {
-    let Mirror { reflection, shaded, .. } = mirror;
+#[inline]
+fn bounce(reflection: &Reflection, shaded: &ShadedLayer, context: MirrorContext) -> Option<Bounce> {
     let part = match reflection.fresnel {
         true => untinted_reflectance(reflection, shaded.cos, context.interface),
         false => reflection.min.max(reflection.max),

@@ -121,22 +121,23 @@ impl Tracer<'_> {
         if state.level >= self.max_trace_level {
             return;
         }
-        let mut mirrors = SmallVec::<[Mirror; 2]>::new();
+        let context = MirrorContext { weight: state.weight, bailout: self.adc_bailout, interface, world };
+        let mut mirrors = SmallVec::<[Mirror; 1]>::new();
         for (material, transmission) in shading.materials.iter().zip(transmissions) {
             let is_total = matches!(transmission, Transmission::Total | Transmission::TotalTooFaint);
-            let replaced = is_total.then_some(material.normal);
-            mirrors.extend(shading.layers_of(material).iter().filter_map(|shaded| {
-                let reflection = shaded.layer.finish.mirror.as_deref()?;
-                let share = material.share;
-                (replaced != Some(shaded.normal)).then_some(Mirror { reflection, shaded, share })
-            }));
+            for shaded in shading.layers_of(material) {
+                if !(is_total && shaded.normal == material.normal)
+                    && let Some(mirror) = Mirror::new(shaded, material.share, context)
+                {
+                    mirrors.push(mirror);
+                }
+            }
         }
-        let context = MirrorContext { weight: state.weight, bailout: self.adc_bailout, interface, world };
-        for bounce in reflect::bounces(&mirrors, context) {
+        for bounce in reflect::bounces(&mirrors) {
             self.counts.reflected += 1;
             let out = mirror_direction(state.ray.dir, bounce.normal, shading.smooth);
             let reflectance = |light| reflect::reflected_radiance(&mirrors, shading.point, context, bounce, out, light);
-            let is_linear = self.traces_photons || reflect::is_linear(&mirrors, context, bounce);
+            let is_linear = self.traces_photons || reflect::is_linear(&mirrors, bounce);
             let share = if is_linear { reflectance(Rgb::ONE) } else { Rgb::ONE };
             let mut reflected = state.continued(Ray::new(shading.point, out), share);
             (reflected.level, reflected.weight, reflected.is_reflected) = (state.level + 1, bounce.weight, true);

@@ -1,6 +1,7 @@
 //! Pigments, normals and layers at a hit, evaluated at one point.
 
 use super::context::Quality;
+use super::direct_light::LitSurface;
 use super::interface::Interface;
 use super::reflect::unreflected_share;
 use crate::color::{Color, Rgb, gray};
@@ -56,29 +57,43 @@ pub(super) struct ShadingPoint<'w> {
 
 impl<'w> ShadingPoint<'w> {
     /// Evaluates the materials at the hit `found` of `ray`; `interface` is the optical boundary at the hit.
+    // (Forced: the compiler would return a value of this size by a copy.)
+    #[inline(always)]
     pub fn new(world: &'w World, ray: &Ray, found: &Intersection, quality: &Quality, interface: &Interface) -> Self {
         let part = &world.parts[found.part_number() as usize];
         let surface = found.surface(ray);
-        let against = ray.dir.dot(surface.normal);
-        let normal = if against > 0.0 { -surface.normal } else { surface.normal };
-        let mut this =
-            Self { part, point: surface.point, smooth: normal, materials: SmallVec::new(), layers: SmallVec::new() };
+        let from_inside = ray.dir.dot(surface.normal) > 0.0;
+        let smooth = if from_inside { -surface.normal } else { surface.normal };
+        let mut this = Self { part, point: surface.point, smooth, materials: SmallVec::new(), layers: SmallVec::new() };
+        this.collect_materials(world, ray, found, (&surface, from_inside), (quality, interface));
+        this
+    }
+
+    /// Evaluates all materials at the hit. The surface is hit from inside if `from_inside` is true.
+    fn collect_materials(
+        &mut self,
+        world: &'w World,
+        ray: &Ray,
+        found: &Intersection,
+        (surface, from_inside): (&Surface, bool),
+        (quality, interface): (&Quality, &Interface),
+    ) {
+        let normal = self.smooth;
         let mut painter = Painter {
-            placed: &part.outside,
+            placed: &self.part.outside,
             quality,
             interface,
             opacity_by_color: world.opacity_by_color,
             bailout: world.adc_bailout,
             pattern_normal: normal,
-            materials: &mut this.materials,
-            layers: &mut this.layers,
+            materials: &mut self.materials,
+            layers: &mut self.layers,
         };
-        each_material(world, found, &surface, against > 0.0, |placed, share| {
-            let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
+        each_material(world, found, surface, from_inside, |placed, share| {
+            let (material, ctx) = texture_context(world, placed, found, surface, normal, ray);
             painter.placed = placed;
             painter.collect_material(material, &ctx, share, None);
         });
-        this
     }
 
     /// Returns all layers of all materials at the point.
@@ -96,14 +111,33 @@ impl<'w> ShadingPoint<'w> {
         self.materials.iter().all(|material| material.transmittance == Rgb::ZERO)
             && self.layers.iter().all(|shaded| shaded.layer.finish.mirror.is_none())
     }
+}
 
-    /// Returns the sum of `light` over all layers, weighted by the shares of their materials.
+impl<'w> LitSurface<'w> for ShadingPoint<'w> {
+    fn part(&self) -> &'w Part {
+        self.part
+    }
+
+    fn point(&self) -> DVec3 {
+        self.point
+    }
+
+    #[inline]
+    fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool {
+        self.layers.iter().any(test)
+    }
+
     // (Forced: with several callers, the compiler would make this a call.)
     #[inline(always)]
-    pub fn sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
+    fn sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
+        let layers = self.layers.as_slice();
         let mut sum = Rgb::ZERO;
-        for material in &self.materials {
-            sum += material.share * self.layers_of(material).iter().map(&mut light).sum::<Rgb>();
+        for material in self.materials.as_slice() {
+            let mut sum_of_layers = Rgb::ZERO;
+            for shaded in &layers[material.layers.clone()] {
+                sum_of_layers += light(shaded);
+            }
+            sum += material.share * sum_of_layers;
         }
         sum
     }
@@ -285,7 +319,7 @@ fn each_material<'w>(
 }
 
 /// Returns a material and the context for its patterns; the context's normal is in world space.
-fn texture_context<'w>(
+pub(super) fn texture_context<'w>(
     world: &'w World,
     placed: &PlacedMaterial,
     found: &Intersection,

@@ -187,11 +187,13 @@ impl Intersection<'_> {
     pub fn surface(&self, ray: &Ray) -> Surface {
         let Leaf { shape, place, inverse, .. } = self.leaf;
         let object_point = self.object_point(ray);
-        let normal = shape.normal(object_point, &self.hit);
-        let around = self.instance.and_then(Instance::world_from_instance);
-        let places = [place.as_deref(), around].into_iter().flatten();
-        let (point, normal) =
-            places.fold((object_point, normal), |(p, n), m| (m.transform_point(p), m.transform_normal(n)));
+        let (mut point, mut normal) = (object_point, shape.normal(object_point, &self.hit));
+        if let Some(m) = place {
+            (point, normal) = (m.transform_point(point), m.transform_normal(normal));
+        }
+        if let Some(m) = self.instance.and_then(Instance::world_from_instance) {
+            (point, normal) = (m.transform_point(point), m.transform_normal(normal));
+        }
         let normal = if *inverse { -normal } else { normal };
         Surface { point, normal: normal.try_normalize().unwrap_or(-ray.dir), object_point }
     }

@@ -22,6 +22,10 @@ pub struct Material {
     /// True if the material transmits all light unchanged and sends none itself, such as the surface of a container of
     /// media.
     pub is_clear: bool,
+    /// True for one opaque layer that reflects in proportion to the incoming light, without bumps, grain, thin film and
+    /// subsurface light.
+    #[serde(skip)]
+    pub is_plain: bool,
     /// True if a pattern depends on surface coordinates.
     pub uv: bool,
     /// True if two entries of this material in a blend cannot be merged into one: each reflects and transmits by
@@ -152,6 +156,7 @@ impl Material {
                 .all(|l| matches!(l.pigment, LayerColor::Solid(_)) && l.normal.is_none() && l.choice.is_none()),
             pass: layers.iter().rev().filter_map(Layer::solid_transmittance).product(),
             is_clear: layers.iter().all(Layer::is_clear),
+            is_plain: matches!((&layers[..], &texture.layers[..]), ([one], [written]) if one.is_plain() && is_opaque(written)),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
             repeats: texture.any_layer(&sends_light_on)
                 || !texture.layers.iter().any(is_opaque)
@@ -224,6 +229,18 @@ impl Layer {
             && finish.specular.strength == 0.0
             && finish.crand == 0.0
             && finish.refraction == 1.0
+    }
+
+    /// True if the layer is plain apart from its opacity (see [`Material::is_plain`]).
+    fn is_plain(&self) -> bool {
+        let finish = &self.finish;
+        self.choice.is_none()
+            && self.normal.is_none()
+            && finish.crand == 0.0
+            && finish.irid.is_none()
+            && finish.scattering_length.is_none()
+            && !finish.conserve_energy
+            && finish.mirror.as_ref().is_none_or(|mirror| mirror.exponent == 1.0)
     }
 
     /// Returns the colour of a layer that has one colour everywhere; `quick` selects `quick_color`.

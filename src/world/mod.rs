@@ -209,6 +209,19 @@ pub struct ObjectInfo {
     pub interior: u32,
 }
 
+/// Kind of a ray, by which objects can be hidden from it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayKind {
+    /// A ray of the camera that has passed no surface.
+    Camera,
+    /// A ray of the camera that transparent surfaces have transmitted.
+    Transmitted,
+    /// A ray that a surface has reflected.
+    Reflected,
+    /// A ray that gathers light for radiosity.
+    Radiosity,
+}
+
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
 fn is_one(importance: &f32) -> bool {
     *importance == 1.0
@@ -217,6 +230,17 @@ fn is_one(importance: &f32) -> bool {
 impl ObjectInfo {
     /// Value in place of an interior's index: the object is only another view of an object that is already counted.
     pub const VIEW: u32 = u32::MAX;
+
+    /// True if rays of a kind hit the object.
+    #[inline]
+    pub fn is_visible_to(&self, kind: RayKind) -> bool {
+        match kind {
+            RayKind::Camera => self.image,
+            RayKind::Transmitted => self.through,
+            RayKind::Reflected => self.reflection,
+            RayKind::Radiosity => self.radiosity,
+        }
+    }
 }
 
 /// A light in the world.

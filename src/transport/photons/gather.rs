@@ -1,6 +1,6 @@
 //! Estimates of the light of stored photons.
 
-use super::super::direct_light::{Incidence, diffuse, highlight};
+use super::super::direct_light::{Incidence, LitSurface, diffuse, highlight};
 use super::super::ray_state::RayState;
 use super::super::shading_point::{ShadedLayer, ShadingPoint};
 use super::super::tracer::Tracer;

@@ -4,6 +4,7 @@ use super::cache::{Blend, Sample};
 use super::{RadiosityPass, RadiosityState, ray_count};
 use crate::color::{Rgb, gray};
 use crate::math::{DVec3, Ray, rng};
+use crate::transport::direct_light::LitSurface;
 use crate::transport::interface::Interiors;
 use crate::transport::ray_state::RayState;
 use crate::transport::shading_point::{ShadedLayer, ShadingPoint};

@@ -288,7 +288,16 @@ impl SolidNode {
     }
 
     /// True if the ray hits the solid anywhere in the range.
+    #[inline]
     pub fn any(&self, ray: &Ray, range: Range) -> bool {
+        match &self.kind {
+            SolidKind::Leaf(leaf) if self.composite.is_none() => leaf.any(ray, range),
+            _ => self.any_of_composite(ray, range),
+        }
+    }
+
+    /// True if the ray hits a composite solid anywhere in the range.
+    fn any_of_composite(&self, ray: &Ray, range: Range) -> bool {
         match &self.kind {
             SolidKind::Leaf(leaf) if self.clip().is_empty() => self.crosses_all_bounds(ray) && leaf.any(ray, range),
             _ => self.closest_of_composite(ray, range).is_some(),

@@ -1,0 +1,95 @@
+//! Plain surfaces, which most rays hit: one opaque layer without bumps, lit by light sources alone. Their light is computed
+//! without lists of materials and layers; it is the same, bit by bit, as that by way of [`super::shading_point::ShadingPoint`].
+
+use super::direct_light::{LitSurface, emitted};
+use super::radiance::Radiance;
+use super::ray_state::RayState;
+use super::reflect::{Mirror, MirrorContext, reflected_radiance};
+use super::scatter::mirror_direction;
+use super::shading_point::{ShadedLayer, texture_context};
+use super::tracer::Tracer;
+use crate::color::Rgb;
+use crate::math::{DVec3, Ray};
+use crate::world::{Intersection, Part, World};
+use std::slice;
+
+/// Point of a plain surface, with its one layer.
+struct PlainPoint<'w> {
+    part: &'w Part,
+    point: DVec3,
+    /// Normal of length 1, towards the ray's origin.
+    normal: DVec3,
+    shaded: ShadedLayer<'w>,
+}
+
+impl<'w> PlainPoint<'w> {
+    /// Evaluates the material at the hit `found` of `ray` on the plain surface of a part.
+    #[inline(always)]
+    fn new(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection) -> Self {
+        let surface = found.surface(ray);
+        let normal = if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal };
+        let layer = &world.materials[part.outside.material as usize].layers[0];
+        let color = layer.color_everywhere(false).unwrap_or_else(|| {
+            let (_, context) = texture_context(world, &part.outside, found, &surface, normal, ray);
+            layer.color(&context, false)
+        });
+        let shaded = ShadedLayer {
+            layer,
+            color,
+            opacity: color.opacity(world.opacity_by_color),
+            weight: Rgb::ONE,
+            normal,
+            cos: -ray.dir.dot(normal),
+            is_translucent: false,
+        };
+        Self { part, point: surface.point, normal, shaded }
+    }
+}
+
+impl<'w> LitSurface<'w> for PlainPoint<'w> {
+    fn part(&self) -> &'w Part {
+        self.part
+    }
+
+    fn point(&self) -> DVec3 {
+        self.point
+    }
+
+    #[inline(always)]
+    fn any_layer(&self, test: impl Fn(&ShadedLayer<'w>) -> bool) -> bool {
+        test(&self.shaded)
+    }
+
+    #[inline(always)]
+    fn sum(&self, mut light: impl FnMut(&ShadedLayer<'w>) -> Rgb) -> Rgb {
+        light(&self.shaded)
+    }
+}
+
+impl Tracer<'_> {
+    /// Adds the light of a plain surface to `sum`. True if the surface reflects the ray, and `state` is the reflected ray.
+    pub(super) fn trace_plain(&mut self, state: &mut RayState, hit: &Intersection, sum: &mut Radiance) -> bool {
+        let world = self.context.world;
+        let part = &world.parts[hit.part_number() as usize];
+        let at = PlainPoint::new(world, part, &state.ray, hit);
+        let mut light = emitted(&at.shaded, self.context.has_ambient);
+        self.add_light_of_sources(state, &at, &mut light);
+        sum.rgb += state.throughput * light;
+        // The mirrored ray
+        if at.shaded.layer.finish.mirror.is_none() || state.level >= self.max_trace_level {
+            return false;
+        }
+        let interface = self.interface(state, hit);
+        let context = MirrorContext { weight: state.weight, bailout: self.adc_bailout, interface: &interface, world };
+        let Some(mirror) = Mirror::new(&at.shaded, 1.0, context) else { return false };
+        let out = mirror_direction(state.ray.dir, at.normal, at.normal);
+        let bounce = mirror.bounce();
+        let share = reflected_radiance(slice::from_ref(&mirror), at.point, context, bounce, out, Rgb::ONE);
+        self.counts.reflected += 1;
+        state.ray = Ray::new(at.point, out);
+        (state.level, state.weight, state.is_reflected) = (state.level + 1, bounce.weight, true);
+        (state.throughput, state.transparency) = (state.throughput * share, 0.0);
+        state.n_surfaces += 1;
+        true
+    }
+}
