@@ -27,7 +27,7 @@ pub(super) fn solid_media_warnings(scene: &Scene) -> Vec<Diagnostic> {
 /// Returns the warning about media that scatter light in a scene whose lights do not reach them.
 pub(super) fn unlit_media_warning(world: &World) -> Option<Diagnostic> {
     let is_unlit = |medium: &&Medium| {
-        let mut lights = world.lit_by[medium.lights as usize].iter().map(|&number| &world.lights[number as usize]);
+        let mut lights = world.lit_by[medium.light_set as usize].iter().map(|&number| &world.lights[number as usize]);
         let scatters = medium.scattering.color != Rgb::ZERO && medium.emission == Rgb::ZERO;
         scatters && !lights.any(|light| light.emitter.scattered)
     };
@@ -86,7 +86,7 @@ fn samples_per_ray(world: &World, media: &[Medium]) -> f64 {
     };
     let scattering = media.iter().filter(|medium| medium.scattering.color != Rgb::ZERO);
     let lights = |medium: &Medium| {
-        let lights = world.lit_by[medium.lights as usize].iter().map(|&number| &world.lights[number as usize]);
+        let lights = world.lit_by[medium.light_set as usize].iter().map(|&number| &world.lights[number as usize]);
         lights.filter(|light| light.emitter.scattered).count() as f64
     };
     on_ray * (1.0 + scattering.map(|medium| lights(medium) * on_shadow_ray(medium)).fold(0.0, f64::max))

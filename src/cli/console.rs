@@ -181,7 +181,7 @@ impl Console {
         if wanted.len() > 1 && !self.among_several {
             text += &format!("{count}\n");
         }
-        if self.style.ascii { client_lines::to_ascii(&text) } else { text }
+        if self.style.ascii { client_lines::replace_message_symbols(&text) } else { text }
     }
 
     /// Writes diagnostics as rendered by [`Console::format_and_count`] to stderr.

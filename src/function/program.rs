@@ -119,16 +119,17 @@ impl Program {
             return self.run_in_registers(&mut r);
         }
         match () {
-            _ if all <= SOME => self.run_in_registers(self.fill_registers(&mut [0.0; SOME], parameters)),
-            _ if all <= MANY => self.run_in_registers(self.fill_registers(&mut [0.0; MANY], parameters)),
-            _ => self.run_in_registers(self.fill_registers(&mut vec![0.0; all], parameters)),
+            _ if all <= SOME => self.run_in_registers(self.registers_with_inputs(&mut [0.0; SOME], parameters)),
+            _ if all <= MANY => self.run_in_registers(self.registers_with_inputs(&mut [0.0; MANY], parameters)),
+            _ => self.run_in_registers(self.registers_with_inputs(&mut vec![0.0; all], parameters)),
         }
     }
 
-    fn fill_registers<'r>(&self, r: &'r mut [f64], parameters: &[f64]) -> &'r mut [f64] {
-        r[..self.parameters].copy_from_slice(&parameters[..self.parameters]);
-        r[self.parameters..self.parameters + self.constants.len()].copy_from_slice(&self.constants);
-        r
+    /// Stores the arguments and the constants in the first registers, and returns all registers.
+    fn registers_with_inputs<'r>(&self, registers: &'r mut [f64], arguments: &[f64]) -> &'r mut [f64] {
+        registers[..self.parameters].copy_from_slice(&arguments[..self.parameters]);
+        registers[self.parameters..self.parameters + self.constants.len()].copy_from_slice(&self.constants);
+        registers
     }
 
     fn run_in_registers(&self, r: &mut [f64]) -> f64 {

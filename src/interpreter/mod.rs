@@ -248,7 +248,7 @@ impl<'a> Interpreter<'a> {
         let failed = self.reporter.error_count() > 0;
         let limit_reached = self.reporter.limit_reached();
         let (scene, origins) = self.builder.into_scene();
-        let (diagnostics, unused_branches) = self.reporter.into_diagnostics();
+        let (diagnostics, unused_branches) = self.reporter.into_diagnostics_and_unused_branches();
         Outcome {
             scene: (!failed).then_some(scene),
             diagnostics,

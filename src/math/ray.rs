@@ -20,6 +20,13 @@ impl Ray {
         Self { origin, dir }
     }
 
+    /// True if all coordinates of origin and direction are finite.
+    #[inline(always)]
+    pub fn is_finite(&self) -> bool {
+        // 0·x is 0 for a finite x, and NaN otherwise: one comparison instead of six.
+        (self.origin * 0.0 + self.dir * 0.0).element_sum() == 0.0
+    }
+
     /// Returns the point p(t) = p₀ + t·v of the ray.
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + self.dir * t

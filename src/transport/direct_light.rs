@@ -66,7 +66,7 @@ impl<'w> Tracer<'w> {
     #[inline]
     pub(super) fn add_light_of_sources(&mut self, state: &RayState, surface: &impl LitSurface<'w>, sum: &mut Rgb) {
         let world = self.context.world;
-        for &number in &world.lit_by[surface.part().lights() as usize] {
+        for &number in &world.lit_by[surface.part().light_set() as usize] {
             *sum += self.reflected_light(&world.lights[number as usize], state, surface);
         }
     }

@@ -187,7 +187,8 @@ impl<'w> Tracer<'w> {
             return BeamList::new();
         }
         let world = self.context.world;
-        let lights = world.lit_by[stretch.context.lights as usize].iter().map(|&number| &world.lights[number as usize]);
+        let lights =
+            world.lit_by[stretch.context.light_set as usize].iter().map(|&number| &world.lights[number as usize]);
         let beam = |light: &'w LightSource| BeamOnRay {
             light,
             stretches: light.emitter.lit_stretches(stretch.ray, stretch.range),

@@ -78,7 +78,7 @@ impl<'w> Tracer<'w> {
             return false;
         }
         if (self.has_air() || self.has_media()) && self.sees_air(state) {
-            let air = self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.lights());
+            let air = self.segment(&state.ray, &Span::from_origin(hit.t()), &state.inside, part.light_set());
             sum.rgb += state.throughput * air.radiance;
             state.attenuate(&air);
         }

@@ -34,7 +34,7 @@ pub(super) struct SegmentContext<'a> {
     pub inside: &'a Interiors,
     /// Number of the set of lights that media scatter, an index in [`crate::world::World::lit_by`]: the set of the surface
     /// at the segment's end, 0 without a surface (quirk: `media_lights`).
-    pub lights: u32,
+    pub light_set: u32,
     /// True for a shadow ray, for which the transmittance alone counts.
     pub is_shadow: bool,
 }
@@ -53,12 +53,12 @@ impl<'w> Tracer<'w> {
     /// Returns the radiance added and the transmittance of air and media along a span of a ray of length 1. Solid (not
     /// `hollow`) interiors hold no air and no media (quirk: `fog_needs_hollow`).
     #[inline]
-    pub(super) fn segment(&mut self, ray: &Ray, span: &Span, inside: &Interiors, lights: u32) -> Segment {
+    pub(super) fn segment(&mut self, ray: &Ray, span: &Span, inside: &Interiors, light_set: u32) -> Segment {
         let (has_air, has_media) = (self.has_air(), self.has_media());
         if !has_air && !has_media || self.is_filled(inside) {
             return Segment::NONE;
         }
-        let context = SegmentContext { inside, lights, is_shadow: false };
+        let context = SegmentContext { inside, light_set, is_shadow: false };
         let air = if has_air { self.air(ray, span, &context) } else { Segment::NONE };
         if has_media { air.in_front_of(self.interior_media(ray, span, &context)) } else { air }
     }
@@ -69,7 +69,7 @@ impl<'w> Tracer<'w> {
         if !self.has_air() || self.is_filled(inside) {
             return Segment::NONE;
         }
-        self.air(ray, &Span::from_origin(Segment::FAR), &SegmentContext { inside, lights: 0, is_shadow: false })
+        self.air(ray, &Span::from_origin(Segment::FAR), &SegmentContext { inside, light_set: 0, is_shadow: false })
     }
 
     /// Returns the transmittance of air and media along a span of a shadow ray.
@@ -83,7 +83,7 @@ impl<'w> Tracer<'w> {
         if !segments.has_air && !segments.has_media || self.is_filled(inside) {
             return Rgb::ONE;
         }
-        let context = SegmentContext { inside, lights: 0, is_shadow: true };
+        let context = SegmentContext { inside, light_set: 0, is_shadow: true };
         let mut transmittance = Rgb::ONE;
         if segments.has_air {
             transmittance *= self.air(ray, span, &context).transmittance;

@@ -145,9 +145,9 @@ impl<'w> Tracer<'w> {
     /// surface. Light from either side enters (quirk: `subsurface_both_sides`).
     fn entering_light(&mut self, exit: &Exit, hit: &Intersection, surface: &Surface) -> Rgb {
         let world = self.context.world;
-        let lights = world.parts[hit.part_number() as usize].lights();
+        let light_set = world.parts[hit.part_number() as usize].light_set();
         let mut sum = Rgb::ZERO;
-        for &number in &world.lit_by[lights as usize] {
+        for &number in &world.lit_by[light_set as usize] {
             let light = &world.lights[number as usize];
             let sample = light.emitter.sample(surface.point, DVec3::ZERO);
             let cos = surface.normal.dot(sample.from).abs();
@@ -211,11 +211,11 @@ impl<'w> Tracer<'w> {
                 continue;
             };
             let surface = hit.surface(&to_light);
-            let lights = world.parts[hit.part_number() as usize].lights();
+            let light_set = world.parts[hit.part_number() as usize].light_set();
             let sample = light.emitter.sample(surface.point, DVec3::ZERO);
             let cos = surface.normal.dot(sample.from).abs();
             let is_inside = !light.emitter.is_parallel() && below.distance < hit.t();
-            let is_lit = world.lit_by[lights as usize].iter().any(|&number| number as usize == light.number);
+            let is_lit = world.lit_by[light_set as usize].iter().any(|&number| number as usize == light.number);
             if is_inside || !is_lit || sample.light == Rgb::ZERO || cos.is_nan() || cos == 0.0 {
                 continue;
             }

@@ -23,7 +23,7 @@ pub struct Medium {
     /// True if the medium stores photons and shows their light.
     pub collects_photons: bool,
     /// Number of the set of lights that illuminate the medium, see [`super::World::lit_by`].
-    pub lights: u32,
+    pub light_set: u32,
     /// Span of the `media` block.
     #[serde(skip)]
     pub source: Span,
@@ -35,7 +35,7 @@ pub struct Medium {
 
 impl Medium {
     /// Lowers a medium; `place` transforms its densities to world space.
-    pub(super) fn new(media: &Media, place: &Transform, lights: u32) -> Self {
+    pub(super) fn new(media: &Media, place: &Transform, light_set: u32) -> Self {
         let scattered = media.scattering.color * media.scattering.extinction;
         let program = |density: &Density| PigmentProgram::new(density.as_pigment());
         let mut densities: Vec<PigmentProgram> = media.densities.iter().map(program).collect();
@@ -47,7 +47,7 @@ impl Medium {
             scattering: media.scattering,
             sampling: media.sampling,
             collects_photons: !media.ignores_photons && media.scattering.color != Rgb::ZERO,
-            lights,
+            light_set,
             source: media.source,
             densities: densities.into(),
             place: (!place.is_identity() && !media.densities.is_empty()).then(|| Box::new(*place)),

@@ -88,7 +88,7 @@ pub struct World {
     pub filled: Vec<bool>,
     /// All lights of the scene.
     pub lights: Vec<LightSource>,
-    /// Sets of lights that illuminate a shape, by [`UncommonPart::lights`]: the numbers of the lights.
+    /// Sets of lights that illuminate a shape, by [`UncommonPart::light_set`]: the numbers of the lights.
     pub lit_by: Vec<Box<[u32]>>,
     /// Sky sphere and background.
     pub sky: Sky,
@@ -152,7 +152,7 @@ pub struct UncommonPart {
     /// Embedded textures of the shape; number 1 is the first.
     pub embedded: Box<[PlacedMaterial]>,
     /// Number of the set of lights that illuminate the shape; 0 for the lights of no group.
-    pub lights: u32,
+    pub light_set: u32,
     /// Index in [`World::cuts`] of the solids whose materials a cutting shape shows (`cutaway_textures`).
     pub cut: Option<u32>,
     /// Share of the radiosity rays to the shape that are traced, more than 0 and at most 1.
@@ -171,8 +171,8 @@ pub struct PlacedMaterial {
 
 impl Part {
     /// Returns the number of the set of lights that illuminate the shape, an index in [`World::lit_by`].
-    pub fn lights(&self) -> u32 {
-        self.uncommon.as_ref().map_or(0, |uncommon| uncommon.lights)
+    pub fn light_set(&self) -> u32 {
+        self.uncommon.as_ref().map_or(0, |uncommon| uncommon.light_set)
     }
 
     /// Returns the share of the radiosity rays to the shape that are traced, more than 0 and at most 1.

@@ -64,7 +64,7 @@ pub fn fault_line(sources: &Sources, diagnostic: &Diagnostic) -> String {
 
 /// Replaces the characters of durer's messages that are not ASCII, which some programs cannot decode. Characters of the
 /// scene's text stay.
-pub fn to_ascii(text: &str) -> String {
+pub fn replace_message_symbols(text: &str) -> String {
     text.replace('…', "...")
         .replace('·', "*")
         .replace('×', "x")

@@ -129,7 +129,7 @@ impl Translation<'_> {
                 && name != "--declare"
                 && words.any(|w| w.split('=').next() == Some(name) || is_short(&w))
         };
-        self.translate_text_options();
+        self.translate_text_stream_options();
         let options =
             self.option_words(false).into_iter().map(|word| DurerOption::new(word.to_string_lossy().into_owned()));
         let options = options

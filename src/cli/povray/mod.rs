@@ -339,7 +339,7 @@ impl<'s> Translation<'s> {
             self.settings.scene_folder = scene.parent().unwrap_or(Path::new("")).into();
             self.settings.input = Some(scene.display().to_string());
         }
-        self.translate_text_options();
+        self.translate_text_stream_options();
         let options = self.option_words(self.any_switch);
         let known = |word: &OsString| mixed::has_option(&command, &word.to_string_lossy());
         let options: Vec<_> = options.into_iter().filter(|word| command == "render" || known(word)).collect();

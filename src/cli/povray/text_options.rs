@@ -42,7 +42,7 @@ impl Translation<'_> {
 
     /// Translates the options about text for a command of durer, which prints errors, warnings and the scene's text, or
     /// errors alone. The other options get warnings.
-    pub(super) fn translate_text_options(&mut self) {
+    pub(super) fn translate_text_stream_options(&mut self) {
         let TextOptions { files, silent } = std::mem::take(&mut self.text);
         if silent.iter().any(|(stream, _)| *stream == Stream::All) {
             self.options.push(DurerOption::new("--quiet".into()));

@@ -249,7 +249,7 @@ impl Interpreter<'_> {
             token => format!("`{token}`"),
         };
         let (wanted, usage) = match (brace, opens_block(word)) {
-            (true, false) => value_after(word),
+            (true, false) => value_description_and_example(word),
             (false, true) => ("`{`".to_string(), block_usage(word)),
             // The word has what it needs, but is not allowed at this position.
             _ => {
@@ -287,7 +287,7 @@ fn refused_word_error(word: &str, span: Span, block: &str, takes: &[&'static str
 }
 
 /// Returns description and example of the value after a word that opens no block.
-fn value_after(word: &str) -> (String, String) {
+fn value_description_and_example(word: &str) -> (String, String) {
     let (what, value) = match value_kind_of(word) {
         _ if word == "matrix" => ("twelve numbers", "<…>"),
         Some(ValueKind::Float) => ("a number", "0.5"),

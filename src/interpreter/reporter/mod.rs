@@ -137,7 +137,7 @@ impl<'a> Reporter<'a> {
     }
 
     /// Returns all diagnostics, and the branches that never ran.
-    pub(super) fn into_diagnostics(self) -> (Vec<Diagnostic>, Vec<Span>) {
+    pub(super) fn into_diagnostics_and_unused_branches(self) -> (Vec<Diagnostic>, Vec<Span>) {
         let unused = self.branches.into_iter().filter(|(_, ran)| !ran).map(|(span, _)| span).collect();
         (self.diagnostics, unused)
     }

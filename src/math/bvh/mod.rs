@@ -104,7 +104,7 @@ impl Bvh {
     /// near boxes first. `visit` receives the item's position and the current end of the range, and returns the new
     /// end, or breaks. A ray with a coordinate that is not finite hits nothing.
     pub fn traverse(&self, ray: &Ray, range: Range, visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {
-        if !self.has_nodes_for_finite(ray) {
+        if self.nodes.is_empty() || !ray.is_finite() {
             return;
         }
         #[cfg(target_arch = "x86_64")]
@@ -114,13 +114,6 @@ impl Bvh {
             return unsafe { self.traverse_avx2(ray, range, visit) };
         }
         self.traverse_portably(ray, range, visit);
-    }
-
-    /// True if the hierarchy is not empty and all coordinates of the ray are finite. No box is tested.
-    #[inline(always)]
-    fn has_nodes_for_finite(&self, ray: &Ray) -> bool {
-        // 0·x is 0 for a finite x, and NaN otherwise: one comparison instead of six.
-        !self.nodes.is_empty() && (ray.origin * 0.0 + ray.dir * 0.0).element_sum() == 0.0
     }
 
     fn traverse_portably(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, f64) -> ControlFlow<(), f64>) {

@@ -54,7 +54,7 @@ impl Triangles {
     /// hits in the range, near ones mostly first. `visit` returns the new end of the range, or breaks. A ray with a
     /// coordinate that is not finite hits nothing.
     pub fn visit_hits(&self, ray: &Ray, range: Range, visit: impl FnMut(u32, f64, DVec2) -> ControlFlow<(), f64>) {
-        if !self.bvh.has_nodes_for_finite(ray) {
+        if self.bvh.nodes.is_empty() || !ray.is_finite() {
             return;
         }
         #[cfg(target_arch = "x86_64")]

@@ -233,12 +233,12 @@ impl PavementLayout {
         [height(corner.before, -near.across), height(corner.after, near.across)]
     }
 
-    /// Height of a pavement at the tip of a triangle or square, between two joints.
-    fn tip_height(&self, [before, after]: [f64; 2], near: NearCorner, joint: JointShape) -> f64 {
+    /// Height of a pavement at the tip of a triangle or square, from the heights of the bevels on both sides.
+    fn tip_height(&self, bevel_heights: [f64; 2], near: NearCorner, joint: JointShape) -> f64 {
         match joint {
-            JointShape::Cut => before + after,
+            JointShape::Cut => bevel_heights[0] + bevel_heights[1],
             JointShape::Round => near.to_middle / self.cells.bevel_width(),
-            _ => before.max(after),
+            _ => bevel_heights[0].max(bevel_heights[1]),
         }
     }
 

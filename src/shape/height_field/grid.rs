@@ -4,6 +4,7 @@
 
 use super::normals::Normals;
 use crate::math::{DVec2, DVec3, Range, Ray};
+use std::ops::ControlFlow;
 use std::sync::OnceLock;
 
 /// Number of steps of a height field's height in a unit.
@@ -65,7 +66,7 @@ struct Line<'v> {
     far: f64,
     /// Range of distances along the ray in which hits count.
     range: Range,
-    visit: &'v mut dyn FnMut(f64, Place) -> bool,
+    visit: &'v mut dyn FnMut(f64, Place) -> ControlFlow<()>,
 }
 
 /// Piece of a ray over a height field: its ends, and the heights there.
@@ -195,9 +196,9 @@ impl Grid {
         if place.upper { DVec2::new(h11 - h01, h11 - h10) } else { DVec2::new(h10 - h00, h01 - h00) }
     }
 
-    /// Calls `visit` with each hit of a ray on the height field, ascending, until it returns true. The ray is in units
-    /// of cells and steps.
-    pub fn visit_hits(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(f64, Place) -> bool) {
+    /// Calls `visit` with each hit of a ray on the height field, ascending, until it breaks. The ray is in units of
+    /// cells and steps.
+    pub fn visit_hits(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(f64, Place) -> ControlFlow<()>) {
         let (o, d) = (ray.origin, ray.dir);
         let mut line =
             Line { o, d, inverse: DVec2::new(1.0 / d.x, 1.0 / d.z), near: range.min, far: range.max, range, visit };
@@ -217,21 +218,21 @@ impl Grid {
         if line.near < line.far && line.near.is_finite() && line.far.is_finite() {
             let t = [line.near.max(range.min), line.far.min(range.max)];
             if t[0] <= t[1] {
-                self.search_square(top, [0, 0], Way { t, y: t.map(|t| line.height_at(t)) }, &mut line);
+                let way = Way { t, y: t.map(|t| line.height_at(t)) };
+                let _ = self.visit_hits_in_square(top, [0, 0], way, &mut line);
             }
         }
     }
 
-    /// Searches a square of a height field's pyramid for hits; the line is over the square along `way`. Returns true if
-    /// `visit` did.
-    fn search_square(&self, level: usize, [a, b]: [usize; 2], way: Way, line: &mut Line) -> bool {
+    /// Visits the hits in a square of a height field's pyramid; the line is over the square along `way`.
+    fn visit_hits_in_square(&self, level: usize, [a, b]: [usize; 2], way: Way, line: &mut Line) -> ControlFlow<()> {
         let Level { across, ranges, .. } = &self.pyramid[level];
         if way.is_clear_of(ranges[b * across + a]) {
-            return false;
+            return ControlFlow::Continue(());
         }
         let [from, to] = self.square_cells(level, a, b);
         if level == 0 {
-            return self.search_cells(from, to, line);
+            return self.visit_hits_in_cells(from, to, line);
         }
         // The line crosses the middle of the square once along each axis, so it is over three of the four quarters at
         // most.
@@ -243,10 +244,13 @@ impl Grid {
             if x_middle <= z_middle { (x_middle, z_middle, true) } else { (z_middle, x_middle, false) };
         let pieces = way.split_at(first, second, line);
         let quarters = [[false; 2], [by_x, !by_x], [true; 2]];
-        pieces.into_iter().zip(quarters).any(|(piece, [x, z])| {
+        for (piece, [x, z]) in pieces.into_iter().zip(quarters) {
             let quarter = [2 * a + (usize::from(x) ^ flip_x), 2 * b + (usize::from(z) ^ flip_z)];
-            piece.is_some_and(|piece| self.search_square(level - 1, quarter, piece, line))
-        })
+            if let Some(piece) = piece {
+                self.visit_hits_in_square(level - 1, quarter, piece, line)?;
+            }
+        }
+        ControlFlow::Continue(())
     }
 
     /// Returns the first cell of a pyramid level's square, and the one beyond its last.
@@ -256,10 +260,10 @@ impl Grid {
         [from, [(from[0] + size).min(self.across), (from[1] + size).min(self.deep)]]
     }
 
-    /// Searches the cells of a block of the height field. Whether the line is above or below the surface is evaluated
+    /// Visits the hits in the cells of a block of the height field. Whether the line is above or below the surface is evaluated
     /// only where it crosses edges and diagonals of cells, and both sides of an edge get the same result, so no line
     /// passes between them.
-    fn search_cells(&self, from: [usize; 2], to: [usize; 2], line: &mut Line) -> bool {
+    fn visit_hits_in_cells(&self, from: [usize; 2], to: [usize; 2], line: &mut Line) -> ControlFlow<()> {
         let (enter, leave) = self.interval_over(line, from, to);
         let (mut t, end) = (enter.max(line.near), leave.min(line.far));
         let (x, z) = (line.o.x + line.d.x * t, line.o.z + line.d.z * t);
@@ -275,17 +279,15 @@ impl Grid {
             let next = next_x.min(next_z).min(end).max(t);
             let mut over_next = None;
             if self.may_hit_cell(i, k, [t, next], line) {
-                let over = [
+                let heights = [
                     known.unwrap_or_else(|| self.height_above_field(i, k, t, line)),
                     self.height_above_field(i, k, next, line),
                 ];
-                over_next = Some(over[1]);
-                if self.search_cell(i, k, [t, next], over, line) {
-                    return true;
-                }
+                over_next = Some(heights[1]);
+                self.visit_hits_in_cell(i, k, [t, next], heights, line)?;
             }
             if next >= end {
-                return false;
+                return ControlFlow::Continue(());
             }
             let moved = if next_x <= next_z {
                 step_to_next_cell(&mut i, line.d.x, from[0], to[0])
@@ -293,7 +295,7 @@ impl Grid {
                 step_to_next_cell(&mut k, line.d.z, from[1], to[1])
             };
             if !moved {
-                return false;
+                return ControlFlow::Continue(());
             }
             (t, known) = (next, over_next);
         }
@@ -329,19 +331,27 @@ impl Grid {
         y[0].min(y[1]) <= f64::from(hi) + SLACK && y[0].max(y[1]) >= f64::from(lo) - SLACK
     }
 
-    /// Searches a height field's cell for hits between two distances.
-    fn search_cell(&self, i: usize, k: usize, t: [f64; 2], over: [f64; 2], line: &mut Line) -> bool {
+    /// Visits the hits in a height field's cell between the distances `t` along the ray, where the ray is at the heights
+    /// `above_field`.
+    fn visit_hits_in_cell(
+        &self,
+        i: usize,
+        k: usize,
+        t: [f64; 2],
+        above_field: [f64; 2],
+        line: &mut Line,
+    ) -> ControlFlow<()> {
         let diagonal = ((i + k + 1) as f64 - line.o.x - line.o.z) / (line.d.x + line.d.z);
         if !(diagonal > t[0] && diagonal < t[1]) {
             let (_, rest) = line.height_and_position(i, k, 0.5 * (t[0] + t[1]));
-            return line.visit_crossing(Place { i, k, upper: rest.x + rest.y > 1.0 }, t, over);
+            return line.visit_crossing(Place { i, k, upper: rest.x + rest.y > 1.0 }, t, above_field);
         }
         let [_, h10, h01, _] = self.cell_corner_heights(i, k);
         let (y, rest) = line.height_and_position(i, k, diagonal);
         let middle = y - (h10 + (h01 - h10) * rest.y);
         let first = line.d.x + line.d.z < 0.0;
-        line.visit_crossing(Place { i, k, upper: first }, [t[0], diagonal], [over[0], middle])
-            || line.visit_crossing(Place { i, k, upper: !first }, [diagonal, t[1]], [middle, over[1]])
+        line.visit_crossing(Place { i, k, upper: first }, [t[0], diagonal], [above_field[0], middle])?;
+        line.visit_crossing(Place { i, k, upper: !first }, [diagonal, t[1]], [middle, above_field[1]])
     }
 
     /// Height of the ray above the height field at the edge of a cell, or within it.
@@ -394,12 +404,12 @@ impl Line<'_> {
     }
 
     /// Visits the hit on a height field's triangle if the ray is above it at one end and below at the other.
-    fn visit_crossing(&mut self, place: Place, t: [f64; 2], over: [f64; 2]) -> bool {
-        if (over[0] < 0.0) == (over[1] < 0.0) {
-            return false;
+    fn visit_crossing(&mut self, place: Place, t: [f64; 2], above_field: [f64; 2]) -> ControlFlow<()> {
+        if (above_field[0] < 0.0) == (above_field[1] < 0.0) {
+            return ControlFlow::Continue(());
         }
-        let t = t[0] + (t[1] - t[0]) * (over[0] / (over[0] - over[1]));
-        self.range.contains(t) && (self.visit)(t, place)
+        let t = t[0] + (t[1] - t[0]) * (above_field[0] / (above_field[0] - above_field[1]));
+        if self.range.contains(t) { (self.visit)(t, place) } else { ControlFlow::Continue(()) }
     }
 }
 

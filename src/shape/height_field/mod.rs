@@ -27,6 +27,7 @@ use crate::value::words::{Row, set, specs, word};
 use crate::value::{Next, Param, Readable, Reader, ReaderExt, Spec, ValueKind, downcast};
 use grid::{Grid, Place, STEPS};
 use serde::Serialize;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// Words of a height field's file formats. The format is recognised by the file's bytes; only `pot` changes the meaning
@@ -76,7 +77,8 @@ impl HeightField {
         self.water_level - SHALLOW / STEPS
     }
 
-    fn search(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Hit) -> bool) {
+    /// Calls `visit` with each hit of a ray, ascending, until it breaks.
+    fn visit_hits(&self, ray: &Ray, range: Range, visit: &mut dyn FnMut(Hit) -> ControlFlow<()>) {
         let Some(grid) = &self.grid else { return };
         let scale = grid.grid_from_object_scale();
         // Start where the ray enters the box, so that a distant eye costs no digits.
@@ -90,7 +92,10 @@ impl HeightField {
         grid.visit_hits(&local, moved, &mut |t, Place { i, k, upper }| {
             let (y, t) = ((local.origin.y + local.dir.y * t) / STEPS, t + start);
             let uv = DVec2::new(i as f64, k as f64);
-            y >= self.waterline() && range.contains(t) && visit(Hit { t, part: upper.into(), uv })
+            match y >= self.waterline() && range.contains(t) {
+                true => visit(Hit { t, part: upper.into(), uv }),
+                false => ControlFlow::Continue(()),
+            }
         });
     }
 
@@ -216,17 +221,17 @@ impl Kernel for HeightField {
     }
 
     fn hits(&self, ray: &Ray, range: Range, out: &mut Hits) {
-        self.search(ray, range, &mut |hit| {
+        self.visit_hits(ray, range, &mut |hit| {
             out.push(hit);
-            false
+            ControlFlow::Continue(())
         });
     }
 
     fn closest(&self, ray: &Ray, range: Range) -> Option<Hit> {
         let mut all = Hits::new();
-        self.search(ray, range, &mut |hit| {
+        self.visit_hits(ray, range, &mut |hit| {
             all.push(hit);
-            true
+            ControlFlow::Break(())
         });
         nearest_hit(&all)
     }

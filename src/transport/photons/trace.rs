@@ -153,7 +153,7 @@ impl<'w> Tracer<'w> {
     /// True if the surface stores photons of the light.
     fn stores(&self, beam: &Beam, shading: &ShadingPoint) -> bool {
         let world = self.context.world;
-        let is_lit = || world.lit_by[shading.part.lights() as usize].contains(&beam.source.light);
+        let is_lit = || world.lit_by[shading.part.light_set() as usize].contains(&beam.source.light);
         let is_diffuse = || {
             shading.layers().any(|shaded| {
                 let finish = &shaded.layer.finish;

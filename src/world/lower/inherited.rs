@@ -20,7 +20,7 @@ pub struct Inherited {
     /// Value of `hollow` of an enclosing object, for objects without an interior.
     pub hollow_air: Option<bool>,
     /// Number of the group of lights around the object; 0 for none.
-    pub lights: u32,
+    pub light_set: u32,
     /// True if the innermost enclosing block is that light group.
     pub lights_here: bool,
     pub flags: Flags,

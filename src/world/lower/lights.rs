@@ -32,18 +32,18 @@ impl Lowering {
         self.lights.push(world::LightSource { number: number as usize, emitter: LoweredLight::new(&light), through });
         // quirk: light_in_union_of_group
         match inherited.lights_here {
-            true => self.groups[inherited.lights as usize - 1].lights.push(number),
+            true => self.groups[inherited.light_set as usize - 1].lights.push(number),
             false => self.global.push(number),
         }
         let flags = Flags { no_shadow: true, ..Flags::NONE };
         // quirk: looks_like_ignores_group
-        let lights = match inherited.lights {
+        let light_set = match inherited.light_set {
             group if group != 0 && lit.looks_like.is_some() => {
                 self.add(Group { lights: vec![], within: Some(group), global: true })
             }
             _ => 0,
         };
-        let around = Inherited { place: own.place.clone(), lights, flags, ..Inherited::default() };
+        let around = Inherited { place: own.place.clone(), light_set, flags, ..Inherited::default() };
         lit.looks_like.as_ref().map_or(Ok(None), |object| self.lower_object(object, &around))
     }
 

@@ -128,8 +128,8 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
 }
 
 /// Lowers media; those without effect count, too (quirk: `phase_of_several`).
-fn lowered_media(media: &[Media], place: &Transform, lights: u32) -> Box<[Medium]> {
-    media.iter().map(|media| Medium::new(media, place, lights)).collect()
+fn lowered_media(media: &[Media], place: &Transform, light_set: u32) -> Box<[Medium]> {
+    media.iter().map(|media| Medium::new(media, place, light_set)).collect()
 }
 
 /// Lowers one object into a geometry of its own.
@@ -243,7 +243,7 @@ impl Lowering {
         let interior = if of_group { None } else { interior_of(object) };
         let flags = combined_flags(object, inherited.flags);
         let lights = object.uncommon.light_group.map(|global| self.add_group(global));
-        let group = lights.unwrap_or(inherited.lights);
+        let group = lights.unwrap_or(inherited.light_set);
         let hollow = || hollow_inside(object, inherited.flags.hollow).unwrap_or(flags.hollow);
         Ok(Inherited {
             hollow_air: inherited.hollow_air.or_else(|| interior.is_none().then(hollow)),
@@ -256,7 +256,7 @@ impl Lowering {
             interior: interior
                 .map(|i| self.add_interior_with_media(i, hollow(), inherited, group))
                 .or(inherited.interior),
-            lights: group,
+            light_set: group,
             lights_here: lights.is_some(),
             flags,
             importance: object.uncommon.radiosity.map(|own| own.importance as f32).or(inherited.importance),
@@ -283,9 +283,9 @@ impl Lowering {
         interior: Arc<Interior>,
         hollow: bool,
         around: &Inherited,
-        lights: u32,
+        light_set: u32,
     ) -> u32 {
-        let media = lowered_media(&interior.media, &around.place.now, lights);
+        let media = lowered_media(&interior.media, &around.place.now, light_set);
         let number = self.add_interior(interior, hollow);
         if !media.is_empty() {
             self.media.insert(number, media);
@@ -358,10 +358,10 @@ impl Lowering {
         let interior = own.interior.unwrap_or_else(|| self.add_air(own.has_hollow_air()));
         let id = self.parts.len() as u32;
         let Flags { double_illuminate, uv_mapping: uv, no_shadow, .. } = own.flags;
-        let lights = own.lights;
+        let light_set = own.light_set;
         let importance = own.importance.unwrap_or(1.0);
-        let is_rare = inside.is_some() || cut.is_some() || lights != 0 || !embedded.is_empty() || importance != 1.0;
-        let uncommon = is_rare.then(|| Box::new(UncommonPart { inside, embedded, lights, cut, importance }));
+        let is_rare = inside.is_some() || cut.is_some() || light_set != 0 || !embedded.is_empty() || importance != 1.0;
+        let uncommon = is_rare.then(|| Box::new(UncommonPart { inside, embedded, light_set, cut, importance }));
         let collects_photons = !self.photons.get(own.photons as usize).is_some_and(|photons| photons.ignores_photons);
         self.parts.push(Part {
             outside,

@@ -9,7 +9,7 @@ use std::ops::Range;
 /// A recognized common mistake in a scene, with replacements for the texts of the error.
 #[derive(Default)]
 pub(super) struct CommonMistake {
-    /// Code that replaces the code of the error.
+    /// Diagnostic code that replaces the one of the error; `None` for no replacement.
     pub(super) code: Option<Code>,
     /// Message that replaces the message of the error.
     pub(super) message: Option<String>,
