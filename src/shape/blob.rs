@@ -17,7 +17,7 @@ use super::{Bounding, HUGE, Hit, Hits, Kernel, Paints, Quirks, TextureWeights, t
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::bvh::{self, Bvh};
 use crate::math::cancel::{self, Poll};
-use crate::math::{Aabb, DVec3, Range, Ray, Roots, Transform, solve_polynomial_between, tolerance};
+use crate::math::{Aabb, DVec3, Range, Ray, Transform, bernstein_roots, tolerance};
 use crate::source::Span;
 use crate::value::words::word;
 use crate::value::{Next, Readable, Reader, ReaderExt, Spec, ValueKind};
@@ -89,7 +89,6 @@ impl Blob {
         let mut ends: SmallVec<[f64; 32]> = stretches.iter().flat_map(|stretch| [stretch.from, stretch.to]).collect();
         ends.sort_unstable_by(f64::total_cmp);
         ends.dedup();
-        let mut roots = Roots::new();
         let mut running = (stretches.len() > FEW_STRETCHES).then(|| RunningSum::new(&stretches, self.threshold));
         for pair in ends.windows(2) {
             let (lo, hi) = (pair[0], pair[1]);
@@ -109,17 +108,14 @@ impl Blob {
             for stretch in stretches.iter().take_while(|stretch| stretch.from < hi).filter(|s| s.to > lo) {
                 stretch.add_to_polynomial(middle, &mut sum);
             }
-            let half = (hi - lo) / 2.0;
-            if has_no_root(&sum, half) {
-                continue;
-            }
-            roots.clear();
-            solve_polynomial_between(&sum, -half, half, &mut roots);
-            for &t in &roots {
-                let t = t + middle + start;
-                if range.contains(t) && visit(t).is_break() {
-                    return;
-                }
+            let mut is_stopped = false;
+            bernstein_roots(&bernstein_coefficients(&sum, (hi - lo) / 2.0), &mut |u| {
+                let t = lo + u * (hi - lo) + start;
+                is_stopped = range.contains(t) && visit(t).is_break();
+                is_stopped
+            });
+            if is_stopped {
+                return;
             }
         }
     }
@@ -173,7 +169,10 @@ impl<'a> RunningSum<'a> {
                 c[i] += c[i - 1] * middle;
             }
         }
-        [error, -error].iter().all(|by| has_no_root(&[c[0], c[1], c[2], c[3], c[4] + by], half)) && (c[4].abs() > error)
+        // With all Bernstein coefficients of one sign, there is no root (Farouki and Rajan, On the numerical condition of
+        // polynomials in Bernstein form, 1987).
+        let b = bernstein_coefficients(&c, half);
+        b.iter().all(|b| *b > error) || b.iter().all(|b| *b < -error)
     }
 
     fn add(&mut self, stretch: &Stretch, sign: f64) {
@@ -186,9 +185,9 @@ impl<'a> RunningSum<'a> {
     }
 }
 
-/// True if all Bernstein coefficients of a polynomial between -half_width and half_width have one sign; then it has no
-/// root there (Farouki and Rajan, On the numerical condition of polynomials in Bernstein form, 1987).
-fn has_no_root(coefficients: &[f64; 5], half_width: f64) -> bool {
+/// Returns the Bernstein coefficients of a polynomial of degree 4 between -half_width and half_width, whose coefficients are
+/// those of t⁴ … t⁰.
+fn bernstein_coefficients(coefficients: &[f64; 5], half_width: f64) -> [f64; 5] {
     // As a polynomial of x = t/half_width: p(x) = Σ pᵢ·xⁱ; with x = 2s - 1 the coefficients are linear in those.
     let [p4, p3, p2, p1, p0] = [
         coefficients[0] * half_width * half_width * half_width * half_width,
@@ -197,14 +196,13 @@ fn has_no_root(coefficients: &[f64; 5], half_width: f64) -> bool {
         coefficients[3] * half_width,
         coefficients[4],
     ];
-    let b = [
+    [
         p0 - p1 + p2 - p3 + p4,
         p0 - p1 / 2.0 + p3 / 2.0 - p4,
         p0 - p2 / 3.0 + p4,
         p0 + p1 / 2.0 - p3 / 2.0 - p4,
         p0 + p1 + p2 + p3 + p4,
-    ];
-    b.iter().all(|b| *b > 0.0) || b.iter().all(|b| *b < 0.0)
+    ]
 }
 
 impl Readable for Blob {

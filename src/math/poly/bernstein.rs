@@ -341,7 +341,9 @@ fn to_bernstein<const N: usize>(mut a: [f64; N], degree: usize, at_one: f64) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Roots;
+
+    /// Real roots of a polynomial, ascending; a double root counts twice.
+    type Roots = Vec<f64>;
     use proptest::prelude::*;
 
     /// The coefficients of s·∏(x - rᵢ), lowest first.
