@@ -92,9 +92,16 @@ impl Light {
 }
 
 impl Area {
-    /// Returns the vector from the area light's location to the light `cell` of its grid. `toward` is the direction to
-    /// the illuminated point, length 1; `random` are two numbers in [0, 1) for jitter.
-    pub fn light_offset(&self, cell: [u32; 2], toward: DVec3, random: Option<[f64; 2]>) -> DVec3 {
+    /// Returns the sides of the grid, as vectors; `toward` is the direction to the illuminated point, length 1.
+    #[inline]
+    pub fn sides(&self, toward: DVec3) -> [DVec3; 2] {
+        if self.orient { self.sides_facing(toward) } else { self.axes }
+    }
+
+    /// Returns the vector from the area light's location to the light `cell` of its grid. `sides` are the sides of the grid, see
+    /// [`Self::sides`]; `random` are two numbers in [0, 1) for jitter.
+    #[inline]
+    pub fn light_offset(&self, cell: [u32; 2], sides: &[DVec3; 2], random: Option<[f64; 2]>) -> DVec3 {
         let place = |i: usize| {
             let steps = f64::from(self.size[i].max(2) - 1);
             // The only light of a row is in its middle.
@@ -109,7 +116,7 @@ impl Area {
             let shrink = u.abs().max(v.abs()) / (u * u + v * v).sqrt().max(f64::MIN_POSITIVE);
             (u, v) = (u * shrink, v * shrink);
         }
-        let [a, b] = if self.orient { self.sides_facing(toward) } else { self.axes };
+        let [a, b] = *sides;
         (a * u + b * v) * 0.5
     }
 
@@ -128,7 +135,7 @@ impl Area {
             let (start, end) = (place(i, low[i], -1.0), place(i, high[i], 1.0));
             [start.min(start * least_factor), end.max(end * least_factor)]
         };
-        let [a, b] = if self.orient { self.sides_facing(toward) } else { self.axes };
+        let [a, b] = self.sides(toward);
         let ([u0, u1], [v0, v1]) = (ends(0), ends(1));
         [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].map(|[u, v]| (a * u + b * v) * 0.5)
     }
@@ -154,7 +161,7 @@ mod tests {
 
     fn places(area: &Area) -> Vec<DVec3> {
         let [n, m] = area.size;
-        (0..n * m).map(|i| area.light_offset([i % n, i / n], DVec3::NEG_Z, None)).collect()
+        (0..n * m).map(|i| area.light_offset([i % n, i / n], &area.sides(DVec3::NEG_Z), None)).collect()
     }
 
     #[test]
@@ -168,7 +175,7 @@ mod tests {
             assert!(places[i].distance(DVec3::new(x, y, 0.0)) < 7e-4, "{i} {}", places[i]);
         }
         let one = Area { size: [1, 1], ..area };
-        assert_eq!(one.light_offset([0, 0], DVec3::Z, None), DVec3::ZERO);
+        assert_eq!(one.light_offset([0, 0], &one.sides(DVec3::Z), None), DVec3::ZERO);
     }
 
     #[test]
@@ -176,7 +183,7 @@ mod tests {
         let area = Area { axes: [DVec3::X * 3.0, DVec3::Z], size: [2, 2], orient: true, ..Area::default() };
         let toward = DVec3::new(1.0, 2.0, 3.0).normalize();
         for cell in [[0, 0], [1, 0], [1, 1]] {
-            let offset = area.light_offset(cell, toward, None);
+            let offset = area.light_offset(cell, &area.sides(toward), None);
             assert!(offset.dot(toward).abs() < 1e-15);
             // Corners are as far from the centre as the middles of sides.
             assert!((offset.length() - 1.5).abs() < 1.5 * 1.001 * BESIDE);
@@ -203,7 +210,7 @@ mod tests {
                 let normal = u.cross(v);
                 for cell in (low[0]..=high[0]).flat_map(|i| (low[1]..=high[1]).map(move |j| [i, j])) {
                     for random in [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.3, 0.6]] {
-                        let p = area.light_offset(cell, toward, jitter.then_some(random)) - corner;
+                        let p = area.light_offset(cell, &area.sides(toward), jitter.then_some(random)) - corner;
                         let at = [p.cross(v).dot(normal), u.cross(p).dot(normal)].map(|x| x / normal.length_squared());
                         assert!(at.iter().all(|x| (0.0..=1.0).contains(x)), "{area:?} {cell:?} {at:?}");
                         assert!(p.dot(normal).abs() < 1e-12 * normal.length());

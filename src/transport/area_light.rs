@@ -30,6 +30,8 @@ struct GridVisibility<'a> {
     point: DVec3,
     /// Sample of the light at the grid's centre.
     center: &'a LightSample,
+    /// Sides of the grid, as vectors.
+    sides: [DVec3; 2],
     /// Interiors that contain the point.
     inside: &'a Interiors,
     random: RandomSequence,
@@ -111,10 +113,18 @@ impl Tracer<'_> {
         let [n, m] = area.size;
         let count = n as usize * m as usize;
         let all = Piece { low: [0, 0], high: [n - 1, m - 1] };
-        let random = self.random.sequence(Purpose::AreaLight);
-        let (settle_level, known) = (area.adaptive, Known::default());
-        let mut grid =
-            GridVisibility { light, area, point, center, inside, random, settle_level, has_shafts: false, known };
+        let mut grid = GridVisibility {
+            light,
+            area,
+            point,
+            center,
+            sides: area.sides(-center.from),
+            inside,
+            random: self.random.sequence(Purpose::AreaLight),
+            settle_level: area.adaptive,
+            has_shafts: false,
+            known: Known::default(),
+        };
         let mut has_shafts = self.has_shafts(light, area, point);
         let is_stored = count <= MAX_ARRAY;
         // Trace two shadow rays that are needed in any case: in full shadow, no shaft is clear.
@@ -235,17 +245,17 @@ impl Tracer<'_> {
     /// Returns the visibility of one light of the grid by a shadow ray.
     #[inline]
     fn light_visibility(&mut self, grid: &GridVisibility, cell: [u32; 2]) -> Rgb {
-        let offset = offset(grid.area, cell, -grid.center.from, grid.random);
+        let offset = jittered_offset(grid.area, cell, &grid.sides, grid.random);
         let (from, distance) = grid.light.emitter.direction_and_distance(grid.point, offset);
         self.point_visibility(grid.light, Ray::new(grid.point, from), distance, grid.inside)
     }
 }
 
-/// Returns the offset of a light of the grid from the grid's centre, with jitter; `toward` is the direction from the
-/// light to the point.
-pub(super) fn offset(area: &Area, cell: [u32; 2], toward: DVec3, random: RandomSequence) -> DVec3 {
+/// Returns the offset of a light of the grid from the grid's centre, with jitter; `sides` are the sides of the grid.
+#[inline]
+pub(super) fn jittered_offset(area: &Area, cell: [u32; 2], sides: &[DVec3; 2], random: RandomSequence) -> DVec3 {
     let number = 2 * (u64::from(cell[1]) << 32 | u64::from(cell[0]));
-    area.light_offset(cell, toward, area.jitter.then(|| [random.at(number), random.at(number + 1)]))
+    area.light_offset(cell, sides, area.jitter.then(|| [random.at(number), random.at(number + 1)]))
 }
 
 /// True if the light at a piece's corners differs so little that the piece is not subdivided.

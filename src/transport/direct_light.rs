@@ -1,6 +1,6 @@
 //! Light that a surface emits or reflects from light sources, with a function per term of `finish` (manual, "Finish").
 
-use super::area_light::offset;
+use super::area_light::jittered_offset;
 use super::random::Purpose;
 use super::ray_state::RayState;
 use super::reflect::film_factor;
@@ -88,11 +88,12 @@ impl<'w> Tracer<'w> {
         let [columns, rows] = area.size.map(sampled_lights);
         let mut sum = Rgb::ZERO;
         let random = self.random.sequence(Purpose::AreaLight);
+        let sides = area.sides(-center.from);
         for cell in rows.clone().flat_map(|j| columns.clone().map(move |i| [i, j])) {
             if self.is_stopped_at_next_surface() {
                 break;
             }
-            let offset = offset(area, cell, -center.from, random);
+            let offset = jittered_offset(area, cell, &sides, random);
             let sample = light.emitter.sample(surface.point(), offset);
             sum += self.reflected_sample(&sample, source, state, surface, |_| visibility);
         }

@@ -1,4 +1,4 @@
-//! Plain surfaces, which most rays hit: one opaque layer without bumps, lit by light sources alone. Their light is computed
+//! Plain surfaces, which most rays hit: one opaque layer, lit by light sources alone. Their light is computed
 //! without lists of materials and layers; it is the same, bit by bit, as that by way of [`super::shading_point::ShadingPoint`].
 
 use super::direct_light::{LitSurface, emitted};
@@ -6,7 +6,7 @@ use super::radiance::Radiance;
 use super::ray_state::RayState;
 use super::reflect::{Mirror, MirrorContext, reflected_radiance};
 use super::scatter::mirror_direction;
-use super::shading_point::{ShadedLayer, texture_context};
+use super::shading_point::{Bumped, ShadedLayer, texture_context};
 use super::tracer::Tracer;
 use crate::color::Rgb;
 use crate::math::{DVec3, Ray};
@@ -17,8 +17,8 @@ use std::slice;
 struct PlainPoint<'w> {
     part: &'w Part,
     point: DVec3,
-    /// Normal of length 1, towards the ray's origin.
-    normal: DVec3,
+    /// Normal without bumps, length 1, towards the ray's origin.
+    smooth: DVec3,
     shaded: ShadedLayer<'w>,
 }
 
@@ -27,22 +27,24 @@ impl<'w> PlainPoint<'w> {
     #[inline(always)]
     fn new(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection) -> Self {
         let surface = found.surface(ray);
-        let normal = if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal };
+        let smooth = if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal };
         let layer = &world.materials[part.outside.material as usize].layers[0];
-        let color = layer.color_everywhere(false).unwrap_or_else(|| {
-            let (_, context) = texture_context(world, &part.outside, found, &surface, normal, ray);
-            layer.color(&context, false)
-        });
-        let shaded = ShadedLayer {
-            layer,
-            color,
-            opacity: color.opacity(world.opacity_by_color),
-            weight: Rgb::ONE,
-            normal,
-            cos: -ray.dir.dot(normal),
-            is_translucent: false,
+        let (mut normal, mut weight) = (smooth, Rgb::ONE);
+        let color = match layer.color_everywhere(false).filter(|_| layer.normal.is_none()) {
+            Some(color) => color,
+            None => {
+                let (_, mut context) = texture_context(world, &part.outside, found, &surface, smooth, ray);
+                if let Some(bumps) = &layer.normal {
+                    let bumped = Bumped::new(bumps, &context, smooth, &part.outside, None);
+                    (normal, weight, context.normal) = (bumped.lit, bumped.weight, bumped.seen);
+                }
+                layer.color(&context, false)
+            }
         };
-        Self { part, point: surface.point, normal, shaded }
+        let opacity = color.opacity(world.opacity_by_color);
+        let cos = -ray.dir.dot(normal);
+        let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos, is_translucent: false };
+        Self { part, point: surface.point, smooth, shaded }
     }
 }
 
@@ -72,7 +74,7 @@ impl Tracer<'_> {
         let world = self.context.world;
         let part = &world.parts[hit.part_number() as usize];
         let at = PlainPoint::new(world, part, &state.ray, hit);
-        let mut light = emitted(&at.shaded, self.context.has_ambient);
+        let mut light = at.shaded.weight * emitted(&at.shaded, self.context.has_ambient);
         self.add_light_of_sources(state, &at, &mut light);
         sum.rgb += state.throughput * light;
         // The mirrored ray
@@ -82,7 +84,7 @@ impl Tracer<'_> {
         let interface = self.interface(state, hit);
         let context = MirrorContext { weight: state.weight, bailout: self.adc_bailout, interface: &interface, world };
         let Some(mirror) = Mirror::new(&at.shaded, 1.0, context) else { return false };
-        let out = mirror_direction(state.ray.dir, at.normal, at.normal);
+        let out = mirror_direction(state.ray.dir, at.shaded.normal, at.smooth);
         let bounce = mirror.bounce();
         let share = reflected_radiance(slice::from_ref(&mirror), at.point, context, bounce, out, Rgb::ONE);
         self.counts.reflected += 1;

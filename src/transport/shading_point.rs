@@ -200,16 +200,16 @@ impl<'w> Painter<'w, '_> {
         for layer in &material.layers {
             let bumps = layer.normal.as_ref().filter(|_| self.quality.reflection);
             let quick = !self.quality.pigments;
-            let (normal, seen, weight) = match bumps.map(|bumps| self.bumped(bumps, ctx, frame)) {
-                None => (ctx.normal, self.pattern_normal, transmittance),
-                // quirk: slope_after_bumps
-                Some(bumped) if bumped.seen.is_finite() => {
-                    self.pattern_normal = bumped.seen;
-                    (bumped.lit.normalize_or(ctx.normal), bumped.seen, transmittance)
-                }
-                // quirk: nan_normal_is_black
-                Some(_) => (ctx.normal, ctx.normal, Rgb::NAN),
+            let bumped = match bumps {
+                None => Bumped { lit: ctx.normal, seen: self.pattern_normal, weight: Rgb::ONE },
+                Some(bumps) => Bumped::new(bumps, &self.pattern_context(ctx), ctx.normal, self.placed, frame),
             };
+            let Bumped { lit: normal, seen, weight } = bumped;
+            // quirk: slope_after_bumps
+            if bumps.is_some() && weight == Rgb::ONE {
+                self.pattern_normal = seen;
+            }
+            let weight = transmittance * weight;
             let seen_from = || TextureContext { normal: seen, ..*ctx };
             let color = layer.color_everywhere(quick).unwrap_or_else(|| layer.color(&seen_from(), quick));
             let cos = -ctx.ray.dot(normal);
@@ -236,34 +236,47 @@ impl<'w> Painter<'w, '_> {
         let transmittance = refraction * transmittance;
         self.materials.push(MaterialSample { share, normal, layers: first..self.layers.len(), transmittance });
     }
-
-    /// Perturbs the normal in the space of the texture. Within the entry of a map, or a texture with `uv_mapping`,
-    /// bumps start from a normal of length 1, and the pigment uses the normal of that space (quirk:
-    /// `bumps_within_maps`).
-    fn bumped(&self, bumps: &NormalProgram, ctx: &TextureContext, frame: Option<&PatternSpaces>) -> Bumped {
-        let within = frame.is_some() || bumps.framed;
-        let place = self.placed.place.as_deref().filter(|_| within || !bumps.stays);
-        let local = place.map_or(ctx.normal, |m| m.inverse_transform_normal(ctx.normal));
-        let local = frame.map_or(local, |frame| frame.inside(local));
-        let local = if within { local.normalize_or(local) } else { local };
-        let inner = bumps.perturb(&self.pattern_context(ctx), local);
-        let outer = frame.map_or(inner, |frame| frame.outside(inner));
-        let lit = place.map_or(outer, |m| m.transform_normal(outer));
-        let seen = if within { inner } else { lit };
-        Bumped { lit, seen: if bumps.keeps_length() { seen } else { seen.normalize_or(seen) } }
-    }
 }
 
 /// A perturbed normal.
-struct Bumped {
-    /// Normal for shading, of any length, in world space.
-    lit: DVec3,
-    /// Normal for patterns of the pigment; not finite where the bumps are not.
-    seen: DVec3,
+pub(super) struct Bumped {
+    /// Normal for shading, length 1, in world space.
+    pub lit: DVec3,
+    /// Normal for the patterns of the pigment.
+    pub seen: DVec3,
+    /// Factor of the light: 1, or NaN where the bumps are not finite (quirk: `nan_normal_is_black`).
+    pub weight: Rgb,
+}
+
+impl Bumped {
+    /// Perturbs `normal` in the space of the texture. Within the entry of a map, or a texture with `uv_mapping`, bumps start
+    /// from a normal of length 1, and the pigment uses the normal of that space (quirk: `bumps_within_maps`).
+    pub fn new(
+        bumps: &NormalProgram,
+        ctx: &TextureContext,
+        normal: DVec3,
+        placed: &PlacedMaterial,
+        frame: Option<&PatternSpaces>,
+    ) -> Self {
+        let within = frame.is_some() || bumps.framed;
+        let place = placed.place.as_deref().filter(|_| within || !bumps.stays);
+        let local = place.map_or(normal, |m| m.inverse_transform_normal(normal));
+        let local = frame.map_or(local, |frame| frame.inside(local));
+        let local = if within { local.normalize_or(local) } else { local };
+        let inner = bumps.perturb(ctx, local);
+        let outer = frame.map_or(inner, |frame| frame.outside(inner));
+        let lit = place.map_or(outer, |m| m.transform_normal(outer));
+        let seen = if within { inner } else { lit };
+        let seen = if bumps.keeps_length() { seen } else { seen.normalize_or(seen) };
+        match seen.is_finite() {
+            true => Self { lit: lit.normalize_or(normal), seen, weight: Rgb::ONE },
+            false => Self { lit: normal, seen: normal, weight: Rgb::NAN },
+        }
+    }
 }
 
 /// Spaces of the nested patterns that chose a texture, the innermost first.
-struct PatternSpaces<'a> {
+pub(super) struct PatternSpaces<'a> {
     space: &'a Space,
     outer: Option<&'a PatternSpaces<'a>>,
 }

@@ -22,8 +22,8 @@ pub struct Material {
     /// True if the material transmits all light unchanged and sends none itself, such as the surface of a container of
     /// media.
     pub is_clear: bool,
-    /// True for one opaque layer that reflects in proportion to the incoming light, without bumps, grain, thin film and
-    /// subsurface light.
+    /// True for one opaque layer that reflects in proportion to the incoming light, without grain, thin film and subsurface
+    /// light.
     #[serde(skip)]
     pub is_plain: bool,
     /// True if a pattern depends on surface coordinates.
@@ -235,7 +235,6 @@ impl Layer {
     fn is_plain(&self) -> bool {
         let finish = &self.finish;
         self.choice.is_none()
-            && self.normal.is_none()
             && finish.crand == 0.0
             && finish.irid.is_none()
             && finish.scattering_length.is_none()
