@@ -326,7 +326,7 @@ fn lower_outcome(
     if let Some(scene) = &scene {
         diagnostics.extend(advice::scene_warnings(scene, sources));
     }
-    advice::remove_doubts_about_other_files(&mut diagnostics, sources, file);
+    advice::remove_doubts_outside_folder(&mut diagnostics, sources, file);
     let start = options.host.elapsed();
     let light = |scene: &scene::Scene| match scene.check_weight(options.max_memory) {
         Ok(()) => true,
@@ -339,7 +339,7 @@ fn lower_outcome(
     let lowered = match (scene.as_ref().is_some_and(light), keep) {
         (false, _) => None,
         (true, Keep::Both) => scene.as_ref().map(world::lower),
-        (true, Keep::World) => scene.take().map(world::lower_away),
+        (true, Keep::World) => scene.take().map(world::lower_and_free),
     };
     let world = lowered.and_then(|world| world.map_err(|e| diagnostics.push(*e)).ok());
     let build_time = options.host.elapsed().saturating_sub(start);

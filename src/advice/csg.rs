@@ -22,17 +22,19 @@ const FEW_RAYS: usize = 6;
 const MANY_RAYS: usize = 90;
 
 pub(super) fn csg_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
-    let mut groups = Groups::default();
+    let mut groups = CsgByTextPosition::default();
     scene.objects.iter().for_each(|object| groups.gather(object));
     let mut out = vec![];
-    for copies in groups.in_order() {
-        let Some((first, op, parts)) = copies.first().and_then(|first| Some((first, op(first)?, parts(first)))) else {
+    for copies in groups.in_text_order() {
+        let Some((first, op, parts)) =
+            copies.first().and_then(|first| Some((first, written_csg_op(first)?, parts(first))))
+        else {
             continue;
         };
         let joins = matches!(op, CsgOp::Union | CsgOp::Merge);
         if parts.len() < 2 {
             let counts = parts.is_empty() || !joins;
-            out.extend(few_parts(first, parts, sources).filter(|_| counts));
+            out.extend(few_parts_warning(first, parts, sources).filter(|_| counts));
         } else if !joins && copies.iter().all(|copy| is_probably_empty(copy)) {
             out.push(empty_csg_warning(first, op, parts));
         }
@@ -45,16 +47,16 @@ pub(super) fn csg_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> 
 
 /// Returns warnings about unions of one object, which are harmless.
 pub(super) fn single_part_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
-    let mut groups = Groups::default();
+    let mut groups = CsgByTextPosition::default();
     scene.objects.iter().for_each(|object| groups.gather(object));
-    let joins = |object: &Object| matches!(op(object), Some(CsgOp::Union | CsgOp::Merge));
-    let copies = groups.in_order();
+    let joins = |object: &Object| matches!(written_csg_op(object), Some(CsgOp::Union | CsgOp::Merge));
+    let copies = groups.in_text_order();
     let first =
         copies.filter_map(|copies| copies.first().copied().filter(|first| joins(first) && parts(first).len() == 1));
-    first.filter_map(|first| few_parts(first, parts(first), sources)).collect()
+    first.filter_map(|first| few_parts_warning(first, parts(first), sources)).collect()
 }
 
-fn op(object: &Object) -> Option<CsgOp> {
+fn written_csg_op(object: &Object) -> Option<CsgOp> {
     match &object.kind {
         ObjectKind::Csg(op, _) if is_written(object) => Some(*op),
         _ => None,
@@ -75,17 +77,17 @@ fn parts(object: &Object) -> &[Object] {
 
 /// CSG objects by their position in the text.
 #[derive(Default)]
-struct Groups<'s> {
+struct CsgByTextPosition<'s> {
     /// Bodies that were examined; many objects share one body.
     seen: FxHashSet<*const ObjectBody>,
     numbers: FxHashMap<Span, usize>,
     all: Vec<Vec<&'s Object>>,
 }
 
-impl<'s> Groups<'s> {
+impl<'s> CsgByTextPosition<'s> {
     fn gather(&mut self, object: &'s Object) {
         let parts = parts(object);
-        if op(object).is_none() || !self.seen.insert(Arc::as_ptr(&object.body)) {
+        if written_csg_op(object).is_none() || !self.seen.insert(Arc::as_ptr(&object.body)) {
             return;
         }
         parts.iter().for_each(|part| self.gather(part));
@@ -100,7 +102,7 @@ impl<'s> Groups<'s> {
     }
 
     /// Returns the groups of CSG objects in the order of the text.
-    fn in_order(mut self) -> impl Iterator<Item = Vec<&'s Object>> {
+    fn in_text_order(mut self) -> impl Iterator<Item = Vec<&'s Object>> {
         self.all.sort_by_key(|copies| copies.first().map_or(0, |first| first.source.lo));
         self.all.into_iter()
     }
@@ -108,8 +110,8 @@ impl<'s> Groups<'s> {
 
 /// Returns the warning about a CSG block with fewer than two parts. Blocks with directives are excepted, since a loop
 /// may produce a single part.
-fn few_parts(object: &Object, parts: &[Object], sources: &Sources) -> Option<Diagnostic> {
-    if !is_plain_block(object.source, sources) {
+fn few_parts_warning(object: &Object, parts: &[Object], sources: &Sources) -> Option<Diagnostic> {
+    if !has_no_directive(object.source, sources) {
         return None;
     }
     let word = object.word;
@@ -129,7 +131,7 @@ fn few_parts(object: &Object, parts: &[Object], sources: &Sources) -> Option<Dia
 }
 
 /// True if the block at a span contains no directive.
-fn is_plain_block(source: Span, sources: &Sources) -> bool {
+fn has_no_directive(source: Span, sources: &Sources) -> bool {
     let Some((file, range)) = sources.locate(source) else { return false };
     let Some(rest) = sources.text(file).get(range.start..) else { return false };
     let (mut depth, mut opened) = (0, false);
@@ -174,7 +176,7 @@ fn axis_rays_miss(probe: &Probe, bounds: &Aabb, n_across: usize) -> bool {
             at[(axis + 1) % 3] = part(i % n_across);
             at[(axis + 2) % 3] = part(i / n_across);
             let from = bounds.min + size * at - along * far;
-            probe.trace(from, along).is_none()
+            probe.hit_point_and_normal(from, along).is_none()
         })
     })
 }

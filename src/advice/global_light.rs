@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 /// Returns the warning about light that was saved for another scene.
-pub fn other_light_warning(world: &World, kind: LightKind) -> Option<Diagnostic> {
+pub fn foreign_saved_light_warning(world: &World, kind: LightKind) -> Option<Diagnostic> {
     let saved: Option<&SavedLight> = match kind {
         LightKind::Photons => world.photon_map.as_ref().map(|settings| &settings.saved),
         LightKind::Radiosity => world.radiosity.as_ref().map(|settings| &settings.saved),
@@ -33,7 +33,7 @@ pub(super) fn idle_photon_warnings(world: &World) -> Vec<Diagnostic> {
     let targets: BTreeSet<u32> = of_objects().filter(|&number| is_target(world, number)).collect();
     let interacts = |&number: &u32| {
         let settings = &world.photons[number as usize];
-        world.lights.iter().any(|light| settings.interaction(&light.emitter.photons).contains(&true))
+        world.lights.iter().any(|light| settings.refracts_and_reflects(&light.emitter.photons).contains(&true))
     };
     let mut warnings = vec![];
     if targets.is_empty() {
@@ -55,8 +55,8 @@ pub(super) fn idle_photon_warnings(world: &World) -> Vec<Diagnostic> {
 }
 
 /// True if objects with the photon settings of this number are targets.
-fn is_target(world: &World, number: u32) -> bool {
-    world.photons[number as usize].target.is_some_and(|factor| factor > 0.0)
+fn is_target(world: &World, photon_settings: u32) -> bool {
+    world.photons[photon_settings as usize].target.is_some_and(|factor| factor > 0.0)
 }
 
 /// Maximum `ambient` of a finish whose `ambient` imitates indirect light. Brighter surfaces are lamps.

@@ -15,7 +15,7 @@ const MAX_WARNINGS: usize = 5;
 
 /// Returns warnings about media in objects that are not `hollow`.
 pub(super) fn solid_media_warnings(scene: &Scene) -> Vec<Diagnostic> {
-    let mut search = Search::default();
+    let mut search = SolidMediaSearch::default();
     scene.objects.iter().for_each(|object| search.examine(object, false));
     let warning = |(media, object): &(Span, Span)| {
         let text = "these media show nothing, because the object is not `hollow`";
@@ -41,7 +41,7 @@ pub(super) fn unlit_media_warning(world: &World) -> Option<Diagnostic> {
 pub(super) fn empty_density_warnings(world: &World) -> Vec<Diagnostic> {
     let mut found: Vec<Span> = vec![];
     for item in world.geometry.items() {
-        let interior = item.first_shape().map(|(_, part)| world.parts[part as usize].interior);
+        let interior = item.shape_name_and_part().map(|(_, part)| world.parts[part as usize].interior);
         let media = interior.and_then(|interior| world.media.get(&interior)).into_iter().flatten();
         for medium in media.filter(|medium| medium.is_empty_in(&item.bounds())) {
             if !found.contains(&medium.source) && found.len() < MAX_WARNINGS {
@@ -99,7 +99,7 @@ fn all_media(world: &World) -> impl Iterator<Item = &Medium> {
 
 /// Search for media in solid objects.
 #[derive(Default)]
-struct Search {
+struct SolidMediaSearch {
     /// Spans of media, each with the span of the first solid object that holds them.
     found: Vec<(Span, Span)>,
     /// Addresses of the examined parts of groups that have copies, each within hollow or within solid groups. Copies
@@ -107,7 +107,7 @@ struct Search {
     examined: FxHashSet<(*const Object, bool)>,
 }
 
-impl Search {
+impl SolidMediaSearch {
     /// Examines an object and its parts; `is_hollow` is true within a hollow group.
     fn examine(&mut self, object: &Object, is_hollow: bool) {
         if self.found.len() >= MAX_WARNINGS {

@@ -19,7 +19,7 @@ use crate::scene::{LightKind, Scene};
 use crate::source::{FileId, Sources, Span};
 use crate::value::{Family, format_decimal};
 use crate::world::{Intersection, PlacedSolid, World};
-pub use global_light::other_light_warning;
+pub use global_light::foreign_saved_light_warning;
 use std::path::Path;
 
 /// Returns warnings about a scene before it is rendered.
@@ -31,7 +31,7 @@ pub fn scene_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
 /// Returns warnings about a World, before it is rendered.
 pub fn world_warnings(world: &World) -> Vec<Diagnostic> {
     let saved = [LightKind::Photons, LightKind::Radiosity].into_iter();
-    let saved = saved.filter_map(|kind| other_light_warning(world, kind));
+    let saved = saved.filter_map(|kind| foreign_saved_light_warning(world, kind));
     let light =
         global_light::idle_photon_warnings(world).into_iter().chain(global_light::double_ambient_warning(world));
     let media = media::unlit_media_warning(world).into_iter().chain(media::empty_density_warnings(world));
@@ -45,19 +45,19 @@ pub fn time_warnings(world: &World, options: &render::Options) -> Vec<Diagnostic
 }
 
 /// Returns warnings about text that is unusual but mostly intended, for `--warn doubtful`.
-pub fn doubtful(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
+pub fn unusual_text_warnings(scene: &Scene, sources: &Sources) -> Vec<Diagnostic> {
     camera::view_along_sky_warning(scene).into_iter().chain(csg::single_part_warnings(scene, sources)).collect()
 }
 
 /// Removes three kinds of doubtful warnings (colours as bytes, rotations about all axes, falling map values) about
 /// files outside of the scene's folder, such as the standard includes. All other diagnostics stay.
-pub fn remove_doubts_about_other_files(diagnostics: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
+pub fn remove_doubts_outside_folder(diagnostics: &mut Vec<Diagnostic>, sources: &Sources, scene: FileId) {
     let doubts = [codes::COLOR_OF_BYTES, codes::ALL_AXES, codes::FALLING_MAP];
-    diagnostics.retain(|d| !doubts.contains(&d.code) || is_own(sources, scene, d.span()));
+    diagnostics.retain(|d| !doubts.contains(&d.code) || is_in_scene_folder(sources, scene, d.span()));
 }
 
 /// True if the span is in the scene's own file, or in a file that is beside the scene or below its folder.
-fn is_own(sources: &Sources, scene: FileId, at: Span) -> bool {
+fn is_in_scene_folder(sources: &Sources, scene: FileId, at: Span) -> bool {
     let Some((file, _)) = sources.locate(at) else { return true };
     let folder = |file: FileId| sources.files().canonicalize(sources.path(file)?).ok()?.parent().map(Path::to_path_buf);
     file == scene || folder(file).zip(folder(scene)).is_some_and(|(of_file, of_scene)| of_file.starts_with(of_scene))
@@ -102,16 +102,16 @@ fn is_visible_to_camera(world: &World, object: u32) -> bool {
 }
 
 /// Returns the word and the span of an object's first shape.
-fn first_shape_name(world: &World, item: PlacedSolid) -> Option<(&'static str, Span)> {
-    item.first_shape().map(|(word, part)| (word, source_of(world, part)))
+fn first_shape_and_span(world: &World, item: PlacedSolid) -> Option<(&'static str, Span)> {
+    item.shape_name_and_part().map(|(word, part)| (word, span_of_part(world, part)))
 }
 
 /// Returns the word and the span of a hit shape.
-fn hit_shape_name(world: &World, found: &Intersection) -> (&'static str, Span) {
-    (found.leaf.shape.spec().name, source_of(world, found.part_number()))
+fn hit_shape_and_span(world: &World, found: &Intersection) -> (&'static str, Span) {
+    (found.leaf.shape.spec().name, span_of_part(world, found.part_number()))
 }
 
-fn source_of(world: &World, part: u32) -> Span {
+fn span_of_part(world: &World, part: u32) -> Span {
     world.parts.get(part as usize).map_or(Span::NONE, |part| part.source)
 }
 

@@ -33,12 +33,12 @@ enum Coincidence {
 pub(super) fn coincidence_warnings(world: &World, options: &render::Options) -> Vec<Diagnostic> {
     let mut pairs: FxHashMap<(u32, u32), u32> = FxHashMap::default();
     let mut out: Vec<Diagnostic> = vec![];
-    for ray in rays(world, options) {
-        for (a, b, kind) in coincidences(world, &ray) {
+    for ray in test_rays(world, options) {
+        for (a, b, kind) in coincident_part_pairs(world, &ray) {
             let places = pairs.entry((a, b)).or_insert(0);
             *places += 1;
             if *places == MIN_POINTS
-                && let Some(d) = warning(world, a, b, kind)
+                && let Some(d) = coincident_parts_warning(world, a, b, kind)
                 && !out.iter().any(|other| other.labels == d.labels)
             {
                 out.push(d);
@@ -52,7 +52,7 @@ pub(super) fn coincidence_warnings(world: &World, options: &render::Options) -> 
 }
 
 /// Returns test rays all over the picture, beside the centres of pixels, where objects often have edges.
-fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> + use<> {
+fn test_rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> + use<> {
     let (width, height) = (options.width as f64, options.height as f64);
     let view = world.eye.view(options.width, options.height);
     let count = MAX_RAYS.min(options.width * options.height / PIXELS_PER_RAY);
@@ -64,7 +64,7 @@ fn rays(world: &World, options: &render::Options) -> impl Iterator<Item = Ray> +
 }
 
 /// Returns the pairs of surfaces that coincide at the first hit of a ray, the smaller index first.
-fn coincidences(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
+fn coincident_part_pairs(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
     let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
     let Some(seen) = world.geometry.closest(ray, range, |id| is_visible_to_camera(world, id)) else { return vec![] };
     let near = TOLERANCE * (1.0 + seen.t());
@@ -74,7 +74,7 @@ fn coincidences(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
     world.geometry.visit_shape_hits(ray, around, &mut |item, other| {
         if other.part_number() != seen.part_number()
             && is_visible_to_camera(world, item.object())
-            && let Some(kind) = kind_of(world, ray, &item, &seen, &other, normal)
+            && let Some(kind) = coincidence_kind(world, ray, &item, &seen, &other, normal)
         {
             let (a, b) = (seen.part_number().min(other.part_number()), seen.part_number().max(other.part_number()));
             out.push((a, b, kind));
@@ -83,7 +83,7 @@ fn coincidences(world: &World, ray: &Ray) -> Vec<(u32, u32, Coincidence)> {
     out
 }
 
-fn kind_of(
+fn coincidence_kind(
     world: &World,
     ray: &Ray,
     item: &PlacedSolid,
@@ -107,7 +107,7 @@ fn kind_of(
     (kept && !same).then_some(Coincidence::Materials)
 }
 
-fn warning(world: &World, a: u32, b: u32, kind: Coincidence) -> Option<Diagnostic> {
+fn coincident_parts_warning(world: &World, a: u32, b: u32, kind: Coincidence) -> Option<Diagnostic> {
     let (a, b) = (world.parts.get(a as usize)?, world.parts.get(b as usize)?);
     // Two passes of a loop or two copies have one position.
     let one = a.source == b.source;

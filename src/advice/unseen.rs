@@ -1,6 +1,6 @@
 //! Warnings about pictures that show only the background, or only the inside of the object around the camera.
 
-use super::{first_shape_name, has_finite_box, hit_shape_name, in_scene_syntax, is_visible_to_camera};
+use super::{first_shape_and_span, has_finite_box, hit_shape_and_span, in_scene_syntax, is_visible_to_camera};
 use crate::camera::Projection;
 use crate::diagnostic::{Diagnostic, codes};
 use crate::math::{Aabb, DMat3, DVec3, Range, Ray, next_coprime};
@@ -15,17 +15,17 @@ const SAMPLES: usize = 200;
 const CENTRE: f64 = 0.5;
 
 pub(super) fn unseen_warning(world: &World, options: &render::Options) -> Option<Diagnostic> {
-    let (eye, at_eye) = (world.eye.frame.origin, around(world, world.eye.frame.origin));
+    let (eye, at_eye) = (world.eye.frame.origin, opaque_objects_around(world, world.eye.frame.origin));
     // Rays of some cameras have their own origins.
     let is_around = |ray: &Ray, object: &u32| match ray.origin == eye {
         true => at_eye.contains(object),
-        false => around(world, ray.origin).contains(object),
+        false => opaque_objects_around(world, ray.origin).contains(object),
     };
     let mut inside = None;
     // Anti-aliasing also samples between the centres of the pixels.
-    let between = options.antialias.map(|_| rays(world, options, 0.0));
-    for ray in rays(world, options, CENTRE).chain(between.into_iter().flatten()) {
-        match closest(world, &ray) {
+    let between = options.antialias.map(|_| rays_through_pixels(world, options, 0.0));
+    for ray in rays_through_pixels(world, options, CENTRE).chain(between.into_iter().flatten()) {
+        match first_visible_hit(world, &ray) {
             Some(found) if !is_around(&ray, &found.object) => return None,
             found => inside = inside.or(found),
         }
@@ -41,31 +41,38 @@ pub(super) fn unseen_warning(world: &World, options: &render::Options) -> Option
 }
 
 /// Returns the first hits of sample rays all over the picture.
-pub(super) fn sample<'a>(world: &'a World, options: &render::Options) -> impl Iterator<Item = Intersection<'a>> {
-    rays(world, options, CENTRE).take(SAMPLES).filter_map(|ray| closest(world, &ray))
+pub(super) fn sampled_first_hits<'a>(
+    world: &'a World,
+    options: &render::Options,
+) -> impl Iterator<Item = Intersection<'a>> {
+    rays_through_pixels(world, options, CENTRE).take(SAMPLES).filter_map(|ray| first_visible_hit(world, &ray))
 }
 
-/// Returns rays through all pixels, at `offset` from the pixels' top left corners, in an order in which consecutive
+/// Returns rays through all pixels, at `pixel_offset` from the pixels' top left corners, in an order in which consecutive
 /// rays are far from each other.
-fn rays(world: &World, options: &render::Options, offset: f64) -> impl Iterator<Item = Ray> + use<> {
+fn rays_through_pixels(
+    world: &World,
+    options: &render::Options,
+    pixel_offset: f64,
+) -> impl Iterator<Item = Ray> + use<> {
     let (width, total) = (options.width.max(1), options.width * options.height);
     let view = world.eye.view(options.width, options.height);
     // A step that is coprime to the number of pixels visits each pixel once.
     let step = next_coprime(total * 618 / 1000 + 1, total);
     let places = (0..total).scan(total / 2, move |at, _| {
         *at = (*at + step) % total;
-        Some(((*at % width) as f64 + offset, (*at / width) as f64 + offset))
+        Some(((*at % width) as f64 + pixel_offset, (*at / width) as f64 + pixel_offset))
     });
     places.filter_map(move |(x, y)| view.ray(x, y))
 }
 
-fn closest<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
+fn first_visible_hit<'a>(world: &'a World, ray: &Ray) -> Option<Intersection<'a>> {
     let range = Range { min: world.epsilon.surface, max: f64::INFINITY };
     world.geometry.closest(ray, range, |id| is_visible_to_camera(world, id))
 }
 
 /// Returns the indices of the opaque objects that contain the camera.
-fn around(world: &World, eye: DVec3) -> FxHashSet<u32> {
+fn opaque_objects_around(world: &World, eye: DVec3) -> FxHashSet<u32> {
     let mut out = FxHashSet::default();
     world.geometry.containing(eye, &mut |item| {
         if world.objects.get(item.object() as usize).is_some_and(|o| o.image && o.opaque) {
@@ -76,7 +83,7 @@ fn around(world: &World, eye: DVec3) -> FxHashSet<u32> {
 }
 
 fn camera_inside_warning(world: &World, found: &Intersection) -> Diagnostic {
-    let (word, source) = hit_shape_name(world, found);
+    let (word, source) = hit_shape_and_span(world, found);
     let (message, help) = if word == "plane" {
         let message = "the camera is behind this `plane` and shows only its back";
         (message.to_string(), "move `location` to the side that the plane's normal points to".to_string())
@@ -96,14 +103,14 @@ fn nothing_visible_warning(world: &World, options: &render::Options) -> Diagnost
     let finite = items.iter().filter(|item| has_finite_box(item));
     let nearest = finite.min_by(|a, b| distance(a).total_cmp(&distance(b)));
     if let Some(item) = nearest
-        && let Some((word, source)) = first_shape_name(world, *item)
+        && let Some((word, source)) = first_shape_and_span(world, *item)
     {
-        let seen = Visibility::classify(world, options, &item.bounds());
+        let seen = InvisibilityReason::classify(world, options, &item.bounds());
         let label = format!("the nearest object, this `{word}`, is {}", seen.description());
         let d = Diagnostic::new(codes::NOTHING_SEEN, source, message).label(label);
         return d.also(world.camera_source, "seen from here").help(seen.help(world, &item.bounds()));
     }
-    match items.iter().find_map(|item| first_shape_name(world, *item)) {
+    match items.iter().find_map(|item| first_shape_and_span(world, *item)) {
         Some((word, source)) => Diagnostic::new(codes::NOTHING_SEEN, source, message)
             .label(format!("no ray from the camera hits this `{word}`"))
             .also(world.camera_source, "seen from here")
@@ -116,7 +123,7 @@ fn nothing_visible_warning(world: &World, options: &render::Options) -> Diagnost
 }
 
 /// Reason for which an object is not visible in the picture.
-enum Visibility {
+enum InvisibilityReason {
     Behind,
     Beside(&'static str),
     /// The object is inside the picture, but small: its size in pixels.
@@ -125,12 +132,12 @@ enum Visibility {
     Missed,
 }
 
-impl Visibility {
+impl InvisibilityReason {
     /// Returns the reason for which the picture does not show an object with these bounds.
     fn classify(world: &World, options: &render::Options, bounds: &Aabb) -> Self {
         let (width, height) = (options.width as f64, options.height as f64);
         let view = world.eye.view(options.width, options.height);
-        let Some(window) = view.flat_window() else { return Visibility::Missed };
+        let Some(window) = view.flat_window() else { return InvisibilityReason::Missed };
         let (right, down) = (window.across * width, window.down * height);
         let ahead = window.corner + (right + down) * 0.5;
         // p = origin + depth · (ahead + x·right + y·down)
@@ -142,34 +149,38 @@ impl Visibility {
         let ahead: Vec<DVec3> = corners.filter(|p| p.z > 0.0).map(|p| p / p.z).collect();
         let seen = Aabb::from_points(ahead.iter().copied());
         match ahead.len() {
-            0 => Visibility::Behind,
+            0 => InvisibilityReason::Behind,
             // The object extends behind the camera, where the projection of its corners has no meaning.
-            1..8 => Visibility::Missed,
-            _ if seen.min.x > 0.5 => Visibility::Beside("beside the picture, to the right"),
-            _ if seen.max.x < -0.5 => Visibility::Beside("beside the picture, to the left"),
-            _ if seen.min.y > 0.5 => Visibility::Beside("below the picture"),
-            _ if seen.max.y < -0.5 => Visibility::Beside("above the picture"),
+            1..8 => InvisibilityReason::Missed,
+            _ if seen.min.x > 0.5 => InvisibilityReason::Beside("beside the picture, to the right"),
+            _ if seen.max.x < -0.5 => InvisibilityReason::Beside("beside the picture, to the left"),
+            _ if seen.min.y > 0.5 => InvisibilityReason::Beside("below the picture"),
+            _ if seen.max.y < -0.5 => InvisibilityReason::Beside("above the picture"),
             _ => {
                 let size = seen.size();
                 let pixels = (size.x * width).max(size.y * height);
-                if pixels < 2.0 { Visibility::Small(pixels) } else { Visibility::Missed }
+                if pixels < 2.0 { InvisibilityReason::Small(pixels) } else { InvisibilityReason::Missed }
             }
         }
     }
 
     fn description(&self) -> String {
         match self {
-            Visibility::Behind => "behind the camera".into(),
-            Visibility::Beside(place) => (*place).into(),
-            Visibility::Small(pixels) if *pixels >= 0.01 => format!("too small to be visible: {pixels:.2} pixels"),
-            Visibility::Small(_) => "too small to be visible: less than a hundredth of a pixel".into(),
-            Visibility::Missed => "missed by all rays: it is beside the picture or thinner than a pixel".into(),
+            InvisibilityReason::Behind => "behind the camera".into(),
+            InvisibilityReason::Beside(place) => (*place).into(),
+            InvisibilityReason::Small(pixels) if *pixels >= 0.01 => {
+                format!("too small to be visible: {pixels:.2} pixels")
+            }
+            InvisibilityReason::Small(_) => "too small to be visible: less than a hundredth of a pixel".into(),
+            InvisibilityReason::Missed => "missed by all rays: it is beside the picture or thinner than a pixel".into(),
         }
     }
 
     fn help(&self, world: &World, bounds: &Aabb) -> String {
         match (self, &world.eye.projection) {
-            (Visibility::Small(_), _) => "move the camera closer, or make the object larger with `scale`".into(),
+            (InvisibilityReason::Small(_), _) => {
+                "move the camera closer, or make the object larger with `scale`".into()
+            }
             (_, Projection::Lecture { .. }) => {
                 format!("`center {}` in the camera turns the camera to it", in_scene_syntax(bounds.center()))
             }

@@ -175,11 +175,11 @@ impl Rainbow {
         Some(Segment::from_color(color.rgb, clear, color.filter * (1.0 - clear)))
     }
 
-    /// Returns the strength of a rainbow's arc: 1 in the middle, 0 past its ends. `aside` is the component of the ray's
+    /// Returns the strength of a rainbow's arc: 1 in the middle, 0 past its ends. `across_axis` is the component of the ray's
     /// direction across the rainbow's axis.
-    fn arc_strength(&self, aside: DVec3, direction: DVec3) -> f64 {
+    fn arc_strength(&self, across_axis: DVec3, direction: DVec3) -> f64 {
         let up = self.up - direction * self.up.dot(direction);
-        let from_up = aside.angle_between(up);
+        let from_up = across_axis.angle_between(up);
         let (full, ends) = (self.falloff_angle / 2.0, self.arc_angle / 2.0);
         match from_up {
             a if a.is_nan() || a <= full => 1.0,

@@ -138,10 +138,11 @@ impl Lens {
     /// True if `ray_count` rays are enough, one channel of which has this sum of squares about its mean (quirk:
     /// `focal_blur_convergence`): the variance of the mean must be as small a part of the acceptable variance as the
     /// rays are of the maximum. The confidence is √(χ²/n).
-    pub fn has_converged(&self, ray_count: u32, sum_of_squares: f64) -> bool {
+    pub fn has_converged(&self, ray_count: u32, sum_of_squared_deviations: f64) -> bool {
         let n = f64::from(ray_count);
         let sure = (statistics::chi_square_quantile(n, self.quantile) / n).sqrt();
-        self.variance > 0.0 && sum_of_squares * f64::from(self.samples[1]) <= self.variance * sure * n * n * (n + 1.0)
+        self.variance > 0.0
+            && sum_of_squared_deviations * f64::from(self.samples[1]) <= self.variance * sure * n * n * (n + 1.0)
     }
 
     /// Returns the ray through a point of the lens that meets `ray` in the plane in focus; `lens_sample` in [0, 1)²

@@ -95,7 +95,7 @@ impl View {
         let (ray, place) = match &self.rays {
             Rays::Window(window) if self.bumps.is_none() => return Some(window.ray(x, y)),
             Rays::Window(window) => (window.ray(x, y), at()),
-            Rays::Bent(bent) => bent.projection.ray(at(), bent.origin, bent.axes, bent.lengths)?,
+            Rays::Bent(bent) => bent.projection.ray_and_bump_position(at(), bent.origin, bent.axes, bent.lengths)?,
             // quirk: mesh_camera_bumps
             Rays::Faces(mesh) => (mesh.ray(x, y, n, self.size)?, DVec2::ZERO),
         };

@@ -161,14 +161,14 @@ impl MeshRays {
         self.camera.reach
     }
 
-    /// Returns the mesh camera's ray `number` through a point of the picture, in pixels; `None` without a face (quirk:
+    /// Returns the mesh camera's ray `ray_number` through a point of the picture, in pixels; `None` without a face (quirk:
     /// `mesh_camera_first_row`).
-    pub(super) fn ray(&self, x: f64, y: f64, number: usize, size: DVec2) -> Option<Ray> {
-        let (x, y) = (x.min(size.x - 1.0), y.max(1.0) - 1.0);
+    pub(super) fn ray(&self, x: f64, y: f64, ray_number: usize, picture_size: DVec2) -> Option<Ray> {
+        let (x, y) = (x.min(picture_size.x - 1.0), y.max(1.0) - 1.0);
         let meshes = &self.camera.meshes;
-        let index = x as usize + y as usize * size.x as usize;
+        let index = x as usize + y as usize * picture_size.x as usize;
         match self.camera.distribution {
-            Distribution::Layers => self.ray_from_face(meshes.get(number)?, index),
+            Distribution::Layers => self.ray_from_face(meshes.get(ray_number)?, index),
             Distribution::Row => {
                 // Number of faces of all meshes up to this one.
                 let mut end = 0;
@@ -179,16 +179,18 @@ impl MeshRays {
                 self.ray_from_face(mesh, index + mesh.faces.len() - end)
             }
             Distribution::Stripes => {
-                let stripe = (x / size.x * meshes.len() as f64) as usize;
-                let width = size.x as usize / meshes.len();
+                let stripe = (x / picture_size.x * meshes.len() as f64) as usize;
+                let width = picture_size.x as usize / meshes.len();
                 self.ray_from_face(meshes.get(stripe)?, x as usize + y as usize * width)
             }
-            Distribution::Uv => self.ray_at_uv(DVec2::new((x - 0.5) / size.x, 1.0 - (y + 0.5) / size.y)),
+            Distribution::Uv => {
+                self.ray_at_uv(DVec2::new((x - 0.5) / picture_size.x, 1.0 - (y + 0.5) / picture_size.y))
+            }
         }
     }
 
-    fn ray_from_face(&self, mesh: &PlacedMesh, index: usize) -> Option<Ray> {
-        let (middle, normal) = mesh.face_center_and_normal(index)?;
+    fn ray_from_face(&self, mesh: &PlacedMesh, face_index: usize) -> Option<Ray> {
+        let (middle, normal) = mesh.face_center_and_normal(face_index)?;
         self.ray_along_normal(middle, normal)
     }
 

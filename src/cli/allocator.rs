@@ -38,7 +38,7 @@ fn allocated_bytes() -> usize {
 
 /// Returns the bytes that the system's allocator takes for an allocation of `size` bytes: 8 bytes of its own, rounded up
 /// to a multiple of 16 (GNU C Library manual, "The GNU Allocator"). Small allocations would count too little without.
-const fn occupied(size: usize) -> isize {
+const fn size_with_overhead(size: usize) -> isize {
     (size.saturating_add(8 + 15) & !15) as isize
 }
 
@@ -78,23 +78,23 @@ fn end_process() -> ! {
 // SAFETY: all methods pass their arguments to the system's allocator; counting does not touch the memory.
 unsafe impl GlobalAlloc for Metered {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        count_allocation(occupied(layout.size()));
+        count_allocation(size_with_overhead(layout.size()));
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        count_allocation(occupied(layout.size()));
+        count_allocation(size_with_overhead(layout.size()));
         unsafe { System.alloc_zeroed(layout) }
     }
 
     unsafe fn dealloc(&self, memory: *mut u8, layout: Layout) {
-        count_allocation(-occupied(layout.size()));
+        count_allocation(-size_with_overhead(layout.size()));
         unsafe { System.dealloc(memory, layout) }
     }
 
     unsafe fn realloc(&self, memory: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         // The system moves the pages of large lists that grow, and does not copy them.
-        count_allocation(occupied(size) - occupied(layout.size()));
+        count_allocation(size_with_overhead(size) - size_with_overhead(layout.size()));
         unsafe { System.realloc(memory, layout, size) }
     }
 }
@@ -126,7 +126,7 @@ impl MeteredHost {
     }
 
     /// Returns the value of `now` if the scene has used it.
-    pub fn used_now(&self) -> Option<Duration> {
+    pub fn now_if_used(&self) -> Option<Duration> {
         self.has_used_now.load(Relaxed).then_some(self.now)
     }
 }

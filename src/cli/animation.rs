@@ -31,7 +31,7 @@ impl Animation {
     }
 
     /// Restricts the animation to some frames, which keep their clock.
-    pub fn only(&self, frames: Frames) -> Self {
+    pub fn restricted_to(&self, frames: Frames) -> Self {
         let Frames { first, last, step, digits } = frames;
         Self { start: first, end: last, step, digits: digits.max(self.digits), ..self.clone() }
     }
@@ -57,23 +57,23 @@ impl Animation {
         Timing {
             clock: f64::from((f64::from(first) + range * passed / count) as f32),
             clock_on: true,
-            clock_delta: six_digits(range / count),
+            clock_delta: round_to_six_digits(range / count),
             frame,
             initial_frame: self.first,
             final_frame: self.last,
-            initial_clock: six_digits(self.clock.first),
-            final_clock: six_digits(self.clock.last),
+            initial_clock: round_to_six_digits(self.clock.first),
+            final_clock: round_to_six_digits(self.clock.last),
         }
     }
 }
 
 /// Returns the values of the animation's constants for a single picture; `clock` is the value of `--clock`.
-pub fn still(clock: Option<Clock>) -> Timing {
+pub fn still_picture_timing(clock: Option<Clock>) -> Timing {
     let value = clock.map_or(0.0, |clock| f64::from(clock.first as f32));
     Timing { clock: value, clock_on: clock.is_some(), ..Timing::default() }
 }
 
-fn six_digits(x: f64) -> f64 {
+fn round_to_six_digits(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
@@ -110,14 +110,14 @@ mod tests {
     fn the_clock_of_one_frame_is_the_initial_one() {
         let timing = frames("5-5").timing(5);
         assert_eq!((timing.clock, timing.clock_delta, timing.initial_frame, timing.final_frame), (0.0, 1.0, 5, 5));
-        assert_eq!(still(None), Timing::default());
-        assert!(still(Some(Clock { first: 0.0, last: 0.0 })).clock_on);
+        assert_eq!(still_picture_timing(None), Timing::default());
+        assert!(still_picture_timing(Some(Clock { first: 0.0, last: 0.0 })).clock_on);
     }
 
     #[test]
     fn a_subset_keeps_the_clock() {
         let all = frames("1-30");
-        let part = all.only("7-9:2".parse().unwrap());
+        let part = all.restricted_to("7-9:2".parse().unwrap());
         assert_eq!(part.frames().collect::<Vec<_>>(), [7, 9]);
         assert_eq!(part.timing(7), all.timing(7));
         assert_eq!(part.digits, 2);

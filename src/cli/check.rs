@@ -7,7 +7,7 @@ use super::exit::{Exit, Failure, Result};
 use super::inputs::Inputs;
 use super::interrupt::{Deadline, Overrun};
 use super::overlay::Invocation;
-use super::summary::Word;
+use super::summary::ResultWord;
 use super::{overlay, session, summary};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::interpreter::ParsedFiles;
@@ -25,7 +25,11 @@ pub fn run(console: &Console, args: &CheckArgs, animation: Option<Animation>) ->
         let exit = check(console, args, &animation, input)?;
         // A program reads the exit code; a person would see no output.
         if human && console.terminal && exit == Exit::Fine {
-            console.info(&summary::scene_line(Word::Ok, input.display(), &console.take_count().to_string()));
+            console.info(&summary::scene_line(
+                ResultWord::Ok,
+                input.display(),
+                &console.take_message_count().to_string(),
+            ));
         }
         return Ok(exit);
     }
@@ -42,7 +46,7 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
         Ok(None) => invocation,
         Ok(Some(ini)) => {
             report(console, args, &sources, &ini.warnings)?;
-            invocation.over(ini)
+            invocation.with_ini_defaults(ini)
         }
         Err(faults) => {
             report(console, args, &sources, &faults)?;
@@ -68,7 +72,7 @@ fn check(console: &Console, args: &CheckArgs, animation: &Option<Animation>, inp
     let mut built = session::build(console, &parsed, &sources, file, &options, keep);
     drop(deadline);
     let scene = built.scene.as_ref().filter(|_| doubtful);
-    built.diagnostics.extend(scene.map(|scene| advice::doubtful(scene, &sources)).unwrap_or_default());
+    built.diagnostics.extend(scene.map(|scene| advice::unusual_text_warnings(scene, &sources)).unwrap_or_default());
     built.diagnostics.extend(lint(args, &sources, &parsed));
     if args.deny == Some(Deny::Warnings) {
         built.diagnostics.iter_mut().for_each(|d| d.severity = Severity::Error);

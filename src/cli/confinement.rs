@@ -20,7 +20,7 @@ struct FileAccess {
 /// confined, since it serves a page and starts an editor.
 pub fn confine(console: &Console, command: &Command) {
     let Some(access) = file_access(command) else { return };
-    if !restrict(access) && cfg!(target_os = "linux") {
+    if !restrict_if_supported(access) && cfg!(target_os = "linux") {
         console.info("this system has no Landlock: only durer's own rules confine the untrusted scene\n");
     }
 }
@@ -29,7 +29,7 @@ pub fn confine(console: &Console, command: &Command) {
 fn file_access(command: &Command) -> Option<FileAccess> {
     let scene_access = |scene: &SceneArgs, inputs: &[PathBuf]| {
         let mut access = FileAccess::default();
-        access.read.extend(inputs.iter().flat_map(|input| readable(input)));
+        access.read.extend(inputs.iter().flat_map(|input| paths_readable_for_input(input)));
         access.read.extend(scene.include.iter().chain(&scene.allow_read).cloned());
         scene.is_untrusted().then_some(access)
     };
@@ -59,7 +59,11 @@ fn file_access(command: &Command) -> Option<FileAccess> {
         Command::Test(args) => {
             let here = [PathBuf::from(".")];
             let paths = if args.paths.is_empty() { &here[..] } else { &args.paths };
-            let read = paths.iter().flat_map(|path| readable(path)).chain(args.include.iter().cloned()).collect();
+            let read = paths
+                .iter()
+                .flat_map(|path| paths_readable_for_input(path))
+                .chain(args.include.iter().cloned())
+                .collect();
             let snapshots = paths.iter().filter(|_| args.accept).map(|path| written_folder(path));
             let write = snapshots.chain(args.report.iter().map(|folder| parent(folder))).collect();
             environment_is_untrusted().then_some(FileAccess { read, write })
@@ -70,8 +74,8 @@ fn file_access(command: &Command) -> Option<FileAccess> {
 
 /// Returns the paths that an input makes readable: a folder itself, or the folder of a scene. The scene's own path is
 /// added for pipes such as `/dev/fd/63`.
-fn readable(input: &Path) -> Vec<PathBuf> {
-    let input = session::named(input);
+fn paths_readable_for_input(input: &Path) -> Vec<PathBuf> {
+    let input = session::existing_scene_path(input);
     let folder = if input.is_dir() { input.clone() } else { parent(&input) };
     vec![folder, input]
 }
@@ -87,7 +91,7 @@ fn parent(path: &Path) -> PathBuf {
 
 /// Restricts the thread by Landlock; returns false if the kernel does not enforce the rules.
 #[cfg(target_os = "linux")]
-fn restrict(access: FileAccess) -> bool {
+fn restrict_if_supported(access: FileAccess) -> bool {
     try_restrict(access).is_ok_and(|status| status != landlock::RulesetStatus::NotEnforced)
 }
 
@@ -120,7 +124,7 @@ fn try_restrict(access: FileAccess) -> Result<landlock::RulesetStatus, landlock:
 }
 
 #[cfg(not(target_os = "linux"))]
-fn restrict(_: FileAccess) -> bool {
+fn restrict_if_supported(_: FileAccess) -> bool {
     false
 }
 
@@ -164,7 +168,7 @@ mod tests {
         std::fs::write(&secret, "2").unwrap();
         let access = FileAccess { read: vec![inner.path().into()], write: vec![] };
         let confined = std::thread::spawn(move || {
-            restrict(access).then(|| {
+            restrict_if_supported(access).then(|| {
                 let reads = [&seen, &secret].map(|path| std::fs::read(path).is_ok());
                 (reads, std::fs::write(&seen, "3").is_ok())
             })

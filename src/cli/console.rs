@@ -92,7 +92,7 @@ impl Console {
     }
 
     /// Returns the console for one of several scenes, each of which has a line with the number of its messages.
-    pub fn among_several(&self) -> Self {
+    pub fn for_one_of_several(&self) -> Self {
         Self { among_several: true, ..self.clone() }
     }
 
@@ -102,11 +102,11 @@ impl Console {
     }
 
     /// Returns the number of messages since the last call.
-    pub fn take_count(&self) -> Count {
+    pub fn take_message_count(&self) -> Count {
         std::mem::take(&mut self.printed.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    fn add_to_count(&self, count: Count) {
+    fn add_to_message_count(&self, count: Count) {
         let mut printed = self.printed.lock().unwrap_or_else(PoisonError::into_inner);
         *printed = *printed + count;
     }
@@ -139,7 +139,7 @@ impl Console {
     }
 
     /// Copies a text into the files of a stream without printing it.
-    pub fn copy(&self, stream: Stream, text: &str) {
+    pub fn copy_to_text_files(&self, stream: Stream, text: &str) {
         self.text_files.write(stream, text);
     }
 
@@ -150,7 +150,7 @@ impl Console {
 
     /// Writes a line that programs expect from POV-Ray to stderr; only for POV-Ray's command line.
     pub fn povray_line(&self, line: &str) {
-        self.copy(Stream::Render, line);
+        self.copy_to_text_files(Stream::Render, line);
         if self.has_povray_lines() {
             print_message(line);
         }
@@ -162,7 +162,7 @@ impl Console {
         if self.has_povray_lines() {
             self.print(Stream::Statistics, text);
         } else {
-            self.copy(Stream::Statistics, text);
+            self.copy_to_text_files(Stream::Statistics, text);
         }
     }
 
@@ -173,11 +173,11 @@ impl Console {
         let warnings = diagnostics.iter().filter(of(Severity::Warning)).filter(|_| self.prints_warnings());
         let wanted: Vec<_> = errors.chain(warnings).collect();
         let povray_line =
-            |d| if self.has_povray_lines() { client_lines::fault_line(sources, d) } else { String::new() };
+            |d| if self.has_povray_lines() { client_lines::povray_diagnostic_line(sources, d) } else { String::new() };
         let mut text: String =
             wanted.iter().map(|d| povray_line(d) + &draw::render(d, sources, self.style) + "\n").collect();
         let count = Count::of(wanted.iter().copied());
-        self.add_to_count(count);
+        self.add_to_message_count(count);
         if wanted.len() > 1 && !self.among_several {
             text += &format!("{count}\n");
         }
@@ -206,8 +206,8 @@ impl Console {
                 Severity::Warning => Stream::Warning,
             };
             let style = draw::Style { fancy: false, ascii: false, width: WIDTH };
-            let text = client_lines::fault_line(sources, d) + &draw::render(d, sources, style) + "\n";
-            self.copy(stream, &text);
+            let text = client_lines::povray_diagnostic_line(sources, d) + &draw::render(d, sources, style) + "\n";
+            self.copy_to_text_files(stream, &text);
         }
     }
 
@@ -234,7 +234,7 @@ impl Console {
                 if let Failure::Fault(fault) = &other {
                     self.copy_diagnostics(&Sources::default(), std::slice::from_ref(fault));
                 }
-                let (exit, text) = self.text_of(&Sources::default(), other);
+                let (exit, text) = self.exit_and_text_of(&Sources::default(), other);
                 print_message(&text);
                 exit
             }
@@ -242,7 +242,7 @@ impl Console {
     }
 
     /// Returns the exit code of a failure, and the text to print.
-    pub fn text_of(&self, sources: &Sources, failure: Failure) -> (Exit, String) {
+    pub fn exit_and_text_of(&self, sources: &Sources, failure: Failure) -> (Exit, String) {
         match failure {
             Failure::Reported(exit) => (exit, String::new()),
             Failure::BrokenPipe => (Exit::Fine, String::new()),

@@ -71,7 +71,7 @@ pub fn use_povray_codes() {
 static ASKS_FOR_ANOTHER_TRY: AtomicBool = AtomicBool::new(false);
 
 /// Makes the process end with [`Exit::TryAgain`] after the signal TERM, for schedulers that requeue tasks.
-pub fn ask_for_another_try() {
+pub fn request_retry_on_term() {
     ASKS_FOR_ANOTHER_TRY.store(true, Relaxed);
 }
 

@@ -115,7 +115,7 @@ impl ValidJournal {
         let journal = Journal::new(Exclusive::open(&path).ok()?);
         journal.begin(work.clone(), Duration::ZERO);
         journal.store_tile(Self::TILE, &Self::PIXELS);
-        journal.write_pending()?;
+        journal.write_pending_returning_path()?;
         drop(journal);
         let content = std::fs::read(&path).ok()?;
         let header = content.iter().position(|byte| *byte == b'\n')? + 1;
@@ -140,7 +140,7 @@ impl ValidJournal {
                 assert_eq!(journal.load_tile(Self::TILE).as_deref(), Some(&Self::PIXELS[..]), "pixels of the record");
             }
             journal.store_tile(Tile { pass: FIRST_PASS, ..Self::TILE }, &Self::PIXELS);
-            journal.write_pending();
+            journal.write_pending_returning_path();
         }
     }
 }

@@ -20,7 +20,7 @@ impl Inputs {
     pub fn collect(named: &[PathBuf]) -> Result<Self> {
         let mut all = Vec::new();
         for input in named {
-            let input = session::named(input);
+            let input = session::existing_scene_path(input);
             if !input.is_dir() {
                 all.push(input);
                 continue;

@@ -48,13 +48,13 @@ pub fn listen() {
     #[cfg(not(unix))]
     let _ = {
         let mut first = None;
-        ctrlc::set_handler(move || receive(INTERRUPT, &mut first))
+        ctrlc::set_handler(move || handle_signal(INTERRUPT, &mut first))
     };
 }
 
 #[cfg(unix)]
 mod unix {
-    use super::{FILE_SIZE, FILE_SIZE_LIMIT, SIGNALS, receive, start_status_task};
+    use super::{FILE_SIZE, FILE_SIZE_LIMIT, SIGNALS, handle_signal, start_status_task};
     use signal_hook::consts::SIGUSR1;
     use signal_hook::flag::register_usize;
     use signal_hook::iterator::Signals;
@@ -62,7 +62,7 @@ mod unix {
 
     /// Starts the thread that receives the signals.
     pub fn listen() -> io::Result<()> {
-        let ignored = ignored_signals();
+        let ignored = ignored_signal_mask();
         let is_wanted = |number: i32| ignored & 1 << (number - 1) == 0;
         if is_wanted(FILE_SIZE_LIMIT) {
             register_usize(FILE_SIZE_LIMIT, FILE_SIZE.clone(), FILE_SIZE_LIMIT as usize)?;
@@ -73,7 +73,7 @@ mod unix {
         let receive_all = move || {
             signals.forever().for_each(|number| match number {
                 SIGUSR1 => start_status_task(),
-                _ => receive(number, &mut first),
+                _ => handle_signal(number, &mut first),
             });
         };
         std::thread::Builder::new().name("signals".into()).spawn(receive_all).map(drop)
@@ -81,7 +81,7 @@ mod unix {
 
     /// Returns the set of signals that the process ignores, one bit for each. Only Linux reports the set; elsewhere,
     /// signals that may be ignored keep the system's default.
-    fn ignored_signals() -> u64 {
+    fn ignored_signal_mask() -> u64 {
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let set = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
         set.and_then(|set| u64::from_str_radix(set.trim(), 16).ok()).unwrap_or(u64::MAX)
@@ -89,8 +89,8 @@ mod unix {
 }
 
 /// Handles a signal: ends the work, or the program if no work can be stored. `first` is the time of the first signal.
-fn receive(number: i32, first: &mut Option<Instant>) {
-    let Some(signal) = SIGNALS.iter().find(|signal| signal.number == number) else { return };
+fn handle_signal(signal_number: i32, first: &mut Option<Instant>) {
+    let Some(signal) = SIGNALS.iter().find(|signal| signal.number == signal_number) else { return };
     if let Some(first) = first {
         if signal.exit == Exit::Interrupted && first.elapsed() > REPEAT_INTERVAL {
             std::process::exit(Exit::Interrupted.number().into());
@@ -98,7 +98,7 @@ fn receive(number: i32, first: &mut Option<Instant>) {
         return;
     }
     *first = Some(Instant::now());
-    REQUESTED.store(number as usize, SeqCst);
+    REQUESTED.store(signal_number as usize, SeqCst);
     if !DEFERRED.load(SeqCst) {
         end_process(signal.exit, "");
     }
@@ -197,9 +197,9 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
 }
 
 /// Guard during whose lifetime signals do not end the program, but are only reported by [`requested`].
-pub struct Deferred(());
+pub struct DeferredSignals(());
 
-impl Deferred {
+impl DeferredSignals {
     /// Starts to defer the effect of signals until the returned value is dropped.
     pub fn begin() -> Self {
         DEFERRED.store(true, SeqCst);
@@ -207,7 +207,7 @@ impl Deferred {
     }
 }
 
-impl Drop for Deferred {
+impl Drop for DeferredSignals {
     fn drop(&mut self) {
         DEFERRED.store(false, SeqCst);
     }
@@ -246,12 +246,12 @@ impl Deadline {
             let end = Instant::now().checked_add(Duration::try_from_secs_f64(seconds).ok()?)?;
             let (token, is_done) = (token.clone(), is_done.clone());
             let wait = move || {
-                if sleep_until(end, &is_done) {
+                if is_done_after_wait(end, &is_done) {
                     return;
                 }
                 token.cancel(CancelReason::TimeLimit);
                 if overrun == Overrun::EndsProcess
-                    && !sleep_until(Instant::now() + GRACE, &is_done)
+                    && !is_done_after_wait(Instant::now() + GRACE, &is_done)
                     && !NOTICED.load(SeqCst)
                 {
                     let text = format!("error: the scene took more than {seconds} seconds (`--max-time`)\n");
@@ -284,7 +284,7 @@ impl Drop for Deadline {
 }
 
 /// Sleeps until `end`, or until the work is done; returns true if the work is done.
-fn sleep_until(end: Instant, (is_done, changed): &(Mutex<bool>, Condvar)) -> bool {
+fn is_done_after_wait(end: Instant, (is_done, changed): &(Mutex<bool>, Condvar)) -> bool {
     let mut done = lock(is_done);
     loop {
         let Some(left) = end.checked_duration_since(Instant::now()).filter(|_| !*done) else { return *done };

@@ -54,7 +54,7 @@ pub fn check_memory(size: Size, part: Option<Region>, bytes_per_pixel: usize, li
 pub fn default_limit() -> Option<u64> {
     let most = free_memory().map(|free| free / 10 * 9);
     // A growing list is copied: in a limited address space the old and the new copy both count.
-    let limited = address_space().map(|free| free / 3);
+    let limited = free_address_space().map(|free| free / 3);
     most.into_iter().chain(limited).min()
 }
 
@@ -68,7 +68,7 @@ pub fn hard_limit(limit: Option<u64>) -> Option<u64> {
 const HARD_LIMIT_MARGIN: u64 = 32 << 20;
 
 /// Returns the address space that `ulimit -v` leaves, in bytes; `None` without such a limit.
-fn address_space() -> Option<u64> {
+fn free_address_space() -> Option<u64> {
     let limits = std::fs::read_to_string("/proc/self/limits").ok()?;
     let line = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
     let limit: u64 = line.split_whitespace().next()?.parse().ok()?;

@@ -90,18 +90,18 @@ impl Invocation {
         let mut console = console.clone();
         console.quiet |= ini.quiet;
         console.report(sources, &ini.warnings);
-        Ok((console, self.over(ini)))
+        Ok((console, self.with_ini_defaults(ini)))
     }
 
     /// Adds an INI file's settings where the command line states none.
-    pub fn over(self, ini: IniFile) -> Self {
+    pub fn with_ini_defaults(self, ini: IniFile) -> Self {
         let Invocation { input, args, animation, .. } = ini.invocation;
         let animation = animation.or(self.animation);
         Self {
             input,
             exact_name: self.args.output.is_some(),
             animation: animation.map(|a| Animation { clock: self.args.scene.clock.unwrap_or(a.clock), ..a }),
-            args: self.args.over(args),
+            args: self.args.with_ini_defaults(args),
         }
     }
 }
@@ -115,7 +115,7 @@ pub fn report(console: &Console, sources: &Sources, faults: &[Diagnostic]) -> Fa
 
 impl RenderArgs {
     /// Fills in the INI file's options where these options are absent.
-    fn over(self, ini: RenderArgs) -> RenderArgs {
+    fn with_ini_defaults(self, ini: RenderArgs) -> RenderArgs {
         RenderArgs {
             inputs: ini.inputs,
             resume: self.resume || ini.resume,
@@ -128,8 +128,8 @@ impl RenderArgs {
             file_gamma: self.file_gamma.or(ini.file_gamma),
             dither: self.dither.or(ini.dither),
             output: self.output.or(ini.output),
-            scene: self.scene.over(ini.scene),
-            look: self.look.over(&ini.look),
+            scene: self.scene.with_ini_defaults(ini.scene),
+            look: self.look.with_ini_defaults(&ini.look),
             region: self.region.or(ini.region),
             outside: self.outside.or(ini.outside),
             threads: self.threads.or(ini.threads),
@@ -150,7 +150,7 @@ impl RenderArgs {
 }
 
 impl LookArgs {
-    fn over(&self, ini: &LookArgs) -> LookArgs {
+    fn with_ini_defaults(&self, ini: &LookArgs) -> LookArgs {
         LookArgs {
             aa: self.aa.or(ini.aa),
             aa_method: self.aa_method.or(ini.aa_method),
@@ -164,7 +164,7 @@ impl LookArgs {
 }
 
 impl SceneArgs {
-    fn over(self, ini: SceneArgs) -> SceneArgs {
+    fn with_ini_defaults(self, ini: SceneArgs) -> SceneArgs {
         SceneArgs {
             include: [&self.include[..], &ini.include].concat(),
             // The last declaration of a name is valid.

@@ -68,12 +68,12 @@ struct Step {
 
 /// Prints the object that a pixel shows. `animation` comes from POV-Ray's options.
 pub fn run(console: &Console, args: &PickArgs, animation: Option<Animation>) -> Result {
-    let invocation = Invocation::without_picture(&session::named(&args.input), &args.scene, animation);
+    let invocation = Invocation::without_picture(&session::existing_scene_path(&args.input), &args.scene, animation);
     let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
     let size = merged.scene.size();
     let inside = |at: i64, side: usize| usize::try_from(at).ok().filter(|&at| at < side);
     let (Some(x), Some(y)) = (inside(args.pixel.x, size.width), inside(args.pixel.y, size.height)) else {
-        return Ok(outside(args, size)?);
+        return Ok(outside_picture_error(args, size)?);
     };
     let timing = session::timing(&merged.scene, animation.as_ref())?;
     let text =
@@ -100,7 +100,7 @@ fn describe_pixel(
     let drawing = render::Options { frame: timing.frame, ..render::Options::new(size.width, size.height) };
     let pixel = PixelReport { sources, color: color_of(&world, &drawing, x, y), built: Some(&built) };
     let picked = render::pick(&world, &drawing, x, y);
-    let origin = picked.as_ref().and_then(|picked| origin_of(&built, &drawing, (x, y), picked));
+    let origin = picked.as_ref().and_then(|picked| outermost_object_index(&built, &drawing, (x, y), picked));
     if args.json {
         let object = picked.as_ref().map(|p| pixel.describe(p, origin));
         let output = Output { hit: object.is_some(), object };
@@ -111,7 +111,7 @@ fn describe_pixel(
 
 /// Describes a pixel of a finished picture for a person; `color` is the pixel's colour.
 #[cfg(feature = "watch")]
-pub(super) fn words(sources: &Sources, picked: Option<&Picked>, color: [f64; 3]) -> String {
+pub(super) fn pixel_in_words(sources: &Sources, picked: Option<&Picked>, color: [f64; 3]) -> String {
     PixelReport { sources, built: None, color }.in_words(picked, None)
 }
 
@@ -126,7 +126,12 @@ fn color_of(world: &World, drawing: &render::Options, x: usize, y: usize) -> [f6
 
 /// Returns the number of the outermost object that a pixel shows. A World does not contain the outermost objects, so a
 /// bisection over subsets of them renders the pixel until one object is left.
-fn origin_of(built: &Built, drawing: &render::Options, (x, y): (usize, usize), picked: &Picked) -> Option<usize> {
+fn outermost_object_index(
+    built: &Built,
+    drawing: &render::Options,
+    (x, y): (usize, usize),
+    picked: &Picked,
+) -> Option<usize> {
     let scene = built.scene.as_ref()?;
     let mut range = 0..scene.objects.len();
     while range.len() > 1 {
@@ -144,7 +149,7 @@ fn scene_without_objects(scene: &Scene) -> Scene {
     Scene { camera: scene.camera.clone(), settings: scene.settings.clone(), version: scene.version, ..Scene::default() }
 }
 
-fn outside(args: &PickArgs, size: Size) -> crate::diagnostic::Result<Exit> {
+fn outside_picture_error(args: &PickArgs, size: Size) -> crate::diagnostic::Result<Exit> {
     let (w, h) = (size.width, size.height);
     let text = format!("pixel {},{} is outside the picture of {w}x{h}", args.pixel.x, args.pixel.y);
     let help = format!("pixels go from 0,0 to {},{}; `--size` makes the picture larger", w - 1, h - 1);
@@ -161,7 +166,7 @@ struct PixelReport<'a> {
 
 impl PixelReport<'_> {
     /// Returns the position of the outermost object; `None` if the picked object has the same position.
-    fn placed(&self, picked: &Picked, origin: Option<usize>) -> Option<Place> {
+    fn outermost_position(&self, picked: &Picked, origin: Option<usize>) -> Option<Place> {
         let object = self.built?.scene.as_ref()?.objects.get(origin?)?;
         self.sources.place(object.source).filter(|_| object.source != picked.source)
     }
@@ -181,25 +186,34 @@ impl PixelReport<'_> {
             uv: p.uv,
             color: self.color,
             source: place(p.source),
-            placed: self.placed(p, origin).map(Position::from),
+            placed: self.outermost_position(p, origin).map(Position::from),
             trace: self.trace(origin).iter().map(step).collect(),
         }
     }
 
     fn in_words(&self, picked: Option<&Picked>, origin: Option<usize>) -> String {
-        let color = format!("  colour    rgb <{}>, on the screen {}\n", list(&self.color, 1.0), hex_color(self.color));
+        let color = format!(
+            "  colour    rgb <{}>, on the screen {}\n",
+            list_with_six_digits(&self.color, 1.0),
+            hex_color(self.color)
+        );
         let Some(p) = picked else {
             return format!("nothing but the background\n{color}");
         };
         let place = |span: Span| self.sources.place(span).map(|place| format!(" at {place}")).unwrap_or_default();
-        let placed = self.placed(p, origin).map(|place| format!("  placed at {place}\n")).unwrap_or_default();
+        let placed =
+            self.outermost_position(p, origin).map(|place| format!("  placed at {place}\n")).unwrap_or_default();
         let trace: String = self.trace(origin).iter().map(|l| format!("  {}{}\n", l.text, place(l.span))).collect();
-        let (point, normal, uv) = (list(&p.point, p.t), list(&p.normal, 1.0), list(&p.uv, 1.0));
+        let (point, normal, uv) = (
+            list_with_six_digits(&p.point, p.t),
+            list_with_six_digits(&p.normal, 1.0),
+            list_with_six_digits(&p.uv, 1.0),
+        );
         format!(
             "{}{}\n{placed}{trace}  distance  {}\n  point     <{point}>\n  normal    <{normal}>\n  uv        <{uv}>\n{color}",
             p.shape,
             place(p.source),
-            list(&[p.t], 0.0)
+            list_with_six_digits(&[p.t], 0.0)
         )
     }
 }
@@ -213,7 +227,7 @@ fn hex_color(color: [f64; 3]) -> String {
 
 /// Formats numbers with the decimal places that six digits of the largest one need (or of `scale`, if that is larger),
 /// since further digits are noise.
-fn list(numbers: &[f64], scale: f64) -> String {
+fn list_with_six_digits(numbers: &[f64], scale: f64) -> String {
     let largest = numbers.iter().fold(scale.abs(), |most, x| most.max(x.abs()));
     if !largest.is_finite() || largest == 0.0 {
         return numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
@@ -228,13 +242,13 @@ mod tests {
 
     #[test]
     fn lists_have_six_digits_of_the_largest_number() {
-        assert_eq!(list(&[4.008710037062282], 0.0), "4.00871");
-        assert_eq!(list(&[-0.0000001, 1.0, 0.99999999], 1.0), "0, 1, 1");
-        assert_eq!(list(&[1e-9, -1e-9], 4.0), "0, 0");
-        assert_eq!(list(&[1234567.25, 0.5], 0.0), "1234567, 0");
-        assert_eq!(list(&[0.000123456789], 0.0), "0.000123457");
-        assert_eq!(list(&[100.0, 20.0], 0.0), "100, 20");
-        assert_eq!(list(&[0.0, f64::INFINITY], 0.0), "0, inf");
+        assert_eq!(list_with_six_digits(&[4.008710037062282], 0.0), "4.00871");
+        assert_eq!(list_with_six_digits(&[-0.0000001, 1.0, 0.99999999], 1.0), "0, 1, 1");
+        assert_eq!(list_with_six_digits(&[1e-9, -1e-9], 4.0), "0, 0");
+        assert_eq!(list_with_six_digits(&[1234567.25, 0.5], 0.0), "1234567, 0");
+        assert_eq!(list_with_six_digits(&[0.000123456789], 0.0), "0.000123457");
+        assert_eq!(list_with_six_digits(&[100.0, 20.0], 0.0), "100, 20");
+        assert_eq!(list_with_six_digits(&[0.0, f64::INFINITY], 0.0), "0, inf");
     }
 
     #[test]

@@ -5,7 +5,7 @@ use super::animation::Animation;
 use super::args::{PrepareArgs, ProgressDisplay, RenderArgs};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
-use super::interrupt::{self, Deadline, Deferred, Overrun};
+use super::interrupt::{self, Deadline, DeferredSignals, Overrun};
 use super::memory;
 use super::overlay::Invocation;
 use super::render::monitor::{Monitor, ReceiveLight};
@@ -41,7 +41,7 @@ impl LightInMemory {
     }
 
     /// Returns the number of photons or of radiosity samples, in words; `None` for none.
-    fn count(&self, kind: LightKind) -> Option<String> {
+    fn count_in_words(&self, kind: LightKind) -> Option<String> {
         let file = LightFile::parse(self.bytes(kind).clone(), kind).ok()?;
         Some(format!("{} {}", file.records().len(), kind.contents()))
     }
@@ -56,7 +56,7 @@ impl ReceiveLight for LightInMemory {
 
 /// Prepares a picture. `animation` comes from POV-Ray's options.
 pub fn run(console: &Console, args: &PrepareArgs, animation: Option<Animation>) -> Result {
-    let input = session::named(&args.input);
+    let input = session::existing_scene_path(&args.input);
     let merged = RenderArgs {
         scene: args.scene.clone(),
         look: args.look.clone(),
@@ -122,7 +122,7 @@ fn prepare(
         if !console.quiet {
             console.report(sources, &advice::time_warnings(&world, &drawing));
         }
-        let _deferred = Deferred::begin();
+        let _deferred = DeferredSignals::begin();
         let display = args.progress.unwrap_or(ProgressDisplay::Auto);
         let progress = Progress::new(display, console, sources.name(file), 0, false);
         let mut monitor = Monitor::new(progress, token.clone());
@@ -162,7 +162,7 @@ fn write_file(light: &LightInMemory, output: &Path) -> Result<()> {
 /// Returns the contents of a file of prepared light in words.
 fn contents(light: &LightInMemory) -> String {
     let counts: Vec<String> =
-        [LightKind::Photons, LightKind::Radiosity].into_iter().filter_map(|kind| light.count(kind)).collect();
+        [LightKind::Photons, LightKind::Radiosity].into_iter().filter_map(|kind| light.count_in_words(kind)).collect();
     match &counts[..] {
         [] => "the scene has neither photons nor radiosity to prepare".into(),
         counts => counts.join(" and "),

@@ -74,7 +74,7 @@ struct TextureRow {
 
 /// Prints a list of a scene's cameras, lights, objects and textures.
 pub fn run(console: &Console, args: &QueryArgs) -> Result {
-    let invocation = Invocation::without_picture(&session::named(&args.input), &args.scene, None);
+    let invocation = Invocation::without_picture(&session::existing_scene_path(&args.input), &args.scene, None);
     let (_, Invocation { input, args: merged, animation, .. }) = invocation.with_ini(console, &Sources::default())?;
     let scene = merged.scene;
     session::check_input(&input)?;
@@ -136,7 +136,7 @@ fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
         CameraRow {
             source: sources.place(*span).map(Position::from),
             used,
-            projection: used.then(|| name_of(&world.eye.projection)),
+            projection: used.then(|| innermost_word(&world.eye.projection)),
             location: frame.map(|frame| frame.origin.into()),
             direction: frame.and_then(|frame| frame.direction.try_normalize()).map(Into::into),
         }
@@ -144,12 +144,12 @@ fn cameras(scene: &Scene, world: &World, sources: &Sources) -> Vec<CameraRow> {
     spans.iter().enumerate().map(row).collect()
 }
 
-/// Adds the lights in an object, whose parent has the transform `moved`.
-fn add_lights(object: &Object, moved: &Transform, sources: &Sources, out: &mut Vec<LightRow>) {
-    let moved = object.transform.then(moved);
+/// Adds the lights in an object, whose parent has the transform `parent_transform`.
+fn add_lights(object: &Object, parent_transform: &Transform, sources: &Sources, out: &mut Vec<LightRow>) {
+    let transform = object.transform.then(parent_transform);
     match &object.kind {
-        ObjectKind::Light(lit) => out.push(light_row(&lit.light, &moved, sources)),
-        ObjectKind::Csg(_, parts) => parts.iter().for_each(|part| add_lights(part, &moved, sources, out)),
+        ObjectKind::Light(lit) => out.push(light_row(&lit.light, &transform, sources)),
+        ObjectKind::Csg(_, parts) => parts.iter().for_each(|part| add_lights(part, &transform, sources, out)),
         ObjectKind::Shape(_) => {}
     }
 }
@@ -169,8 +169,8 @@ fn light_row(light: &Light, moved: &Transform, sources: &Sources) -> LightRow {
 fn texture_row(texture: &Texture, first: Option<Position>) -> TextureRow {
     let top = texture.layers.last();
     let pigment = top.map(|layer| match (&layer.choice, &layer.pigment.pattern.explicit_value()) {
-        (Some(choice), _) => name_of(&choice.pattern.kind),
-        (None, Some(pattern)) => name_of(&pattern.kind),
+        (Some(choice), _) => innermost_word(&choice.pattern.kind),
+        (None, Some(pattern)) => innermost_word(&pattern.kind),
         (None, None) => match &layer.pigment.paint {
             Paint::Solid(color) => {
                 let DVec3 { x, y, z } = color.rgb;
@@ -180,14 +180,14 @@ fn texture_row(texture: &Texture, first: Option<Position>) -> TextureRow {
                 }
                 format!("rgbft {}", vector(&[x, y, z, clear[0], clear[1]]))
             }
-            other => name_of(other),
+            other => innermost_word(other),
         },
     });
     TextureRow { pigment: pigment.unwrap_or_default(), layers: texture.layers.len(), objects: 0, first }
 }
 
 /// Returns the innermost word of a serialized item of the language: `granite` of `{"field": {"granite": …}}`.
-fn name_of(thing: &impl Serialize) -> String {
+fn innermost_word(thing: &impl Serialize) -> String {
     let mut value = serde_json::to_value(thing).unwrap_or_default();
     let mut name = String::new();
     for _ in 0..2 {
@@ -263,19 +263,23 @@ fn objects_in_words(same: &[ObjectRow]) -> String {
         if first.shapes > 1 { format!(" of {}", counted(first.shapes as usize, "shape")) } else { String::new() };
     let textures = same.iter().map(|row| row.texture + 1);
     let range = (textures.clone().min().unwrap_or(0), textures.max().unwrap_or(0));
-    format!("{count}{}{shapes}, {pov_bounds}, {}", first.word, numbers("texture", range))
+    format!("{count}{}{shapes}, {pov_bounds}, {}", first.word, number_range_text("texture", range))
 }
 
-/// Describes textures that one position in the text created; `number` is that of the first one.
-fn textures_in_words(same: &[TextureRow], number: usize) -> String {
+/// Describes textures that one position in the text created; `first_number` is that of the first one.
+fn textures_in_words(same: &[TextureRow], first_number: usize) -> String {
     let first = &same[0];
     let layers = if first.layers > 1 { format!(", {} layers", first.layers) } else { String::new() };
     let more = if same.len() > 1 { format!(" and {} more", same.len() - 1) } else { String::new() };
     let on = counted(same.iter().map(|texture| texture.objects).sum(), "object");
-    format!("{}: {}{layers}{more}; on {on}", numbers("number", (number, number + same.len() - 1)), first.pigment)
+    format!(
+        "{}: {}{layers}{more}; on {on}",
+        number_range_text("number", (first_number, first_number + same.len() - 1)),
+        first.pigment
+    )
 }
 
-fn numbers(what: &str, (first, last): (usize, usize)) -> String {
+fn number_range_text(what: &str, (first, last): (usize, usize)) -> String {
     if first == last { format!("{what} {first}") } else { format!("{what}s {first} to {last}") }
 }
 

@@ -26,7 +26,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Returns the file that an input names: `scene` may mean `scene.pov`, or a file with another scene extension.
-pub fn named(input: &Path) -> PathBuf {
+pub fn existing_scene_path(input: &Path) -> PathBuf {
     let endings = ["pov", "scene", "ini"].into_iter();
     let mut others = endings.map(|ending| PathBuf::from(format!("{}.{ending}", input.display())));
     let found = if input.exists() { None } else { others.find(|path| path.is_file()) };
@@ -83,10 +83,10 @@ pub fn timing(args: &SceneArgs, animation: Option<&Animation>) -> Result<Timing>
         (Some(animation), frame) => Ok(animation.timing(frame.unwrap_or(animation.start))),
         (None, Some(frame)) => {
             let alone = Animation::new(Frames { first: frame, last: frame, step: 1, digits: 1 });
-            let clock = animation::still(args.clock).clock;
+            let clock = animation::still_picture_timing(args.clock).clock;
             Ok(Timing { clock, ..alone.timing(frame) })
         }
-        (None, None) => Ok(animation::still(args.clock)),
+        (None, None) => Ok(animation::still_picture_timing(args.clock)),
     }
 }
 

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Word for the result of one scene in a command's summary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Word {
+pub enum ResultWord {
     /// Word for a scene that passed.
     Ok,
     /// Word for a scene that has errors, or a picture that differs from its snapshot.
@@ -17,7 +17,7 @@ pub enum Word {
     New,
 }
 
-impl Word {
+impl ResultWord {
     /// Returns the word for the result of a scene with this exit code.
     pub fn of(exit: Exit) -> Self {
         if exit == Exit::Fine { Self::Ok } else { Self::Fail }
@@ -76,15 +76,15 @@ impl Display for Count {
 }
 
 /// Returns the result line of one scene, `FAIL  a.scene  2 errors`, with its line ending.
-pub fn scene_line(word: Word, scene: impl Display, text: &str) -> String {
+pub fn scene_line(word: ResultWord, scene: impl Display, text: &str) -> String {
     let gap = if text.is_empty() { "" } else { "  " };
     format!("{:4}  {scene}{gap}{text}\n", word.text())
 }
 
 /// Returns the last line, `12 ok, 1 FAIL; 2 errors, 1 warning`, with its line ending.
-pub fn total_line(words: &[Word], messages: Count) -> String {
-    let count = |wanted: Word| (words.iter().filter(|word| **word == wanted).count(), wanted.text());
-    let parts = [Word::Ok, Word::Fail, Word::New].map(count);
+pub fn total_line(words: &[ResultWord], messages: Count) -> String {
+    let count = |wanted: ResultWord| (words.iter().filter(|word| **word == wanted).count(), wanted.text());
+    let parts = [ResultWord::Ok, ResultWord::Fail, ResultWord::New].map(count);
     let parts = parts.iter().filter(|(n, _)| *n > 0).map(|(n, word)| format!("{n} {word}"));
     let gap = if messages == Count::default() { "" } else { "; " };
     format!("{}{gap}{messages}\n", parts.collect::<Vec<_>>().join(", "))
@@ -98,7 +98,7 @@ pub fn process_each(
     print: impl Fn(&str) -> Result<()>,
     mut work: impl FnMut(&Console, &Path) -> Result<(Exit, String)>,
 ) -> Result {
-    let console = &console.among_several();
+    let console = &console.for_one_of_several();
     let (mut exits, mut all) = (Vec::new(), Count::default());
     for input in inputs {
         let (exit, text) = match work(console, input) {
@@ -106,16 +106,16 @@ pub fn process_each(
             Err(Failure::BrokenPipe) => return Err(Failure::BrokenPipe),
             Err(failure) => (console.print_failure(failure), String::new()),
         };
-        let count = console.take_count();
+        let count = console.take_message_count();
         let parts = [text, count.to_string()].into_iter().filter(|part| !part.is_empty());
         exits.push(exit);
         all = all + count;
         if exit.is_signal() {
             return Err(Failure::Reported(exit));
         }
-        print(&scene_line(Word::of(exit), input.display(), &parts.collect::<Vec<_>>().join("  ")))?;
+        print(&scene_line(ResultWord::of(exit), input.display(), &parts.collect::<Vec<_>>().join("  ")))?;
     }
-    let words: Vec<_> = exits.iter().map(|exit| Word::of(*exit)).collect();
+    let words: Vec<_> = exits.iter().map(|exit| ResultWord::of(*exit)).collect();
     print(&total_line(&words, all))?;
     Ok(combined_exit_code(exits))
 }
@@ -135,10 +135,16 @@ mod tests {
     #[test]
     fn lines_omit_counts_of_zero() {
         let count = |errors, warnings| Count { errors, warnings };
-        assert_eq!(scene_line(Word::Ok, "a.scene", ""), "ok    a.scene\n");
-        assert_eq!(scene_line(Word::Fail, "b.scene", &count(2, 1).to_string()), "FAIL  b.scene  2 errors, 1 warning\n");
-        assert_eq!(total_line(&[Word::Ok], count(0, 0)), "1 ok\n");
-        assert_eq!(total_line(&[Word::New, Word::Fail, Word::Ok], count(1, 0)), "1 ok, 1 FAIL, 1 new; 1 error\n");
+        assert_eq!(scene_line(ResultWord::Ok, "a.scene", ""), "ok    a.scene\n");
+        assert_eq!(
+            scene_line(ResultWord::Fail, "b.scene", &count(2, 1).to_string()),
+            "FAIL  b.scene  2 errors, 1 warning\n"
+        );
+        assert_eq!(total_line(&[ResultWord::Ok], count(0, 0)), "1 ok\n");
+        assert_eq!(
+            total_line(&[ResultWord::New, ResultWord::Fail, ResultWord::Ok], count(1, 0)),
+            "1 ok, 1 FAIL, 1 new; 1 error\n"
+        );
         assert_eq!(count(1, 2) + count(1, 0), count(2, 2));
     }
 

@@ -55,15 +55,15 @@ impl Color {
         [self.rgb.x, self.rgb.y, self.rgb.z, self.filter, self.transmit]
     }
 
-    /// Fraction of its own light that a surface of this colour shows. Before 3.7, with `by_color`, a filter transmits
+    /// Fraction of its own light that a surface of this colour shows. Before 3.7, with `filter_by_brightest_channel`, a filter transmits
     /// only as much as its brightest channel (quirk: `opacity_by_version`).
-    pub fn opacity(&self, by_color: bool) -> f64 {
-        let filter = if by_color { self.filter * self.rgb.max_element() } else { self.filter };
+    pub fn opacity(&self, filter_by_brightest_channel: bool) -> f64 {
+        let filter = if filter_by_brightest_channel { self.filter * self.rgb.max_element() } else { self.filter };
         1.0 - filter - self.transmit
     }
 
     /// Returns the colour with its filter added to `transmit`, and a filter of 0.
-    pub fn without_tint(self) -> Self {
+    pub fn with_filter_as_transmit(self) -> Self {
         Self { filter: 0.0, transmit: self.filter + self.transmit, ..self }
     }
 

@@ -15,7 +15,7 @@ pub fn unreadable(files: &dyn Files, path: &Path, error: &ReadError) -> Diagnost
             say(codes::NOT_TEXT, format!("`{name}` is not a scene but {kind}")).help(help)
         }
         ReadError::Folder => {
-            say(codes::FILE_UNREADABLE, format!("`{name}` is a folder")).maybe_help(scenes_inside(files, path))
+            say(codes::FILE_UNREADABLE, format!("`{name}` is a folder")).maybe_help(scenes_inside_help(files, path))
         }
         ReadError::Io(e) if e.kind() == io::ErrorKind::NotFound => {
             say(codes::FILE_NOT_FOUND, format!("there is no file `{name}`")).maybe_help(similar_file(files, path))
@@ -52,7 +52,7 @@ fn similar_file(files: &dyn Files, path: &Path) -> Option<String> {
 }
 
 /// Returns a help line that lists the scenes of a folder, if the folder was given in place of a scene.
-fn scenes_inside(files: &dyn Files, folder: &Path) -> Option<String> {
+fn scenes_inside_help(files: &dyn Files, folder: &Path) -> Option<String> {
     let names = file_names(files, folder)?;
     let scenes = names.iter().filter(|n| is_scene(n)).take(3);
     let scenes: Vec<_> = scenes.map(|n| format!("`{}`", folder.join(n).display())).collect();

@@ -78,14 +78,14 @@ pub fn find_family(files: &dyn Files, name: &str, paths: &[PathBuf]) -> Option<F
 fn add_faces(
     fonts: &mut Database,
     bytes: Vec<u8>,
-    places: &mut Vec<(ID, FontLocation)>,
-    place: impl Fn(u32) -> FontLocation,
+    locations: &mut Vec<(ID, FontLocation)>,
+    location_of_index: impl Fn(u32) -> FontLocation,
 ) {
     let mut of_file = Database::new();
     of_file.load_font_source(Source::Binary(Arc::new(bytes)));
     for face in of_file.faces() {
         let id = fonts.push_face_info(FaceInfo { source: Source::Binary(Arc::new([])), ..face.clone() });
-        places.push((id, place(face.index)));
+        locations.push((id, location_of_index(face.index)));
     }
 }
 

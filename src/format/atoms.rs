@@ -88,7 +88,7 @@ pub struct Arm {
     /// Index of the atom after the arm's body.
     pub end: u32,
     /// True if the arms are those of a `#switch`.
-    pub choice: bool,
+    pub is_switch_arm: bool,
 }
 
 /// Atoms of a text, the units that the formatter lays out.

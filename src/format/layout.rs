@@ -7,13 +7,13 @@ use super::table;
 
 /// Returns the formatted text, with lines of at most `width` columns where possible.
 pub fn lay_out(text: &str, atoms: &Atoms, width: usize) -> String {
-    let mut setter = Setter::new(text, atoms, width);
+    let mut setter = Typesetter::new(text, atoms, width);
     setter.write_body(0, atoms.row.len(), 0, false);
     setter.into_aligned_text()
 }
 
 /// State of the layout, with the text written so far.
-pub(super) struct Setter<'a> {
+pub(super) struct Typesetter<'a> {
     pub(super) text: &'a str,
     pub(super) atoms: &'a Atoms,
     /// Maximum width of an output line, in columns.
@@ -54,7 +54,7 @@ pub(super) struct Row {
     pub(super) flat: bool,
 }
 
-impl<'a> Setter<'a> {
+impl<'a> Typesetter<'a> {
     fn new(text: &'a str, atoms: &'a Atoms, width: usize) -> Self {
         let mut setter = Self {
             text,
@@ -79,7 +79,7 @@ impl<'a> Setter<'a> {
             breaks += u32::from(setter.begins_line(i));
             setter.breaks.push(breaks);
             if atoms.row[i].flags & flag::LINE_COMMENT == 0 {
-                sum = sum.saturating_add((setter.blanks_before(i) + setter.columns(i)) as u32);
+                sum = sum.saturating_add((setter.blanks_before(i) + setter.atom_width(i)) as u32);
             }
             if atoms.row[i].flags & flag::UNMATCHED != 0 {
                 loose += if atoms.row[i].flags & flag::OPEN != 0 { 1 } else { -1 };
@@ -130,8 +130,8 @@ impl<'a> Setter<'a> {
         usize::from(self.pads[i]) + usize::from(!self.has(i, flag::NO_BLANK_BEFORE))
     }
 
-    pub(super) fn columns(&self, i: usize) -> usize {
-        if self.has(i, flag::PACKED) { unpack(self.read(i), |_| {}) } else { columns_of(self.read(i)) }
+    pub(super) fn atom_width(&self, i: usize) -> usize {
+        if self.has(i, flag::PACKED) { normalize_packed_vector(self.read(i), |_| {}) } else { columns_of(self.read(i)) }
     }
 
     /// Returns the width of an item that begins a line and stays on it.
@@ -175,7 +175,7 @@ impl<'a> Setter<'a> {
         self.out.as_bytes().last().is_none_or(|b| matches!(b, b'\n' | b' '))
     }
 
-    pub(super) fn flat(&mut self, from: usize, to: usize) {
+    pub(super) fn write_flat(&mut self, from: usize, to: usize) {
         (from..to).for_each(|i| self.write_atom(i));
     }
 
@@ -186,15 +186,15 @@ impl<'a> Setter<'a> {
         }
         self.commented = self.ends_line(i);
         if self.has(i, flag::LINE_COMMENT) && !self.is_at_line_start() {
-            return self.put_trailing(i);
+            return self.write_trailing_comment(i);
         }
         let gap = if self.is_at_line_start() { usize::from(self.pads[i]) } else { self.blanks_before(i) };
         self.out.extend(std::iter::repeat_n(' ', gap));
         let text = self.read(i);
-        self.column += gap + self.columns(i);
+        self.column += gap + self.atom_width(i);
         if self.has(i, flag::PACKED) {
             let out = &mut self.out;
-            unpack(text, |part| out.push_str(part));
+            normalize_packed_vector(text, |part| out.push_str(part));
         } else {
             self.line += if self.is_multi_line_comment(i) { text.lines().count() as u32 - 1 } else { 0 };
             self.out.push_str(text);
@@ -204,7 +204,7 @@ impl<'a> Setter<'a> {
         }
     }
 
-    fn put_trailing(&mut self, i: usize) {
+    fn write_trailing_comment(&mut self, i: usize) {
         let lo = self.atoms.row[i].lo as usize;
         let start = self.text[..lo].rfind(['\n', '\r']).map_or(0, |end| end + 1);
         let written = columns_of(&self.text[start..lo]);
@@ -217,7 +217,7 @@ impl<'a> Setter<'a> {
         if !self.out.is_empty() {
             self.out.push('\n');
         }
-        columns::align(&self.out, &self.trailing)
+        columns::align_trailing_comments(&self.out, &self.trailing)
     }
 
     // ------------------------------------------------------------ bodies
@@ -229,7 +229,7 @@ impl<'a> Setter<'a> {
     }
 
     /// Returns the items up to the next one that begins a line, and the index of that one.
-    fn row_at(&self, from: usize, to: usize) -> (Vec<Range>, usize) {
+    fn row_items_and_end(&self, from: usize, to: usize) -> (Vec<Range>, usize) {
         let (mut items, mut at) = (vec![], from);
         while at < to && (at == from || !self.begins_line(at)) {
             let item = self.item_at(at);
@@ -239,17 +239,17 @@ impl<'a> Setter<'a> {
         (items, at.min(to))
     }
 
-    /// Writes the items of a body as rows, one per line. A comment on the line that `opened` the body stays there.
-    fn write_body(&mut self, from: usize, to: usize, indent: usize, opened: bool) {
+    /// Writes the items of a body as rows, one per line. A comment on the line that `follows_opening_bracket` the body stays there.
+    fn write_body(&mut self, from: usize, to: usize, indent: usize, follows_opening_bracket: bool) {
         let mut at = from;
-        if opened && at < to && self.has(at, flag::LINE_COMMENT) && self.atoms.row[at].lines == 0 {
+        if follows_opening_bracket && at < to && self.has(at, flag::LINE_COMMENT) && self.atoms.row[at].lines == 0 {
             self.write_atom(at);
             at += 1;
         }
         let (start, mut open) = (at, 0i32);
         let mut rows = vec![];
         while at < to {
-            let (items, next) = self.row_at(at, to);
+            let (items, next) = self.row_items_and_end(at, to);
             let flat = self.is_flat(at, next) && items.iter().all(|item| self.kind(*item) != ItemKind::Sign);
             rows.push(Row { from: at, to: next, flat });
             at = next;
@@ -259,14 +259,14 @@ impl<'a> Setter<'a> {
             let closes = self.has(from, flag::UNMATCHED) && self.has(from, flag::CLOSE);
             let first = indent_by(indent, open - i32::from(closes)) + self.layer_indent(from);
             self.new_line(first, from > start && self.atoms.row[from].lines > 1);
-            let (items, _) = self.row_at(from, to);
+            let (items, _) = self.row_items_and_end(from, to);
             self.write_row(&items, indent, &mut open);
         }
     }
 
     /// Returns the number of unmatched opening braces minus closing ones in an item. In a directive only the first arm
     /// counts, since one arm runs.
-    fn open_braces(&self, item: Range) -> i32 {
+    fn brace_balance(&self, item: Range) -> i32 {
         let (from, to) = match self.arms(item.from) {
             // A macro runs elsewhere.
             _ if self.read(item.from).ends_with("macro") => return 0,
@@ -294,8 +294,8 @@ impl<'a> Setter<'a> {
             && !self.has(item.from, flag::NO_BLANK_BEFORE)
     }
 
-    /// Writes items that the author wrote on one line. `open` is the number of unmatched brackets and is updated.
-    fn write_row(&mut self, items: &[Range], indent: usize, open: &mut i32) {
+    /// Writes items that the author wrote on one line. `open_brackets` is the number of unmatched brackets and is updated.
+    fn write_row(&mut self, items: &[Range], indent: usize, open_brackets: &mut i32) {
         let flat = match items {
             [first, .., last] => self.fits(first.from, last.to),
             _ => false,
@@ -310,13 +310,15 @@ impl<'a> Setter<'a> {
             let (a, b) = (piece[0].from, piece[to - from - 1].to);
             let big = piece.iter().any(|item| self.is_on_several_lines(*item));
             let trails = self.has(a, flag::LINE_COMMENT);
-            let indent = indent_by(indent, *open) + self.layer_indent(a);
+            let indent = indent_by(indent, *open_brackets) + self.layer_indent(a);
             if !trails && after_big.is_some_and(|after| after || big || !self.fits(a, b)) {
                 self.new_line(indent, false);
             }
-            self.open = *open;
+            self.open = *open_brackets;
             self.write_piece(piece, indent);
-            *open = piece.iter().fold(*open, |open, item| (open + self.open_braces(*item)).max(0));
+            *open_brackets = piece
+                .iter()
+                .fold(*open_brackets, |open_brackets, item| (open_brackets + self.brace_balance(*item)).max(0));
             (after_big, from) = (Some(big), to);
         }
     }
@@ -356,12 +358,12 @@ impl<'a> Setter<'a> {
     fn write_piece(&mut self, items: &[Range], indent: usize) {
         let (from, to) = (items[0].from, items[items.len() - 1].to);
         if self.fits(from, to) {
-            return self.flat(from, to);
+            return self.write_flat(from, to);
         }
         let (mut at, open) = (from, self.open);
         for item in items {
             if self.arms(item.from).is_some() {
-                self.run(at, item.from, indent);
+                self.write_with_breaks(at, item.from, indent);
                 self.write_directive(*item, indent);
             } else if self.is_on_several_lines(*item) {
                 self.write_block(at, *item, indent);
@@ -370,7 +372,7 @@ impl<'a> Setter<'a> {
             }
             (at, self.open) = (item.to, open);
         }
-        self.run(at, to, indent);
+        self.write_with_breaks(at, to, indent);
     }
 
     /// Writes the atoms from `at` on and the body in brackets that follows them, on several lines.
@@ -380,18 +382,18 @@ impl<'a> Setter<'a> {
             _ => item.from,
         };
         let close = self.atoms.row[open].link as usize;
-        self.run(at, open + 1, indent);
+        self.write_with_breaks(at, open + 1, indent);
         if close > open + 1 {
-            let body = self.write_header(open + 1, close, self.kind(item) == ItemKind::Entry, indent);
+            let body = self.write_opening_line_values(open + 1, close, self.kind(item) == ItemKind::Entry, indent);
             self.write_body(body, close, indent + STEP, true);
         }
         self.new_line(indent, false);
-        self.flat(close, item.to);
+        self.write_flat(close, item.to);
     }
 
     /// Writes the values that stay on the opening bracket's line, as in `sphere { 0, 1`. Returns the index of the rest.
-    fn write_header(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
-        let (items, next) = self.row_at(from, to);
+    fn write_opening_line_values(&mut self, from: usize, to: usize, is_entry: bool, indent: usize) -> usize {
+        let (items, next) = self.row_items_and_end(from, to);
         // A comma never begins a line, unless it is the first item.
         let stays = |item: &&Range| matches!(self.kind(**item), ItemKind::Value | ItemKind::Separator);
         let begins = items.first().is_none_or(|first| self.kind(*first) == ItemKind::Separator);
@@ -412,7 +414,7 @@ impl<'a> Setter<'a> {
         if end == from || !is_entry && !self.fits(from, end) {
             return from;
         }
-        self.run(from, end, indent + STEP);
+        self.write_with_breaks(from, end, indent + STEP);
         end
     }
 
@@ -421,21 +423,21 @@ impl<'a> Setter<'a> {
         let Some(arms) = self.arms(item.from) else { return };
         for (i, arm) in arms.iter().enumerate() {
             let (head, body, end) = (arm.head as usize, arm.body as usize, arm.end as usize);
-            let indent = indent + if arm.choice { STEP } else { 0 };
-            let on_line = arm.choice && !self.begins_line(head) && self.fits(head, end) && i > 1;
+            let indent = indent + if arm.is_switch_arm { STEP } else { 0 };
+            let on_line = arm.is_switch_arm && !self.begins_line(head) && self.fits(head, end) && i > 1;
             if i > 0 && !on_line {
                 self.new_line(indent, self.atoms.row[head].lines > 1);
             }
-            if arm.choice && self.fits(head, end) {
-                self.flat(head, end);
+            if arm.is_switch_arm && self.fits(head, end) {
+                self.write_flat(head, end);
                 continue;
             }
-            self.run(head, body, indent);
+            self.write_with_breaks(head, body, indent);
             self.write_body(body, end, indent + STEP, true);
         }
         let end = arms.last().map_or(item.from, |arm| arm.end as usize);
         self.new_line(indent, false);
-        self.flat(end, item.to);
+        self.write_flat(end, item.to);
     }
 }
 
@@ -450,7 +452,7 @@ pub(super) fn columns_of(text: &str) -> usize {
 }
 
 /// Passes the normalised parts of a vector of numbers to `part`, and returns their total width.
-fn unpack(text: &str, mut part: impl FnMut(&str)) -> usize {
+fn normalize_packed_vector(text: &str, mut part: impl FnMut(&str)) -> usize {
     let (mut columns, mut first) = (2, true);
     part("<");
     for number in text.split(|c: char| matches!(c, '<' | '>' | ',') || c <= ' ').filter(|n| !n.is_empty()) {

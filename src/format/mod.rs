@@ -46,13 +46,13 @@ const MAX_PASSES: usize = 8;
 /// The faults of a text that can't be formatted: strings, comments and directives without an end, brackets that nest
 /// too deeply.
 pub fn format(text: &str, base: usize, width: usize) -> Result<String, Vec<Diagnostic>> {
-    let Pass { text: mut formatted, is_irregular } = pass(text, base, width)?;
+    let Pass { text: mut formatted, is_irregular } = format_once(text, base, width)?;
     if !is_irregular {
         return Ok(formatted);
     }
     // Where brackets have no partner, a line that was broken may have another structure when it is parsed again.
     for _ in 1..MAX_PASSES {
-        let next = pass(&formatted, base, width)?.text;
+        let next = format_once(&formatted, base, width)?.text;
         if next == formatted {
             return Ok(formatted);
         }
@@ -69,7 +69,7 @@ struct Pass {
     is_irregular: bool,
 }
 
-fn pass(text: &str, base: usize, width: usize) -> Result<Pass, Vec<Diagnostic>> {
+fn format_once(text: &str, base: usize, width: usize) -> Result<Pass, Vec<Diagnostic>> {
     let (ast, faults) = parse_text(text, base, &Names::default(), Granularity::Whole);
     if faults.iter().any(|fault| fault.severity == Severity::Error) {
         return Err(faults);

@@ -2,7 +2,7 @@
 
 use super::STEP;
 use super::atoms::{ItemKind, flag};
-use super::layout::{Setter, indent_by};
+use super::layout::{Typesetter, indent_by};
 
 /// Open brackets, counted by the line that opens them.
 #[derive(Default)]
@@ -14,7 +14,7 @@ struct Nesting {
 }
 
 impl Nesting {
-    fn pass(&mut self, opens: bool, closes: bool) {
+    fn count_atom(&mut self, opens: bool, closes: bool) {
         self.net += i32::from(opens) - i32::from(closes);
         if opens {
             self.open.push(self.line);
@@ -30,9 +30,9 @@ impl Nesting {
     }
 }
 
-impl Setter<'_> {
+impl Typesetter<'_> {
     /// Writes atoms with an indentation; keeps the author's line breaks, and adds more where a line is too long.
-    pub(super) fn run(&mut self, from: usize, to: usize, indent: usize) {
+    pub(super) fn write_with_breaks(&mut self, from: usize, to: usize, indent: usize) {
         let (mut nesting, mut at) = (Nesting::default(), from);
         let (body, mut open, mut indent) = (indent.saturating_sub(indent_by(0, self.open)), self.open, indent);
         while at < to {
@@ -43,9 +43,9 @@ impl Setter<'_> {
             while at < hard {
                 let end = self.atoms_before_break(at, hard, nesting.open.len());
                 for i in at..end {
-                    nesting.pass(self.has(i, flag::OPEN), self.has(i, flag::CLOSE));
+                    nesting.count_atom(self.has(i, flag::OPEN), self.has(i, flag::CLOSE));
                 }
-                self.flat(at, end);
+                self.write_flat(at, end);
                 at = end;
                 if at < to {
                     nesting.line += 1;

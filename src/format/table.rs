@@ -1,10 +1,10 @@
 //! Alignment of tables: columns in rows of equal structure that the author aligned stay aligned.
 
 use super::atoms::{ItemKind, flag};
-use super::layout::{Row, Setter, columns_of};
+use super::layout::{Row, Typesetter, columns_of};
 
 /// Adds the blanks that align the columns of tables, unless a line would get too long.
-pub fn align_tables(setter: &mut Setter, rows: &[Row], indent: usize) {
+pub fn align_tables(setter: &mut Typesetter, rows: &[Row], indent: usize) {
     let mut from = 0;
     while from < rows.len() {
         let mut to = from + 1;
@@ -17,7 +17,7 @@ pub fn align_tables(setter: &mut Setter, rows: &[Row], indent: usize) {
         if to > from + 1
             && !before
             && !after
-            && let Some(pads) = table(setter, &rows[from..to], indent)
+            && let Some(pads) = alignment_blanks(setter, &rows[from..to], indent)
         {
             for (row, pads) in rows[from..to].iter().zip(pads) {
                 setter.pads[row.from..row.from + pads.len()].copy_from_slice(&pads);
@@ -28,25 +28,28 @@ pub fn align_tables(setter: &mut Setter, rows: &[Row], indent: usize) {
 }
 
 /// True if a row needs more lines than in the author's text.
-fn needs_more_lines(setter: &Setter, row: &Row, indent: usize) -> bool {
+fn needs_more_lines(setter: &Typesetter, row: &Row, indent: usize) -> bool {
     let single = setter.atoms.row[row.from].next as usize == row.to;
     !single && (!row.flat || indent + setter.flat_width(row.from, row.to) > setter.width)
 }
 
 /// Returns the atoms of a row, without a comma or comment at its end, since the last row has no comma.
-fn cells(setter: &Setter, row: &Row) -> std::ops::Range<usize> {
+fn cell_atoms(setter: &Typesetter, row: &Row) -> std::ops::Range<usize> {
     let to = row.to - usize::from(setter.has(row.to - 1, flag::LINE_COMMENT));
     row.from..to - usize::from(to > row.from + 1 && setter.read(to - 1) == ",")
 }
 
 /// True if both rows have the same words and signs, and numbers, names and strings at the same positions.
-fn has_same_structure(setter: &Setter, first: &Row, next: &Row) -> bool {
-    let (a, b) = (cells(setter, first), cells(setter, next));
+fn has_same_structure(setter: &Typesetter, first: &Row, next: &Row) -> bool {
+    let (a, b) = (cell_atoms(setter, first), cell_atoms(setter, next));
     let together = first.flat && next.flat && setter.atoms.row[next.from].lines == 1;
-    together && a.len() > 1 && a.len() == b.len() && a.zip(b).all(|(i, j)| class(setter, i) == class(setter, j))
+    together
+        && a.len() > 1
+        && a.len() == b.len()
+        && a.zip(b).all(|(i, j)| structure_class(setter, i) == structure_class(setter, j))
 }
 
-fn class<'a>(setter: &Setter<'a>, i: usize) -> &'a str {
+fn structure_class<'a>(setter: &Typesetter<'a>, i: usize) -> &'a str {
     let text = setter.read(i);
     let sign = text.len() == 1 && !text.starts_with(|c: char| c.is_ascii_alphanumeric());
     match text.as_bytes()[0] {
@@ -65,17 +68,17 @@ struct Cell {
 }
 
 /// Returns the blanks before all atoms of all rows; `None` if the rows are no table or are aligned without blanks.
-fn table(setter: &Setter, rows: &[Row], indent: usize) -> Option<Vec<Vec<u8>>> {
+fn alignment_blanks(setter: &Typesetter, rows: &[Row], indent: usize) -> Option<Vec<Vec<u8>>> {
     let text = setter.text;
     let begins = |lo: usize| text[..lo].rfind(['\n', '\r']).map_or(0, |end| end + 1);
     let lo = |i: usize| setter.atoms.row[i].lo as usize;
     let lines: Vec<usize> = rows.iter().map(|row| begins(lo(row.from))).collect();
     let mut ends = vec![indent; rows.len()];
     let mut pads: Vec<Vec<u8>> = vec![vec![]; rows.len()];
-    for j in 0..cells(setter, &rows[0]).len() {
+    for j in 0..cell_atoms(setter, &rows[0]).len() {
         let cell = |(row, line): (&Row, &usize)| Cell {
             start: columns_of(&text[*line..lo(row.from + j)]),
-            columns: setter.columns(row.from + j),
+            columns: setter.atom_width(row.from + j),
         };
         let column: Vec<Cell> = rows.iter().zip(&lines).map(cell).collect();
         let left = column.iter().all(|cell| cell.start == column[0].start);

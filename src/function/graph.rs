@@ -88,9 +88,9 @@ pub(super) fn apply_operator(op: Operator, a: f64, b: f64) -> f64 {
     }
 }
 
-/// Returns the bounds of an operator's result while its operands are in these intervals; `same` is true if both
+/// Returns the bounds of an operator's result while its operands are in these intervals; `same_operand` is true if both
 /// operands are one node.
-pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool) -> Interval {
+pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same_operand: bool) -> Interval {
     use Operator::*;
     let sure = |yes: bool, no: bool| match (yes, no) {
         (true, _) => Interval::point(1.0),
@@ -99,9 +99,9 @@ pub(super) fn operator_bounds(op: Operator, a: Interval, b: Interval, same: bool
     };
     match op {
         Add => a + b,
-        Sub if same => Interval::point(0.0),
+        Sub if same_operand => Interval::point(0.0),
         Sub => a + -b,
-        Mul if same => a.square(),
+        Mul if same_operand => a.square(),
         Mul => a * b,
         Div => a * b.recip(),
         Less => sure(a.hi < b.lo, a.lo >= b.hi),
@@ -175,14 +175,14 @@ impl Callee {
             },
             Callee::Series { .. } => return [LocalBounds::UNKNOWN; 5],
         };
-        let near = LocalBounds::from_steepest(self.call(0, arguments), steepest, radius);
+        let near = LocalBounds::from_max_gradient(self.call(0, arguments), steepest, radius);
         let Some(bend) = bend else { return [near; 5] };
         let aside = |by: DVec3| {
             let mut there: SmallVec<[f64; 10]> = arguments.into();
             there.iter_mut().zip(by.to_array()).for_each(|(x, by)| *x += by);
             self.call(0, &there)
         };
-        [near.tightened_by_bend(aside, bend, radius, Interval::TRUTH); 5]
+        [near.tightened_by_gradient_change(aside, bend, radius, Interval::TRUTH); 5]
     }
 
     pub(super) fn bounds(&self, component: usize, arguments: &[Interval]) -> Interval {

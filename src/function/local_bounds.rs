@@ -34,7 +34,7 @@ impl LocalBounds {
 
     /// Returns local bounds of a function within `radius` of a point where it has this value, if no gradient is longer
     /// than `steepest`.
-    pub fn from_steepest(value: f64, steepest: f64, radius: f64) -> Self {
+    pub fn from_max_gradient(value: f64, steepest: f64, radius: f64) -> Self {
         let far = steepest * radius;
         if !(value.is_finite() && far.is_finite()) {
             return Self::UNKNOWN;
@@ -45,7 +45,7 @@ impl LocalBounds {
     /// Returns local bounds of a function that differs by at most `max_deviation` from a value; no gradient is longer
     /// than `steepest`, and nearly all are far shorter.
     pub fn from_deviation(value: f64, max_deviation: f64, steepest: f64) -> Self {
-        Self { steepest, rough: true, ..Self::from_steepest(value, max_deviation, 1.0) }
+        Self { steepest, rough: true, ..Self::from_max_gradient(value, max_deviation, 1.0) }
     }
 
     /// Clamps the range of the function's values to [lo, hi].
@@ -64,18 +64,24 @@ impl LocalBounds {
         }
     }
 
-    /// Returns tighter local bounds where gradients change by at most `bend` per unit of length while the numbers are
-    /// strictly `within`: all gradients are then near the one at the point (Taylor's theorem). `at` gives the number at
+    /// Returns tighter local bounds where gradients change by at most `max_gradient_change` per unit of length while the numbers are
+    /// strictly `valid_range`: all gradients are then near the one at the point (Taylor's theorem). `value_at_offset` gives the number at
     /// an offset from the point.
-    pub fn tightened_by_bend(self, at: impl Fn(DVec3) -> f64, bend: f64, radius: f64, within: Interval) -> Self {
-        let turn = bend * radius + SLACK;
-        if !(turn < self.steepest && self.range.lo > within.lo && self.range.hi < within.hi) {
+    pub fn tightened_by_gradient_change(
+        self,
+        value_at_offset: impl Fn(DVec3) -> f64,
+        max_gradient_change: f64,
+        radius: f64,
+        valid_range: Interval,
+    ) -> Self {
+        let turn = max_gradient_change * radius + SLACK;
+        if !(turn < self.steepest && self.range.lo > valid_range.lo && self.range.hi < valid_range.hi) {
             return self;
         }
-        let by = |axis: DVec3| (at(axis * STEP) - at(axis * -STEP)) / (2.0 * STEP);
+        let by = |axis: DVec3| (value_at_offset(axis * STEP) - value_at_offset(axis * -STEP)) / (2.0 * STEP);
         let gradient = DVec3::new(by(DVec3::X), by(DVec3::Y), by(DVec3::Z));
         // |f(p) − f(0)| ≤ |g|·r + b·r²/2
-        let far = (gradient.length() + SLACK + 0.5 * bend * radius) * radius;
+        let far = (gradient.length() + SLACK + 0.5 * max_gradient_change * radius) * radius;
         let value = 0.5 * (self.range.lo + self.range.hi);
         let range = self.range.intersection_or_self(Interval::new(value - far, value + far).widened());
         Self { range, gradient, steepest: turn, ..self }

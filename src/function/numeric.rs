@@ -82,39 +82,46 @@ impl Numeric {
 }
 
 /// Returns the bounds of a numeric function that can give any number.
-fn any_number(_: Interval, _: Interval) -> Interval {
+fn unbounded_result(_: Interval, _: Interval) -> Interval {
     Interval::ALL
 }
 
 /// All built-in numeric functions. `asin` and `acos` are not clamped here: outside of [-1, 1] they are NaN.
 pub const TABLE: &[Numeric] = &[
     unary_row("abs", f64::abs, |a, _| a.abs(), "the distance from 0"),
-    unary_row("acos", fp::acos_or_nan, any_number, "the angle in radians whose cosine it is").with_domain(Domain::Arc),
-    unary_row("acosh", fp::acosh, any_number, "the inverse of cosh"),
-    unary_row("asin", fp::asin_or_nan, any_number, "the angle in radians whose sine it is").with_domain(Domain::Arc),
+    unary_row("acos", fp::acos_or_nan, unbounded_result, "the angle in radians whose cosine it is")
+        .with_domain(Domain::Arc),
+    unary_row("acosh", fp::acosh, unbounded_result, "the inverse of cosh"),
+    unary_row("asin", fp::asin_or_nan, unbounded_result, "the angle in radians whose sine it is")
+        .with_domain(Domain::Arc),
     unary_row("asinh", fp::asinh, |a, _| a.map_increasing(fp::asinh), "the inverse of sinh"),
     unary_row("atan", fp::atan, |a, _| a.map_increasing(fp::atan), "the angle in radians whose tangent it is"),
     binary_row("atan2", fp::atan2, |_, _| Interval::new(-3.2, 3.2), "the angle in radians of the point (B, A)")
         .with_domain(Domain::NotBothZero("<0, 0> has no direction")),
-    unary_row("atanh", fp::atanh, any_number, "the inverse of tanh"),
+    unary_row("atanh", fp::atanh, unbounded_result, "the inverse of tanh"),
     folded_row(
         "bitwise_and",
         |a, b| bitwise(a, b, |a, b| a & b),
-        any_number,
+        unbounded_result,
         "bits that are in all of the whole numbers",
     ),
     folded_row(
         "bitwise_or",
         |a, b| bitwise(a, b, |a, b| a | b),
-        any_number,
+        unbounded_result,
         "bits that are in any of the whole numbers",
     ),
-    folded_row("bitwise_xor", |a, b| bitwise(a, b, |a, b| a ^ b), any_number, "bits that are in an odd number of them"),
+    folded_row(
+        "bitwise_xor",
+        |a, b| bitwise(a, b, |a, b| a ^ b),
+        unbounded_result,
+        "bits that are in an odd number of them",
+    ),
     unary_row("ceil", f64::ceil, |a, _| Interval { lo: a.lo.ceil(), hi: a.hi.ceil() }, "the next whole number above"),
     unary_row("cos", fp::cos, |a, _| a.cos(), "the cosine of an angle in radians"),
     unary_row("cosh", fp::cosh, |a, _| a.abs().map_increasing(fp::cosh), "the hyperbolic cosine"),
     unary_row("degrees", f64::to_degrees, |a, _| a.map_increasing(f64::to_degrees), "radians to degrees"),
-    binary_row("div", |a, b| (a / b).trunc(), any_number, "the whole part of A/B").with_domain(Domain::Divides),
+    binary_row("div", |a, b| (a / b).trunc(), unbounded_result, "the whole part of A/B").with_domain(Domain::Divides),
     unary_row("exp", fp::exp, |a, _| a.map_increasing(fp::exp), "e to the power of A"),
     unary_row(
         "floor",
@@ -144,7 +151,7 @@ pub const TABLE: &[Numeric] = &[
     .with_domain(Domain::AboveZero),
     folded_row("max", f64::max, |a, b| Interval { lo: a.lo.max(b.lo), hi: a.hi.max(b.hi) }, "the largest"),
     folded_row("min", f64::min, |a, b| Interval { lo: a.lo.min(b.lo), hi: a.hi.min(b.hi) }, "the smallest"),
-    binary_row("mod", |a, b| a % b, any_number, "what A/B leaves over, with the sign of A")
+    binary_row("mod", |a, b| a % b, unbounded_result, "what A/B leaves over, with the sign of A")
         .with_domain(Domain::Divides),
     binary_row("pow", fp::pow, Interval::pow, "A to the power of B")
         .with_domain(Domain::NotBothZero("0 to the power of 0 is not defined")),
@@ -158,7 +165,7 @@ pub const TABLE: &[Numeric] = &[
         "the square root",
     )
     .with_domain(Domain::FromZero),
-    unary_row("tan", fp::tan, any_number, "the tangent of an angle in radians"),
+    unary_row("tan", fp::tan, unbounded_result, "the tangent of an angle in radians"),
     unary_row("tanh", fp::tanh, |a, _| a.map_increasing(fp::tanh), "the hyperbolic tangent"),
 ];
 

@@ -112,16 +112,16 @@ impl Graph {
         scratch.get(self.result as usize).copied().unwrap_or(Slope::with_unknown_gradient(Interval::ALL))
     }
 
-    /// Returns the slope of one operation of the graph. `last` has the results of the last call: the next operation
+    /// Returns the slope of one operation of the graph. `last_call_slopes` has the results of the last call: the next operation
     /// often uses another component of it.
     fn slope_of_operation<'g>(
         &'g self,
         node: &'g Operation,
         parameters: &[Slope],
-        all: &[Slope],
-        last: &mut Option<(u32, &'g [u32], [Slope; 5])>,
+        earlier_slopes: &[Slope],
+        last_call_slopes: &mut Option<(u32, &'g [u32], [Slope; 5])>,
     ) -> Slope {
-        let at = |id: &u32| &all[*id as usize];
+        let at = |id: &u32| &earlier_slopes[*id as usize];
         match node {
             Operation::Constant(bits) => Slope::constant(f64::from_bits(*bits)),
             Operation::Parameter(i) => parameters[*i as usize],
@@ -134,12 +134,12 @@ impl Graph {
                 _ => at(yes).hull(at(no)),
             },
             Operation::Call(callee, component, list) => {
-                let slopes = match last {
+                let slopes = match last_call_slopes {
                     Some((other, same, slopes)) if other == callee && *same == &**list => slopes,
                     _ => {
                         let slopes: SmallVec<[&Slope; 10]> = list.iter().map(at).collect();
                         let slopes = call_slopes(&self.callees[*callee as usize], &slopes);
-                        &last.insert((*callee, list, slopes)).2
+                        &last_call_slopes.insert((*callee, list, slopes)).2
                     }
                 };
                 slopes[*component as usize]
@@ -164,13 +164,13 @@ impl Function {
     }
 }
 
-fn operator_slope(op: Operator, a: &Slope, b: &Slope, same: bool) -> Slope {
-    let value = operator_bounds(op, a.value, b.value, same);
+fn operator_slope(op: Operator, a: &Slope, b: &Slope, same_operand: bool) -> Slope {
+    let value = operator_bounds(op, a.value, b.value, same_operand);
     match op {
         Operator::Add => a.add_slopes(value, b, 1.0),
-        Operator::Sub if same => Slope::constant(0.0),
+        Operator::Sub if same_operand => Slope::constant(0.0),
         Operator::Sub => a.add_slopes(value, b, -1.0),
-        Operator::Mul if same => a.chain_rule(value, a.value + a.value),
+        Operator::Mul if same_operand => a.chain_rule(value, a.value + a.value),
         Operator::Mul => Slope::chain_rule_of_two(value, a, b.value, b, a.value),
         Operator::Div if b.is_constant() => a.chain_rule(value, b.value.recip()),
         // (a/b)' = (a' - (a/b)·b') / b

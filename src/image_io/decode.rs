@@ -82,20 +82,20 @@ pub(super) fn decode_picture_bytes(bytes: &[u8], path: &Path) -> Result<Decoded>
 ///
 /// # Errors
 /// The reason why the bytes are not a picture, in words.
-pub fn decode_pixels(bytes: &[u8], ending: &str) -> Result<Pixels, String> {
-    decode_any(bytes, ending).map(|decoded| decoded.pixels)
+pub fn decode_pixels(bytes: &[u8], extension: &str) -> Result<Pixels, String> {
+    decode_any(bytes, extension).map(|decoded| decoded.pixels)
 }
 
 /// Decodes a picture, and refuses one without pixels, which no pattern could look up.
-fn decode_any(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
-    let decoded = decode_by_signature(bytes, ending)?;
+fn decode_any(bytes: &[u8], extension: &str) -> Result<Decoded, String> {
+    let decoded = decode_by_signature(bytes, extension)?;
     match (decoded.pixels.width, decoded.pixels.height) {
         (0, _) | (_, 0) => Err("it has no pixels".into()),
         _ => Ok(decoded),
     }
 }
 
-fn decode_by_signature(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
+fn decode_by_signature(bytes: &[u8], extension: &str) -> Result<Decoded, String> {
     if let Some(pixels) = netpbm::decode_netpbm(bytes) {
         return pixels.map(Decoded::from);
     }
@@ -114,7 +114,7 @@ fn decode_by_signature(bytes: &[u8], ending: &str) -> Result<Decoded, String> {
         return decoded;
     }
     let format = image::guess_format(bytes).ok();
-    if format.is_none() && ending.eq_ignore_ascii_case("tga") {
+    if format.is_none() && extension.eq_ignore_ascii_case("tga") {
         return tga::decode_tga(bytes);
     }
     let pixels = decode_with_image_crate(bytes)?;

@@ -176,7 +176,7 @@ impl<W: Write + Seek> Encoder<W> {
                 Out::Flat(out)
             }
             Format::Hdr => {
-                out.write_all(encode_hdr_parts(&[Rgb([0.0; 3])], 1, 1)?.0.as_slice())?;
+                out.write_all(encode_hdr_around_size(&[Rgb([0.0; 3])], 1, 1)?.0.as_slice())?;
                 writeln!(out, "-Y {height} +X {width}")?;
                 Out::Flat(out)
             }
@@ -211,7 +211,7 @@ impl<W: Write + Seek> Encoder<W> {
             Out::Png(out) => out.write_rows(&stored(true))?,
             Out::Flat(out) if encoding.format == Format::Hdr => {
                 let rgb: Vec<_> = rows.iter().map(|&p| Rgb(composite_over_black(p).map(clamp_to_rgbe))).collect();
-                out.write_all(&encode_hdr_parts(&rgb, width, rows.len() / width)?.1)?;
+                out.write_all(&encode_hdr_around_size(&rgb, width, rows.len() / width)?.1)?;
             }
             Out::Flat(out) => out.write_all(&stored(true))?,
             Out::Integers(_, kept) => {
@@ -351,7 +351,7 @@ fn clamp_to_rgbe(channel: f32) -> f32 {
 }
 
 /// Encodes a Radiance HDR picture of these rows; returns the file's bytes before the size and after it.
-fn encode_hdr_parts(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>, Vec<u8>)> {
+fn encode_hdr_around_size(rows: &[Rgb<f32>], width: usize, height: usize) -> Encoded<(Vec<u8>, Vec<u8>)> {
     let mut file = Vec::new();
     HdrEncoder::new(&mut file).encode(rows, width, height)?;
     let size = format!("-Y {height} +X {width}\n");

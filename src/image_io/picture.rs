@@ -63,7 +63,7 @@ impl Picture {
 
 /// Returns POV-Ray's value for a gray sample of a png of grays: rounded down to a byte after the weights have reduced
 /// it (quirk: `gray_png_rounds_down`).
-pub fn povray_gray(gray: f32) -> f32 {
+pub fn round_gray_like_povray(gray: f32) -> f32 {
     let [r, g, b] = GRAY_WEIGHTS.map(|weight| weight as f32 * gray);
     (((r + g) + b) * 255.0).floor().clamp(0.0, 255.0) / 255.0
 }

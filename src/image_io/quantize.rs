@@ -54,7 +54,7 @@ fn lowest_light_of_code(code: u16, max: u16) -> f32 {
 }
 
 /// Returns the code of alpha and other samples without a transfer curve, before truncation; 0 for NaN.
-fn linear_code(x: f32, max: f32) -> f32 {
+fn untruncated_linear_code(x: f32, max: f32) -> f32 {
     x.clamp(0.0, 1.0) * max + 0.5
 }
 
@@ -70,13 +70,13 @@ pub(super) fn composite_over_black([r, g, b, a]: [f32; 4]) -> [f32; 3] {
 /// Encodes pixels by the sRGB curve as three or four bytes a pixel.
 pub(super) fn encode_srgb8(pixels: &[[f32; 4]], alpha: bool) -> Vec<u8> {
     let table = &*BITS8;
-    pack_pixels(pixels, alpha, |x| table.code_of_light(x) as u8, |a| linear_code(a, 255.0) as u8)
+    pack_pixels(pixels, alpha, |x| table.code_of_light(x) as u8, |a| untruncated_linear_code(a, 255.0) as u8)
 }
 
 /// Encodes pixels by the sRGB curve as three or four 16-bit integers a pixel.
 pub(super) fn encode_srgb16(pixels: &[[f32; 4]], alpha: bool) -> Vec<u16> {
     let table = &*BITS16;
-    pack_pixels(pixels, alpha, |x| table.code_of_light(x), |a| linear_code(a, 65_535.0) as u16)
+    pack_pixels(pixels, alpha, |x| table.code_of_light(x), |a| untruncated_linear_code(a, 65_535.0) as u16)
 }
 
 /// Encoder of linear light to the integers of a picture file.
@@ -89,10 +89,10 @@ pub(super) struct Integers {
 }
 
 impl Integers {
-    /// Encodes whole rows of a picture to bytes; 16-bit samples are big-endian if `high_first` is true, in native order
+    /// Encodes whole rows of a picture to bytes; 16-bit samples are big-endian if `big_endian` is true, in native order
     /// otherwise.
-    pub fn encode_rows(&mut self, rows: &[[f32; 4]], high_first: bool) -> Vec<u8> {
-        let order = if high_first { u16::to_be_bytes } else { u16::to_ne_bytes };
+    pub fn encode_rows(&mut self, rows: &[[f32; 4]], big_endian: bool) -> Vec<u8> {
+        let order = if big_endian { u16::to_be_bytes } else { u16::to_ne_bytes };
         if self.ditherer.is_none() && self.gamma == Gamma::Srgb {
             return match self.wide {
                 false => encode_srgb8(rows, self.alpha),
@@ -221,7 +221,7 @@ mod tests {
         for x in [1.0, 7.0, f32::INFINITY] {
             assert_eq!((BITS8.code_of_light(x), BITS16.code_of_light(x)), (255, 65_535), "{x}");
         }
-        assert_eq!(linear_code(f32::NAN, 255.0) as u8, 0);
+        assert_eq!(untruncated_linear_code(f32::NAN, 255.0) as u8, 0);
     }
 
     #[test]

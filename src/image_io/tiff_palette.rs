@@ -37,11 +37,11 @@ impl File<'_> {
     }
 }
 
-/// Decodes a TIFF file with a palette; `None` if the file has no palette that is read. `gray` decodes the bytes of a
+/// Decodes a TIFF file with a palette; `None` if the file has no palette that is read. `decode_gray` decodes the bytes of a
 /// file that is modified to be gray.
 pub(super) fn decode_tiff_palette(
     bytes: &[u8],
-    gray: impl Fn(&[u8]) -> Result<Pixels, String>,
+    decode_gray: impl Fn(&[u8]) -> Result<Pixels, String>,
 ) -> Option<Result<Decoded, String>> {
     let little = match bytes.get(..4)? {
         b"II*\0" => true,
@@ -60,7 +60,7 @@ pub(super) fn decode_tiff_palette(
     let mut plain = bytes.to_vec();
     let value = if little { GRAY.to_le_bytes() } else { GRAY.to_be_bytes() };
     plain[photometric..photometric + 2].copy_from_slice(&value);
-    Some(gray(&plain).map(|pixels| {
+    Some(decode_gray(&plain).map(|pixels| {
         let Samples::U8(indices) = pixels.samples else { return pixels.into() };
         let samples = indices.iter().flat_map(|&index| [0, 1, 2].map(|c| channel(index, c))).collect();
         Decoded { pixels: Pixels { channels: 3, samples: Samples::U16(samples), ..pixels }, indices: Some(indices) }

@@ -28,7 +28,7 @@ pub(super) enum ArgumentForm<'a> {
 
 impl<'a> Interpreter<'a> {
     /// Returns the argument that a parsed expression represents.
-    pub(super) fn whole_argument(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
+    pub(super) fn argument_of_expression(&mut self, e: &'a Expr) -> Result<Argument<'a>> {
         let given = match &e.kind {
             ExprKind::Name(symbol) => ArgumentForm::Name(*symbol),
             ExprKind::Index(base, indices) => ArgumentForm::LValue(self.element_lvalue(base, indices)?),

@@ -31,7 +31,7 @@ impl<'a> Interpreter<'a> {
         // 3.8 requires the word `mixed` where types are mixed. durer accepts mixed types without it.
         if let Some(ElementKind::Expr(e)) = self.stream.next_raw_element().map(|e| &e.kind) {
             if matches!(&e.kind, ExprKind::Index(word, _) if self.inputs.sources.snippet(word.span) == "mixed") {
-                self.stream.split_next();
+                self.stream.split_next_element();
             }
             if self.stream.next_raw_element().is_some_and(|e| self.inputs.sources.snippet(e.span) == "mixed") {
                 self.stream.advance();
@@ -66,18 +66,18 @@ impl<'a> Interpreter<'a> {
     fn read_array_size(&mut self) -> Result<Option<usize>> {
         let at = self.open()?;
         let mut size = None;
-        if !self.peek()?.ends() {
+        if !self.peek()?.is_closer_or_end() {
             let (value, span) = self.read_value()?;
-            size = Some(self.size_of(as_float(&value, span)?, joined_span_if_near(at, span))?);
+            size = Some(self.checked_dimension_size(as_float(&value, span)?, joined_span_if_near(at, span))?);
         }
-        if !self.peek()?.ends() {
+        if !self.peek()?.is_closer_or_end() {
             return Diagnostic::err(codes::WRONG_COUNT, at, "each dimension of an array has one size in `[ ]`");
         }
         self.close("`]`")?;
         Ok(size)
     }
 
-    fn size_of(&self, size: f64, at: Span) -> Result<usize> {
+    fn checked_dimension_size(&self, size: f64, at: Span) -> Result<usize> {
         if size >= 1.0 {
             return Ok(size as usize);
         }
@@ -93,7 +93,7 @@ impl<'a> Interpreter<'a> {
         let rows = sizes[0];
         let stride = items.len() / rows;
         for i in 0..rows {
-            if self.peek()?.ends() {
+            if self.peek()?.is_closer_or_end() {
                 break;
             }
             if sizes.len() > 1 {
@@ -102,7 +102,7 @@ impl<'a> Interpreter<'a> {
                 items[i] = Some(self.read_array_item()?);
             }
         }
-        if !self.peek()?.ends() {
+        if !self.peek()?.is_closer_or_end() {
             return Diagnostic::err(
                 codes::WRONG_COUNT,
                 self.stream.next_span(),
@@ -132,7 +132,7 @@ impl<'a> Interpreter<'a> {
         }
         self.open()?;
         let mut items = vec![];
-        while !self.peek()?.ends() {
+        while !self.peek()?.is_closer_or_end() {
             items.push(Some(self.read_array_item()?));
         }
         self.close("`}`")?;
@@ -143,7 +143,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn read_dictionary(&mut self) -> Result<Slot<'a>> {
         self.open()?;
         let (mut keys, mut items): (Vec<Rc<str>>, Vec<Option<Slot<'a>>>) = (vec![], vec![]);
-        while !self.peek()?.ends() {
+        while !self.peek()?.is_closer_or_end() {
             let key: Rc<str> = self.read_dictionary_key()?;
             match self.peek()? {
                 Token::Punctuation(Punctuation::Colon) => self.stream.advance(),
@@ -181,7 +181,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads an array's name and indices, and pushes back one token: the element, or the name if no index follows.
-    pub(super) fn element_by_tokens(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
+    pub(super) fn read_element_token(&mut self, symbol: Symbol, name: &'a Expr) -> Result<Token<'a>> {
         let span = name.span;
         let has_comma_before = self.stream.has_comma();
         // A comma between the name and its indices ends the value.
@@ -191,7 +191,7 @@ impl<'a> Interpreter<'a> {
         if let Some(level) = self.evaluator.level_of_prefix(symbol) {
             return self.read_prefixed_name(level, span, has_comma_before);
         }
-        let indices = self.indices_of(symbol)?;
+        let indices = self.read_indices(symbol)?;
         if indices.is_empty() {
             return Ok(self.stream.push_back(Token::Expr(name), span, has_comma_before));
         }
@@ -206,22 +206,22 @@ impl<'a> Interpreter<'a> {
     fn read_prefixed_name(&mut self, level: u32, prefix: Span, has_comma_before: bool) -> Result<Token<'a>> {
         self.stream.advance();
         let Some((symbol, span)) = self.stream.take_name() else { return Err(self.unexpected_token("a name").into()) };
-        let indices = self.indices_of(symbol)?;
+        let indices = self.read_indices(symbol)?;
         let named = joined_span_if_near(prefix, span);
         let (mut lvalue, mut whole) = (self.evaluator.scopes().resolve_at(symbol, level), named);
         if let Some((_, at)) = indices.last() {
             whole = joined_span_if_near(prefix, Span { hi: at.hi + 1, ..*at });
-            lvalue = self.lvalue_in(lvalue, named, &indices, false)?;
+            lvalue = self.lvalue_in_array(lvalue, named, &indices, false)?;
         }
         self.stream.set_element(lvalue);
         Ok(self.stream.push_back(Token::Element(whole), whole, has_comma_before))
     }
 
     /// Reads the indices and keys that follow an array's name.
-    pub(super) fn indices_of(&mut self, symbol: Symbol) -> Result<Vec<(Value, Span)>> {
+    pub(super) fn read_indices(&mut self, symbol: Symbol) -> Result<Vec<(Value, Span)>> {
         let mut indices = vec![];
         loop {
-            match self.index_ahead()? {
+            match self.peek_index_start()? {
                 Some(Token::Open(Bracket::Square, _)) => {
                     self.open()?;
                     indices.push(self.read_value()?);
@@ -239,7 +239,7 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the token directly after an array's name. As in POV-Ray, no directive and no macro runs between the two,
     /// and no macro ends (quirk: `index_follows_name`).
-    fn index_ahead(&mut self) -> Result<Option<Token<'a>>> {
+    fn peek_index_start(&mut self) -> Result<Option<Token<'a>>> {
         loop {
             if self.stream.has_comma() {
                 return Ok(None);
@@ -305,7 +305,7 @@ impl<'a> Interpreter<'a> {
     pub(super) fn element_lvalue(&mut self, base: &'a Expr, indices: &'a [Expr]) -> Result<LValue> {
         if let Some(array) = self.evaluator.prefixed_lvalue(base) {
             let indices = self.index_values(indices)?;
-            return self.lvalue_in(array, base.span, &indices, false);
+            return self.lvalue_in_array(array, base.span, &indices, false);
         }
         match base.kind {
             ExprKind::Name(symbol) => self.lvalue_of(symbol, base.span, indices),
@@ -328,32 +328,32 @@ impl<'a> Interpreter<'a> {
         indices.iter().map(|e| Ok((self.evaluate(e)?, e.span))).collect()
     }
 
-    /// Returns the location of the element at these indices or keys. `adds` adds a new last key to a dictionary.
+    /// Returns the location of the element at these indices or keys. `adds_key` adds a new last key to a dictionary.
     pub(super) fn lvalue_at(
         &mut self,
         symbol: Symbol,
         span: Span,
         indices: &[(Value, Span)],
-        adds: bool,
+        adds_key: bool,
     ) -> Result<LValue> {
         let Some(lvalue) = self.evaluator.scopes().resolve(symbol) else {
             self.evaluate_name(symbol, span)?;
             return Diagnostic::err(codes::FOLLOWS, span, "");
         };
-        self.lvalue_in(lvalue, span, indices, adds)
+        self.lvalue_in_array(lvalue, span, indices, adds_key)
     }
 
     /// Returns the location of the element at these indices or keys of the array at `lvalue`, whose name is at `span`.
-    /// `adds` adds a new last key to a dictionary.
-    pub(super) fn lvalue_in(
+    /// `adds_key` adds a new last key to a dictionary.
+    pub(super) fn lvalue_in_array(
         &mut self,
         lvalue: LValue,
         span: Span,
         indices: &[(Value, Span)],
-        adds: bool,
+        adds_key: bool,
     ) -> Result<LValue> {
         if self.evaluator.scopes().dictionary(&lvalue).is_some() {
-            return self.evaluator.key_lvalue(lvalue, indices, adds);
+            return self.evaluator.key_lvalue(lvalue, indices, adds_key);
         }
         let numbers: SmallVec<[f64; 4]> =
             indices.iter().map(|(value, at)| as_float(value, *at)).collect::<Result<_>>()?;

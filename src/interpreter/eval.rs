@@ -48,7 +48,7 @@ impl<'a> Interpreter<'a> {
             }
             ExprKind::Apply(function, arguments) => {
                 let function = self.evaluate(function)?;
-                self.call_element(&function, arguments, e.span)
+                self.call_array_element(&function, arguments, e.span)
             }
             ExprKind::Function(_) | ExprKind::Block(_) => {
                 Diagnostic::err(codes::EXPECTED_VALUE, e.span, "expected a number or text, found a block")
@@ -152,7 +152,7 @@ impl<'a> Interpreter<'a> {
 
     /// Reports the warnings about a declaration, at the first use of the declared name.
     pub(super) fn report_first_use(&mut self, symbol: Symbol, span: Span) {
-        for warning in self.evaluator.scopes().pending(symbol).iter().flat_map(|p| p.iter()) {
+        for warning in self.evaluator.scopes().pending_warnings(symbol).iter().flat_map(|p| p.iter()) {
             self.reporter.report(warning.clone());
         }
         if let Some(why) = self.evaluator.take_deprecation(symbol) {

@@ -200,30 +200,30 @@ impl<'a> Interpreter<'a> {
         {
             return self.report_here(*fault);
         }
-        while self.next_statement() {}
+        while self.run_statement_unless_end() {}
     }
 
     /// Reads one statement; returns false at the end of the scene, and after an error that ends the run.
-    fn next_statement(&mut self) -> bool {
+    fn run_statement_unless_end(&mut self) -> bool {
         self.stream.set_mode(Mode::default());
         // Directives and macros run while the next statement is peeked. A fault in them skips only the directive.
         let checkpoint = self.stream.checkpoint();
         if let Err(fault) = self.peek() {
-            return self.recover(*fault, |me| me.stream.forget_look_ahead(checkpoint));
+            return self.report_unless_run_ends(*fault, |me| me.stream.forget_look_ahead(checkpoint));
         }
         let checkpoint = self.stream.checkpoint();
-        match self.read_statement() {
+        match self.read_statement_unless_end() {
             Ok(true) => true,
             Ok(false) => {
                 self.finish_scene();
                 false
             }
-            Err(fault) => self.recover(*fault, |me| me.skip_statement(checkpoint)),
+            Err(fault) => self.report_unless_run_ends(*fault, |me| me.skip_statement(checkpoint)),
         }
     }
 
     /// Reports an error, or the unclosed bracket that causes it, and calls `skip`. Returns false if the run ends.
-    fn recover(&mut self, fault: Diagnostic, skip: impl FnOnce(&mut Self)) -> bool {
+    fn report_unless_run_ends(&mut self, fault: Diagnostic, skip: impl FnOnce(&mut Self)) -> bool {
         let ends = self.reporter.limit_reached() || fault.code == codes::ENDS_RUN;
         let fault = self.stream.with_trace(fault);
         // Text after an unclosed bracket cannot be read.
@@ -238,7 +238,7 @@ impl<'a> Interpreter<'a> {
         skip(self);
         self.reporter.report(fault);
         // A fault in a loop's body is reported once, but found in each pass.
-        let too_many = self.reporter.count_fault();
+        let too_many = self.reporter.count_fault_reaches_limit();
         !ends && !too_many
     }
 
@@ -247,7 +247,7 @@ impl<'a> Interpreter<'a> {
         self.reporter.report_deferred(errors_in_unused);
         let failed = self.reporter.error_count() > 0;
         let limit_reached = self.reporter.limit_reached();
-        let (scene, origins) = self.builder.into_scene();
+        let (scene, origins) = self.builder.into_scene_and_traces();
         let (diagnostics, unused_branches) = self.reporter.into_diagnostics_and_unused_branches();
         Outcome {
             scene: (!failed).then_some(scene),

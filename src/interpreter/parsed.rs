@@ -32,7 +32,7 @@ impl ParsedFiles {
 
     /// Returns the smaller elements into which a node of a syntax tree is split. They are cached: `make` computes them
     /// once per node.
-    pub(super) fn parts_of<T>(&self, whole: &T, make: impl FnOnce() -> Vec<Element>) -> &[Element] {
+    pub(super) fn cached_parts<T>(&self, whole: &T, make: impl FnOnce() -> Vec<Element>) -> &[Element] {
         let key: *const () = std::ptr::from_ref(whole).cast();
         match self.parts.get(&key) {
             Some(parts) => parts,
@@ -42,7 +42,7 @@ impl ParsedFiles {
 
     /// Returns the tokens of the rest of a file, which begins at the element `first`. They are cached: `make` computes
     /// them once per first element.
-    pub(super) fn rest_from(&self, first: &Element, make: impl FnOnce() -> Vec<Element>) -> &[Element] {
+    pub(super) fn cached_rest_tokens(&self, first: &Element, make: impl FnOnce() -> Vec<Element>) -> &[Element] {
         let key: *const () = std::ptr::from_ref(first).cast();
         match self.rests.get(&key) {
             Some(rest) => rest,

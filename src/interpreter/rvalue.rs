@@ -124,7 +124,7 @@ impl<'a> Interpreter<'a> {
             "transform" => self.read_inside(|r, _| Ok(TransformThing(r.transform_block()?))),
             _ => {
                 let error = self.unexpected_token("something that can be declared");
-                Err(error.maybe_help(hints::place_of_block(word).map(Into::into)).into())
+                Err(error.maybe_help(hints::block_place_hint(word).map(Into::into)).into())
             }
         }
     }

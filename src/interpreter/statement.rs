@@ -49,7 +49,7 @@ pub const STATEMENTS: Spec = Spec {
 
 impl Interpreter<'_> {
     /// Reads one statement, whose first token [`Self::peek`] has returned; returns false at the end of the file.
-    pub(super) fn read_statement(&mut self) -> Result<bool> {
+    pub(super) fn read_statement_unless_end(&mut self) -> Result<bool> {
         match Reader::next(self)? {
             Next::End if !matches!(self.peek()?, Token::End) => {
                 let span = self.stream.next_span();
@@ -136,7 +136,7 @@ impl Interpreter<'_> {
         let object = Object::read(self, &defaults)?;
         self.builder.add_object(*object);
         if self.inputs.options.record_origins {
-            self.builder.add_origin(self.stream.trace());
+            self.builder.add_object_trace(self.stream.trace());
         }
         Ok(())
     }
@@ -147,8 +147,8 @@ impl Interpreter<'_> {
         self.stream.advance();
         let d = Diagnostic::new(codes::MISPLACED, span, format!("`{word}` is missing its `#`"));
         self.report_here(d.help(format!("write `#{word}`")));
-        match crate::interpreter::directives::find(word) {
-            Some((name, run)) => self.run_plain(name, run, span),
+        match crate::interpreter::directives::find_runner(word) {
+            Some((name, run)) => self.run_directive_function(name, run, span),
             None => self.run_declare_by_tokens(false, span),
         }
     }
@@ -177,7 +177,7 @@ impl Interpreter<'_> {
             _ => self.stream.next_span(),
         };
         let d = Diagnostic::new(codes::EXPECTED, span, format!("`{word} {{…}}` is not a statement of its own"));
-        match hints::place_of_block(word).or_else(|| hints::other_tools(word)) {
+        match hints::block_place_hint(word).or_else(|| hints::other_tool_hint(word)) {
             Some(hint) => d.help(hint),
             None => d.help(format!("it belongs inside another block, or after `#declare Name = {word} {{…}}`")),
         }
@@ -229,7 +229,7 @@ impl Interpreter<'_> {
     /// Returns the span of a comparison sign after the next operands, as in `Size = 3`.
     fn comparison_ahead(&mut self) -> Option<Span> {
         if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
-            self.stream.split_next();
+            self.stream.split_next_element();
         }
         let row = self.stream.innermost()?.unread().iter();
         let in_row =

@@ -95,7 +95,7 @@ impl Area {
     /// Returns the sides of the grid, as vectors; `toward` is the direction to the illuminated point, length 1.
     #[inline]
     pub fn sides(&self, toward: DVec3) -> [DVec3; 2] {
-        if self.orient { self.sides_facing(toward) } else { self.axes }
+        if self.orient { self.grid_sides_facing(toward) } else { self.axes }
     }
 
     /// Returns the vector from the area light's location to the light `cell` of its grid. `sides` are the sides of the grid, see
@@ -148,7 +148,7 @@ impl Area {
 
     /// Returns the sides of an area light's grid that faces a direction: the first side is perpendicular to z, or to y
     /// if the direction is nearly z (quirk: `oriented_area_sides`).
-    fn sides_facing(&self, toward: DVec3) -> [DVec3; 2] {
+    fn grid_sides_facing(&self, toward: DVec3) -> [DVec3; 2] {
         let up = if toward.z.abs() > 0.99 { DVec3::Y } else { DVec3::Z };
         let level = up.cross(toward).normalize_or(DVec3::X);
         [level, level.cross(toward)].map(|side| side * self.axes[0].length())

@@ -109,9 +109,9 @@ impl Profile {
     }
 
     /// Returns the share of a light's strength that reaches a point: `cos` is the cosine of the angle to the axis,
-    /// `beside` computes the distance from the axis, `ahead` is the distance along it (quirk: `spotlight_profile`).
+    /// `axis_distance` computes the distance from the axis, `along_axis` is the distance along it (quirk: `spotlight_profile`).
     #[inline]
-    pub fn strength_share(&self, cos: f64, beside: impl FnOnce() -> f64, ahead: f64) -> f64 {
+    pub fn strength_share(&self, cos: f64, axis_distance: impl FnOnce() -> f64, along_axis: f64) -> f64 {
         match *self {
             Profile::Round => 1.0,
             Profile::Cone { radius, falloff, tightness } => {
@@ -124,8 +124,8 @@ impl Profile {
                 if tightness == 0.0 { edge } else { edge * fp::power(cos.max(0.0), tightness) }
             }
             Profile::Tube(Edge { radius, falloff, tightness }) => {
-                let beside = beside();
-                if ahead < 0.0 || beside >= falloff {
+                let beside = axis_distance();
+                if along_axis < 0.0 || beside >= falloff {
                     return 0.0;
                 }
                 let edge = match radius {

@@ -78,7 +78,7 @@ impl LoweredLight {
     /// Returns the light that reaches the point `p` from the light at `offset` from the location.
     pub fn sample(&self, p: DVec3, offset: DVec3) -> LightSample {
         let (from, distance) = self.direction_and_distance(p, offset);
-        LightSample { from, distance, light: self.strength_at(distance) * self.share_towards(p, from, distance) }
+        LightSample { from, distance, light: self.strength_at(distance) * self.beam_share_at(p, from, distance) }
     }
 
     /// Returns the direction from the point `p` to the light at `offset` from the location, length 1, and the distance: of a
@@ -107,7 +107,7 @@ impl LoweredLight {
     /// from the point to the light, and `distance` the distance.
     // (Forced: with the photons as a second caller, the compiler would make this a call.)
     #[inline(always)]
-    pub fn share_towards(&self, p: DVec3, from: DVec3, distance: f64) -> f64 {
+    pub fn beam_share_at(&self, p: DVec3, from: DVec3, distance: f64) -> f64 {
         // quirk: area_light_tube
         let ahead = (p - self.location).dot(self.axis);
         let beside = || (p - self.location - self.axis * ahead).length();

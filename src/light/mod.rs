@@ -115,7 +115,7 @@ impl Light {
     ///
     /// # Errors
     /// A diagnostic for a grid that cannot be circular.
-    pub fn check(&self) -> Result<()> {
+    pub fn check_circular_grid(&self) -> Result<()> {
         let area = &self.area;
         if self.spreads && area.circular && area.size.contains(&1) {
             let message = "a `circular` area light has more than one light along each side";

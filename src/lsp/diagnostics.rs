@@ -15,7 +15,7 @@ use serde_json::json;
 pub type EditorDiagnostic = lsp_types::Diagnostic;
 
 /// Converts a diagnostic of a scene's run to one of the Language Server Protocol; its first label is in `file`.
-pub fn of_run(diagnostic: &Diagnostic, sources: &Sources, file: FileId) -> EditorDiagnostic {
+pub fn from_run_diagnostic(diagnostic: &Diagnostic, sources: &Sources, file: FileId) -> EditorDiagnostic {
     let text = |id: FileId| Text::new(sources.text(id).to_string());
     let range = match sources.locate(diagnostic.span()) {
         Some((id, bytes)) if id == file => text(id).range(bytes),
@@ -32,7 +32,7 @@ pub fn of_run(diagnostic: &Diagnostic, sources: &Sources, file: FileId) -> Edito
 }
 
 /// Returns the hint that the editor shows at a branch of `#if` or `#switch` that did not run.
-pub fn of_idle_branch(sources: &Sources, file: FileId, bytes: std::ops::Range<usize>) -> EditorDiagnostic {
+pub fn idle_branch_hint(sources: &Sources, file: FileId, bytes: std::ops::Range<usize>) -> EditorDiagnostic {
     EditorDiagnostic {
         range: Text::new(sources.text(file).to_string()).range(bytes),
         severity: Some(DiagnosticSeverity::HINT),
@@ -44,7 +44,7 @@ pub fn of_idle_branch(sources: &Sources, file: FileId, bytes: std::ops::Range<us
 }
 
 /// Converts a syntax fault of an open document to a diagnostic of the Language Server Protocol.
-pub fn of_syntax(fault: &Diagnostic, text: &Text, uri: &Uri) -> EditorDiagnostic {
+pub fn from_syntax_fault(fault: &Diagnostic, text: &Text, uri: &Uri) -> EditorDiagnostic {
     let local = |place: u32| (place as usize).saturating_sub(BASE);
     let range = |label: &Label| text.range(local(label.span.lo)..local(label.span.hi));
     let related = fault.labels.iter().skip(1).map(|label| DiagnosticRelatedInformation {
@@ -73,7 +73,7 @@ fn convert(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformati
             Severity::Warning => DiagnosticSeverity::WARNING,
         }),
         code: Some(NumberOrString::String(d.code.0.into())),
-        code_description: manual::of_code(d.code.0).map(|href| CodeDescription { href }),
+        code_description: manual::code_address(d.code.0).map(|href| CodeDescription { href }),
         source: Some("durer".into()),
         message,
         related_information: (!related.is_empty()).then_some(related),
@@ -82,16 +82,16 @@ fn convert(d: &Diagnostic, range: Range, related: Vec<DiagnosticRelatedInformati
     }
 }
 
-/// Moves the diagnostics of a run after a change of the text that replaced `bytes` by `new` bytes. Diagnostics that
+/// Moves the diagnostics of a run after a change of the text that replaced `bytes` by `new_length` bytes. Diagnostics that
 /// touch the change are removed.
-pub fn moved(
+pub fn diagnostics_after_change(
     diagnostics: Vec<EditorDiagnostic>,
     before: &Text,
     after: &Text,
     bytes: &std::ops::Range<usize>,
-    new: usize,
+    new_length: usize,
 ) -> Vec<EditorDiagnostic> {
-    let shift = |offset: usize| offset - bytes.len() + new;
+    let shift = |offset: usize| offset - bytes.len() + new_length;
     let shifted = |mut d: EditorDiagnostic| {
         let (lo, hi) = (before.offset(d.range.start), before.offset(d.range.end));
         d.range = match () {

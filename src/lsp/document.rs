@@ -55,7 +55,7 @@ impl Document {
     }
 
     /// Updates the document after a change of its text.
-    pub fn changed(&mut self, version: i32) {
+    pub fn update_to_version(&mut self, version: i32) {
         self.version = version;
         self.read();
     }
@@ -78,17 +78,17 @@ impl Document {
     }
 
     /// Returns the notice that the document has no service.
-    pub fn size_notice(&self) -> Option<EditorDiagnostic> {
+    pub fn too_large_notice(&self) -> Option<EditorDiagnostic> {
         self.is_too_large().then(|| EditorDiagnostic {
             severity: Some(DiagnosticSeverity::INFORMATION),
             source: Some("durer".into()),
-            message: self.size_message(),
+            message: self.too_large_message(),
             ..EditorDiagnostic::default()
         })
     }
 
     /// Returns the text of the notice that the document has no service.
-    pub fn size_message(&self) -> String {
+    pub fn too_large_message(&self) -> String {
         let megabytes = self.text.as_str().len() as f64 / f64::from(1 << 20);
         let limit = MAX_TEXT >> 20;
         format!(

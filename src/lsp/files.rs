@@ -58,7 +58,7 @@ pub struct ReachableText {
 }
 
 /// The path of the file that a text in `folder` includes under this name.
-pub fn find(name: &str, folder: &Path, search: &SearchPath) -> Option<PathBuf> {
+pub fn find_included_file(name: &str, folder: &Path, search: &SearchPath) -> Option<PathBuf> {
     let including = folder.join("file");
     let found = search.resolve(&Disk, name, Some(&including)).map(|found| found.path);
     found.or_else(|| library::find_builtin(name).map(|_| Path::new(library::FOLDER).join(name)))
@@ -81,7 +81,9 @@ pub fn reachable(
         let (outline, folder) =
             (out[at].outline.clone(), out[at].path.as_deref().and_then(Path::parent).map(Path::to_path_buf));
         for name in &outline.includes {
-            let Some(path) = find(outline.slice(name), folder.as_deref().unwrap_or(Path::new(".")), &search) else {
+            let Some(path) =
+                find_included_file(outline.slice(name), folder.as_deref().unwrap_or(Path::new(".")), &search)
+            else {
                 continue;
             };
             if !seen.insert(path.clone()) {

@@ -37,7 +37,7 @@ pub fn picture(word: &str) -> Option<Uri> {
 }
 
 /// Returns the address of the manual's explanation of a diagnostic code.
-pub fn of_code(code: &str) -> Option<Uri> {
+pub fn code_address(code: &str) -> Option<Uri> {
     let page = address("reference/codes.md")?;
     let heading = format!("{code}: {}", codes::find(code)?.title).to_lowercase();
     let characters = heading.chars().filter(|c| c.is_ascii_alphanumeric() || matches!(c, ' ' | '-' | '_'));

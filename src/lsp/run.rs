@@ -1,6 +1,6 @@
 //! Runs an open scene, and collects the diagnostics of each of its files.
 
-use super::diagnostics::{EditorDiagnostic, of_idle_branch, of_run};
+use super::diagnostics::{EditorDiagnostic, from_run_diagnostic, idle_branch_hint};
 use super::files::same;
 use crate::Keep;
 use crate::diagnostic::Severity;
@@ -96,14 +96,14 @@ fn run(job: &Job) -> BTreeMap<Option<PathBuf>, Vec<EditorDiagnostic>> {
     for diagnostic in &found {
         let place = sources.locate(diagnostic.span()).map_or(file, |(id, _)| id);
         let path = sources.path(place).filter(|_| place != file).map(Path::to_path_buf);
-        out.entry(path).or_default().push(of_run(diagnostic, &sources, place));
+        out.entry(path).or_default().push(from_run_diagnostic(diagnostic, &sources, place));
     }
     // The editor shows branches of open texts that did not run in a faint colour.
     for span in &built.unused_branches {
         let Some((id, bytes)) = sources.locate(*span) else { continue };
         let path = sources.path(id).filter(|_| id != file).map(Path::to_path_buf);
         if path.as_deref().is_none_or(|path| job.open.iter().any(|(open, _)| same(open, path))) {
-            out.entry(path).or_default().push(of_idle_branch(&sources, id, bytes));
+            out.entry(path).or_default().push(idle_branch_hint(&sources, id, bytes));
         }
     }
     out

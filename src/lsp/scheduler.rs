@@ -64,7 +64,7 @@ impl<S: Client> Server<S> {
 
     /// Time at which the language server has to act next: start a scheduled run, or cancel an active one at its time
     /// limit.
-    pub(in crate::lsp) fn next_action(&self) -> Option<Instant> {
+    pub(in crate::lsp) fn next_action_time(&self) -> Option<Instant> {
         let runs = &self.runs.active;
         let is_free = runs.len() < MAX_ACTIVE;
         let due = self.open.values().filter_map(|document| document.due).filter(|_| is_free);

@@ -1,6 +1,6 @@
 //! State of the server, and its reactions to events.
 
-use super::diagnostics::{EditorDiagnostic, moved, of_syntax};
+use super::diagnostics::{EditorDiagnostic, diagnostics_after_change, from_syntax_fault};
 use super::document::{Document, uri_of};
 use super::files::{self, Files, ReachableText};
 use super::requests::commands::Watches;
@@ -109,7 +109,7 @@ impl<S: Client> Server<S> {
     /// Handles events until the editor disconnects.
     pub fn run(&mut self, events: &Receiver<Event>) -> End {
         let end = loop {
-            let event = match self.next_action() {
+            let event = match self.next_action_time() {
                 Some(time) => events.recv_timeout(time.saturating_duration_since(Instant::now())),
                 None => events.recv().map_err(|_| RecvTimeoutError::Disconnected),
             };
@@ -118,10 +118,10 @@ impl<S: Client> Server<S> {
                 Ok(Event::Disconnected(end)) => break end,
                 Err(RecvTimeoutError::Disconnected) => break End::Disconnected,
                 Ok(Event::Message(Message::Request(request))) => self.request(request),
-                Ok(event) => self.guarded(|server| server.handle(event)),
+                Ok(event) => self.run_catching_panics(|server| server.handle(event)),
                 Err(RecvTimeoutError::Timeout) => {}
             }
-            self.guarded(Self::update_runs);
+            self.run_catching_panics(Self::update_runs);
         };
         self.runs.cancel_all();
         if self.state == State::ShutDown && matches!(end, End::Disconnected) { End::ShutDown } else { end }
@@ -140,7 +140,7 @@ impl<S: Client> Server<S> {
     }
 
     /// Runs `work` on the language server, which continues after a panic in it with its texts unharmed.
-    fn guarded(&mut self, work: impl FnOnce(&mut Self)) {
+    fn run_catching_panics(&mut self, work: impl FnOnce(&mut Self)) {
         if catch_unwind(AssertUnwindSafe(|| work(self))).is_err() {
             self.log(INTERNAL_FAILURE.into());
         }
@@ -205,12 +205,12 @@ impl<S: Client> Server<S> {
         for change in params.content_changes {
             let mut results: Vec<_> = self.results.values_mut().filter_map(|found| found.get_mut(&key)).collect();
             let before = (!results.is_empty()).then(|| document.text.clone());
-            let (bytes, new) = document.text.change(change);
+            let (bytes, new) = document.text.change_with_extent(change);
             for (found, before) in results.iter_mut().flat_map(|found| before.as_ref().map(|before| (found, before))) {
-                **found = moved(std::mem::take(*found), before, &document.text, &bytes, new);
+                **found = diagnostics_after_change(std::mem::take(*found), before, &document.text, &bytes, new);
             }
         }
-        document.changed(params.text_document.version);
+        document.update_to_version(params.text_document.version);
         if document.is_too_large() {
             // What the last run has found no longer belongs to the text.
             document.due = None;
@@ -259,11 +259,11 @@ impl<S: Client> Server<S> {
     pub(in crate::lsp) fn publish(&self, address: &str) {
         let Ok(uri) = Uri::from_str(address) else { return };
         let document = self.open.get(address);
-        let faults = document
-            .iter()
-            .flat_map(|document| document.faults.iter().map(|fault| of_syntax(fault, &document.text, &document.uri)));
+        let faults = document.iter().flat_map(|document| {
+            document.faults.iter().map(|fault| from_syntax_fault(fault, &document.text, &document.uri))
+        });
         let mut all: Vec<EditorDiagnostic> = faults.collect();
-        all.extend(document.and_then(Document::size_notice));
+        all.extend(document.and_then(Document::too_large_notice));
         for new in self.results.values().filter_map(|found| found.get(address)).flatten() {
             // A run finds the faults of the syntax, too, and two scenes may find the same fault in a shared file.
             if !all.iter().any(|other| other.range == new.range && other.code == new.code) {

@@ -74,7 +74,7 @@ impl Text {
     }
 
     /// Applies a change; returns the removed byte range and the number of new bytes.
-    pub fn change(&mut self, change: TextDocumentContentChangeEvent) -> (std::ops::Range<usize>, usize) {
+    pub fn change_with_extent(&mut self, change: TextDocumentContentChangeEvent) -> (std::ops::Range<usize>, usize) {
         let Some(range) = change.range else {
             let old = self.all.len();
             let new = change.text.len();
@@ -147,7 +147,7 @@ mod tests {
             let (a, b) = (place(), place());
             let range = Some(Range::new(a.min(b), a.max(b)));
             let piece = pieces[next(&mut seed) % pieces.len()].to_string();
-            text.change(TextDocumentContentChangeEvent { range, range_length: None, text: piece });
+            text.change_with_extent(TextDocumentContentChangeEvent { range, range_length: None, text: piece });
             assert_eq!(text.lines, line_starts(&text.all), "{:?}", text.all);
             if text.all.len() > 200 {
                 text = Text::new(String::new());

@@ -3,7 +3,7 @@
 use crate::function::numeric::{self, Kernel};
 use crate::interpreter;
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
-use crate::reference::{BLOCKS, ELSEWHERE, entries, members};
+use crate::reference::{BLOCKS, ELSEWHERE, entries, shape_pattern_warp_entries};
 use crate::scene::words::MODIFIERS;
 use crate::shape::Shape;
 use crate::syntax::Outline;
@@ -30,7 +30,7 @@ fn names(specs: &[&Spec]) -> impl Iterator<Item = WordSpec> {
 }
 
 /// The words that a block takes; the empty name is the scene outside of all blocks.
-pub fn of_block(block: &str) -> Vec<WordSpec> {
+pub fn block_words(block: &str) -> Vec<WordSpec> {
     let mut out = vec![];
     let holds_objects =
         block.is_empty() || GROUPS.contains(&block) || matches!(block, "clipped_by" | "bounded_by" | "light_group");
@@ -64,7 +64,7 @@ pub fn of_block(block: &str) -> Vec<WordSpec> {
 }
 
 /// Returns the name of a kind of value.
-pub fn kind(kind: ValueKind) -> &'static str {
+pub fn kind_description(kind: ValueKind) -> &'static str {
     match kind {
         ValueKind::Nothing => "nothing",
         ValueKind::Flag => "nothing, `on` or `off`",
@@ -86,11 +86,11 @@ pub fn explain(word: &str, block: &str) -> Vec<String> {
             out.insert(if first { 0 } else { out.len() }, text);
         }
     };
-    if let Some(word_info) = of_block(block).iter().find(|info| info.name == word) {
+    if let Some(word_info) = block_words(block).iter().find(|info| info.name == word) {
         let place = if block.is_empty() { String::new() } else { format!("in `{block}`: ") };
         add(format!("{place}{}", describe(word_info)), true);
     }
-    let member = members().find(|entry| entry.spec.name == word);
+    let member = shape_pattern_warp_entries().find(|entry| entry.spec.name == word);
     for entry in member.into_iter().chain(BLOCKS.iter().copied()) {
         let spec = entry.spec;
         if spec.name == word {
@@ -138,18 +138,24 @@ fn plain(markdown: &str) -> String {
 }
 
 fn describe(info: &WordSpec) -> String {
-    let takes = if info.kind == ValueKind::Nothing { String::new() } else { format!(" (takes {})", kind(info.kind)) };
+    let takes = if info.kind == ValueKind::Nothing {
+        String::new()
+    } else {
+        format!(" (takes {})", kind_description(info.kind))
+    };
     let default = if info.default.is_empty() { String::new() } else { format!(" Default: {}.", info.default) };
     format!("{}{takes}.{default}", info.summary)
 }
 
 /// Returns the syntax and description of a built-in function.
 pub fn function(name: &str) -> Option<(String, &'static str)> {
-    functions().find(|(other, ..)| *other == name).map(|(name, usage, summary)| (format!("{name}{usage}"), summary))
+    function_usages_and_summaries()
+        .find(|(other, ..)| *other == name)
+        .map(|(name, usage, summary)| (format!("{name}{usage}"), summary))
 }
 
 /// Returns all built-in functions of the scene language: name, arguments in parentheses, description.
-pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+pub fn function_usages_and_summaries() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
     let numbers = numeric::TABLE.iter().map(|row| {
         let usage = match row.kernel {
             Kernel::One(_) => "(A)",
@@ -162,7 +168,7 @@ pub fn functions() -> impl Iterator<Item = (&'static str, &'static str, &'static
 }
 
 /// Returns the syntax and description of a directive.
-pub fn of_directive(word: &str) -> Option<(&'static str, &'static str)> {
+pub fn directive_usage_and_summary(word: &str) -> Option<(&'static str, &'static str)> {
     let row = interpreter::directives::TABLE.iter().find(|row| row.names.contains(&word))?;
     Some((row.form, row.summary))
 }

@@ -3,9 +3,13 @@
 /// Returns the root x of a function between two points `(x, f(x))` with values of different signs, to this `accuracy`:
 /// by the "Illinois" variant of regula falsi (Dowell and Jarratt, 1971), and by bisection where that does not converge.
 /// At a jump of the function, the result is just after the jump.
-pub fn root_between(function: &dyn Fn(f64) -> f64, a: (f64, f64), b: (f64, f64), accuracy: f64) -> f64 {
-    let before = a.1 < 0.0;
-    let ((mut a, mut fa), (mut b, mut fb)) = (a, b);
+pub fn root_between(
+    function: &dyn Fn(f64) -> f64,
+    (mut a, mut fa): (f64, f64),
+    (mut b, mut fb): (f64, f64),
+    accuracy: f64,
+) -> f64 {
+    let before = fa < 0.0;
     let mut last = a;
     for step in 0..80 {
         let mut s = b - fb * (b - a) / (fb - fa);

@@ -37,7 +37,7 @@ impl Quadratic {
     }
 
     /// Bounding box of all points in `around` where the quadratic function is not positive.
-    pub fn bounds_within(&self, around: Aabb) -> Aabb {
+    pub fn nonpositive_bounds_within(&self, around: Aabb) -> Aabb {
         let numbers = [self.q.x_axis, self.q.y_axis, self.q.z_axis, self.h, self.center];
         if around.is_empty() || !numbers.iter().all(|v| v.is_finite()) || !self.c.is_finite() {
             return around;
@@ -47,7 +47,9 @@ impl Quadratic {
         // A tighter interval along one axis may tighten another.
         for _ in 0..2 {
             for axis in 0..3 {
-                let Some((lo, hi)) = self.interval_along(axis, squares, &within) else { return Aabb::EMPTY };
+                let Some((lo, hi)) = self.nonpositive_interval_along(axis, squares, &within) else {
+                    return Aabb::EMPTY;
+                };
                 within.min[axis] = within.min[axis].max(lo);
                 within.max[axis] = within.max[axis].min(hi);
             }
@@ -72,7 +74,7 @@ impl Quadratic {
 
     /// Returns the interval along an axis where the quadratic function can be 0 or less, given the intervals along the
     /// other axes; `None` if it is empty.
-    fn interval_along(&self, axis: usize, squares: DVec3, within: &Aabb) -> Option<(f64, f64)> {
+    fn nonpositive_interval_along(&self, axis: usize, squares: DVec3, within: &Aabb) -> Option<(f64, f64)> {
         let others = [(axis + 1) % 3, (axis + 2) % 3];
         let least = others.map(|i| quadratic_minimum(squares[i], 2.0 * self.h[i], within.min[i], within.max[i]));
         let sizes = self.c.abs() + least[0].abs() + least[1].abs();
@@ -128,16 +130,20 @@ mod tests {
     fn cut_across_the_axis() {
         // x² + z² ≤ 1 + y²
         let r = 5f64.sqrt();
-        assert!(near(ROUND_Y.bounds_within(slab(-1.0, 2.0)), DVec3::new(-r, -1.0, -r), DVec3::new(r, 2.0, r)));
+        assert!(near(
+            ROUND_Y.nonpositive_bounds_within(slab(-1.0, 2.0)),
+            DVec3::new(-r, -1.0, -r),
+            DVec3::new(r, 2.0, r)
+        ));
         // Rotated about its axis, scaled, translated.
         let m = Transform::rotate(DVec3::Y * 33.0).then(&Transform::scale(DVec3::splat(2.0)).unwrap());
         let m = m.then(&Transform::translate(DVec3::new(1000.0, 5.0, 0.0)));
-        let found = ROUND_Y.transformed(&m).bounds_within(slab(3.0, 9.0));
+        let found = ROUND_Y.transformed(&m).nonpositive_bounds_within(slab(3.0, 9.0));
         assert!(near(found, DVec3::new(1000.0 - 2.0 * r, 3.0, -2.0 * r), DVec3::new(1000.0 + 2.0 * r, 9.0, 2.0 * r)));
         // Unbounded along the axis, it is unbounded across; its outside is unbounded.
-        assert_eq!(ROUND_Y.bounds_within(Aabb::INFINITE), Aabb::INFINITE);
-        assert_eq!(ROUND_Y.negated().bounds_within(slab(-1.0, 2.0)), slab(-1.0, 2.0));
-        assert!(ROUND_Y.bounds_within(Aabb::EMPTY).is_empty());
+        assert_eq!(ROUND_Y.nonpositive_bounds_within(Aabb::INFINITE), Aabb::INFINITE);
+        assert_eq!(ROUND_Y.negated().nonpositive_bounds_within(slab(-1.0, 2.0)), slab(-1.0, 2.0));
+        assert!(ROUND_Y.nonpositive_bounds_within(Aabb::EMPTY).is_empty());
     }
 
     #[test]
@@ -145,11 +151,11 @@ mod tests {
         // x² + z² ≤ y, bounded above: the lower bound follows.
         let bowl =
             Quadratic { q: DMat3::from_diagonal(DVec3::new(1.0, 0.0, 1.0)), h: DVec3::Y * -0.5, c: 0.0, ..ROUND_Y };
-        let found = bowl.bounds_within(slab(f64::NEG_INFINITY, 4.0));
+        let found = bowl.nonpositive_bounds_within(slab(f64::NEG_INFINITY, 4.0));
         assert!(near(found, DVec3::new(-2.0, 0.0, -2.0), DVec3::new(2.0, 4.0, 2.0)), "{found:?}");
-        assert!(bowl.bounds_within(slab(-9.0, -1.0)).is_empty());
+        assert!(bowl.nonpositive_bounds_within(slab(-9.0, -1.0)).is_empty());
         let pipe = Quadratic { h: DVec3::ZERO, c: -4.0, ..bowl };
-        let found = pipe.bounds_within(Aabb::INFINITE);
+        let found = pipe.nonpositive_bounds_within(Aabb::INFINITE);
         assert!(found.min.x < -2.0 && found.min.x > -2.1 && found.max.y == f64::INFINITY && found.max.z < 2.1);
     }
 
@@ -165,7 +171,7 @@ mod tests {
             let w = p - center;
             let around = Aabb::from_corners(DVec3::NEG_ONE, DVec3::new(3.0, f64::INFINITY, 2.0));
             if around.contains(p) && w.dot(q * w + 2.0 * h) + c <= 0.0 {
-                prop_assert!(quadratic.bounds_within(around).contains(p));
+                prop_assert!(quadratic.nonpositive_bounds_within(around).contains(p));
             }
         }
     }

@@ -14,11 +14,11 @@ pub fn normal_quantile(probability: f64) -> f64 {
 }
 
 /// Returns the quantile of the chi-square distribution with `degrees` degrees of freedom, for the probability whose normal
-/// quantile is `normal`; 0 where the approximation is negative (E. Wilson and M. Hilferty, "The Distribution of
+/// quantile is `z_score`; 0 where the approximation is negative (E. Wilson and M. Hilferty, "The Distribution of
 /// Chi-square", 1931).
-pub fn chi_square_quantile(degrees: f64, normal: f64) -> f64 {
+pub fn chi_square_quantile(degrees: f64, z_score: f64) -> f64 {
     let variance = 2.0 / (9.0 * degrees);
-    let root = (1.0 - variance + normal * variance.sqrt()).max(0.0);
+    let root = (1.0 - variance + z_score * variance.sqrt()).max(0.0);
     degrees * root * root * root
 }
 

@@ -175,7 +175,7 @@ impl Interior {
     }
 
     /// True if light that crosses the interior changes other than by refraction.
-    pub fn colors_light(&self) -> bool {
+    pub fn changes_crossing_light(&self) -> bool {
         self.fade_distance > 0.0 || self.caustics != 0.0
     }
 }

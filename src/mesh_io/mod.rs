@@ -31,7 +31,7 @@ const MANY: usize = 1 << 24;
 pub type ReadResult<T> = Result<T, String>;
 
 /// Opens a file that a mesh file names, relative to the mesh file.
-pub type Open<'a> = &'a mut dyn FnMut(&str) -> ReadResult<Vec<u8>>;
+pub type FileOpener<'a> = &'a mut dyn FnMut(&str) -> ReadResult<Vec<u8>>;
 
 /// Triangles of a mesh file, whose corners, normals and surface coordinates are indices into lists.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -56,7 +56,7 @@ pub struct Triangles {
 impl Triangles {
     /// Adds a triangle to a mesh file's triangles; the optional lists begin when the first triangle has a value for
     /// them.
-    pub fn push_triangle(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], slots: [u32; 3]) {
+    pub fn push_triangle(&mut self, corners: [u32; 3], normals: [u32; 3], uvs: [u32; 3], material_slots: [u32; 3]) {
         let before = self.corners.len();
         let add = |list: &mut Vec<[u32; 3]>, numbers: [u32; 3], none: [u32; 3]| {
             if numbers != none || !list.is_empty() {
@@ -66,7 +66,7 @@ impl Triangles {
         };
         add(&mut self.smooth, normals, NONE);
         add(&mut self.mapped, uvs, NONE);
-        add(&mut self.painted, slots, [0; 3]);
+        add(&mut self.painted, material_slots, [0; 3]);
         self.corners.push(corners);
     }
 }
@@ -114,7 +114,7 @@ pub const ENDINGS: &[&str] = &["ply", "obj", "stl", "gltf", "glb"];
 ///
 /// # Errors
 /// The reason why the file is not understood, with the line or byte where it is known.
-pub fn read_mesh_file(bytes: &[u8], ending: &str, open: Open) -> ReadResult<MeshFile> {
+pub fn read_mesh_file(bytes: &[u8], ending: &str, open: FileOpener) -> ReadResult<MeshFile> {
     let _activity = Activity::begin("while a mesh file was read");
     let mut file = match (bytes, ending.to_ascii_lowercase().as_str()) {
         ([b'p', b'l', b'y', b'\r' | b'\n', ..], _) | (_, "ply") => ply::read_ply(bytes),

@@ -1,12 +1,12 @@
 //! OBJ: vertices, polygons and names of materials, line by line. (Alias|Wavefront, Object files, 1995.)
 
 use super::words::{numbered_lines, parse_number};
-use super::{MeshFile, NONE, Open, ReadResult, finite_point, mtl, polygon, unit_direction};
+use super::{FileOpener, MeshFile, NONE, ReadResult, finite_point, mtl, polygon, unit_direction};
 use crate::math::DVec2;
 use glam::Vec3;
 
 /// Reads an OBJ file. Lines that do not describe polygons are skipped.
-pub fn read_obj(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
+pub fn read_obj(bytes: &[u8], open: FileOpener) -> ReadResult<MeshFile> {
     let mut out = MeshFile::default();
     let mut state = State::default();
     for (line, text) in numbered_lines(bytes) {
@@ -42,7 +42,7 @@ pub fn read_obj(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
 }
 
 /// Reads the material files that a line of an OBJ file names; a missing one becomes a remark.
-fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> ReadResult<()> {
+fn read_library(rest: &str, open: FileOpener, out: &mut MeshFile) -> ReadResult<()> {
     // One name, which may contain blanks, or else several.
     if let Ok(bytes) = open(rest) {
         return mtl::read_mtl(&bytes, rest, &mut out.materials);
@@ -56,15 +56,15 @@ fn read_library(rest: &str, open: Open, out: &mut MeshFile) -> ReadResult<()> {
     Ok(())
 }
 
-/// Reads at least `least` numbers from a line of an OBJ file; missing ones are 0.
-fn parse_numbers(rest: &str, least: usize, line: usize) -> ReadResult<[f64; 4]> {
+/// Reads at least `min_count` numbers from a line of an OBJ file; missing ones are 0.
+fn parse_numbers(rest: &str, min_count: usize, line: usize) -> ReadResult<[f64; 4]> {
     let mut out = [0.0; 4];
     let mut count = 0;
     for (x, word) in out.iter_mut().zip(rest.split_ascii_whitespace()) {
         *x = parse_number(word.as_bytes(), || format!("line {line}"))?;
         count += 1;
     }
-    if count < least { Err(format!("line {line}: expected {least} numbers, found {count}")) } else { Ok(out) }
+    if count < min_count { Err(format!("line {line}: expected {min_count} numbers, found {count}")) } else { Ok(out) }
 }
 
 /// State of the reader of faces in an OBJ file.

@@ -29,7 +29,7 @@ impl Field for Bozo {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::from_steepest(self.value(at), at.noise.max_gradient(), radius).clamp_range(0.0, 1.0)
+        LocalBounds::from_max_gradient(self.value(at), at.noise.max_gradient(), radius).clamp_range(0.0, 1.0)
     }
 
     fn default_colors(&self) -> Vec<(f64, Color)> {

@@ -24,7 +24,7 @@ impl Readable for RandomCells {
 
 impl Field for RandomCells {
     fn value(&self, at: &TextureContext) -> f64 {
-        Cell::containing(at.p + EDGE).0.random()
+        Cell::cell_and_position(at.p + EDGE).0.random()
     }
 }
 

@@ -76,7 +76,7 @@ impl Field for Crackle {
         if self.solid || self.offset < 0.0 {
             return LocalBounds::UNKNOWN.clamp_range(0.0, 1.0);
         }
-        LocalBounds::from_steepest(self.value(at), steepest * self.form.abs().element_sum(), radius)
+        LocalBounds::from_max_gradient(self.value(at), steepest * self.form.abs().element_sum(), radius)
             .clamp_range(0.0, 1.0)
     }
 }
@@ -92,7 +92,7 @@ pub struct Nearest {
 
 /// Finds the three sites of `crackle` nearest to a point; the sums of powers of their distances are smallest.
 pub fn nearest_sites(p: DVec3, metric: f64) -> Nearest {
-    let (cell, within) = Cell::containing(p);
+    let (cell, within) = Cell::cell_and_position(p);
     let mut near = Nearest { sums: [f64::INFINITY; 3], site: p };
     let next = if metric == 2.0 {
         near = cell.with_neighbour_points(|around| near.with_squared_distances(around, within));
@@ -127,7 +127,7 @@ pub fn nearest_sites(p: DVec3, metric: f64) -> Nearest {
 
 /// Finds the site in the cubes around the point whose coordinates have the least sum.
 pub fn lowest_site(p: DVec3) -> DVec3 {
-    let (cell, within) = Cell::containing(p);
+    let (cell, within) = Cell::cell_and_position(p);
     let corner = p - within;
     let sites = AROUND
         .iter()
@@ -138,7 +138,7 @@ pub fn lowest_site(p: DVec3) -> DVec3 {
 impl Nearest {
     /// Inserts the squared distances from the position `within` a cube to the sites `around` it; `self` is empty.
     fn with_squared_distances(self, around: &Around, within: DVec3) -> Self {
-        let (sums, nearest) = around.nearest_squares(within);
+        let (sums, nearest) = around.nearest_squared_distances(within);
         let [xs, ys, zs] = &around.points;
         let of = |i: usize| DVec3::new(xs[i] - within.x, ys[i] - within.y, zs[i] - within.z);
         Self { sums, site: nearest.map_or(self.site, |i| self.site + of(i)) }
@@ -211,7 +211,7 @@ mod tests {
         #[test]
         fn skipping_far_cubes_changes_nothing(p in prop::array::uniform3(-9.0..9.0f64), metric in 0.3..9.0f64) {
             let p = DVec3::from(p);
-            let (cell, within) = Cell::containing(p);
+            let (cell, within) = Cell::cell_and_position(p);
             let site = |s: &[isize; 3]| DVec3::from(s.map(|i| i as f64)) + cell.offset_by(*s).random_point() - within;
             let mut sums = AROUND.map(|step| metric_sum(site(&step), metric));
             sums.sort_by(f64::total_cmp);
@@ -221,7 +221,7 @@ mod tests {
         #[test]
         fn several_at_once_change_nothing(p in prop::array::uniform3(-9.0..9.0f64)) {
             let p = DVec3::from(p);
-            let (cell, within) = Cell::containing(p);
+            let (cell, within) = Cell::cell_and_position(p);
             let mut slow = Nearest { sums: [f64::INFINITY; 3], site: p };
             for step in &AROUND {
                 let site = DVec3::from(step.map(|i| i as f64)) + cell.offset_by(*step).random_point() - within;

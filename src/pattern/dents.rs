@@ -29,7 +29,7 @@ impl Field for Dents {
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // (n³)' = 3 n² n'
-        let noise = LocalBounds::from_steepest(noise::noise(at.p, at.noise), at.noise.max_gradient(), radius)
+        let noise = LocalBounds::from_max_gradient(noise::noise(at.p, at.noise), at.noise.max_gradient(), radius)
             .clamp_range(0.0, 1.0);
         let steepest = 3.0 * noise.range.hi.powi(2) * noise.steepest;
         LocalBounds { range: noise.range.map_increasing(|n| n.powi(3)), steepest, ..noise }

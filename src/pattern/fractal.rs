@@ -85,7 +85,7 @@ impl Orbits {
 
     /// Returns the pattern's number for an orbit that begins at `z` and continues by `step` until it has `left`.
     /// `includes_start` is true if `z` belongs to the orbit. An orbit that has left must stay outside for `BLOCK` steps.
-    fn orbit_number<const BLOCK: u32>(
+    fn orbit_pattern_value<const BLOCK: u32>(
         &self,
         z: Complex,
         step: impl Fn(Complex) -> Complex,
@@ -105,7 +105,7 @@ impl Orbits {
                     6 => z.length_squared().sqrt() * factor,
                     7 => Self::wrapped_count(i, factor.trunc(), factor),
                     8 => Self::wrapped_count(i, factor.trunc() + 1.0, factor),
-                    _ => Self::last_position_number(kind, z) * factor,
+                    _ => Self::last_position_value(kind, z) * factor,
                 }
             }
             End::Stays(z, least) => {
@@ -114,7 +114,7 @@ impl Orbits {
                     1 => least.sqrt() * factor,
                     // The manual says the length; POV-Ray squares the imaginary part alone (quirk: fractal_types).
                     6 => z.x * z.x + z.y * z.y * factor,
-                    _ => Self::last_position_number(kind, z) * factor,
+                    _ => Self::last_position_value(kind, z) * factor,
                 }
             }
         }
@@ -171,22 +171,22 @@ impl Orbits {
     }
 
     /// Returns the pattern's number for the orbit z → zⁿ + c.
-    fn power_orbit_number(&self, n: u32, z: Complex, c: Complex) -> f64 {
+    fn power_orbit_value(&self, n: u32, z: Complex, c: Complex) -> f64 {
         match n {
-            2 if !has_escaped(c) => self.orbit_number::<8>(z, |z| z.square() + c, has_escaped, true),
-            2 => self.orbit_number::<1>(z, |z| z.square() + c, has_escaped, true),
-            n => self.orbit_number::<1>(z, |z| z.power(n) + c, has_escaped, true),
+            2 if !has_escaped(c) => self.orbit_pattern_value::<8>(z, |z| z.square() + c, has_escaped, true),
+            2 => self.orbit_pattern_value::<1>(z, |z| z.square() + c, has_escaped, true),
+            n => self.orbit_pattern_value::<1>(z, |z| z.power(n) + c, has_escaped, true),
         }
     }
 
-    /// Returns `i` modulo `turn`, divided by the factor (quirk: `fractal_types`); 0 for a `turn` of 0, where POV-Ray
+    /// Returns `i` modulo `period`, divided by the factor (quirk: `fractal_types`); 0 for a `period` of 0, where POV-Ray
     /// crashes.
-    fn wrapped_count(i: u32, turn: f64, factor: f64) -> f64 {
-        if turn == 0.0 { 0.0 } else { f64::from(i) % turn / factor }
+    fn wrapped_count(i: u32, period: f64, factor: f64) -> f64 {
+        if period == 0.0 { 0.0 } else { f64::from(i) % period / factor }
     }
 
     /// Returns a number of an orbit's last position `z`, for the types that exterior and interior share.
-    fn last_position_number(kind: u8, z: Complex) -> f64 {
+    fn last_position_value(kind: u8, z: Complex) -> f64 {
         match kind {
             2 => z.x,
             3 => z.y,
@@ -253,9 +253,9 @@ impl Field for Mandel {
         let c = Complex::new(at.p.x, at.p.y);
         let OrbitValue { kind, factor } = self.orbits.interior;
         if kind == 0 && self.exponent == 2 && is_in_main_cardioid_or_disc(c) {
-            return Orbits::last_position_number(kind, c) * factor;
+            return Orbits::last_position_value(kind, c) * factor;
         }
-        self.orbits.power_orbit_number(self.exponent, c, c)
+        self.orbits.power_orbit_value(self.exponent, c, c)
     }
 
     /// Returns the colours of `mandel` without a map; exponents other than 2 have gray defaults (quirk:
@@ -303,7 +303,7 @@ impl Readable for Julia {
 impl Field for Julia {
     fn value(&self, at: &TextureContext) -> f64 {
         let c = Complex::new(self.constant.x, self.constant.y);
-        self.orbits.power_orbit_number(self.exponent, Complex::new(at.p.x, at.p.y), c)
+        self.orbits.power_orbit_value(self.exponent, Complex::new(at.p.x, at.p.y), c)
     }
 }
 
@@ -385,9 +385,9 @@ impl Field for Magnet {
                 let below = 3.0 * z.square() + 3.0 * (c2 * z) + product + 1.0;
                 (above / below).square()
             };
-            self.orbits.orbit_number::<1>(start, step, left, includes_start)
+            self.orbits.orbit_pattern_value::<1>(start, step, left, includes_start)
         } else {
-            self.orbits.orbit_number::<1>(
+            self.orbits.orbit_pattern_value::<1>(
                 start,
                 |z| ((z.square() + c1) / (2.0 * z + c2)).square(),
                 left,
@@ -429,7 +429,7 @@ mod tests {
         let (mut within, mut stays) = (0, 0);
         for i in 0..40_000 {
             let c = Complex::new(f64::from(i % 200) * 0.0131 - 2.05, f64::from(i / 200) * 0.0117 - 1.17);
-            let orbit = Orbits { iterations: 500, ..orbits(1, 0) }.power_orbit_number(2, c, c) == 0.5;
+            let orbit = Orbits { iterations: 500, ..orbits(1, 0) }.power_orbit_value(2, c, c) == 0.5;
             within += u32::from(is_in_main_cardioid_or_disc(c));
             stays += u32::from(orbit);
             assert!(orbit || !is_in_main_cardioid_or_disc(c), "{} {}", c.x, c.y);

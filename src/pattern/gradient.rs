@@ -48,7 +48,7 @@ impl Field for Gradient {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        let along = LocalBounds::from_steepest(at.p.dot(self.direction), self.direction.length(), radius);
+        let along = LocalBounds::from_max_gradient(at.p.dot(self.direction), self.direction.length(), radius);
         match along.range {
             range if range.hi <= 1.0 => along,
             range if range.lo > 1.0 => along.fraction_bounds(),

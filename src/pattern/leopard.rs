@@ -31,7 +31,7 @@ impl Field for Leopard {
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
         // The gradient of the mean is (cos x, cos y, cos z) / 3.
         let mean = (fp::sin(at.p.x) + fp::sin(at.p.y) + fp::sin(at.p.z)) / 3.0;
-        let mean = LocalBounds::from_steepest(mean, 1.0 / 3f64.sqrt(), radius).clamp_range(-1.0, 1.0);
+        let mean = LocalBounds::from_max_gradient(mean, 1.0 / 3f64.sqrt(), radius).clamp_range(-1.0, 1.0);
         let most = mean.range.abs().hi;
         LocalBounds { range: mean.range.square(), steepest: 2.0 * most * mean.steepest, ..mean }
     }

@@ -37,7 +37,7 @@ impl Field for Marble {
         if params.turbulence.amount != DVec3::ZERO {
             return LocalBounds::UNKNOWN;
         }
-        LocalBounds::from_steepest(self.value(at), 1.0, radius)
+        LocalBounds::from_max_gradient(self.value(at), 1.0, radius)
     }
 
     fn value_with_params(&self, at: &TextureContext, params: &FieldParams) -> f64 {

@@ -27,6 +27,6 @@ impl Field for Onion {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::from_steepest(at.p.length(), 1.0, radius).fraction_bounds()
+        LocalBounds::from_max_gradient(at.p.length(), 1.0, radius).fraction_bounds()
     }
 }

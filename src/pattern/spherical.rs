@@ -28,7 +28,7 @@ impl Field for Spherical {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::from_steepest(self.value(at), 1.0, radius).clamp_range(0.0, 1.0)
+        LocalBounds::from_max_gradient(self.value(at), 1.0, radius).clamp_range(0.0, 1.0)
     }
 
     fn support(&self) -> Option<Support> {

@@ -28,6 +28,6 @@ impl Field for Spotted {
     }
 
     fn bounds_near(&self, at: &TextureContext, _: &FieldParams, radius: f64) -> LocalBounds {
-        LocalBounds::from_steepest(self.value(at), at.noise.max_gradient(), radius).clamp_range(0.0, 1.0)
+        LocalBounds::from_max_gradient(self.value(at), at.noise.max_gradient(), radius).clamp_range(0.0, 1.0)
     }
 }

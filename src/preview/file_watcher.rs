@@ -93,7 +93,7 @@ impl FileWatcher {
 
     /// Watches the files that a scene has looked up, with the contents that were read: a file that has changed since
     /// then is reported at once. `scene` is watched, too, even if it could not be read.
-    pub fn follow(&self, files: &LookedUpFiles, scene: &Path) {
+    pub fn watch_files(&self, files: &LookedUpFiles, scene: &Path) {
         let mut shared = self.shared.lock().unwrap_or_else(PoisonError::into_inner);
         let LookedUpFiles { read, lookups } = files;
         let file = |path: &Path, read: Option<ContentHash>| {

@@ -36,7 +36,11 @@ impl Guard {
     ///
     /// # Errors
     /// The status and the reason of a refusal.
-    pub fn admit<'p>(&self, path: &'p str, header: impl Fn(&str) -> Vec<String>) -> Result<&'p str, Refusal> {
+    pub fn path_after_token<'p>(
+        &self,
+        path: &'p str,
+        header: impl Fn(&str) -> Vec<String>,
+    ) -> Result<&'p str, Refusal> {
         const FORBIDDEN: &str = "403 Forbidden";
         let hosts = [format!("127.0.0.1:{}", self.port), format!("localhost:{}", self.port)];
         match &header("host")[..] {
@@ -73,7 +77,7 @@ mod tests {
         let guard = Guard { port: 4000, token: "abcd".into() };
         let ask = |path: &'static str, headers: &[(&str, &str)]| {
             let get = |name: &str| headers.iter().filter(|(n, _)| *n == name).map(|(_, v)| v.to_string()).collect();
-            guard.admit(path, get).ok()
+            guard.path_after_token(path, get).ok()
         };
         let host = ("host", "127.0.0.1:4000");
         assert_eq!(ask("/abcd/", &[host]), Some(""));

@@ -105,7 +105,7 @@ impl Request {
     }
 
     /// Returns a number in the query of the HTTP request.
-    pub fn number(&self, name: &str) -> Option<usize> {
+    pub fn query_number(&self, name: &str) -> Option<usize> {
         let pairs = self.query.split('&').filter_map(|pair| pair.split_once('='));
         pairs.filter(|(n, _)| *n == name).find_map(|(_, value)| value.parse().ok())
     }

@@ -38,7 +38,7 @@ pub fn render_progressively(
     let mut count = FIRST_PIXELS;
     while count < pixels {
         let start = Instant::now();
-        let image = coarse(world, options, area, (count as f64 / pixels as f64).sqrt(), cancel)?;
+        let image = render_coarse(world, options, area, (count as f64 / pixels as f64).sqrt(), cancel)?;
         let rate = start.elapsed().as_secs_f64() / (image.width * image.height).max(1) as f64;
         check()?;
         screen.put_coarse(image);
@@ -55,9 +55,15 @@ pub fn render_progressively(
     Ok((rays, first.unwrap_or_default()))
 }
 
-/// Renders `area` with a resolution multiplied by `share`, one sample a pixel.
-fn coarse(world: &World, options: &Options, area: Region, share: f64, cancel: &CancelToken) -> Result<Image, Stopped> {
-    let scaled = |length: usize| ((length as f64 * share).round() as usize).max(1);
+/// Renders `area` with a resolution multiplied by `scale`, one sample a pixel.
+fn render_coarse(
+    world: &World,
+    options: &Options,
+    area: Region,
+    scale: f64,
+    cancel: &CancelToken,
+) -> Result<Image, Stopped> {
+    let scaled = |length: usize| ((length as f64 * scale).round() as usize).max(1);
     let part = Region {
         x: scaled(area.x + 1) - 1,
         y: scaled(area.y + 1) - 1,
@@ -102,7 +108,7 @@ impl Watch for TileDisplay<'_> {
 
     fn progress(&self, done: usize, total: usize) {
         if !self.cancelled() {
-            self.screen.progress(done as f32 / total.max(1) as f32);
+            self.screen.set_progress(done as f32 / total.max(1) as f32);
         }
     }
 
@@ -119,7 +125,7 @@ impl Watch for TileDisplay<'_> {
             return;
         }
         let conversion = OutputConversion::new(self.world, self.options);
-        let lit: Vec<_> = pixels.iter().map(|pixel| conversion.light(pixel)).collect();
+        let lit: Vec<_> = pixels.iter().map(|pixel| conversion.to_linear_rgba(pixel)).collect();
         self.screen.put(tile.area, &lit);
     }
 }

@@ -79,7 +79,7 @@ const BATCH: usize = 256;
 
 impl Picture {
     /// Number of tiles in a row. Tiles start at multiples of their edge in the larger picture.
-    fn columns(&self) -> usize {
+    fn tile_columns(&self) -> usize {
         let Region { x, width, .. } = self.view.area;
         (x + width).div_ceil(TILE) - x / TILE
     }
@@ -87,7 +87,7 @@ impl Picture {
     /// Returns the rectangle of the tile with the index `at`, relative to the displayed picture's top left corner.
     fn tile(&self, at: usize) -> Region {
         let Region { x, y, width, height } = self.view.area;
-        let (column, row) = (at % self.columns() + x / TILE, at / self.columns() + y / TILE);
+        let (column, row) = (at % self.tile_columns() + x / TILE, at / self.tile_columns() + y / TILE);
         let (left, top) = ((column * TILE).max(x), (row * TILE).max(y));
         let (right, bottom) = ((column * TILE + TILE).min(x + width), (row * TILE + TILE).min(y + height));
         Region { x: left - x, y: top - y, width: right - left, height: bottom - top }
@@ -132,7 +132,7 @@ impl Screen {
             let image = Image { width, height, pixels: vec![[0.0; 4]; width * height] };
             let picture = Picture { run, view, image, tiles: vec![], coarse: None, progress: 0.0, done: false };
             let Region { y, .. } = view.area;
-            let tiles = picture.columns() * ((y + height).div_ceil(TILE) - y / TILE);
+            let tiles = picture.tile_columns() * ((y + height).div_ceil(TILE) - y / TILE);
             contents.picture = Some(Picture { tiles: vec![0; tiles], ..picture });
             contents.state_stamp = stamp;
         });
@@ -152,7 +152,7 @@ impl Screen {
         self.change(|contents, stamp| {
             let Some(picture) = &mut contents.picture else { return };
             let view = picture.view.area;
-            let columns = picture.columns();
+            let columns = picture.tile_columns();
             for (y, row) in (area.y..).zip(pixels.chunks(area.width.max(1))) {
                 for (x, pixel) in (area.x..).zip(row) {
                     let (Some(left), Some(top)) = (x.checked_sub(view.x), y.checked_sub(view.y)) else { continue };
@@ -166,7 +166,7 @@ impl Screen {
     }
 
     /// Sets the rendered share of the picture, from 0 to 1.
-    pub fn progress(&self, progress: f32) {
+    pub fn set_progress(&self, progress: f32) {
         if let Some(picture) = &mut self.lock().picture {
             picture.progress = progress;
         }

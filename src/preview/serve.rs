@@ -99,7 +99,7 @@ impl Server {
             }
             Err(error) => return Err(error),
         };
-        let rest = match self.guard.admit(&request.path, |name| request.header(name)) {
+        let rest = match self.guard.path_after_token(&request.path, |name| request.header(name)) {
             Ok(rest) => rest,
             Err((status, reason)) => return http::refuse(to, status, reason),
         };
@@ -125,7 +125,7 @@ impl Server {
             "events" => stream::send(to, &self.screen),
             "before.png" => self.previous(to),
             "pick" => {
-                let (x, y) = (request.number("x").unwrap_or(0), request.number("y").unwrap_or(0));
+                let (x, y) = (request.query_number("x").unwrap_or(0), request.query_number("y").unwrap_or(0));
                 http::answer(to, "200 OK", JSON, self.backend.pick(x, y).to_string().as_bytes())
             }
             "change" => match serde_json::from_slice(&request.body) {

@@ -77,7 +77,7 @@ pub const BLOCKS: &[Entry] = &[
 ];
 
 /// Documented shapes, patterns and warps.
-pub fn members() -> impl Iterator<Item = Entry> {
+pub fn shape_pattern_warp_entries() -> impl Iterator<Item = Entry> {
     let families = [
         ("shape", true, "shapes.md", Shape::SPECS),
         ("pattern", false, "pigments.md", CellPattern::SPECS),
@@ -91,7 +91,7 @@ pub fn members() -> impl Iterator<Item = Entry> {
 
 /// All documented blocks: those of [`BLOCKS`], then shapes, patterns and warps.
 pub fn entries() -> impl Iterator<Item = Entry> {
-    BLOCKS.iter().copied().chain(members())
+    BLOCKS.iter().copied().chain(shape_pattern_warp_entries())
 }
 
 /// Words that belong to no block's table, and the chapters about them.

@@ -32,7 +32,7 @@ enum MethodKind {
 }
 
 /// Returns the edge of the blocks that the final pass computes together; `None` without blocks.
-pub(super) fn group_edge(options: &Options) -> Option<usize> {
+pub(super) fn antialias_block_edge(options: &Options) -> Option<usize> {
     (options.antialias.is_some() && options.sampling.layout == SampleLayout::Grid).then_some(BLOCK)
 }
 
@@ -187,11 +187,11 @@ impl Difference {
 
     /// True if the sum of the channels' differences, after the gamma curve, reaches the threshold.
     pub fn reaches_threshold(&self, a: &Pixel, b: &Pixel) -> bool {
-        self.exceeds(a, b, 1.0)
+        self.reaches_threshold_times(a, b, 1.0)
     }
 
     /// True if the sum of the channels' differences reaches `times` the threshold.
-    pub fn exceeds(&self, a: &Pixel, b: &Pixel, times: f64) -> bool {
+    pub fn reaches_threshold_times(&self, a: &Pixel, b: &Pixel, times: f64) -> bool {
         let threshold = self.threshold * times;
         let opacity = if self.alpha { f64::from((a[3] - b[3]).abs()) } else { 0.0 };
         // quirk: antialias_threshold_0
@@ -200,7 +200,7 @@ impl Difference {
         }
         let (mut most, mut least) = (opacity, opacity);
         for c in 0..3 {
-            let [least_of_channel, most_of_channel] = self.bounds(a[c].max(0.0), b[c].max(0.0), threshold);
+            let [least_of_channel, most_of_channel] = self.distance_bounds(a[c].max(0.0), b[c].max(0.0), threshold);
             (least, most) = (least + least_of_channel, most + most_of_channel);
         }
         if most < threshold || least > threshold * 1.000_001 {
@@ -218,7 +218,7 @@ impl Difference {
 
     /// Returns bounds below and above of the difference of two values after the gamma curve.
     #[inline]
-    fn bounds(&self, a: f32, b: f32, threshold: f64) -> [f64; 2] {
+    fn distance_bounds(&self, a: f32, b: f32, threshold: f64) -> [f64; 2] {
         let (low, high) = (a.min(b), a.max(b));
         let difference = f64::from(high) - f64::from(low);
         let Some(last) = self.slopes.len().checked_sub(1) else { return [0.0, f64::INFINITY] };
@@ -281,7 +281,7 @@ mod tests {
             let [r, g, b, red, green, blue] = exponents.map(|e| fp::exp2(f64::from(e)) as f32);
             let (one, other) = ([r, g, b, 0.0], [red, green, blue, 0.0]);
             let distance = judge.distance(&one, &other);
-            let sides = (0..3).map(|c| judge.bounds(one[c], other[c], threshold));
+            let sides = (0..3).map(|c| judge.distance_bounds(one[c], other[c], threshold));
             let [least, most] = sides.fold([0.0, 0.0], |sum, side| [sum[0] + side[0], sum[1] + side[1]]);
             let negligible = (0..3).any(|c| f64::from((one[c] - other[c]).abs()) <= judge.negligible);
             proptest::prop_assert!(least <= distance * (1.0 + 1e-12), "{least} {distance}");

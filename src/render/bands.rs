@@ -53,7 +53,7 @@ impl FrameRender<'_> {
         let (mut next_row, mut finished) = (region.y, vec![]);
         while next_row < region.y + region.height {
             // Tiles of both passes that can be rendered now
-            let bottom = first_samples.bottom();
+            let bottom = first_samples.end_row();
             let first_rows = area.map_or(0..0, |area| bottom..(bottom + rows).min(area.y + area.height));
             let final_rows = next_row..self.final_rows_end(&first_samples, next_row, rows);
             let tile = |pass| move |area| Tile { pass, area };
@@ -64,8 +64,9 @@ impl FrameRender<'_> {
             // Render them while the rows of the band before are passed on
             let band_before = std::mem::take(&mut finished);
             let pass_on = || if band_before.is_empty() { Ok(()) } else { receiver(band_before) };
-            let render =
-                |job: &Tile| self.load_or_render(*job, &n_done, self.total(), || self.render_tile(job, &first_samples));
+            let render = |job: &Tile| {
+                self.load_or_render(*job, &n_done, self.pixels_in_passes(), || self.render_tile(job, &first_samples))
+            };
             let (tiles, passed_on) = self.workers.map(&jobs, render, pass_on);
             passed_on?;
             // Collect the results
@@ -89,8 +90,8 @@ impl FrameRender<'_> {
         let alignment = self.row_alignment();
         match self.first_area() {
             None => (next_row + rows).min(end),
-            Some(area) if first_samples.bottom() == area.y + area.height => end,
-            Some(_) => (first_samples.bottom().saturating_sub(1) / alignment * alignment).clamp(next_row, end),
+            Some(area) if first_samples.end_row() == area.y + area.height => end,
+            Some(_) => (first_samples.end_row().saturating_sub(1) / alignment * alignment).clamp(next_row, end),
         }
     }
 
@@ -164,7 +165,7 @@ impl FrameRender<'_> {
     }
 
     /// Returns the number of pixels that both passes of the render compute together, for the display of progress.
-    fn total(&self) -> usize {
+    fn pixels_in_passes(&self) -> usize {
         let pixels = |area: Region| area.width.saturating_mul(area.height);
         pixels(self.region).saturating_add(self.first_area().map_or(0, pixels))
     }

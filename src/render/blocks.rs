@@ -43,55 +43,62 @@ impl Blocks<'_> {
     /// Computes the pixels of a part of one block.
     pub fn tile(&self, sampler: &mut Sampler, first_samples: &PixelRows, part: Region) -> Vec<Pixel> {
         let area = self.first_area(part);
-        let mut now = PixelRows::new(area);
-        now.add(area.height);
+        let mut current_pixels = PixelRows::new(area);
+        current_pixels.add(area.height);
         for y in area.y..area.y + area.height {
             let row: Vec<Pixel> = (area.x..area.x + area.width).map(|x| *first_samples.at(x, y)).collect();
-            now.put(Region { y, height: 1, ..area }, &row);
+            current_pixels.put(Region { y, height: 1, ..area }, &row);
         }
         let mut sampled = vec![false; area.width * area.height];
         for y in area.y..area.y + area.height {
             for x in area.x..area.x + area.width {
-                self.resample_if_different(sampler, &mut now, &mut sampled, [x, y]);
+                self.resample_if_different(sampler, &mut current_pixels, &mut sampled, [x, y]);
             }
             if sampler.is_stopped() {
                 break;
             }
         }
         let row = |y: usize| (part.x..part.x + part.width).map(move |x| (x + 1, y + 1));
-        (part.y..part.y + part.height).flat_map(row).map(|(x, y)| *now.at(x, y)).collect()
+        (part.y..part.y + part.height).flat_map(row).map(|(x, y)| *current_pixels.at(x, y)).collect()
     }
 
     /// Compares a pixel with the pixels to the left and above, and takes more samples of those that differ.
     fn resample_if_different(
         &self,
         sampler: &mut Sampler,
-        now: &mut PixelRows,
+        current_pixels: &mut PixelRows,
         sampled: &mut [bool],
         [x, y]: [usize; 2],
     ) {
         let mut differs = false;
-        let (left, above) = ((x > now.area.x).then(|| [x - 1, y]), (y > now.area.y).then(|| [x, y - 1]));
+        let (left, above) =
+            ((x > current_pixels.area.x).then(|| [x - 1, y]), (y > current_pixels.area.y).then(|| [x, y - 1]));
         for other in [left, above].into_iter().flatten() {
-            if self.difference.reaches_threshold(now.at(x, y), now.at(other[0], other[1])) {
+            if self.difference.reaches_threshold(current_pixels.at(x, y), current_pixels.at(other[0], other[1])) {
                 differs = true;
-                self.sample_once(sampler, now, sampled, other);
+                self.resample_once(sampler, current_pixels, sampled, other);
             }
         }
         if differs {
-            self.sample_once(sampler, now, sampled, [x, y]);
+            self.resample_once(sampler, current_pixels, sampled, [x, y]);
         }
     }
 
     /// Takes more samples of a pixel, once, and not in the row above and the column to the left of the block.
-    fn sample_once(&self, sampler: &mut Sampler, now: &mut PixelRows, sampled: &mut [bool], [x, y]: [usize; 2]) {
-        if x == now.area.x || y == now.area.y {
+    fn resample_once(
+        &self,
+        sampler: &mut Sampler,
+        current_pixels: &mut PixelRows,
+        sampled: &mut [bool],
+        [x, y]: [usize; 2],
+    ) {
+        if x == current_pixels.area.x || y == current_pixels.area.y {
             return;
         }
-        let known = &mut sampled[(y - now.area.y) * now.area.width + x - now.area.x];
+        let known = &mut sampled[(y - current_pixels.area.y) * current_pixels.area.width + x - current_pixels.area.x];
         if !std::mem::replace(known, true) {
-            let pixel = self.resample(sampler, [x, y], now.at(x, y));
-            now.put(Region { x, y, width: 1, height: 1 }, &[pixel]);
+            let pixel = self.resample(sampler, [x, y], current_pixels.at(x, y));
+            current_pixels.put(Region { x, y, width: 1, height: 1 }, &[pixel]);
         }
     }
 

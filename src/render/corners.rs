@@ -31,14 +31,14 @@ struct Subdivision<'a, 'm, 't, 'w> {
 
 impl Corners<'_> {
     /// Number of smallest pieces along the edge of a pixel.
-    fn pieces(&self) -> u32 {
+    fn pieces_per_edge(&self) -> u32 {
         1 << (self.depth - 1)
     }
 
     /// Takes the sample at a position, in smallest pieces from the pixel's top left corner. Pixels that share the
     /// position get the same sample.
     pub fn sample(&self, sampler: &mut Sampler, [x, y]: [usize; 2], [right, down]: [u32; 2]) -> Pixel {
-        let pieces = self.pieces();
+        let pieces = self.pieces_per_edge();
         let (x, y) = (x + (right / pieces) as usize, y + (down / pieces) as usize);
         let (right, down) = (right % pieces, down % pieces);
         // (There is one corner more than pixels in a row.)
@@ -54,14 +54,14 @@ impl Corners<'_> {
     pub fn pixel(&self, sampler: &mut Sampler, corner_samples: &PixelRows, x: usize, y: usize) -> Pixel {
         let between = FxHashMap::default();
         let mut subdivision = Subdivision { corners: self, sampler, corner_samples, x, y, between };
-        subdivision.piece_mean([0, 0], self.pieces()).map(|c| c as f32)
+        subdivision.piece_mean([0, 0], self.pieces_per_edge()).map(|c| c as f32)
     }
 }
 
 impl Subdivision<'_, '_, '_, '_> {
     /// Returns the sample at a position, in smallest pieces from the pixel's top left corner. Each sample is taken once.
     fn cached_sample(&mut self, [right, down]: [u32; 2]) -> Pixel {
-        let pieces = self.corners.pieces();
+        let pieces = self.corners.pieces_per_edge();
         if right % pieces == 0 && down % pieces == 0 {
             return *self.corner_samples.at(self.x + (right / pieces) as usize, self.y + (down / pieces) as usize);
         }

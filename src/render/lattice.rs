@@ -42,7 +42,7 @@ pub(super) fn pixel(
         sampler.begin_sample(pixel_key, u64::from(count));
         let sample = pixel_of(&sampler.sample(x as f64 + right, y as f64 + down));
         sum.iter_mut().zip(sample).for_each(|(sum, c)| *sum += f64::from(c));
-        differ |= count < FIRST_SAMPLES && difference.exceeds(&sample, middle, LARGE_DIFFERENCE);
+        differ |= count < FIRST_SAMPLES && difference.reaches_threshold_times(&sample, middle, LARGE_DIFFERENCE);
         count += 1;
     }
     sum.map(|c| (c / f64::from(count)) as f32)

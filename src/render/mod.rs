@@ -17,7 +17,7 @@ mod workers;
 
 pub use output::OutputConversion;
 pub use pick::pick;
-pub use prepare::{light_digests, prepare_light};
+pub use prepare::{photon_and_radiosity_digests, prepare_light};
 pub use shard::{BlockReceiver, Shard, block_edge, draw_shard, shard_blocks};
 
 use crate::diagnostic::{self, Fault};
@@ -244,7 +244,7 @@ pub fn draw(world: &World, options: &Options, watch: &dyn Watch, rows: &mut dyn 
     outside_rows(rows, options, region.y)?;
     let conversion = OutputConversion::new(world, options);
     let mut take = |mut pixels: Vec<pixel_rows::Pixel>| {
-        pixels.iter_mut().for_each(|pixel| *pixel = conversion.light(pixel));
+        pixels.iter_mut().for_each(|pixel| *pixel = conversion.to_linear_rgba(pixel));
         if region.width == width {
             return rows.write_rows(&pixels);
         }

@@ -23,7 +23,7 @@ impl OutputConversion {
     }
 
     /// Returns linear red, green, blue and alpha of a pixel.
-    pub fn light(&self, pixel: &[f32; 4]) -> [f32; 4] {
+    pub fn to_linear_rgba(&self, pixel: &[f32; 4]) -> [f32; 4] {
         let [r, g, b, transparency] = pixel.map(f64::from);
         // (`max` also turns NaN into black.)
         let mut rgb = Rgb::new(r.max(0.0), g.max(0.0), b.max(0.0));

@@ -20,7 +20,7 @@ impl PixelRows {
     }
 
     /// Returns the row number below the last stored row.
-    pub fn bottom(&self) -> usize {
+    pub fn end_row(&self) -> usize {
         self.area.y + self.area.height
     }
 

@@ -68,12 +68,12 @@ impl<'a> Preparation<'a> {
     }
 
     /// Runs a pass in batches: passes the results of each batch to `merge`, in the order of the jobs, before the next batch
-    /// begins. `batch` returns the number of jobs of the next batch, which must not depend on the number of threads.
+    /// begins. `batch_size` returns the number of jobs of the next batch, which must not depend on the number of threads.
     pub fn pass_in_batches<J: Sync, T: Send, S: Sync>(
         &self,
         pass: &Pass<J>,
         state: &mut S,
-        batch: impl Fn(&S) -> usize,
+        batch_size: impl Fn(&S) -> usize,
         work: impl Fn(&S, &J) -> Result<T, Cancelled> + Sync,
         mut merge: impl FnMut(&mut S, T),
     ) -> Result<(), Cancelled> {
@@ -81,7 +81,7 @@ impl<'a> Preparation<'a> {
         let mut n_done = 0;
         watch.preparing(name, 0, jobs.len());
         while n_done < jobs.len() {
-            let end = (n_done + batch(state).max(1)).min(jobs.len());
+            let end = (n_done + batch_size(state).max(1)).min(jobs.len());
             let shared = &*state;
             let results = self.workers.map(&jobs[n_done..end], |job| work(shared, job), || ()).0?;
             results.into_iter().for_each(|result| merge(state, result));
@@ -117,7 +117,7 @@ pub(super) fn preparation_options(options: &Options) -> String {
 }
 
 /// Returns the digests of everything that determines the photons and the radiosity samples of a picture.
-pub fn light_digests(world: &World, options: &Options) -> [Digest; 2] {
+pub fn photon_and_radiosity_digests(world: &World, options: &Options) -> [Digest; 2] {
     let (scene, options) = (world.scene_digest(), preparation_options(options));
     [world.photon_digest(&scene, &options), world.radiosity_digest(&scene, &options)]
 }

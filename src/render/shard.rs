@@ -39,7 +39,7 @@ pub fn block_edge(options: &Options, count: usize) -> usize {
     let region = options.rendered_region();
     let n_blocks = |edge: usize| region.width.div_ceil(edge) * region.height.div_ceil(edge);
     // The grid of anti-aliasing compares pixels within blocks of its own.
-    let is_whole = |edge: usize| edge.is_multiple_of(antialias::group_edge(options).unwrap_or(1));
+    let is_whole = |edge: usize| edge.is_multiple_of(antialias::antialias_block_edge(options).unwrap_or(1));
     let allowed = || EDGES.into_iter().filter(|&edge| is_whole(edge));
     let fitting = allowed().find(|&edge| n_blocks(edge) >= BLOCKS_PER_SHARD.saturating_mul(count));
     fitting.or(allowed().next_back()).unwrap_or(EDGES[0])
@@ -108,12 +108,12 @@ pub fn draw_shard(
     let conversion = OutputConversion::new(world, options);
     let mut pass_on = |blocks: &mut Vec<(Region, Vec<Pixel>)>| {
         blocks.drain(..).try_for_each(|(area, mut pixels)| {
-            pixels.iter_mut().for_each(|pixel| *pixel = conversion.light(pixel));
+            pixels.iter_mut().for_each(|pixel| *pixel = conversion.to_linear_rgba(pixel));
             receiver(area, &pixels)
         })
     };
     for batch in blocks.chunks(BATCH) {
-        let work = |area: &Region| frame.block(*area, &n_done, total);
+        let work = |area: &Region| frame.load_or_render_block(*area, &n_done, total);
         let (results, passed_on) = workers.map(batch, work, || pass_on(&mut finished));
         passed_on?;
         for (area, (pixels, cast)) in batch.iter().zip(results?) {
@@ -127,7 +127,12 @@ pub fn draw_shard(
 
 impl FrameRender<'_> {
     /// Loads a block from an earlier run, or renders and stores it.
-    fn block(&self, area: Region, n_done: &AtomicUsize, total: usize) -> Result<(Vec<Pixel>, RayCounts), Cancelled> {
+    fn load_or_render_block(
+        &self,
+        area: Region,
+        n_done: &AtomicUsize,
+        total: usize,
+    ) -> Result<(Vec<Pixel>, RayCounts), Cancelled> {
         self.load_or_render(Tile { pass: FINAL_PASS, area }, n_done, total, || {
             let mut counts = RayCounts::default();
             let mut render = |pass, area, first_samples: &PixelRows| -> Result<Vec<Pixel>, Cancelled> {

@@ -109,11 +109,11 @@ impl LightKind {
         let (numbers, last) = record.split_at(record.len() - 1);
         match self {
             Self::Photons => {
-                let numbers: [f64; 9] = numbers_of(numbers, f32::from_le_bytes).map(f64::from);
+                let numbers: [f64; 9] = decode_numbers(numbers, f32::from_le_bytes).map(f64::from);
                 numbers.iter().all(|x| x.is_finite()) && is_unit(&numbers[6..9]) && last[0] < 3
             }
             Self::Radiosity => {
-                let numbers: [f64; 10] = numbers_of(numbers, f64::from_le_bytes);
+                let numbers: [f64; 10] = decode_numbers(numbers, f64::from_le_bytes);
                 let radius = numbers[9];
                 numbers.iter().all(|x| x.is_finite())
                     && is_unit(&numbers[3..6])
@@ -125,7 +125,7 @@ impl LightKind {
 }
 
 /// Decodes the numbers at the start of a record, each from `B` bytes; numbers that are missing are the default.
-pub fn numbers_of<T: Copy + Default, const N: usize, const B: usize>(
+pub fn decode_numbers<T: Copy + Default, const N: usize, const B: usize>(
     record: &[u8],
     decode: fn([u8; B]) -> T,
 ) -> [T; N] {

@@ -76,14 +76,14 @@ const PHOTON_MAP_ROWS: &[Row<PhotonMapSettings>] = &[
     word("count", Float, "", "approximate number of photons, in place of `spacing`")
         .sets(|s, r| set(&mut s.count, positive("count", r))),
     word("gather", Float, "20, 100", "minimum and maximum number of photons of one estimate").sets(|s, r| {
-        s.gather[0] = count(r.float()?);
-        s.gather[1] = r.optional_float()?.map_or(s.gather[1], count);
+        s.gather[0] = limited_count(r.float()?);
+        s.gather[1] = r.optional_float()?.map_or(s.gather[1], limited_count);
         s.gather[1] = s.gather[1].max(s.gather[0]).max(1);
         Ok(())
     }),
     word("media", Float, "0", "maximum number of photons that a ray stores in a medium, and a factor of `spacing`")
         .sets(|s, r| {
-            s.media_steps = count(r.float()?);
+            s.media_steps = limited_count(r.float()?);
             s.media_factor = r.optional_float()?.filter(|factor| *factor > 0.0).unwrap_or(s.media_factor);
             Ok(())
         }),
@@ -104,7 +104,7 @@ const PHOTON_MAP_ROWS: &[Row<PhotonMapSettings>] = &[
     )
     .sets(|s, r| {
         s.max_increase = r.float()?.max(0.0);
-        s.expand_min = r.optional_float()?.map_or(s.expand_min, count);
+        s.expand_min = r.optional_float()?.map_or(s.expand_min, limited_count);
         Ok(())
     }),
     word("radius", Float, "found by durer", "radius of the search and its factor, on surfaces and then in media").sets(
@@ -149,6 +149,6 @@ impl PhotonMapSettings {
 }
 
 /// Converts a number of the scene to a number of photons: rounded down, and limited to 0 … 1 000 000.
-fn count(number: f64) -> u32 {
+fn limited_count(number: f64) -> u32 {
     number.clamp(0.0, 1e6) as u32
 }

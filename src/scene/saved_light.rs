@@ -78,7 +78,7 @@ impl LoadedLight {
                 Err(format!("is larger than {} GB", MAX_LENGTH >> 30))
             }
             Some(path) => match files.read(path) {
-                Ok(bytes) => LightFile::parse(bytes, kind).map_err(|error| reason(error, kind)),
+                Ok(bytes) => LightFile::parse(bytes, kind).map_err(|error| rejection_reason(error, kind)),
                 Err(error) => Err(format!("can't be read: {}", file::reason(&error))),
             },
         };
@@ -97,7 +97,7 @@ impl LoadedLight {
 }
 
 /// Returns the reason for which a file is not used, as the rest of a sentence about the file.
-fn reason(error: LightFileError, kind: LightKind) -> String {
+fn rejection_reason(error: LightFileError, kind: LightKind) -> String {
     match error {
         LightFileError::PovRay => {
             format!("was saved by POV-Ray, and durer reads only {} that it saved", kind.contents())

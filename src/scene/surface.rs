@@ -73,7 +73,7 @@ pub fn read_layers(r: &mut dyn Reader, defaults: &Defaults) -> Result<Texture> {
 }
 
 /// A texture without layers.
-fn without_layers() -> Arc<Texture> {
+fn texture_without_layers() -> Arc<Texture> {
     Arc::new(Texture { layers: vec![] })
 }
 
@@ -110,12 +110,12 @@ pub fn read_material(r: &mut dyn Reader, defaults: &Defaults, interior: Option<A
             }
             Next::Block("texture") | Next::Thing("texture") => {
                 let layers = read_layers(r, defaults)?.layers;
-                Arc::make_mut(out.texture.get_or_insert_with(without_layers)).layers.extend(layers);
+                Arc::make_mut(out.texture.get_or_insert_with(texture_without_layers)).layers.extend(layers);
             }
             Next::Block("interior_texture") => {
                 r.take_token()?;
                 let layers = Texture::read(r, &defaults.texture)?.layers;
-                Arc::make_mut(out.interior_texture.get_or_insert_with(without_layers)).layers.extend(layers);
+                Arc::make_mut(out.interior_texture.get_or_insert_with(texture_without_layers)).layers.extend(layers);
                 r.leave_block()?;
             }
             Next::Block("interior") => {

@@ -44,7 +44,7 @@ impl Weight {
     ///
     /// # Errors
     /// E0104 if the depth is above the maximum.
-    pub fn check(self, source: Span) -> Result<()> {
+    pub fn check_depth(self, source: Span) -> Result<()> {
         if self.depth <= MAX_DEPTH {
             return Ok(());
         }

@@ -101,12 +101,12 @@ impl<const N: usize> Univariate<N> {
 
 /// Value of a polynomial and its derivatives by x, y and z.
 #[derive(Clone, Copy, Default)]
-struct Slopes {
+struct ValueAndGradient {
     value: f64,
     by: DVec3,
 }
 
-impl Slopes {
+impl ValueAndGradient {
     /// Multiplies a polynomial's value and derivatives by the n-th power of the coordinate along an axis.
     fn times_coordinate_power(mut self, p: DVec3, axis: usize, n: usize) -> Self {
         for _ in 0..n {
@@ -167,15 +167,15 @@ impl<const FORM: usize> Algebraic<FORM> {
     }
 
     /// Returns the polynomial and its gradient at a point.
-    fn value_and_gradient(&self, p: DVec3) -> Slopes {
-        let (mut of_x, mut of_y) = (Slopes::default(), Slopes::default());
+    fn value_and_gradient(&self, p: DVec3) -> ValueAndGradient {
+        let (mut of_x, mut of_y) = (ValueAndGradient::default(), ValueAndGradient::default());
         let (mut i, mut j) = (self.order, self.order);
         for row in &self.rows {
             if row.i < i {
                 of_x = of_x.plus(of_y.times_coordinate_power(p, 1, j)).times_coordinate_power(p, 0, i - row.i);
-                (of_y, i, j) = (Slopes::default(), row.i, row.j);
+                (of_y, i, j) = (ValueAndGradient::default(), row.i, row.j);
             }
-            let more = row.c.iter().rev().fold(Slopes::default(), |sum, c| {
+            let more = row.c.iter().rev().fold(ValueAndGradient::default(), |sum, c| {
                 let mut sum = sum.times_coordinate_power(p, 2, 1);
                 sum.value += c;
                 sum

@@ -96,7 +96,7 @@ impl Blob {
                 if cancel::is_cancelled() {
                     return;
                 }
-                if running.has_no_root_between(lo, hi) {
+                if running.advance_excludes_root(lo, hi) {
                     continue;
                 }
             }
@@ -151,7 +151,7 @@ impl<'a> RunningSum<'a> {
 
     /// Moves to the piece of the ray from `lo` to `hi`; true if the sum certainly has no root there. Pieces must be
     /// passed in ascending order.
-    fn has_no_root_between(&mut self, lo: f64, hi: f64) -> bool {
+    fn advance_excludes_root(&mut self, lo: f64, hi: f64) -> bool {
         while let Some((first, rest)) = self.starting.split_first().filter(|(first, _)| first.from < hi) {
             self.add(first, 1.0);
             self.starting = rest;

@@ -38,7 +38,7 @@ pub struct Polygon {
 impl Polygon {
     /// Creates a polygon from points; a repeated first point ends an outline.
     pub fn new(points: &[DVec3]) -> Self {
-        let (outlines, unclosed) = split_outlines(points);
+        let (outlines, unclosed) = outlines_and_is_unclosed(points);
         let area = outlines.iter().map(|o| vector_area(o)).max_by(|a, b| a.length().total_cmp(&b.length()));
         let area = area.unwrap_or_default().normalize_or_zero();
         let normal = if normal_of_first_turn(points).dot(area) < 0.0 { -area } else { area };
@@ -79,7 +79,7 @@ fn project_along_axis(p: DVec3, axis: usize) -> DVec2 {
 
 /// Splits a polygon's points where an outline returns to its first point; also returns true if the last outline does
 /// not.
-fn split_outlines(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
+fn outlines_and_is_unclosed(points: &[DVec3]) -> (Vec<Vec<DVec3>>, bool) {
     let mut outlines = vec![];
     let mut current: Vec<DVec3> = vec![];
     for &p in points {

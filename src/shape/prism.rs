@@ -13,7 +13,7 @@
 //! }
 //! ```
 
-use super::spline::{Curve, Interpolation, KINDS, closed_outlines, read_points, report_open};
+use super::spline::{Curve, Interpolation, KINDS, outlines_and_is_unclosed, read_points, warn_of_unclosed_outline};
 use super::{Hit, Hits, Kernel, check_finite, nearest_hit, transformed_box};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, Transform, bernstein_roots};
@@ -53,7 +53,7 @@ const MARGIN: f64 = 1e-6;
 impl Prism {
     /// Creates a prism between two heights in any order. Outlines end where their first point is repeated.
     pub fn new(interpolation: Interpolation, conic: bool, heights: [f64; 2], points: &[DVec2], open: bool) -> Self {
-        let (outlines, unclosed) = closed_outlines(interpolation, points);
+        let (outlines, unclosed) = outlines_and_is_unclosed(interpolation, points);
         let (bottom, top) = (heights[0].min(heights[1]), heights[0].max(heights[1]));
         let ends = outlines.point_bounds();
         Self { interpolation, conic, bottom, top, outlines, open, unclosed, ends }
@@ -208,7 +208,7 @@ impl Readable for Prism {
 
     fn finish(&mut self, span: Span, r: &mut dyn Reader) -> Result<()> {
         if self.unclosed {
-            report_open("prism", self.interpolation, span, r);
+            warn_of_unclosed_outline("prism", self.interpolation, span, r);
         }
         Ok(())
     }

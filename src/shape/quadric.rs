@@ -66,7 +66,7 @@ impl Quadric {
         let h = if has_center { DVec3::ZERO } else { h };
         let mut centered = Centered { q, h, c, center, size, ends: None, convex: false };
         centered.ends = centered.bounding_box().filter(|_| has_center);
-        centered.convex = centered.ends.is_some_and(|b| !b.is_empty()) && centered.definiteness() > 0.0;
+        centered.convex = centered.ends.is_some_and(|b| !b.is_empty()) && centered.definiteness_sign() > 0.0;
         Self { squares, mixed, linear, constant, centered }
     }
 
@@ -100,7 +100,7 @@ impl Centered {
 
     /// Returns 1 if the quadric's matrix Q is positive definite, -1 if negative definite, 0 otherwise (Sylvester's
     /// criterion).
-    fn definiteness(&self) -> f64 {
+    fn definiteness_sign(&self) -> f64 {
         let (a, b) = (self.q.x_axis, self.q.y_axis);
         let sign = a.x.signum();
         let minor = a.x * b.y - a.y * b.x;
@@ -109,7 +109,7 @@ impl Centered {
 
     /// Bounding box of the quadric: an ellipsoid extends √(-c·(Q⁻¹)ᵢᵢ) along axis i.
     fn bounding_box(&self) -> Option<Aabb> {
-        let sign = self.definiteness();
+        let sign = self.definiteness_sign();
         if sign == 0.0 {
             return None;
         }
@@ -191,7 +191,7 @@ impl Kernel for Quadric {
     }
 
     fn is_solid_unbounded(&self) -> bool {
-        self.centered.definiteness() < 0.0
+        self.centered.definiteness_sign() < 0.0
     }
 
     fn is_convex(&self) -> bool {

@@ -11,7 +11,7 @@
 //! ```
 
 use super::spline::{Interpolation, evaluate_bernstein, read_points};
-use super::turned::{Walls, max_on_unit_interval};
+use super::turned::{Walls, bernstein_max_or_zero};
 use super::{Hit, Hits, Kernel, nearest_hit};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::math::{Aabb, DVec2, DVec3, Range, Ray, fp};
@@ -104,7 +104,7 @@ impl Readable for Sor {
 
 impl Kernel for Sor {
     fn bounds(&self) -> Aabb {
-        let reach = self.squares.iter().map(|b| max_on_unit_interval(b)).fold(0.0, f64::max).sqrt();
+        let reach = self.squares.iter().map(|b| bernstein_max_or_zero(b)).fold(0.0, f64::max).sqrt();
         let [bottom, top] = self.end_points();
         Aabb { min: DVec3::new(-reach, bottom.y, -reach), max: DVec3::new(reach, top.y, reach) }
     }

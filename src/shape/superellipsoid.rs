@@ -64,7 +64,7 @@ fn nth_root(x: f64, degree: f64) -> f64 {
 }
 
 /// Computes (xᵃ + yᵃ)^(1/a) of positive numbers, and its derivatives by x and y.
-fn norm(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
+fn norm_and_derivatives(x: f64, y: f64, a: f64) -> (f64, f64, f64) {
     let (big, small) = if x > y { (x, y) } else { (y, x) };
     if big == 0.0 {
         return (0.0, 0.0, 0.0);
@@ -102,7 +102,7 @@ impl End {
 }
 
 /// Logarithms of a superellipsoid's terms at a point.
-struct Corner {
+struct TermLogarithms {
     /// Logarithms of the point's coordinates.
     of: DVec3,
     /// Logarithm of (|x|^(2/e) + |y|^(2/e))^(e/2).
@@ -126,10 +126,10 @@ fn ln_norm(x: f64, y: f64, a: f64) -> f64 {
 impl Superellipsoid {
     /// Returns the factor by which the superellipsoid must grow to reach the point, and its gradient. For exponents up
     /// to 2 the factor is a norm.
-    fn gauge(&self, p: DVec3) -> (f64, DVec3) {
+    fn gauge_and_gradient(&self, p: DVec3) -> (f64, DVec3) {
         let q = p.abs();
-        let (across, by_x, by_y) = norm(q.x, q.y, 2.0 / self.e);
-        let (value, by_across, by_z) = norm(across, q.z, 2.0 / self.n);
+        let (across, by_x, by_y) = norm_and_derivatives(q.x, q.y, 2.0 / self.e);
+        let (value, by_across, by_z) = norm_and_derivatives(across, q.z, 2.0 / self.n);
         let product = |by: f64| if by_across == 0.0 || by == 0.0 { 0.0 } else { by_across * by };
         let slopes = DVec3::new(product(by_x), product(by_y), by_z);
         (value, DVec3::select(p.cmplt(DVec3::ZERO), -slopes, slopes))
@@ -146,7 +146,7 @@ impl Superellipsoid {
         let toward = (to - from).signum();
         let mut s = from;
         for _ in 0..200 {
-            let (value, gradient) = self.gauge(line.point_at(s));
+            let (value, gradient) = self.gauge_and_gradient(line.point_at(s));
             let excess = value - 1.0;
             if excess <= 0.0 {
                 return Some(s);
@@ -171,7 +171,7 @@ impl Superellipsoid {
     /// Calls `found` with the roots on a superellipsoid between two points within one octant, ascending, if they are in
     /// the range. Returns true if `found` did. Pieces do not depend on the range, so neither do the last digits of
     /// roots.
-    fn find_roots_in_octant(
+    fn any_root_in_octant(
         &self,
         line: &Line,
         lo: End,
@@ -194,28 +194,28 @@ impl Superellipsoid {
         let length = hi.s - lo.s;
         let slopes = self.derivative_bounds(&near, &far, (hi.p - lo.p) / length);
         if slopes.0 > 0.0 || slopes.1 < 0.0 || length < 1e-13 {
-            let begins_inside = self.gauge(lo.p).0 <= 1.0;
-            let differ = begins_inside != (self.gauge(hi.p).0 <= 1.0);
+            let begins_inside = self.gauge_and_gradient(lo.p).0 <= 1.0;
+            let differ = begins_inside != (self.gauge_and_gradient(hi.p).0 <= 1.0);
             return differ
                 && found(
                     self.root_between_inside_and_outside(line, if begins_inside { (lo.s, hi.s) } else { (hi.s, lo.s) }),
                 );
         }
         let middle = End::new(line, 0.5 * (lo.s + hi.s));
-        self.find_roots_in_octant(line, lo, middle, within, found)
-            || self.find_roots_in_octant(line, middle, hi, within, found)
+        self.any_root_in_octant(line, lo, middle, within, found)
+            || self.any_root_in_octant(line, middle, hi, within, found)
     }
 
     /// Returns the logarithms of the superellipsoid's terms at a point from those of its coordinates; each power costs
     /// one exponential.
-    fn logarithms_at(&self, of: DVec3) -> Corner {
+    fn logarithms_at(&self, of: DVec3) -> TermLogarithms {
         let across = ln_norm(of.x, of.y, 2.0 / self.e);
-        Corner { of, across, gauge: ln_norm(across, of.z, 2.0 / self.n) }
+        TermLogarithms { of, across, gauge: ln_norm(across, of.z, 2.0 / self.n) }
     }
 
     /// Bounds of the derivative of the superellipsoid's (xᵃ + yᵃ)^(b/a) + zᵇ between two corners, along v, divided by
     /// b.
-    fn derivative_bounds(&self, near: &Corner, far: &Corner, v: DVec3) -> (f64, f64) {
+    fn derivative_bounds(&self, near: &TermLogarithms, far: &TermLogarithms, v: DVec3) -> (f64, f64) {
         let (a, b) = (2.0 / self.e, 2.0 / self.n);
         let power = |lo: f64, hi: f64, n: f64| {
             let (x, y) = (power_of_logarithm(lo, n), power_of_logarithm(hi, n));
@@ -243,7 +243,7 @@ impl Superellipsoid {
     fn root_between_inside_and_outside(&self, line: &Line, (mut inner, mut outer): (f64, f64)) -> f64 {
         let (mut s, mut last) = (0.5 * (inner + outer), (outer - inner).abs());
         for _ in 0..100 {
-            let (value, gradient) = self.gauge(line.point_at(s));
+            let (value, gradient) = self.gauge_and_gradient(line.point_at(s));
             if value <= 1.0 {
                 inner = s;
             } else {
@@ -266,7 +266,8 @@ impl Superellipsoid {
         let mut last = start;
         // Within the cube one evaluation decides whether a ray starts inside or moves away: most are shadow rays that
         // leave the surface.
-        let (value, gradient) = if start > lo { self.gauge(line.point_at(start)) } else { (f64::INFINITY, -line.v) };
+        let (value, gradient) =
+            if start > lo { self.gauge_and_gradient(line.point_at(start)) } else { (f64::INFINITY, -line.v) };
         if value > 1.0 {
             if gradient.dot(line.v) >= 0.0 {
                 return;
@@ -306,9 +307,8 @@ impl Superellipsoid {
         cuts.extend((0..3).map(|axis| -line.o[axis] / v[axis]).filter(|s| *s > lo && *s < hi));
         cuts.sort_by(f64::total_cmp);
         let ends: smallvec::SmallVec<[End; 5]> = cuts.iter().map(|&s| End::new(&line, s)).collect();
-        let _ = ends
-            .windows(2)
-            .any(|w| w[0].s < w[1].s && self.find_roots_in_octant(&line, w[0], w[1], within, &mut visit));
+        let _ =
+            ends.windows(2).any(|w| w[0].s < w[1].s && self.any_root_in_octant(&line, w[0], w[1], within, &mut visit));
     }
 }
 
@@ -379,11 +379,11 @@ impl Kernel for Superellipsoid {
     }
 
     fn inside(&self, p: DVec3) -> bool {
-        !self.is_empty() && CUBE.contains(p) && self.gauge(p).0 <= 1.0
+        !self.is_empty() && CUBE.contains(p) && self.gauge_and_gradient(p).0 <= 1.0
     }
 
     fn normal(&self, p: DVec3, _: &Hit) -> DVec3 {
-        let n = self.gauge(p).1;
+        let n = self.gauge_and_gradient(p).1;
         if n.is_finite() && n.length_squared() > 0.0 {
             return n;
         }
@@ -448,7 +448,7 @@ mod tests {
                     let hits = all_hits(&shape, &ray);
                     assert!(hits.len().is_multiple_of(2), "{shape:?} {ray:?} {hits:?}");
                     for hit in &hits {
-                        let (value, _) = shape.gauge(ray.at(hit.t));
+                        let (value, _) = shape.gauge_and_gradient(ray.at(hit.t));
                         assert!((value - 1.0).abs() < 1e-9 || e > 2.0 || n > 2.0, "{shape:?} {ray:?} {value}");
                     }
                     for j in 0..200 {

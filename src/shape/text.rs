@@ -239,7 +239,7 @@ impl Text {
     }
 
     /// Returns the text's letter that has this part, and the part's number within the letter.
-    fn letter_of_part(&self, number: u32) -> (&Letter, u32) {
+    fn letter_and_own_part(&self, number: u32) -> (&Letter, u32) {
         let letter = &self.letters[self.letters.partition_point(|letter| letter.first <= number) - 1];
         (letter, number - letter.first)
     }
@@ -269,7 +269,7 @@ impl Kernel for Text {
 
     /// Normal of a text; walls point inwards (quirk: `text_walls`).
     fn normal(&self, _: DVec3, hit: &Hit) -> DVec3 {
-        let (letter, part) = self.letter_of_part(hit.part);
+        let (letter, part) = self.letter_and_own_part(hit.part);
         let n = match part {
             FRONT => DVec3::NEG_Z,
             BACK => DVec3::Z,

@@ -55,7 +55,7 @@ fn scene_of(files: &dyn Files, path: &Path) -> PathBuf {
 }
 
 /// Returns the options in a comment at the start of a scene, as in `//! test: --size 128x96 --aa off`.
-pub fn header(text: &str) -> Option<&str> {
+pub fn test_options(text: &str) -> Option<&str> {
     let lines = text.lines().map(str::trim);
     let mut comments = lines.take_while(|line| line.is_empty() || line.starts_with("//"));
     comments.find_map(|line| line.strip_prefix("//! test:")).map(str::trim)
@@ -99,8 +99,8 @@ mod tests {
 
     #[test]
     fn options_are_read_from_the_first_comments() {
-        assert_eq!(header("// A ball.\n\n//! test: --size 4x3 \nsphere {}"), Some("--size 4x3"));
-        assert_eq!(header("sphere {}\n//! test: --size 4x3"), None);
-        assert_eq!(header(""), None);
+        assert_eq!(test_options("// A ball.\n\n//! test: --size 4x3 \nsphere {}"), Some("--size 4x3"));
+        assert_eq!(test_options("sphere {}\n//! test: --size 4x3"), None);
+        assert_eq!(test_options(""), None);
     }
 }

@@ -5,5 +5,5 @@ mod find;
 mod report;
 
 pub use compare::{Comparison, Tolerance, Verdict, compare, difference};
-pub use find::{Case, find, header, is_snapshot};
+pub use find::{Case, find, is_snapshot, test_options};
 pub use report::{Entry, Report, report};

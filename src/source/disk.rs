@@ -77,7 +77,8 @@ impl Files for Disk {
         if is_special(&path) {
             return Ok(Draft::in_memory(&path));
         }
-        let file = tempfile::tempfile_in(folder(&path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))?;
+        let file =
+            tempfile::tempfile_in(parent_folder(&path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))?;
         Ok(Draft { path, bytes: DraftStorage::Disk(io::BufWriter::with_capacity(1 << 16, file)), is_durable: false })
     }
 
@@ -250,7 +251,9 @@ pub fn follow_links(path: &Path) -> io::Result<PathBuf> {
         }
         match path.canonicalize() {
             // A link whose file does not exist yet leads to a path in its own folder.
-            Err(error) if error.kind() == io::ErrorKind::NotFound => path = folder(&path).join(path.read_link()?),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                path = parent_folder(&path).join(path.read_link()?)
+            }
             found => return found,
         }
     }
@@ -272,18 +275,18 @@ fn temporary(path: &Path) -> io::Result<NamedTempFile> {
     builder.prefix(".durer-").suffix(".part");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder(path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))
+    builder.tempfile_in(parent_folder(path)).map_err(|e| io::Error::new(e.kind(), system_text(&e)))
 }
 
 /// Waits until the names in the folder of `path` would survive a power loss. Failures are ignored.
 pub fn sync_folder_of(path: &Path) {
     #[cfg(unix)]
-    let _ = File::open(folder(path)).and_then(|folder| folder.sync_all());
+    let _ = File::open(parent_folder(path)).and_then(|folder| folder.sync_all());
     #[cfg(not(unix))]
     let _ = path;
 }
 
-fn folder(path: &Path) -> &Path {
+fn parent_folder(path: &Path) -> &Path {
     path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 

@@ -37,7 +37,7 @@ impl Exclusive {
         Self::open_with(path, |file| match file.try_lock() {
             Ok(()) => Ok(()),
             Err(TryLockError::WouldBlock) => Err(OpenError::InUse),
-            Err(TryLockError::Error(error)) => allow_no_locks(error),
+            Err(TryLockError::Error(error)) => ignore_missing_lock_support(error),
         })
     }
 
@@ -46,12 +46,12 @@ impl Exclusive {
     /// # Errors
     /// If the file is not a plain file, or cannot be opened.
     pub fn wait_for(path: &Path) -> Result<Self, OpenError> {
-        Self::open_with(path, |file| file.lock().or_else(allow_no_locks))
+        Self::open_with(path, |file| file.lock().or_else(ignore_missing_lock_support))
     }
 
     fn open_with(path: &Path, lock: impl Fn(&File) -> Result<(), OpenError>) -> Result<Self, OpenError> {
         loop {
-            let file = open_plain(path)?;
+            let file = open_or_create_regular(path)?;
             lock(&file)?;
             // Another process may have deleted the file before the lock was taken.
             if is_at(&file, path)? {
@@ -91,7 +91,7 @@ impl Drop for Exclusive {
 ///
 /// # Errors
 /// If the path is not that of a plain file, or the file cannot be opened.
-pub fn open_plain(path: &Path) -> Result<File, OpenError> {
+pub fn open_or_create_regular(path: &Path) -> Result<File, OpenError> {
     // Opening a device can have effects, so that its kind is checked before.
     if std::fs::symlink_metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
         return Err(OpenError::NotPlain);
@@ -120,7 +120,7 @@ fn has_second_name(_: &std::fs::Metadata) -> bool {
 }
 
 /// Ignores the error of a file system that has no locks; its files are used unlocked.
-fn allow_no_locks(error: io::Error) -> Result<(), OpenError> {
+fn ignore_missing_lock_support(error: io::Error) -> Result<(), OpenError> {
     #[cfg(unix)]
     if error.raw_os_error() == Some(rustix::io::Errno::NOLCK.raw_os_error()) {
         return Ok(());

@@ -97,7 +97,7 @@ pub fn font_files(files: &dyn Files, folders: &[PathBuf]) -> Vec<PathBuf> {
 /// depends only on the set of files that may be read.
 pub fn similar(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Option<PathBuf> {
     let (mut found, wanted) = (font_files(files, folders), Style::of_font_name(name));
-    found.sort_by_cached_key(|file| (difference(wanted, file), file.clone()));
+    found.sort_by_cached_key(|file| (style_difference_key(wanted, file), file.clone()));
     found.into_iter().find(|file| files.may_read(file))
 }
 
@@ -126,7 +126,7 @@ pub fn is_font_file_name(path: &Path) -> bool {
 }
 
 /// Ranks how much a font file differs from the wanted style, the most important criterion first.
-fn difference(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, String) {
+fn style_difference_key(wanted: Style, file: &Path) -> (bool, bool, bool, bool, usize, String) {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let (style, plain) = (Style::of_font_name(&name), letters_of(&name));
     let odd = UNSUITABLE.iter().any(|part| plain.contains(part));

@@ -18,7 +18,7 @@ mod span;
 
 pub use activity::Activity;
 pub use disk::{Disk, Draft, follow_links, sync_folder_of};
-pub use exclusive::{Exclusive, OpenError, open_plain};
+pub use exclusive::{Exclusive, OpenError, open_or_create_regular};
 pub use files::{Entry, FileKind, Files, Metadata, Stamp, WriteAccess, WriteMode};
 pub use host::{Host, LocalHost};
 pub use lookup::{LookedUpFiles, Lookup, Lookups};

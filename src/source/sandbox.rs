@@ -140,7 +140,7 @@ impl<'a> Sandboxed<'a> {
     }
 
     /// Returns the key of a file in [`Self::written`]; `None` if the scene wrote no such file to memory.
-    fn in_memory(&self, path: &Path) -> Option<PathBuf> {
+    fn written_key(&self, path: &Path) -> Option<PathBuf> {
         if self.written.is_empty() {
             return None;
         }
@@ -158,7 +158,7 @@ impl<'a> Sandboxed<'a> {
     fn open_below(&self, folders: &[WriteFolder], path: &Path, mode: WriteMode) -> io::Result<Box<dyn Write + Send>> {
         let permission_error = |reason: &str| Err(io::Error::new(io::ErrorKind::PermissionDenied, reason.to_string()));
         let Some((folder, root, relative)) = folders.iter().find_map(|folder| {
-            let (root, relative) = self.relative_to(&folder.path, path)?;
+            let (root, relative) = self.root_and_relative_path(&folder.path, path)?;
             Some((folder, root, relative))
         }) else {
             return permission_error("it is outside of the folders that scenes may write to");
@@ -186,7 +186,7 @@ impl<'a> Sandboxed<'a> {
     }
 
     /// Returns a folder without links, and a path relative to it without `..`; `None` if the path is elsewhere.
-    fn relative_to(&self, folder: &Path, path: &Path) -> Option<(PathBuf, PathBuf)> {
+    fn root_and_relative_path(&self, folder: &Path, path: &Path) -> Option<(PathBuf, PathBuf)> {
         let root = self.files.canonicalize(folder).ok()?;
         let current = self.files.canonicalize(Path::new(".")).ok()?;
         let whole = without_dots(&current.join(path));
@@ -235,12 +235,12 @@ impl Files for Sandboxed<'_> {
             ReadPolicy::Nowhere => false,
             ReadPolicy::Below(folders) => self.resolved(path).is_ok_and(|path| self.is_below(&path, folders)),
         };
-        (allowed || self.in_memory(path).is_some() || self.is_in_writable_folder(path)) && self.files.may_read(path)
+        (allowed || self.written_key(path).is_some() || self.is_in_writable_folder(path)) && self.files.may_read(path)
     }
 
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         self.check_read(path)?;
-        match self.in_memory(path) {
+        match self.written_key(path) {
             Some(key) => self.written.read(&key),
             None => self.files.read(path),
         }
@@ -268,7 +268,7 @@ impl Files for Sandboxed<'_> {
     }
 
     fn metadata(&self, path: &Path) -> io::Result<Metadata> {
-        match self.in_memory(path) {
+        match self.written_key(path) {
             Some(key) => self.written.metadata(&key),
             None => self.files.metadata(path),
         }
@@ -283,7 +283,7 @@ impl Files for Sandboxed<'_> {
     }
 
     fn canonicalize(&self, path: &Path) -> io::Result<PathBuf> {
-        self.in_memory(path).map_or_else(|| self.files.canonicalize(path), Ok)
+        self.written_key(path).map_or_else(|| self.files.canonicalize(path), Ok)
     }
 
     fn is_link(&self, path: &Path) -> bool {

@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostic, codes};
 
 /// Returns all opening and closing braces in order: token index, line and, for an opening brace, its pair. The line of
 /// an opening brace is the line of the word before the brace.
-fn braces(outline: &Outline) -> impl Iterator<Item = (usize, Line, Option<&Pair>)> {
+fn braces_lines_and_pairs(outline: &Outline) -> impl Iterator<Item = (usize, Line, Option<&Pair>)> {
     let is_brace = |&token: &usize| matches!(outline.word(token), "{" | "}");
     (0..outline.tokens.len()).filter(is_brace).map(|token| {
         let opened = outline.opened_by(token);
@@ -36,7 +36,7 @@ pub fn unclosed_brace_error(outline: &Outline) -> Option<Diagnostic> {
     // Match each `}` with the last `{`, also across the bodies of directives.
     let mut stack: Vec<(&Pair, Line)> = vec![];
     let mut blamed = None;
-    for (token, line, opened) in braces(outline) {
+    for (token, line, opened) in braces_lines_and_pairs(outline) {
         if let Some(inner) = opened {
             let outer = stack.last().map(|(outer, _)| *outer).filter(|_| blamed.is_none() && line.is_first);
             if let Some(outer) = outer.filter(|outer| !can_contain(outline.head(outer), outline.head(inner))) {
@@ -71,7 +71,7 @@ pub fn unclosed_brace_error(outline: &Outline) -> Option<Diagnostic> {
 /// Returns the error for a `}` that ends a block too early, so that a later `}` closes nothing.
 pub fn early_brace_error(outline: &Outline) -> Option<Diagnostic> {
     let (mut stack, mut early): (Vec<(&Pair, Line)>, _) = (vec![], None);
-    for (closer, line, opened) in braces(outline) {
+    for (closer, line, opened) in braces_lines_and_pairs(outline) {
         if let Some(pair) = opened {
             stack.push((pair, line));
             continue;

@@ -32,7 +32,7 @@ pub(super) enum Opener {
 
 impl Opener {
     /// Returns the token classes of a matched opening and closing bracket.
-    pub(super) fn classes(self) -> (u8, u8) {
+    pub(super) fn opening_and_closing_class(self) -> (u8, u8) {
         match self {
             Opener::Brace | Opener::FunctionBrace => (class::BRACE, class::BRACE_END),
             Opener::Paren | Opener::Arguments => (class::PAREN, class::PAREN_END),
@@ -76,7 +76,7 @@ impl Brackets {
     }
 
     /// True if a `<` after an operand is a comparison at the present position.
-    pub(super) fn compares(&self) -> bool {
+    pub(super) fn less_sign_compares(&self) -> bool {
         let open = self.stack.iter().rev().map(|o| o.0);
         let around = open
             .take_while(|o| *o != Opener::Angle)
@@ -86,7 +86,7 @@ impl Brackets {
 
     /// True if a list of literals is allowed at the present position: between elements, but not inside vectors,
     /// parentheses and functions.
-    pub(super) fn takes_lists(&self) -> bool {
+    pub(super) fn allows_number_lists(&self) -> bool {
         let top = self.stack.last().map(|o| o.0);
         !self.in_function() && matches!(top, None | Some(Opener::Brace | Opener::Directive(_)))
     }
@@ -111,9 +111,9 @@ impl Brackets {
         let own = self.stack[body..].iter().rev();
         // A `>` or `:` does not match beyond brackets.
         let passed = |o: Opener| !weak || matches!(o, Opener::Choice | Opener::Otherwise);
-        let skipped = own.take_while(|o| o.0.classes().1 != closer && passed(o.0)).count();
+        let skipped = own.take_while(|o| o.0.opening_and_closing_class().1 != closer && passed(o.0)).count();
         let depth = self.stack.len() - skipped;
-        if depth == body || self.stack[depth - 1].0.classes().1 != closer {
+        if depth == body || self.stack[depth - 1].0.opening_and_closing_class().1 != closer {
             return None;
         }
         let found = self.stack[depth - 1];
@@ -148,12 +148,12 @@ impl Brackets {
     }
 
     /// Returns the number of directives that have no `#end` yet.
-    pub(super) fn unended(&self) -> usize {
+    pub(super) fn n_open_directives(&self) -> usize {
         self.stack.iter().filter(|o| matches!(o.0, Opener::Directive(_))).count()
     }
 
     /// Returns the token indices of those open brackets that were opened before the outermost open directive.
-    pub(super) fn unclosed(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(super) fn unclosed_bracket_tokens(&self) -> impl Iterator<Item = usize> + '_ {
         let outermost = self.stack.iter().take_while(|o| !matches!(o.0, Opener::Directive(_)));
         outermost.filter(|o| !o.0.is_weak()).map(|o| o.1)
     }

@@ -6,7 +6,7 @@ use super::ast::NumberList;
 use super::brackets::{Brackets, MAX_DEPTH, Opener};
 use super::class::{self, Role};
 use super::fault::{elsif_error, is_other_elseif};
-use super::numbers::{ListScanner, is_blank, scan_number};
+use super::numbers::{ListScanner, is_blank, number_and_end};
 use super::word::{self, Category};
 use crate::diagnostic::{Code, Diagnostic, codes};
 use crate::source::Span;
@@ -45,9 +45,9 @@ pub(super) struct Lexed {
     pub(super) faults: Vec<Diagnostic>,
 }
 
-/// Splits `text`, whose first byte has the global offset `base`, into tokens. Without `lists`, each number and each
+/// Splits `text`, whose first byte has the global offset `base`, into tokens. Without `merges_lists`, each number and each
 /// sign is a token by itself.
-pub(super) fn lex(text: &str, base: usize, names: &Names, lists: bool) -> Lexed {
+pub(super) fn lex(text: &str, base: usize, names: &Names, merges_lists: bool) -> Lexed {
     let mut lexer = Lexer {
         text,
         bytes: text.as_bytes(),
@@ -56,10 +56,10 @@ pub(super) fn lex(text: &str, base: usize, names: &Names, lists: bool) -> Lexed 
         names,
         out: Lexed::default(),
         brackets: Brackets::default(),
-        lists: lists.then(ListScanner::default),
+        lists: merges_lists.then(ListScanner::default),
         loose_closers: 0,
     };
-    lexer.run();
+    lexer.scan_all_tokens();
     lexer.out
 }
 
@@ -85,7 +85,7 @@ pub fn is_ignored_char(c: char) -> bool {
 }
 
 impl Lexer<'_> {
-    fn run(&mut self) {
+    fn scan_all_tokens(&mut self) {
         while let Some(&b) = self.bytes.get(self.at) {
             let at = self.at;
             match b {
@@ -106,7 +106,7 @@ impl Lexer<'_> {
                     }
                 }
                 b'*' | b'/' | b'&' | b'|' => self.push(b, 1, 0),
-                _ => self.other(),
+                _ => self.push_stray_character(),
             }
             if self.out.faults.len() >= MAX_FAULTS || self.brackets.too_deep() {
                 break;
@@ -163,7 +163,7 @@ impl Lexer<'_> {
     fn word(&mut self) {
         let end = self.word_end(self.at);
         let text = &self.text[self.at..end];
-        let (class, data) = match word::lookup_number(text) {
+        let (class, data) = match word::word_number_and_category(text) {
             Some((number, Category::Keyword)) if text == "function" => (class::FUNCTION, number),
             Some((number, Category::Keyword)) if text == "deprecated" => (class::DEPRECATED, number),
             Some((number, Category::Keyword)) => (class::KEYWORD, number),
@@ -174,7 +174,7 @@ impl Lexer<'_> {
     }
 
     fn number_or_sign(&mut self, b: u8) {
-        if let Some((class, end)) = self.literal(b) {
+        if let Some((class, end)) = self.literal_class_and_end(b) {
             let index = self.out.lists.len() as u32;
             self.out.lists.extend(self.lists.as_mut().map(ListScanner::take_items));
             return self.push(class, end - self.at, index);
@@ -183,13 +183,13 @@ impl Lexer<'_> {
             b'<' if self.bytes.get(self.at + 1) == Some(&b'=') => self.push(class::LESS_EQUAL, 2, 0),
             b'<' => {
                 // Stays this class if it is not a vector: the `>` decides.
-                if !(self.brackets.in_function() || self.after_operand() && self.brackets.compares()) {
+                if !(self.brackets.in_function() || self.after_operand() && self.brackets.less_sign_compares()) {
                     self.brackets.open(Opener::Angle, self.out.tokens.len());
                 }
                 self.push(class::LESS, 1, 0);
             }
             b'-' | b'+' => self.push(b, 1, 0),
-            _ => match scan_number(self.bytes, self.at) {
+            _ => match number_and_end(self.bytes, self.at) {
                 Some((value, end)) => {
                     let index = self.out.numbers.len() as u32;
                     self.out.numbers.push(value);
@@ -201,7 +201,7 @@ impl Lexer<'_> {
     }
 
     /// Returns the class and the end of a list of literals or a vector of numbers at the present position.
-    fn literal(&mut self, b: u8) -> Option<(u8, usize)> {
+    fn literal_class_and_end(&mut self, b: u8) -> Option<(u8, usize)> {
         let after_operand = self.after_operand();
         // Lists are allowed between elements: not inside expressions, vectors or functions.
         let goes_on = matches!(
@@ -214,16 +214,17 @@ impl Lexer<'_> {
             self.previous_class(),
             class::EQUAL | class::LESS_EQUAL | class::GREATER_EQUAL | class::NOT_EQUAL
         ) || matches!(self.previous_class(), class::LESS | class::GREATER);
-        let vector = b == b'<' && !self.brackets.in_function() && !(after_operand && self.brackets.compares());
+        let vector =
+            b == b'<' && !self.brackets.in_function() && !(after_operand && self.brackets.less_sign_compares());
         let lists = self.lists.as_mut()?;
-        if self.brackets.takes_lists()
+        if self.brackets.allows_number_lists()
             && !goes_on
-            && let Some((count, end)) = lists.scan(self.bytes, self.at, !after_operand)
+            && let Some((count, end)) = lists.scan_count_and_end(self.bytes, self.at, !after_operand)
             && (count > 1 || lists.first_width() > 1)
         {
             return Some((if count > 1 { class::NUMBERS } else { class::LITERAL }, end));
         }
-        let end = if vector { lists.scan_vector(self.bytes, self.at)? } else { return None };
+        let end = if vector { lists.scan_vector_to_end(self.bytes, self.at)? } else { return None };
         Some((class::LITERAL, end))
     }
 
@@ -255,7 +256,7 @@ impl Lexer<'_> {
         let class = if b == b'>' { class::VECTOR_END } else { b };
         match self.brackets.close(class) {
             Some((opener, token)) => {
-                self.out.classes[token] = opener.classes().0;
+                self.out.classes[token] = opener.opening_and_closing_class().0;
                 if opener == Opener::Brace {
                     self.mark_head(token);
                 }
@@ -325,14 +326,14 @@ impl Lexer<'_> {
         if self.bytes[start + 1] == b'/' {
             let rest = &self.bytes[start..];
             self.at += memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
-        } else if !self.block_comment() {
+        } else if !self.try_skip_block_comment() {
             return;
         }
         self.out.comments.push((start as u32, self.at as u32));
     }
 
     /// Skips the comment `/* … */`, which may be nested; returns false if the comment has no end.
-    fn block_comment(&mut self) -> bool {
+    fn try_skip_block_comment(&mut self) -> bool {
         let start = self.at;
         let (mut depth, mut at) = (1, start + 2);
         while depth > 0 {
@@ -411,17 +412,17 @@ impl Lexer<'_> {
 
     /// Ends the open directives at the end of the text, so that a tree can be built, and collects the open brackets.
     fn end_open_directives(&mut self) {
-        self.out.unended = self.brackets.unended();
+        self.out.unended = self.brackets.n_open_directives();
         for _ in 0..self.out.unended {
             self.push(class::END, 0, 0);
         }
         if self.loose_closers == 0 {
-            self.out.unclosed = self.brackets.unclosed().map(|token| token as u32).collect();
+            self.out.unclosed = self.brackets.unclosed_bracket_tokens().map(|token| token as u32).collect();
         }
     }
 
     /// Adds a token for a character without meaning, which is an error only once it is read.
-    fn other(&mut self) {
+    fn push_stray_character(&mut self) {
         let c = self.text[self.at..].chars().next().unwrap_or(' ');
         let mut len = c.len_utf8();
         // Text in single quotes is one fault.

@@ -33,7 +33,7 @@ pub fn lint_scene(sources: &Sources, files: &[FileId], lints: Lints) -> Vec<Diag
     let Some(own) = outlines.first() else { return vec![] };
     let mut out = vec![];
     if lints.unused {
-        out.extend(unused(own, &outlines));
+        out.extend(unused_name_warnings(own, &outlines));
     }
     if lints.shadow {
         out.extend(locals_hiding_globals(own, &outlines));
@@ -44,7 +44,7 @@ pub fn lint_scene(sources: &Sources, files: &[FileId], lints: Lints) -> Vec<Diag
     out
 }
 
-fn unused(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
+fn unused_name_warnings(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
     let mut used: FxHashSet<&str> = FxHashSet::default();
     for outline in all {
         let read = outline.uses.iter().filter(|one| one.is_read);

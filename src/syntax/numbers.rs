@@ -4,19 +4,19 @@ use super::ast::{NumberList, Widths};
 use crate::source::Span;
 
 /// Scans an unsigned number that starts at the offset `at`. Returns its value and end; `None` without a number.
-pub(super) fn scan_number(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
-    let (mut mantissa, mut i) = scan_digits(bytes, at, 0);
+pub(super) fn number_and_end(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
+    let (mut mantissa, mut i) = digits_and_end(bytes, at, 0);
     let (mut digits, mut scale) = (i - at, 0i32);
     if bytes.get(i) == Some(&b'.') {
         let start = i + 1;
-        (mantissa, i) = scan_digits(bytes, start, mantissa);
+        (mantissa, i) = digits_and_end(bytes, start, mantissa);
         digits += i - start;
         scale = -((i - start) as i32);
     }
     if digits == 0 {
         return None;
     }
-    let (exponent, end) = scan_exponent(bytes, i);
+    let (exponent, end) = exponent_and_end(bytes, i);
     scale = scale.saturating_add(exponent);
     // Both factors are exact, so that their product or quotient is rounded once (Clinger 1990).
     if digits <= 19 && mantissa < 1 << 53 && scale.unsigned_abs() <= 22 {
@@ -32,7 +32,7 @@ pub(super) fn scan_number(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
 /// the end. Eight bytes are tested together, without unpredictable branches (Muła, SIMD-ized parsing of numbers, 2016,
 /// in a word instead of a register).
 #[inline]
-fn scan_digits(bytes: &[u8], at: usize, mut value: u64) -> (u64, usize) {
+fn digits_and_end(bytes: &[u8], at: usize, mut value: u64) -> (u64, usize) {
     let mut i = at;
     while let Some(&eight) = bytes.get(i..).and_then(|rest| rest.first_chunk::<8>()) {
         // Digits become numbers below 10, all else becomes larger; the first character is the lowest byte.
@@ -68,7 +68,7 @@ fn digit(bytes: &[u8], i: usize) -> Option<u64> {
 }
 
 /// Scans an exponent such as `e-5`. Returns its value and end; 0 without an exponent.
-fn scan_exponent(bytes: &[u8], at: usize) -> (i32, usize) {
+fn exponent_and_end(bytes: &[u8], at: usize) -> (i32, usize) {
     let none = (0, at);
     if !matches!(bytes.get(at), Some(b'e' | b'E')) {
         return none;
@@ -117,15 +117,15 @@ pub(super) struct ListScanner {
 
 impl ListScanner {
     /// Scans the longest list of literals that starts at the offset `at`: numbers and vectors with commas between them.
-    /// The first may have a sign if `sign` is true. An item that is an operand of an operator is left out. Returns the
+    /// The first may have a sign if `sign_allowed` is true. An item that is an operand of an operator is left out. Returns the
     /// number of items, which [`Self::take_items`] yields, and their end.
-    pub(super) fn scan(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<(usize, usize)> {
+    pub(super) fn scan_count_and_end(&mut self, bytes: &[u8], at: usize, sign_allowed: bool) -> Option<(usize, usize)> {
         self.data.clear();
         self.widths = WidthsBuilder::default();
         let (mut i, mut end) = (at, None);
         loop {
             let (start, first) = (self.data.len(), end.is_none());
-            let Some(after) = self.scan_item(bytes, i, sign || !first) else { break };
+            let Some(after) = self.scan_item_to_end(bytes, i, sign_allowed || !first) else { break };
             let next = skip_blanks(bytes, after);
             let comma = bytes.get(next) == Some(&b',');
             if !comma && is_continued(bytes, next) {
@@ -157,39 +157,39 @@ impl ListScanner {
     }
 
     /// Scans one literal vector that starts at the offset `at`, and returns its end.
-    pub(super) fn scan_vector(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
+    pub(super) fn scan_vector_to_end(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         self.data.clear();
         self.widths = WidthsBuilder::default();
-        let end = self.scan_vector_numbers(bytes, at)?;
+        let end = self.scan_numbers_to_end(bytes, at)?;
         self.widths.push(self.data.len() as u16);
         Some(end)
     }
 
-    fn scan_item(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<usize> {
+    fn scan_item_to_end(&mut self, bytes: &[u8], at: usize, sign_allowed: bool) -> Option<usize> {
         if bytes.get(at) == Some(&b'<') {
-            return self.scan_vector_numbers(bytes, at);
+            return self.scan_numbers_to_end(bytes, at);
         }
-        self.scan_signed(bytes, at, sign)
+        self.scan_signed_to_end(bytes, at, sign_allowed)
     }
 
-    fn scan_signed(&mut self, bytes: &[u8], at: usize, sign: bool) -> Option<usize> {
+    fn scan_signed_to_end(&mut self, bytes: &[u8], at: usize, sign_allowed: bool) -> Option<usize> {
         let negative = bytes.get(at) == Some(&b'-');
         let signed = negative || bytes.get(at) == Some(&b'+');
-        if signed && !sign {
+        if signed && !sign_allowed {
             return None;
         }
-        let (value, end) = scan_number(bytes, at + usize::from(signed))?;
+        let (value, end) = number_and_end(bytes, at + usize::from(signed))?;
         self.data.push(if negative { -value } else { value });
         Some(end)
     }
 
     /// Scans a vector such as `<1, -2 3>`: commas are optional, but a sign without a comma before it subtracts.
-    fn scan_vector_numbers(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
+    fn scan_numbers_to_end(&mut self, bytes: &[u8], at: usize) -> Option<usize> {
         let start = self.data.len();
         let mut i = skip_blanks(bytes, at + 1);
-        let mut sign = true;
+        let mut sign_allowed = true;
         loop {
-            let Some(after) = self.scan_signed(bytes, i, sign) else {
+            let Some(after) = self.scan_signed_to_end(bytes, i, sign_allowed) else {
                 self.data.truncate(start);
                 return None;
             };
@@ -197,10 +197,10 @@ impl ListScanner {
             match bytes.get(i) {
                 Some(b',') => {
                     i = skip_blanks(bytes, i + 1);
-                    sign = true;
+                    sign_allowed = true;
                 }
                 Some(b'>') if self.data.len() - start > 1 => return Some(i + 1),
-                Some(b'0'..=b'9' | b'.') if i > after => sign = false,
+                Some(b'0'..=b'9' | b'.') if i > after => sign_allowed = false,
                 _ => {
                     self.data.truncate(start);
                     return None;
@@ -293,7 +293,7 @@ impl ItemSpans {
             (self.list, self.item, self.at) = (list, 0, 0);
         }
         loop {
-            let end = self.scanner.scan_item(bytes, self.at, true)?;
+            let end = self.scanner.scan_item_to_end(bytes, self.at, true)?;
             self.scanner.data.clear();
             if self.item == item {
                 return Some(Span::new(list.lo as usize + self.at, list.lo as usize + end));
@@ -311,7 +311,7 @@ mod tests {
 
     fn scan(text: &str) -> Option<(NumberList, usize)> {
         let mut scanner = ListScanner::default();
-        let (_, end) = scanner.scan(text.as_bytes(), 0, true)?;
+        let (_, end) = scanner.scan_count_and_end(text.as_bytes(), 0, true)?;
         Some((scanner.take_items(), end))
     }
 
@@ -334,7 +334,7 @@ mod tests {
     proptest! {
         #[test]
         fn numbers_are_read_as_the_standard_library_reads_them(text in "[0-9]{0,22}\\.?[0-9]{1,22}([eE][+-]?[0-9]{1,3})?") {
-            let (value, end) = scan_number(text.as_bytes(), 0).unwrap();
+            let (value, end) = number_and_end(text.as_bytes(), 0).unwrap();
             prop_assert_eq!(end, text.len());
             prop_assert_eq!(value.to_bits(), text.parse::<f64>().unwrap().to_bits());
         }

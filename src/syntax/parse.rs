@@ -72,18 +72,18 @@ pub fn parse_text(text: &str, base: usize, names: &Names, granularity: Granulari
         }
         start = cut;
     }
-    let (tokens, mut faults) = with_faults(lexed, text, base);
+    let (tokens, mut faults) = tokens_and_faults(lexed, text, base);
     faults.extend(piece_faults);
     (Ast { elements, tokens, unclosed }, faults)
 }
 
 /// Splits a text into tokens and returns them with the faults that [`parse_text`] would find, without building a tree.
 pub fn tokens_of(text: &str, base: usize) -> (Tokens, Vec<Diagnostic>) {
-    with_faults(lex(text, base, &Names::default(), true), text, base)
+    tokens_and_faults(lex(text, base, &Names::default(), true), text, base)
 }
 
 /// Returns the tokens of a text and their faults, including directives without `#end`.
-fn with_faults(mut lexed: Lexed, text: &str, base: usize) -> (Tokens, Vec<Diagnostic>) {
+fn tokens_and_faults(mut lexed: Lexed, text: &str, base: usize) -> (Tokens, Vec<Diagnostic>) {
     let mut faults = std::mem::take(&mut lexed.faults);
     let unended = lexed.unended;
     let tokens = Tokens::new(lexed, base);

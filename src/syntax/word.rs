@@ -12,7 +12,7 @@ pub enum Category {
     Function,
     /// Category of built-in values such as `x`, `pi`, `clock` and `on`.
     Constant,
-    /// Word that only durer has, inside the blocks of [`contextual`]; elsewhere an ordinary name.
+    /// Word that only durer has, inside the blocks of [`durer_words_of_block`]; elsewhere an ordinary name.
     Contextual,
 }
 
@@ -34,21 +34,21 @@ impl Category {
 
 /// Returns the word as a static string and its category; `None` for names that authors may declare.
 pub fn lookup(word: &str) -> Option<(&'static str, Category)> {
-    lookup_number(word).map(|(number, category)| (by_number(number).name, category))
+    word_number_and_category(word).map(|(number, category)| (word_of_number(number).name, category))
 }
 
 /// Returns the table entry of a reserved word.
 pub fn entry(word: &str) -> Option<&'static Word> {
-    lookup_number(word).map(|(number, _)| by_number(number))
+    word_number_and_category(word).map(|(number, _)| word_of_number(number))
 }
 
 /// Returns the number of a reserved word, for [`by_number`], and its category.
-pub(super) fn lookup_number(word: &str) -> Option<(u32, Category)> {
+pub(super) fn word_number_and_category(word: &str) -> Option<(u32, Category)> {
     TABLE.numbers.get(word).map(|&number| (number, TABLE.words[number as usize].category))
 }
 
 /// Returns the reserved word with this number.
-pub(super) fn by_number(number: u32) -> &'static Word {
+pub(super) fn word_of_number(number: u32) -> &'static Word {
     &TABLE.words[number as usize]
 }
 
@@ -87,7 +87,7 @@ pub fn reserved(name: &str) -> Option<&'static str> {
 }
 
 /// Returns the words that are known only to durer, for the block of this name.
-pub fn contextual(block: &str) -> &'static [&'static str] {
+pub fn durer_words_of_block(block: &str) -> &'static [&'static str] {
     CONTEXTUAL.iter().find(|(name, _)| *name == block).map_or(&[], |(_, words)| words)
 }
 

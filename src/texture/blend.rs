@@ -24,7 +24,7 @@ pub type Shares<'a, T> = SmallVec<[(&'a T, f64); 2]>;
 impl<T> Map<T> {
     /// Returns the map's entries below and above a number, and the number's position between them, from 0 to 1. The
     /// last entry from its own number on, the first up to its own number.
-    pub fn entries_around(&self, number: f64) -> (&T, Option<(&T, f64)>) {
+    pub fn entries_and_fraction_at(&self, number: f64) -> (&T, Option<(&T, f64)>) {
         let (first, last) = (&self.entries[0], &self.entries[self.entries.len() - 1]);
         // The last entry takes precedence over the first, also where both have one number; NaN gives the first (quirk:
         // map_ends).
@@ -42,7 +42,7 @@ impl<T> Map<T> {
 
     /// Returns the map's values at a number, with their weights.
     pub fn weighted_entries(&self, number: f64) -> Shares<'_, T> {
-        match self.entries_around(number) {
+        match self.entries_and_fraction_at(number) {
             (only, None) => SmallVec::from_slice(&[(only, 1.0)]),
             (below, Some((above, t))) => SmallVec::from_slice(&[(below, 1.0 - t), (above, t)]),
         }
@@ -163,10 +163,10 @@ pub enum Blend<T> {
 }
 
 impl<T> Blend<T> {
-    /// Returns the values at a pattern's number, with their weights; all of them if `all` is true.
-    pub fn weighted_values(&self, number: f64, all: bool) -> Shares<'_, T> {
+    /// Returns the values at a pattern's number, with their weights; all of them if `averages_all` is true.
+    pub fn weighted_values(&self, number: f64, averages_all: bool) -> Shares<'_, T> {
         match self {
-            Blend::Map(map) if all => map.entries_weighted_by_numbers(),
+            Blend::Map(map) if averages_all => map.entries_weighted_by_numbers(),
             Blend::Map(map) => map.weighted_entries(number),
             Blend::List(list) => weighted_list_values(list, number),
         }
@@ -254,7 +254,7 @@ mod tests {
         // POV-Ray 3.7's choice
         let shown = |numbers: &[f64], v: f64| {
             let map = Map { entries: numbers.iter().copied().enumerate().map(|(i, number)| (number, i)).collect() };
-            match map.entries_around(v) {
+            match map.entries_and_fraction_at(v) {
                 (i, None) => (*i, *i),
                 (below, Some((above, _))) => (*below, *above),
             }

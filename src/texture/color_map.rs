@@ -14,7 +14,7 @@ pub type ColorMap = Map<Color>;
 impl ColorMap {
     /// Returns the map's colour at a number.
     pub fn color_at(&self, number: f64) -> Color {
-        match self.entries_around(number) {
+        match self.entries_and_fraction_at(number) {
             (only, None) => *only,
             (below, Some((above, t))) => below.lerp(*above, t),
         }
@@ -22,7 +22,7 @@ impl ColorMap {
 
     /// Bounds on the components of the map's colour (red, green, blue, filter, transmit) for numbers with the bounds
     /// `near`.
-    pub fn bounds_near(&self, near: LocalBounds) -> [LocalBounds; 5] {
+    pub fn component_bounds_for(&self, near: LocalBounds) -> [LocalBounds; 5] {
         let Interval { lo, hi } = near.range;
         let (first, last) = (self.color_at(lo).to_array(), self.color_at(hi).to_array());
         let mut all = [0, 1, 2, 3, 4].map(|i: usize| LocalBounds {

@@ -52,7 +52,7 @@ impl Density {
         }
         pigment.set_default_colors();
         if pigment.pattern.uv {
-            pigment.pattern.end_block();
+            pigment.pattern.separate_uv_space();
         }
         Ok(Self(pigment))
     }

@@ -239,13 +239,13 @@ impl Irid {
 
     /// Returns the interference factor of the thin film for light at these cosines of incidence and view: 1 +
     /// a·cos(2π·path/λ) (quirk: `irid_formula`).
-    pub fn interference_factor(&self, p: DVec3, cosines: f64, wavelength: Rgb, noise: NoiseGenerator) -> Rgb {
+    pub fn interference_factor(&self, p: DVec3, cosine_sum: f64, wavelength: Rgb, noise: NoiseGenerator) -> Rgb {
         let mut thickness = self.thickness;
         if self.turbulence != 0.0 {
             let series = Turbulence::new(2.0, 0.5, 5.0);
             thickness *= 1.0 + self.turbulence * (2.0 * turbulence(p, series, noise) - 1.0);
         }
-        wavelength.map(|lambda| 1.0 + self.amount * fp::cos(TAU * thickness * cosines / lambda))
+        wavelength.map(|lambda| 1.0 + self.amount * fp::cos(TAU * thickness * cosine_sum / lambda))
     }
 }
 

@@ -35,7 +35,7 @@ pub struct Clearness {
 impl Clearness {
     /// Reads the words `filter all A` or `filter N, A` of an `image_map`.
     pub(super) fn read_filter(&mut self, r: &mut dyn Reader) -> Result<()> {
-        match read_transparency(r)? {
+        match palette_index_and_amount(r)? {
             (None, amount) => self.filter = Some(amount),
             (Some(number), amount) => self.palette.push((number, Some(amount), None)),
         }
@@ -44,7 +44,7 @@ impl Clearness {
 
     /// Reads the words `transmit all A` or `transmit N, A` of an `image_map`.
     pub(super) fn read_transmit(&mut self, r: &mut dyn Reader) -> Result<()> {
-        match read_transparency(r)? {
+        match palette_index_and_amount(r)? {
             (None, amount) => self.transmit = Some(amount),
             (Some(number), amount) => self.palette.push((number, None, Some(amount))),
         }
@@ -53,7 +53,7 @@ impl Clearness {
 }
 
 /// Reads the palette index, or `None` for `all`, and the amount after `filter` or `transmit`.
-fn read_transparency(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
+fn palette_index_and_amount(r: &mut dyn Reader) -> Result<(Option<u8>, f64)> {
     if r.accept("all")? {
         return Ok((None, r.float()?));
     }

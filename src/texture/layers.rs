@@ -271,7 +271,7 @@ impl Texture {
 
 fn map_by_uv(pattern: &mut Pattern) {
     pattern.uv = true;
-    pattern.end_block();
+    pattern.separate_uv_space();
 }
 
 /// Reads `tiles { texture A tile2 texture B }`, a checker of textures in old scenes.

@@ -93,7 +93,7 @@ impl Normal {
             }
         }
         out = out.unwrap_uv_mapping();
-        out.pattern.end_block();
+        out.pattern.separate_uv_space();
         Ok(out)
     }
 

@@ -142,7 +142,7 @@ impl NormalProgram {
     fn height_at(&self, inner: &TextureContext) -> f64 {
         let number = self.pattern.number_in_pattern_space(inner);
         match &self.relief {
-            ReliefProgram::Slopes(map) => match map.entries_around(number) {
+            ReliefProgram::Slopes(map) => match map.entries_and_fraction_at(number) {
                 (only, None) => only.height,
                 (below, Some((above, t))) => below.hermite_height(above, t),
             },

@@ -4,7 +4,7 @@ use super::{ImageMap, Paint, Pigment, Texture};
 use crate::color::{Color, Rgb};
 use crate::image_io::Picture;
 use crate::mesh_io::MeshMaterial;
-use crate::pattern::bitmap::{Between, Bitmap, Mapping};
+use crate::pattern::bitmap::{Bitmap, Mapping, PixelInterpolation};
 use crate::value::Reader;
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ impl Texture {
         let transmit = 1.0 - material.opacity;
         layer.pigment = match picture {
             Some(picture) => {
-                let mapping = Mapping { between: Between::Bilinear, ..Mapping::default() };
+                let mapping = Mapping { between: PixelInterpolation::Bilinear, ..Mapping::default() };
                 let bitmap = Bitmap { picture: picture.clone(), gamma: None, premultiplied: false, mapping };
                 let mut image = ImageMap { texels: bitmap.color_texels(r), mapping, clearness: Default::default() };
                 image.clearness.transmit = (transmit > 0.0).then_some(transmit);

@@ -53,7 +53,7 @@ impl Pigment {
     pub fn mapped_by_uv(paint: Paint) -> Self {
         let mut pigment = Self { paint, ..Self::default() };
         pigment.pattern.uv = true;
-        pigment.pattern.end_block();
+        pigment.pattern.separate_uv_space();
         pigment
     }
 
@@ -86,7 +86,7 @@ impl Pigment {
         pigment.set_default_colors();
         // (A default pattern takes no memory.)
         if pigment.pattern.uv {
-            pigment.pattern.end_block();
+            pigment.pattern.separate_uv_space();
         }
         Ok(pigment)
     }

@@ -63,7 +63,7 @@ impl PigmentProgram {
             Shows::Solid(_) | Shows::Colors(_) => false,
             Shows::Image(image) => !image.covers_point(pattern.to_pattern_space(ctx).p),
             Shows::Pigments(parts) => {
-                let (number, inner) = pattern.evaluate(ctx);
+                let (number, inner) = pattern.number_and_entry_context(ctx);
                 parts
                     .weighted_values(number, false)
                     .iter()
@@ -84,11 +84,11 @@ impl PigmentProgram {
     }
 
     /// Bounds on the components of [`Self::color_at`] (red, green, blue, filter, transmit) within a radius of a point.
-    pub fn colors_near(&self, ctx: &TextureContext, radius: f64) -> [LocalBounds; 5] {
+    pub fn color_bounds_near(&self, ctx: &TextureContext, radius: f64) -> [LocalBounds; 5] {
         match self.nodes.last() {
             Some(PigmentNode { shows: Shows::Solid(color), .. }) => color.to_array().map(LocalBounds::constant),
             Some(PigmentNode { shows: Shows::Colors(map), pattern }) => {
-                map.bounds_near(pattern.bounds_near(ctx, radius))
+                map.component_bounds_for(pattern.bounds_near(ctx, radius))
             }
             _ => [LocalBounds::UNKNOWN; 5],
         }
@@ -128,7 +128,7 @@ impl PigmentProgram {
             Shows::Colors(map) => map.color_at(pattern.pattern_number_at(ctx)),
             Shows::Image(image) => image.color_at(pattern.to_pattern_space(ctx).p),
             Shows::Pigments(parts) => {
-                let (number, inner) = pattern.evaluate(ctx);
+                let (number, inner) = pattern.number_and_entry_context(ctx);
                 match parts.weighted_values(number, pattern.is_average())[..] {
                     [(i, 1.0)] => self.node_color(*i as usize, &inner),
                     // Both neighbours are the same node.

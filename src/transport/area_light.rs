@@ -59,19 +59,19 @@ impl Default for Known {
 
 /// A rectangle of lights in a grid, both ends included.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct LightGridPiece {
     low: [u32; 2],
     high: [u32; 2],
 }
 
-impl Piece {
+impl LightGridPiece {
     /// Returns the number of lights in this piece of an area light's grid.
     fn count(&self) -> usize {
         (0..2).map(|i| (self.high[i] - self.low[i] + 1) as usize).product()
     }
 
     /// Divides the piece in halves along each side with more than one light, so that each light is in one part.
-    fn parts(&self) -> [Option<Piece>; 4] {
+    fn parts(&self) -> [Option<LightGridPiece>; 4] {
         let Self { low, high } = *self;
         let ends = |i: usize| {
             let middle = low[i] + (high[i] - low[i]) / 2;
@@ -80,14 +80,14 @@ impl Piece {
         let ([a, b], [c, d]) = (ends(0), ends(1));
         [(a, c), (b, c), (a, d), (b, d)].map(|(columns, rows)| {
             let ((left, right), (bottom, top)) = (columns?, rows?);
-            Some(Piece { low: [left, bottom], high: [right, top] })
+            Some(LightGridPiece { low: [left, bottom], high: [right, top] })
         })
     }
 }
 
 impl GridVisibility<'_> {
     /// Stores the visibility of each light of a piece, in a grid whose visibilities are in an array.
-    fn store(&mut self, piece: Piece, visibility: Rgb) {
+    fn store(&mut self, piece: LightGridPiece, visibility: Rgb) {
         let width = self.area.size[0] as usize;
         let [first, last] = [piece.low[0], piece.high[0]].map(|column| column as usize);
         if let Known::Array(all) = &mut self.known {
@@ -112,7 +112,7 @@ impl Tracer<'_> {
     ) -> Rgb {
         let [n, m] = area.size;
         let count = n as usize * m as usize;
-        let all = Piece { low: [0, 0], high: [n - 1, m - 1] };
+        let all = LightGridPiece { low: [0, 0], high: [n - 1, m - 1] };
         let mut grid = GridVisibility {
             light,
             area,
@@ -125,23 +125,25 @@ impl Tracer<'_> {
             has_shafts: false,
             known: Known::default(),
         };
-        let mut has_shafts = self.has_shafts(light, area, point);
+        let mut has_shafts = self.may_test_shafts(light, area, point);
         let is_stored = count <= MAX_ARRAY;
         // Trace two shadow rays that are needed in any case: in full shadow, no shaft is clear.
         let is_traced = has_shafts && is_stored;
-        let ends = [all.low, all.high].map(|end| (end, is_traced.then(|| self.light_visibility(&grid, end))));
+        let ends = [all.low, all.high].map(|end| (end, is_traced.then(|| self.trace_cell_visibility(&grid, end))));
         if has_shafts {
             let is_lit = ends.iter().all(|(_, visibility)| visibility.is_none_or(|visibility| visibility == Rgb::ONE));
-            if is_lit && self.is_clear(&grid, all) {
+            if is_lit && self.is_piece_unoccluded(&grid, all) {
                 return Rgb::ONE;
             }
-            has_shafts = !self.is_surrounded(light, point);
+            has_shafts = !self.last_occluder_surrounds(light, point);
         }
         if is_stored {
             grid.known = Known::Array(vec![Rgb::NAN; count]);
         }
         for (end, visibility) in ends {
-            visibility.into_iter().for_each(|visibility| grid.store(Piece { low: end, high: end }, visibility));
+            visibility
+                .into_iter()
+                .for_each(|visibility| grid.store(LightGridPiece { low: end, high: end }, visibility));
         }
         if is_stored {
             if has_shafts {
@@ -157,7 +159,7 @@ impl Tracer<'_> {
     /// True if shaft tests may replace shadow rays from the point: all lights of the grid count, they are many, and nothing
     /// attenuates a shadow ray without hits. Air attenuates such a ray, but interiors around the point do not, since their
     /// media end at a surface (quirk: `light_inside_media`).
-    fn has_shafts(&self, light: &LightSource, area: &Area, point: DVec3) -> bool {
+    fn may_test_shafts(&self, light: &LightSource, area: &Area, point: DVec3) -> bool {
         let count = area.size[0] as usize * area.size[1] as usize;
         self.context.has_shafts
             && area.adaptive.is_none()
@@ -165,34 +167,34 @@ impl Tracer<'_> {
             && light.through.is_none()
             && !light.emitter.is_parallel()
             && !(light.emitter.attenuated && self.has_air())
-            && !self.is_surrounded(light, point)
+            && !self.last_occluder_surrounds(light, point)
     }
 
     /// True if the object that the last shaft to the light may hit is an object that every shaft from the point may hit.
-    fn is_surrounded(&self, light: &LightSource, point: DVec3) -> bool {
+    fn last_occluder_surrounds(&self, light: &LightSource, point: DVec3) -> bool {
         self.shaft_occluders[light.number].is_some_and(|last| last.surrounds(point))
     }
 
     /// True only if no object occludes any light of the piece: no object that casts shadows is in the shaft from the
     /// point to the lights.
-    fn is_clear(&mut self, grid: &GridVisibility, piece: Piece) -> bool {
+    fn is_piece_unoccluded(&mut self, grid: &GridVisibility, piece: LightGridPiece) -> bool {
         let world = self.context.world;
         let hull = grid.area.hull(piece.low, piece.high, -grid.center.from);
         let corners = hull.map(|offset| grid.light.emitter.location + offset);
         let casts_shadow = |id: u32| world.objects[id as usize].shadow;
         let last = &mut self.shaft_occluders[grid.light.number];
         Shaft::new(grid.point, corners)
-            .is_some_and(|shaft| world.geometry.is_clear(&shaft, world.epsilon.shadow, casts_shadow, last))
+            .is_some_and(|shaft| world.geometry.is_shaft_clear(&shaft, world.epsilon.shadow, casts_shadow, last))
     }
 
     /// Stores the visibilities of all lights in the clear parts of a piece that is not clear.
-    fn store_unoccluded_parts(&mut self, grid: &mut GridVisibility, piece: Piece) {
+    fn store_unoccluded_parts(&mut self, grid: &mut GridVisibility, piece: LightGridPiece) {
         if piece.count() <= MIN_PART {
             return;
         }
         for part in piece.parts().into_iter().flatten().filter(|part| part.count() >= MIN_PART) {
             let is_lit = [part.low, part.high].iter().all(|end| self.cell_visibility(grid, *end) == Rgb::ONE);
-            match is_lit && self.is_clear(grid, part) {
+            match is_lit && self.is_piece_unoccluded(grid, part) {
                 true => grid.store(part, Rgb::ONE),
                 false => self.store_unoccluded_parts(grid, part),
             }
@@ -200,8 +202,8 @@ impl Tracer<'_> {
     }
 
     /// Returns the mean visibility of a piece of the grid after `level` halvings.
-    fn piece_visibility(&mut self, grid: &mut GridVisibility, piece: Piece, level: u32) -> Rgb {
-        let Piece { low, high } = piece;
+    fn piece_visibility(&mut self, grid: &mut GridVisibility, piece: LightGridPiece, level: u32) -> Rgb {
+        let LightGridPiece { low, high } = piece;
         let corners = [low, [high[0], low[1]], [low[0], high[1]], high].map(|cell| self.cell_visibility(grid, cell));
         let is_single = (0..2).all(|i| high[i] - low[i] <= 1);
         let is_settled =
@@ -209,7 +211,11 @@ impl Tracer<'_> {
         if is_single || is_settled || self.is_stopped_at_next_surface() {
             return corners.iter().sum::<Rgb>() * 0.25;
         }
-        if grid.has_shafts && corners == [Rgb::ONE; 4] && piece.count() >= MIN_PART && self.is_clear(grid, piece) {
+        if grid.has_shafts
+            && corners == [Rgb::ONE; 4]
+            && piece.count() >= MIN_PART
+            && self.is_piece_unoccluded(grid, piece)
+        {
             return Rgb::ONE;
         }
         let halves = |i: usize| {
@@ -219,7 +225,8 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for (bottom, top) in halves(1) {
             for (left, right) in halves(0) {
-                sum += self.piece_visibility(grid, Piece { low: [left, bottom], high: [right, top] }, level + 1);
+                sum +=
+                    self.piece_visibility(grid, LightGridPiece { low: [left, bottom], high: [right, top] }, level + 1);
             }
         }
         sum * 0.25
@@ -233,7 +240,7 @@ impl Tracer<'_> {
             Known::Map(map) => map.get(&cell).copied(),
         };
         known.unwrap_or_else(|| {
-            let visibility = self.light_visibility(grid, cell);
+            let visibility = self.trace_cell_visibility(grid, cell);
             match &mut grid.known {
                 Known::Array(all) => all[at] = visibility,
                 Known::Map(map) => drop(map.insert(cell, visibility)),
@@ -244,7 +251,7 @@ impl Tracer<'_> {
 
     /// Returns the visibility of one light of the grid by a shadow ray.
     #[inline]
-    fn light_visibility(&mut self, grid: &GridVisibility, cell: [u32; 2]) -> Rgb {
+    fn trace_cell_visibility(&mut self, grid: &GridVisibility, cell: [u32; 2]) -> Rgb {
         let offset = jittered_offset(grid.area, cell, &grid.sides, grid.random);
         let (from, distance) = grid.light.emitter.direction_and_distance(grid.point, offset);
         self.point_visibility(grid.light, Ray::new(grid.point, from), distance, grid.inside)

@@ -35,7 +35,7 @@ impl Tracer<'_> {
                 continue;
             };
             let mut next = state.continued(Ray::new(shading.point, dir), throughput * color);
-            interface.cross(&mut next.inside, own);
+            interface.update_crossed_interiors(&mut next.inside, own);
             self.counts.transmitted += 1;
             let level = state.level + 1;
             self.queue.push(RayState { level, weight, hue: Some(hue), has_transmitted: true, ..next });
@@ -128,6 +128,6 @@ mod tests {
         assert_eq!(white.n2, 1.5);
         assert!((ior(1.0) / ior(0.0) - 1.2).abs() < 1e-12);
         assert!((ior(0.5) - 1.5).abs() < 1e-12);
-        assert_eq!(white.samples(&outside, 0, &glass), Some(7));
+        assert_eq!(white.dispersion_samples(&outside, 0, &glass), Some(7));
     }
 }

@@ -36,12 +36,12 @@ impl Interface {
     /// Boundary without effect: one medium on both sides.
     pub const NONE: Interface = Interface { n1: 1.0, n2: 1.0, mirror: (1.0, 1.0), leaves: None };
 
-    /// Creates the boundary of the interior `own` for a ray inside the interiors `inside`. The ray leaves `own` if the
+    /// Creates the boundary of the interior `own_interior` for a ray inside the interiors `inside`. The ray leaves `own_interior` if the
     /// list contains it, and enters it otherwise.
-    pub fn new(inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
+    pub fn new(inside: &Interiors, own_interior: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<&u32>| i.and_then(|&i| interiors.get(i as usize)).map_or(1.0, |interior| interior.ior);
-        let (n1, own_ior) = (ior(inside.last()), ior(Some(&own)));
-        let Some(at) = inside.iter().rposition(|&i| i == own) else {
+        let (n1, own_ior) = (ior(inside.last()), ior(Some(&own_interior)));
+        let Some(at) = inside.iter().rposition(|&i| i == own_interior) else {
             return Self { n1, n2: own_ior, mirror: (n1, own_ior), leaves: None };
         };
         let n2 = ior(inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, i)| i));
@@ -52,32 +52,37 @@ impl Interface {
 
     /// Returns the boundary for light of one hue (see [`Interior::ior_of_hue`]). Its reflectance stays that of white
     /// light (quirk: `dispersion_ior`).
-    pub fn of_hue(self, hue: f64, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Self {
+    pub fn of_hue(self, hue: f64, inside: &Interiors, own_interior: u32, interiors: &[Arc<Interior>]) -> Self {
         let ior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize)).map_or(1.0, |i| i.ior_of_hue(hue));
-        Self { n1: ior(inside.last().copied()), n2: ior(self.beyond(inside, own)), ..self }
+        Self { n1: ior(inside.last().copied()), n2: ior(self.interior_beyond(inside, own_interior)), ..self }
     }
 
     /// Returns the number of colours into which white light splits at the boundary, as the interior beyond it states
     /// (quirk: `dispersion_samples_beyond`); `None` if both sides have the same dispersion.
-    pub fn samples(&self, inside: &Interiors, own: u32, interiors: &[Arc<Interior>]) -> Option<u32> {
+    pub fn dispersion_samples(
+        &self,
+        inside: &Interiors,
+        own_interior: u32,
+        interiors: &[Arc<Interior>],
+    ) -> Option<u32> {
         let interior = |i: Option<u32>| i.and_then(|i| interiors.get(i as usize));
         let dispersion = |interior: Option<&Arc<Interior>>| interior.map_or(1.0, |interior| interior.dispersion);
-        let (before, beyond) = (interior(inside.last().copied()), interior(self.beyond(inside, own)));
-        let samples = || beyond.or(interior(Some(own))).map_or(0, |interior| interior.dispersion_samples);
+        let (before, beyond) = (interior(inside.last().copied()), interior(self.interior_beyond(inside, own_interior)));
+        let samples = || beyond.or(interior(Some(own_interior))).map_or(0, |interior| interior.dispersion_samples);
         (dispersion(before) != dispersion(beyond)).then(samples)
     }
 
-    /// Returns the number of the interior on top of the ray's list after the ray has crossed the boundary of `own`;
+    /// Returns the number of the interior on top of the ray's list after the ray has crossed the boundary of `own_interior`;
     /// `None` if the list is then empty.
-    fn beyond(&self, inside: &Interiors, own: u32) -> Option<u32> {
+    fn interior_beyond(&self, inside: &Interiors, own_interior: u32) -> Option<u32> {
         match self.leaves {
             Some(at) => inside.iter().enumerate().rev().find(|(i, _)| *i != at).map(|(_, &i)| i),
-            None => Some(own),
+            None => Some(own_interior),
         }
     }
 
     /// True if the ray leaves an interior at the boundary.
-    pub fn leaves(&self) -> bool {
+    pub fn leaves_interior(&self) -> bool {
         self.leaves.is_some()
     }
 
@@ -86,11 +91,11 @@ impl Interface {
         self.n1 != self.n2
     }
 
-    /// Updates the list `inside` of a ray that crosses the boundary of the interior `own`.
-    pub fn cross(&self, inside: &mut Interiors, own: u32) {
+    /// Updates the list `inside` of a ray that crosses the boundary of the interior `own_interior`.
+    pub fn update_crossed_interiors(&self, inside: &mut Interiors, own_interior: u32) {
         match self.leaves {
             Some(at) => drop(inside.remove(at)),
-            None => inside.push(own),
+            None => inside.push(own_interior),
         }
     }
 
@@ -171,10 +176,10 @@ mod tests {
         let iors = [1.5, 1.2].map(|ior| Arc::new(Interior { ior, ..Interior::default() }));
         let mut inside = Interiors::new();
         let mut seen = vec![];
-        for own in [0, 1, 0, 1] {
-            let interface = Interface::new(&inside, own, &iors);
+        for own_interior in [0, 1, 0, 1] {
+            let interface = Interface::new(&inside, own_interior, &iors);
             seen.push(((interface.n1, interface.n2), interface.mirror));
-            interface.cross(&mut inside, own);
+            interface.update_crossed_interiors(&mut inside, own_interior);
         }
         let both = |n1: f64, n2: f64| ((n1, n2), (n1, n2));
         assert_eq!(seen, [both(1.0, 1.5), both(1.5, 1.2), ((1.2, 1.2), (1.5, 1.2)), both(1.2, 1.0)]);

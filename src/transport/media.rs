@@ -38,7 +38,7 @@ impl<'a, 'w> MediaStretch<'a, 'w> {
 
     /// Returns the index of the medium whose sampling applies to all: the first one of those with the most intervals
     /// (quirk: `media_of_several`).
-    pub(super) fn leader(&self) -> usize {
+    pub(super) fn leading_medium_index(&self) -> usize {
         let intervals = |i: &usize| self.media[*i].sampling.intervals;
         (0..self.media.len()).rev().max_by_key(intervals).unwrap_or(0)
     }
@@ -48,7 +48,7 @@ impl<'a, 'w> MediaStretch<'a, 'w> {
     fn sampling(&self) -> MediaSampling {
         let thresholds = self.media.iter().map(|medium| medium.sampling.aa_threshold);
         let aa_threshold = thresholds.fold(f64::INFINITY, f64::min);
-        MediaSampling { aa_threshold, ..self.media[self.leader()].sampling }
+        MediaSampling { aa_threshold, ..self.media[self.leading_medium_index()].sampling }
     }
 }
 

@@ -39,7 +39,7 @@ pub(super) fn media_intervals(
     let is_all_lit = beams.iter().any(|beam| beam.stretches.is_none());
     let lit: SmallVec<[[f64; 2]; 8]> = beams.iter().flat_map(|beam| beam.stretches.iter().flatten().copied()).collect();
     let is_dark = lit.is_empty() && !is_all_lit;
-    let is_uniform = is_dark && stretch.media[stretch.leader()].is_homogeneous();
+    let is_uniform = is_dark && stretch.media[stretch.leading_medium_index()].is_homogeneous();
     let pieces = if is_all_lit { Pieces::from_elem((stretch.range, true), 1) } else { beam_pieces(lit, stretch.range) };
     let intervals = if is_uniform { 1 } else { sampling.intervals as usize };
     let counts = interval_counts(

@@ -70,7 +70,12 @@ impl<'w> LitSurface<'w> for PlainPoint<'w> {
 
 impl Tracer<'_> {
     /// Adds the light of a plain surface to `sum`. True if the surface reflects the ray, and `state` is the reflected ray.
-    pub(super) fn trace_plain(&mut self, state: &mut RayState, hit: &Intersection, sum: &mut Radiance) -> bool {
+    pub(super) fn trace_plain_and_continues(
+        &mut self,
+        state: &mut RayState,
+        hit: &Intersection,
+        sum: &mut Radiance,
+    ) -> bool {
         let world = self.context.world;
         let part = &world.parts[hit.part_number() as usize];
         let at = PlainPoint::new(world, part, &state.ray, hit);

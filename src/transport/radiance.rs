@@ -42,7 +42,7 @@ impl<'w> Tracer<'w> {
         // A nested query leaves the states of the query around it in the queue.
         let pending = self.queue.len();
         while !self.is_stopped_at_next_surface() {
-            if state.n_surfaces < MAX_SURFACES && self.trace(&mut state, &mut sum) {
+            if state.n_surfaces < MAX_SURFACES && self.trace_and_continues(&mut state, &mut sum) {
                 continue;
             }
             if self.queue.len() == pending {
@@ -58,7 +58,7 @@ impl<'w> Tracer<'w> {
     /// Traces a ray up to its first hit: adds the light of the segment and of the surface to `sum`, and pushes the rays that
     /// continue. True if one ray continues that was not pushed, and `state` is that ray.
     #[inline]
-    fn trace(&mut self, state: &mut RayState, sum: &mut Radiance) -> bool {
+    fn trace_and_continues(&mut self, state: &mut RayState, sum: &mut Radiance) -> bool {
         self.random.next_vertex();
         let Some(hit) = self.closest(state) else {
             let air = match self.sees_air(state) {
@@ -73,7 +73,7 @@ impl<'w> Tracer<'w> {
         // Air between the origin and the hit
         let part = &self.context.world.parts[hit.part_number() as usize];
         if let Some(rank) = state.gather_rank
-            && !self.begin_gathered(state, rank, &hit)
+            && !self.gather_ray_survives(state, rank, &hit)
         {
             return false;
         }
@@ -84,7 +84,7 @@ impl<'w> Tracer<'w> {
         }
         let material = &self.context.world.materials[part.outside.material as usize];
         if part.uncommon.is_none() && material.is_plain && self.has_plain_light {
-            return self.trace_plain(state, &hit, sum);
+            return self.trace_plain_and_continues(state, &hit, sum);
         }
         let interface = self.interface(state, &hit);
         if part.uncommon.is_none() && material.is_clear && self.passes_clear_surface(state, &hit, &interface) {
@@ -102,7 +102,7 @@ impl<'w> Tracer<'w> {
             sum.rgb += state.throughput * self.indirect_light(state, &shading);
         }
         // Rays that continue
-        let attenuation = match self.context.world.colors_light && interface.leaves() {
+        let attenuation = match self.context.world.colors_light && interface.leaves_interior() {
             true => self.attenuation(shading.part.interior, hit.t()),
             false => Rgb::ONE,
         };
@@ -121,14 +121,14 @@ impl<'w> Tracer<'w> {
             return false;
         }
         let interior = world.parts[hit.part_number() as usize].interior;
-        let attenuation = match world.colors_light && interface.leaves() {
+        let attenuation = match world.colors_light && interface.leaves_interior() {
             true => self.attenuation(interior, hit.t()),
             false => Rgb::ONE,
         };
         state.throughput *= attenuation;
         state.transparency *= gray(Rgb::ONE) * gray(attenuation);
         if self.context.tracks_interiors {
-            interface.cross(&mut state.inside, interior);
+            interface.update_crossed_interiors(&mut state.inside, interior);
         }
         state.ray = Ray::new(hit.point(&state.ray), state.ray.dir);
         (state.has_transmitted, state.gather_rank) = (true, None);
@@ -140,7 +140,7 @@ impl<'w> Tracer<'w> {
     /// Notes the distance of the first hit of a ray that gathers light, and weights the ray. False if the ray ends there,
     /// since other rays have its weight: the share `importance` of the rays to an object is traced.
     #[inline(never)]
-    fn begin_gathered(&mut self, state: &mut RayState, rank: f64, hit: &Intersection) -> bool {
+    fn gather_ray_survives(&mut self, state: &mut RayState, rank: f64, hit: &Intersection) -> bool {
         self.first_distance = hit.t();
         let importance = self.context.world.parts[hit.part_number() as usize].importance();
         state.throughput /= importance;

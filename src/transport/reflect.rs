@@ -102,8 +102,8 @@ pub(super) fn total_reflection_factor(
 pub(super) fn film_factor(point: DVec3, shaded: &ShadedLayer, from: DVec3, world: &World) -> Rgb {
     match &shaded.layer.finish.irid {
         Some(irid) => {
-            let cosines = shaded.normal.dot(from).abs() + shaded.cos.abs();
-            irid.interference_factor(point, cosines, world.irid_wavelength, world.noise)
+            let cosine_sum = shaded.normal.dot(from).abs() + shaded.cos.abs();
+            irid.interference_factor(point, cosine_sum, world.irid_wavelength, world.noise)
         }
         None => Rgb::ONE,
     }

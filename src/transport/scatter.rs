@@ -99,7 +99,7 @@ impl Tracer<'_> {
         }
         if world.disperses
             && state.hue.is_none()
-            && let Some(samples) = interface.samples(&state.inside, shading.part.interior, &world.interiors)
+            && let Some(samples) = interface.dispersion_samples(&state.inside, shading.part.interior, &world.interiors)
         {
             return Transmission::Dispersed(samples);
         }
@@ -203,7 +203,7 @@ impl Tracer<'_> {
                 // A ray that is not bent stays on its level (quirk: `straight_ray_keeps_level`).
                 next.level += u32::from(interface.refracts());
                 if self.context.tracks_interiors {
-                    interface.cross(&mut next.inside, shading.part.interior);
+                    interface.update_crossed_interiors(&mut next.inside, shading.part.interior);
                 }
                 self.counts.transmitted += 1;
             }

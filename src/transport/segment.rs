@@ -59,8 +59,8 @@ impl<'w> Tracer<'w> {
             return Segment::NONE;
         }
         let context = SegmentContext { inside, light_set, is_shadow: false };
-        let air = if has_air { self.air(ray, span, &context) } else { Segment::NONE };
-        if has_media { air.in_front_of(self.interior_media(ray, span, &context)) } else { air }
+        let air = if has_air { self.air_segment(ray, span, &context) } else { Segment::NONE };
+        if has_media { air.in_front_of(self.interior_media_segment(ray, span, &context)) } else { air }
     }
 
     /// Returns the radiance added and the transmittance along a ray of length 1 without a hit. Interiors without an end
@@ -69,7 +69,11 @@ impl<'w> Tracer<'w> {
         if !self.has_air() || self.is_filled(inside) {
             return Segment::NONE;
         }
-        self.air(ray, &Span::from_origin(Segment::FAR), &SegmentContext { inside, light_set: 0, is_shadow: false })
+        self.air_segment(
+            ray,
+            &Span::from_origin(Segment::FAR),
+            &SegmentContext { inside, light_set: 0, is_shadow: false },
+        )
     }
 
     /// Returns the transmittance of air and media along a span of a shadow ray.
@@ -86,10 +90,10 @@ impl<'w> Tracer<'w> {
         let context = SegmentContext { inside, light_set: 0, is_shadow: true };
         let mut transmittance = Rgb::ONE;
         if segments.has_air {
-            transmittance *= self.air(ray, span, &context).transmittance;
+            transmittance *= self.air_segment(ray, span, &context).transmittance;
         }
         if segments.has_media {
-            transmittance *= self.interior_media(ray, span, &context).transmittance;
+            transmittance *= self.interior_media_segment(ray, span, &context).transmittance;
         }
         transmittance
     }
@@ -102,7 +106,7 @@ impl<'w> Tracer<'w> {
 
     /// Returns the segment of fogs, rainbows and media of the whole scene; fogs are in front of media, and rainbows behind
     /// both (quirk: `media_in_front`).
-    fn air(&mut self, ray: &Ray, span: &Span, context: &SegmentContext) -> Segment {
+    fn air_segment(&mut self, ray: &Ray, span: &Span, context: &SegmentContext) -> Segment {
         let world = self.context.world;
         let start = if span.from == 0.0 { *ray } else { Ray::new(ray.at(span.from), ray.dir) };
         let length = span.to - span.from;
@@ -124,7 +128,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Returns the segment of the media of all interiors in the list.
-    fn interior_media(&mut self, ray: &Ray, span: &Span, context: &SegmentContext) -> Segment {
+    fn interior_media_segment(&mut self, ray: &Ray, span: &Span, context: &SegmentContext) -> Segment {
         let world = self.context.world;
         let of_interior = |i: &u32| world.media.get(i).into_iter().flat_map(|media| media.iter());
         let media: SmallVec<[&Medium; 4]> = context.inside.iter().flat_map(of_interior).collect();

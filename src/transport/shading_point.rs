@@ -168,7 +168,7 @@ impl<'w> Painter<'w, '_> {
     ) {
         match material.layers.iter().find_map(|layer| layer.choice.as_deref()) {
             Some(choice) => {
-                let (number, inner) = choice.pattern.evaluate(&self.pattern_context(ctx));
+                let (number, inner) = choice.pattern.number_and_entry_context(&self.pattern_context(ctx));
                 let inner = TextureContext { normal: ctx.normal, ..inner };
                 let within = PatternSpaces { space: &choice.space, outer: frame };
                 let mut shares = choice.shares(number);
@@ -199,7 +199,7 @@ impl<'w> Painter<'w, '_> {
         let mut transmittance = Rgb::ONE;
         for layer in &material.layers {
             let bumps = layer.normal.as_ref().filter(|_| self.quality.reflection);
-            let quick = !self.quality.pigments;
+            let use_quick_color = !self.quality.pigments;
             let bumped = match bumps {
                 None => Bumped { lit: ctx.normal, seen: self.pattern_normal, weight: Rgb::ONE },
                 Some(bumps) => Bumped::new(bumps, &self.pattern_context(ctx), ctx.normal, self.placed, frame),
@@ -211,7 +211,8 @@ impl<'w> Painter<'w, '_> {
             }
             let weight = transmittance * weight;
             let seen_from = || TextureContext { normal: seen, ..*ctx };
-            let color = layer.color_everywhere(quick).unwrap_or_else(|| layer.color(&seen_from(), quick));
+            let color =
+                layer.color_everywhere(use_quick_color).unwrap_or_else(|| layer.color(&seen_from(), use_quick_color));
             let cos = -ctx.ray.dot(normal);
             let opacity = color.opacity(self.opacity_by_color);
             if !self.quality.lights {
@@ -222,7 +223,7 @@ impl<'w> Painter<'w, '_> {
             let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos, is_translucent };
             transmittance *= color.transmittance();
             // quirk: conserve_energy_without_pigment
-            if layer.finish.conserve_energy && !layer.has_no_color(&seen_from(), quick) {
+            if layer.finish.conserve_energy && !layer.has_no_color(&seen_from(), use_quick_color) {
                 transmittance *= unreflected_share(&shaded, self.interface);
             }
             self.layers.push(shaded);
@@ -261,10 +262,10 @@ impl Bumped {
         let within = frame.is_some() || bumps.framed;
         let place = placed.place.as_deref().filter(|_| within || !bumps.stays);
         let local = place.map_or(normal, |m| m.inverse_transform_normal(normal));
-        let local = frame.map_or(local, |frame| frame.inside(local));
+        let local = frame.map_or(local, |frame| frame.normal_to_innermost(local));
         let local = if within { local.normalize_or(local) } else { local };
         let inner = bumps.perturb(ctx, local);
-        let outer = frame.map_or(inner, |frame| frame.outside(inner));
+        let outer = frame.map_or(inner, |frame| frame.normal_from_innermost(inner));
         let lit = place.map_or(outer, |m| m.transform_normal(outer));
         let seen = if within { inner } else { lit };
         let seen = if bumps.keeps_length() { seen } else { seen.normalize_or(seen) };
@@ -282,13 +283,13 @@ pub(super) struct PatternSpaces<'a> {
 }
 
 impl PatternSpaces<'_> {
-    fn inside(&self, n: DVec3) -> DVec3 {
-        self.space.normal_to_pattern_space(self.outer.map_or(n, |outer| outer.inside(n)))
+    fn normal_to_innermost(&self, n: DVec3) -> DVec3 {
+        self.space.normal_to_pattern_space(self.outer.map_or(n, |outer| outer.normal_to_innermost(n)))
     }
 
-    fn outside(&self, n: DVec3) -> DVec3 {
+    fn normal_from_innermost(&self, n: DVec3) -> DVec3 {
         let n = self.space.normal_from_pattern_space(n);
-        self.outer.map_or(n, |outer| outer.outside(n))
+        self.outer.map_or(n, |outer| outer.normal_from_innermost(n))
     }
 }
 
@@ -360,11 +361,11 @@ pub(super) fn texture_context<'w>(
     (material, ctx)
 }
 
-/// Returns the transmittance of all layers where a shadow ray hits `found`; `quick` uses `quick_color`.
-pub(super) fn shadow_transmittance(world: &World, ray: &Ray, found: &Intersection, quick: bool) -> Rgb {
+/// Returns the transmittance of all layers where a shadow ray hits `found`; `use_quick_color` uses `quick_color`.
+pub(super) fn shadow_transmittance(world: &World, ray: &Ray, found: &Intersection, use_quick_color: bool) -> Rgb {
     let part = &world.parts[found.part_number() as usize];
     let outside = &world.materials[part.outside.material as usize];
-    if part.uncommon.is_none() && outside.solid && !quick {
+    if part.uncommon.is_none() && outside.solid && !use_quick_color {
         return outside.pass;
     }
     let surface = found.surface(ray);
@@ -374,7 +375,7 @@ pub(super) fn shadow_transmittance(world: &World, ray: &Ray, found: &Intersectio
     let (mut sum, mut shares) = (Rgb::ZERO, 0.0);
     each_material(world, found, &surface, from_inside, |placed, share| {
         let (material, ctx) = texture_context(world, placed, found, &surface, normal, ray);
-        sum += share * material_transmittance(material, &ctx, quick);
+        sum += share * material_transmittance(material, &ctx, use_quick_color);
         shares += share;
     });
     // quirk: missing_shares_darken_twice
@@ -382,15 +383,15 @@ pub(super) fn shadow_transmittance(world: &World, ray: &Ray, found: &Intersectio
 }
 
 /// Returns the product of the transmittances of a material's layers.
-fn material_transmittance(material: &Material, ctx: &TextureContext, quick: bool) -> Rgb {
+fn material_transmittance(material: &Material, ctx: &TextureContext, use_quick_color: bool) -> Rgb {
     material.layers.iter().fold(Rgb::ONE, |pass, layer| match &layer.choice {
         Some(choice) => {
-            let (number, inner) = choice.pattern.evaluate(ctx);
+            let (number, inner) = choice.pattern.number_and_entry_context(ctx);
             let shares = choice.shares(number);
-            pass * shares
-                .iter()
-                .fold(Rgb::ZERO, |sum, (part, share)| sum + *share * material_transmittance(part, &inner, quick))
+            pass * shares.iter().fold(Rgb::ZERO, |sum, (part, share)| {
+                sum + *share * material_transmittance(part, &inner, use_quick_color)
+            })
         }
-        None => pass * layer.color(ctx, quick).transmittance(),
+        None => pass * layer.color(ctx, use_quick_color).transmittance(),
     })
 }

@@ -85,14 +85,14 @@ impl<'w> Tracer<'w> {
             random: self.random.sequence(Purpose::Subsurface),
         };
         let all: SmallVec<[Channels; 3]> = channels_of(shaded, ior).collect();
-        self.diffuse_light(&exit, &all) + self.single_light(&exit, &all)
+        self.multiple_scattering_light(&exit, &all) + self.single_scattering_light(&exit, &all)
     }
 
     /// Returns the radiance that was scattered often. Rays in all directions, from a point below the surface for each
     /// dipole, find the points where light enters (quirk: `subsurface_hits`). The dipoles share the points: the density
     /// of the points is the mean of the densities around the origins (balance heuristic; Veach and Guibas, Optimally
     /// Combining Sampling Techniques for Monte Carlo Rendering, 1995).
-    fn diffuse_light(&mut self, exit: &Exit, all: &[Channels]) -> Rgb {
+    fn multiple_scattering_light(&mut self, exit: &Exit, all: &[Channels]) -> Rgb {
         let n_samples = self.context.world.subsurface.as_ref().map_or(0, |settings| settings.diffuse_samples);
         if all.is_empty() {
             return Rgb::ZERO;
@@ -167,7 +167,7 @@ impl<'w> Tracer<'w> {
 
     /// Returns the radiance that was scattered once, on the refracted ray (section 3.1). Distances along the ray are
     /// chosen with the mean of the dipoles' densities σ_t·exp(-σ_t·s) (balance heuristic).
-    fn single_light(&mut self, exit: &Exit, all: &[Channels]) -> Rgb {
+    fn single_scattering_light(&mut self, exit: &Exit, all: &[Channels]) -> Rgb {
         let n_samples = self.context.world.subsurface.as_ref().map_or(0, |settings| settings.single_samples);
         let cos = -exit.state.ray.dir.dot(exit.normal);
         let inner = refracted(cos, exit.ior);

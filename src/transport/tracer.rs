@@ -63,7 +63,7 @@ pub struct Tracer<'w> {
     /// Importance below which rays are not traced.
     pub(super) adc_bailout: f64,
     /// True if light comes from light sources alone, at full quality, so that a plain surface needs no more than
-    /// [`Self::trace_plain`].
+    /// [`Self::trace_plain_and_continues`].
     pub(super) has_plain_light: bool,
     /// True if the rays are photons, whose reflection is always linear.
     pub(super) traces_photons: bool,

@@ -63,7 +63,7 @@ impl Tracer<'_> {
         let world = self.context.world;
         let replaces = |id: u32| {
             let object = &world.objects[id as usize];
-            object.shadow && photons::replace_transmitted(world, shadow.light, object.photons)
+            object.shadow && photons::photons_replace_transmitted(world, shadow.light, object.photons)
         };
         world.geometry.any(&shadow.ray, shadow.range, replaces)
     }
@@ -73,7 +73,7 @@ impl Tracer<'_> {
     fn transmittance(&mut self, shadow: &ShadowRay, inside: &Interiors) -> Rgb {
         let ShadowRay { light, ref ray, range, distance } = *shadow;
         let world = self.context.world;
-        let (see_through, quick) = (world.see_through, !self.context.quality.pigments);
+        let (see_through, use_quick_color) = (world.see_through, !self.context.quality.pigments);
         // Look for an opaque occluder first: that search ends at its first hit. Without a hit, it has come by all objects whose
         // boxes the ray intersects, and knows whether any of them may filter the light.
         let may_be_filtered = Cell::new(false);
@@ -85,7 +85,7 @@ impl Tracer<'_> {
             }
             object.shadow && occludes
         };
-        if world.geometry.any_after(ray, range, occludes, &mut self.occluders[light.number])
+        if world.geometry.any_with_last_occluder(ray, range, occludes, &mut self.occluders[light.number])
             || self.context.photons.is_some() && self.is_replaced_by_photons(shadow)
         {
             return Rgb::ZERO;
@@ -107,7 +107,7 @@ impl Tracer<'_> {
         }
         let mut transmittance = Rgb::ONE;
         for hit in surfaces(world, ray, range, filters) {
-            transmittance *= shading_point::shadow_transmittance(world, ray, &hit, quick);
+            transmittance *= shading_point::shadow_transmittance(world, ray, &hit, use_quick_color);
         }
         transmittance
     }

@@ -9,7 +9,7 @@ pub const fn word(name: &'static str, kind: ValueKind, default: &'static str, su
 }
 
 /// Function that reads the value after a word into a field of `T`. The word has been consumed.
-pub type Setter<T> = fn(&mut T, &mut dyn Reader) -> Result<()>;
+pub type FieldReader<T> = fn(&mut T, &mut dyn Reader) -> Result<()>;
 
 /// A row of a table of words, with the function that reads its value.
 #[derive(Debug)]
@@ -17,12 +17,12 @@ pub struct Row<T: 'static> {
     /// Name, value type and description of the one word that this row reads.
     pub spec: WordSpec,
     /// Function that reads the word's value into the block.
-    pub set: Setter<T>,
+    pub set: FieldReader<T>,
 }
 
 impl WordSpec {
     /// Returns the table row of this word, with the function that reads the word's value.
-    pub const fn sets<T>(self, set: Setter<T>) -> Row<T> {
+    pub const fn sets<T>(self, set: FieldReader<T>) -> Row<T> {
         Row { spec: self, set }
     }
 }

@@ -71,7 +71,7 @@ pub(super) struct UnknownInterval;
 
 /// Returns the nearest hit of an intersection, or of a merge if `merged`, with the shape that is hit; all children must
 /// be able to compute their intervals. `shows` returns true for a hit at `t` that no clipping solid removes.
-pub(super) fn nearest<'a>(
+pub(super) fn nearest_end_and_leaf<'a>(
     children: &'a [SolidNode],
     merged: bool,
     ray: &Ray,
@@ -131,7 +131,7 @@ impl<'a> GatheredHits<'a> {
 
     /// Finds the interval of child `i`, and returns the range. If only hits inside the child count (`only_inside`),
     /// shrinks the range to the interval.
-    pub(super) fn set_interval(
+    pub(super) fn set_interval_and_narrow(
         &mut self,
         i: usize,
         child: &SolidNode,

@@ -181,12 +181,12 @@ impl Geometry {
 
     /// True if the ray hits any object in the range for which `accept` returns true.
     pub fn any(&self, ray: &Ray, range: Range, accept: impl Fn(u32) -> bool) -> bool {
-        self.any_after(ray, range, accept, &mut None)
+        self.any_with_last_occluder(ray, range, accept, &mut None)
     }
 
     /// True if the ray hits any accepted object in the range. Tests the object in `before` first, which occluded an
     /// earlier ray from nearby, and stores the new occluder in `before`.
-    pub fn any_after(
+    pub fn any_with_last_occluder(
         &self,
         ray: &Ray,
         range: Range,
@@ -200,7 +200,7 @@ impl Geometry {
             *before = Some(Blocker(i));
             return true;
         }
-        self.each_intersected(ray, range, |i, range| {
+        self.visit_intersected_boxes(ray, range, |i, range| {
             if meets(&self.items[i], range) {
                 *before = Some(Blocker(i));
                 return ControlFlow::Break(());
@@ -213,7 +213,7 @@ impl Geometry {
     /// Returns true only if no ray of the shaft hits an accepted object at the distance `min` or farther away. Returns
     /// false in other cases and for many shafts without hits, because only boxes and flat faces of objects are tested.
     /// Tests the object `last` first, which was in an earlier shaft from nearby, and stores the new one there.
-    pub fn is_clear(
+    pub fn is_shaft_clear(
         &self,
         shaft: &Shaft,
         min: f64,
@@ -254,7 +254,7 @@ impl Geometry {
     ) -> ControlFlow<()> {
         let mut flow = ControlFlow::Continue(());
         let mut list = Intersections::new();
-        self.each_intersected(ray, range, |i, range| {
+        self.visit_intersected_boxes(ray, range, |i, range| {
             let item = &self.items[i];
             if accept(item.object()) {
                 list.clear();
@@ -274,7 +274,7 @@ impl Geometry {
         range: Range,
         visit: &mut dyn FnMut(PlacedSolid<'a>, Intersection<'a>),
     ) {
-        self.each_intersected(ray, range, |i, range| {
+        self.visit_intersected_boxes(ray, range, |i, range| {
             match &self.items[i] {
                 Item::Solid(node) => {
                     node.visit_shape_hits(ray, range, &mut |found| visit(PlacedSolid { node, instance: None }, found));
@@ -320,7 +320,12 @@ impl Geometry {
     /// Calls `visit` with the index of each object whose box the ray intersects. `visit` returns the distance up to
     /// which further hits count.
     #[inline]
-    fn each_intersected(&self, ray: &Ray, range: Range, mut visit: impl FnMut(usize, Range) -> ControlFlow<(), f64>) {
+    fn visit_intersected_boxes(
+        &self,
+        ray: &Ray,
+        range: Range,
+        mut visit: impl FnMut(usize, Range) -> ControlFlow<(), f64>,
+    ) {
         let mut max = range.max;
         for i in self.finite..self.items.len() {
             match visit(i, Range { max, ..range }) {
@@ -387,7 +392,7 @@ impl Item {
 impl<'a> PlacedSolid<'a> {
     /// Returns the object's index in [`super::World::objects`].
     pub fn object(&self) -> u32 {
-        self.instance.map_or(self.node.object, |instance| instance.object_of(self.node))
+        self.instance.map_or(self.node.object, |instance| instance.object_number_of(self.node))
     }
 
     /// Returns the solid, in world space or, for an instance, in the instance's space.
@@ -406,9 +411,9 @@ impl<'a> PlacedSolid<'a> {
     }
 
     /// Returns the name of the solid's first shape, and the shape's index in [`super::World::parts`].
-    pub fn first_shape(&self) -> Option<(&'static str, u32)> {
+    pub fn shape_name_and_part(&self) -> Option<(&'static str, u32)> {
         let leaf = first_leaf(self.node)?;
-        Some((leaf.shape.spec().name, self.instance.map_or(leaf.id, |instance| instance.part_of(leaf))))
+        Some((leaf.shape.spec().name, self.instance.map_or(leaf.id, |instance| instance.part_number_of(leaf))))
     }
 }
 

@@ -33,7 +33,7 @@ pub type HalfSpaces = SmallVec<[HalfSpace; 16]>;
 
 impl HalfSpace {
     /// Transforms the half-space normal·p ≤ distance by `m` from object to world space; `None` if not finite.
-    fn under(m: &Transform, normal: DVec3, distance: f64) -> Option<Self> {
+    fn from_object_space(m: &Transform, normal: DVec3, distance: f64) -> Option<Self> {
         // n·(M⁻¹·p) ≤ d, where M⁻¹·p = A·p + b: (Aᵀ·n)·p ≤ d - n·b
         let n = m.inv.matrix3.transpose() * normal;
         let (length, distance) = (n.length(), distance - normal.dot(m.inv.translation));
@@ -59,12 +59,16 @@ impl HalfSpace {
 }
 
 /// Appends half-spaces that contain a shape with flat faces or round walls; none for other shapes.
-pub fn push_shape(shape: &Shape, m: &Transform, inverse: bool, out: &mut HalfSpaces) {
+pub fn push_half_spaces_of(shape: &Shape, m: &Transform, inverse: bool, out: &mut HalfSpaces) {
     let turned = || shape.as_half_space().into_iter().map(|(normal, distance)| (-normal, -distance)).collect();
     let planes = if inverse { turned() } else { shape.half_spaces() };
     let room = MAX_HALF_SPACES.saturating_sub(out.len());
     let placed = planes.into_iter().take(room);
-    out.extend(placed.filter_map(|(normal, distance)| HalfSpace::under(m, normal, distance + 2.0 * tolerance::INSIDE)));
+    out.extend(
+        placed.filter_map(|(normal, distance)| {
+            HalfSpace::from_object_space(m, normal, distance + 2.0 * tolerance::INSIDE)
+        }),
+    );
 }
 
 /// Returns a box around the intersection of the box `start` with all half-spaces.
@@ -181,7 +185,7 @@ mod tests {
     fn octahedron(turn: &Transform) -> HalfSpaces {
         let plane = |i: usize| {
             let sign = |bit: usize| if i >> bit & 1 == 0 { 1.0 } else { -1.0 };
-            HalfSpace::under(turn, DVec3::new(sign(0), sign(1), sign(2)).normalize(), 1.0 / 3f64.sqrt())
+            HalfSpace::from_object_space(turn, DVec3::new(sign(0), sign(1), sign(2)).normalize(), 1.0 / 3f64.sqrt())
         };
         (0..8).filter_map(plane).collect()
     }

@@ -38,12 +38,12 @@ impl Instance {
     }
 
     /// Returns the object number of one of the shared solids in this instance.
-    pub fn object_of(&self, node: &SolidNode) -> u32 {
+    pub fn object_number_of(&self, node: &SolidNode) -> u32 {
         self.first_object + node.object
     }
 
     /// Returns the part number of one of the shared shapes in this instance.
-    pub fn part_of(&self, leaf: &Leaf) -> u32 {
+    pub fn part_number_of(&self, leaf: &Leaf) -> u32 {
         self.first_part + leaf.id
     }
 

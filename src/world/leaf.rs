@@ -114,7 +114,7 @@ impl Leaf {
     }
 
     /// Returns a box around all hits and a box around all inside points, in world space.
-    pub(super) fn bounds(&self) -> (Aabb, Aabb) {
+    pub(super) fn surface_and_solid_bounds(&self) -> (Aabb, Aabb) {
         let surface = loosened(match &self.place {
             Some(m) => self.shape.bounds_under(m),
             None => self.shape.bounds(),
@@ -153,7 +153,7 @@ impl Intersection<'_> {
 
     /// Returns the index of the hit shape's properties in [`super::World::parts`].
     pub fn part_number(&self) -> u32 {
-        self.instance.map_or(self.leaf.id, |instance| instance.part_of(self.leaf))
+        self.instance.map_or(self.leaf.id, |instance| instance.part_number_of(self.leaf))
     }
 
     /// True if this hit wins against `other`: closer, or at the same point on an object that was declared earlier.

@@ -158,7 +158,7 @@ impl Material {
             is_clear: layers.iter().all(Layer::is_clear),
             is_plain: matches!((&layers[..], &texture.layers[..]), ([one], [written]) if one.is_plain() && is_opaque(written)),
             uv: texture.any_pattern(&Pattern::depends_on_uv),
-            repeats: texture.any_layer(&sends_light_on)
+            repeats: texture.any_layer(&reflects_or_has_grain)
                 || !texture.layers.iter().any(is_opaque)
                 || (texture.any_layer(&|layer| layer.normal.is_some())
                     && texture.any_pattern(&Pattern::may_depend_on_normal)),
@@ -186,7 +186,7 @@ fn is_opaque(layer: &texture::Layer) -> bool {
 }
 
 /// True if the layer reflects or has random grain, so that two evaluations at one point differ.
-fn sends_light_on(layer: &texture::Layer) -> bool {
+fn reflects_or_has_grain(layer: &texture::Layer) -> bool {
     !layer.finish.reflection.is_without_reflection() || layer.finish.crand != 0.0
 }
 
@@ -243,28 +243,28 @@ impl Layer {
     }
 
     /// Returns the colour of a layer that has one colour everywhere; `quick` selects `quick_color`.
-    pub fn color_everywhere(&self, quick: bool) -> Option<Color> {
-        match self.shown(quick) {
+    pub fn color_everywhere(&self, use_quick_color: bool) -> Option<Color> {
+        match self.shown(use_quick_color) {
             LayerColor::Solid(color) => Some(*color),
             LayerColor::PigmentProgram(_) | LayerColor::Untinted(_) => None,
         }
     }
 
     /// Returns the colour at a point of the texture's space; `quick` selects `quick_color`.
-    pub fn color(&self, ctx: &TextureContext, quick: bool) -> Color {
-        self.shown(quick).color_at(ctx)
+    pub fn color(&self, ctx: &TextureContext, use_quick_color: bool) -> Color {
+        self.shown(use_quick_color).color_at(ctx)
     }
 
     /// True if the pigment has no colour at a point, for example beside an image map with `once`.
-    pub fn has_no_color(&self, ctx: &TextureContext, quick: bool) -> bool {
-        match self.shown(quick) {
+    pub fn has_no_color(&self, ctx: &TextureContext, use_quick_color: bool) -> bool {
+        match self.shown(use_quick_color) {
             LayerColor::Solid(_) => false,
             LayerColor::PigmentProgram(pigment) | LayerColor::Untinted(pigment) => pigment.has_no_color_at(ctx),
         }
     }
 
-    fn shown(&self, quick: bool) -> &LayerColor {
-        self.quick.as_deref().filter(|_| quick).unwrap_or(&self.pigment)
+    fn shown(&self, use_quick_color: bool) -> &LayerColor {
+        self.quick.as_deref().filter(|_| use_quick_color).unwrap_or(&self.pigment)
     }
 }
 
@@ -301,7 +301,7 @@ impl LayerColor {
     pub(super) fn new(pigment: &Pigment) -> Self {
         match (pigment.as_solid(), pigment.pattern.untinted) {
             (Some(color), false) => Self::Solid(color),
-            (Some(color), true) => Self::Solid(color.without_tint()),
+            (Some(color), true) => Self::Solid(color.with_filter_as_transmit()),
             (None, false) => Self::PigmentProgram(Box::new(PigmentProgram::new(pigment))),
             (None, true) => Self::Untinted(Box::new(PigmentProgram::new(pigment))),
         }
@@ -312,7 +312,7 @@ impl LayerColor {
         match self {
             Self::Solid(color) => *color,
             Self::PigmentProgram(pigment) => pigment.color_at(ctx),
-            Self::Untinted(pigment) => pigment.color_at(ctx).without_tint(),
+            Self::Untinted(pigment) => pigment.color_at(ctx).with_filter_as_transmit(),
         }
     }
 }

@@ -60,12 +60,12 @@ impl Medium {
     }
 
     /// Returns the density at a point in world space, for each channel; `dir` is the direction of the ray.
-    pub fn density_at(&self, world: DVec3, dir: DVec3, noise: NoiseGenerator, waves: usize) -> Rgb {
+    pub fn density_at(&self, world_point: DVec3, dir: DVec3, noise: NoiseGenerator, waves: usize) -> Rgb {
         if self.densities.is_empty() {
             return Rgb::ONE;
         }
-        let p = self.place.as_ref().map_or(world, |place| place.inverse_transform_point(world));
-        let ctx = TextureContext { waves, world, ray: dir, ..TextureContext::without_surface(p, noise) };
+        let p = self.place.as_ref().map_or(world_point, |place| place.inverse_transform_point(world_point));
+        let ctx = TextureContext { waves, world: world_point, ray: dir, ..TextureContext::without_surface(p, noise) };
         let mut product = Rgb::ONE;
         for density in &self.densities {
             product *= density.color_at(&ctx).rgb;

@@ -18,7 +18,7 @@ mod sky;
 
 pub use geometry::{Blocker, Geometry, PlacedSolid, ShaftOccluder};
 pub use leaf::{Intersection, Intersections, Leaf, Surface};
-pub use lower::{lower, lower_away};
+pub use lower::{lower, lower_and_free};
 pub use material::{Choice, Layer, LayerColor, Lobe, LoweredFinish, Material};
 pub use medium::Medium;
 pub use node::{SolidKind, SolidNode};
@@ -258,8 +258,8 @@ pub struct LightSource {
 
 impl World {
     /// Returns whether objects with the photon settings of this number refract and whether they reflect photons of a light.
-    pub fn photon_interaction(&self, light: &LightSource, settings: u32) -> [bool; 2] {
-        self.photons[settings as usize].interaction(&light.emitter.photons)
+    pub fn photon_refracts_and_reflects(&self, light: &LightSource, settings: u32) -> [bool; 2] {
+        self.photons[settings as usize].refracts_and_reflects(&light.emitter.photons)
     }
 
     /// True if the space around objects changes light: by fog, rainbows or media.

@@ -27,7 +27,7 @@ impl Probe {
     }
 
     /// Returns the first hit of a ray and the outward normal at the hit, of length 1.
-    pub fn trace(&self, from: DVec3, direction: DVec3) -> Option<(DVec3, DVec3)> {
+    pub fn hit_point_and_normal(&self, from: DVec3, direction: DVec3) -> Option<(DVec3, DVec3)> {
         let direction = direction.try_normalize()?;
         let ray = Ray { origin: from, dir: direction };
         let found = self.0.closest(&ray, Range { min: tolerance::SURFACE, max: f64::INFINITY }, |_| true)?;

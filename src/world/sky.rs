@@ -53,7 +53,14 @@ impl Sky {
     }
 
     /// Returns the light from a direction of length 1, and the transmittance for what is behind the picture.
-    pub fn light_from(&self, dir: DVec3, view: ViewKind, quick: bool, noise: NoiseGenerator, waves: usize) -> Segment {
+    pub fn light_from(
+        &self,
+        dir: DVec3,
+        view: ViewKind,
+        use_quick_color: bool,
+        noise: NoiseGenerator,
+        waves: usize,
+    ) -> Segment {
         let behind = self.background.segment_for_view(view);
         if self.layers.is_empty() {
             return behind;
@@ -64,7 +71,7 @@ impl Sky {
             .layers
             .iter()
             .rev()
-            .map(|layer| layer.quick.as_ref().filter(|_| quick).unwrap_or(&layer.color).color_at(&ctx));
+            .map(|layer| layer.quick.as_ref().filter(|_| use_quick_color).unwrap_or(&layer.color).color_at(&ctx));
         if self.by_share { self.by_share(colors, behind) } else { self.layered(colors, behind) }
     }
 

@@ -54,7 +54,7 @@ impl Projection {
     /// position for bumps; `None` where the projection has no ray, and for flat windows and faces. `axes` are the unit
     /// vectors right, up and ahead, `window_lengths` are the width and height of the window and the length of the
     /// direction.
-    pub(super) fn ray(
+    pub(super) fn ray_and_bump_position(
         &self,
         position: DVec2,
         origin: DVec3,
@@ -73,14 +73,14 @@ impl Projection {
             Projection::Panoramic => panoramic::panoramic_ray(position, window_lengths),
             Projection::Cylinder(kind, angle) => cylinder::cylindrical_ray(*kind, position, window_lengths, *angle),
             Projection::Spherical(angles) => {
-                let (dir, place) = spherical::spherical_ray_direction(position, *angles, axes);
-                return Some((Ray::new(origin, dir.try_normalize()?), place));
+                let (dir, bump_position) = spherical::direction_and_bump_position(position, *angles, axes);
+                return Some((Ray::new(origin, dir.try_normalize()?), bump_position));
             }
         };
         let [right, up, ahead] = axes;
         let world = right * local.dir.x + up * local.dir.y + ahead * local.dir.z;
         let eye = origin + right * local.origin.x + up * local.origin.y;
-        Some((Ray::new(eye, world.try_normalize()?), local.place))
+        Some((Ray::new(eye, world.try_normalize()?), local.bump_position))
     }
 }
 
@@ -91,12 +91,12 @@ struct LocalRay {
     /// Direction of the camera ray along right, up and ahead, of any length.
     dir: DVec3,
     /// Position at which the pattern of the camera's `normal` is evaluated.
-    place: DVec2,
+    bump_position: DVec2,
 }
 
 impl LocalRay {
     /// Returns a camera ray that starts at the eye; its bumps are evaluated at `place`.
-    fn from_eye(dir: DVec3, place: DVec2) -> Self {
-        Self { origin: DVec2::ZERO, dir, place }
+    fn from_eye(dir: DVec3, bump_position: DVec2) -> Self {
+        Self { origin: DVec2::ZERO, dir, bump_position }
     }
 }

@@ -6,5 +6,5 @@ use crate::math::{DVec2, DVec3};
 
 /// Returns the ray of an orthographic camera.
 pub(super) fn orthographic_ray(position: DVec2, window_lengths: DVec3) -> LocalRay {
-    LocalRay { origin: position * window_lengths.truncate(), dir: DVec3::Z, place: position }
+    LocalRay { origin: position * window_lengths.truncate(), dir: DVec3::Z, bump_position: position }
 }

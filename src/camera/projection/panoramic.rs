@@ -8,6 +8,6 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Returns the ray of a panoramic camera. Bumps are evaluated at the horizontal angle and the angle to the horizon.
 pub(super) fn panoramic_ray(position: DVec2, window_lengths: DVec3) -> LocalRay {
     let (sin, cos) = fp::sin_cos(PI * position.x);
-    let place = DVec2::new(FRAC_PI_2 - PI * position.x, PI * position.y);
-    LocalRay::from_eye(window_lengths * DVec3::new(sin, fp::tan(PI * position.y), cos), place)
+    let bump_position = DVec2::new(FRAC_PI_2 - PI * position.x, PI * position.y);
+    LocalRay::from_eye(window_lengths * DVec3::new(sin, fp::tan(PI * position.y), cos), bump_position)
 }

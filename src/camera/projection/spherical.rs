@@ -6,13 +6,13 @@ use crate::math::{DVec2, DVec3, fp};
 /// `angles` are the horizontal and vertical angles of view; `axes` are the unit vectors right, up and ahead. The
 /// direction ahead is rotated about right and then about up, even if these are not orthogonal (quirk:
 /// `spherical_skew`).
-pub(super) fn spherical_ray_direction(
+pub(super) fn direction_and_bump_position(
     position: DVec2,
     angles: DVec2,
     [right, up, ahead]: [DVec3; 3],
 ) -> (DVec3, DVec2) {
-    let place = position * angles;
-    (rotate_about(rotate_about(ahead, right, -place.y), up, place.x), place)
+    let bump_position = position * angles;
+    (rotate_about(rotate_about(ahead, right, -bump_position.y), up, bump_position.x), bump_position)
 }
 
 /// Rotates a vector about an axis of length 1 (Rodrigues 1840).
@@ -35,7 +35,7 @@ mod tests {
             ([0.35416666666666663, 0.25], [0.8378, 0.5445, 0.0394]),
             ([-0.0625, -0.36111111111111116], [0.1552, -0.7251, 0.6709]),
         ] {
-            let (dir, _) = spherical_ray_direction(DVec2::from(at), angles, [right, DVec3::Y, DVec3::Z]);
+            let (dir, _) = direction_and_bump_position(DVec2::from(at), angles, [right, DVec3::Y, DVec3::Z]);
             assert!(dir.abs_diff_eq(DVec3::from(expected), 1e-4), "{dir}");
         }
     }

@@ -1,7 +1,7 @@
 //! Journal of an animation: the finished frames, one line of JSON for each, in a file beside the pictures.
 
 use super::identity::Begun;
-use super::unlockable;
+use super::lock_failure;
 use crate::cli::exit::Result;
 use crate::source::{ContentHash, Exclusive, OpenError, ReadFiles, sync_folder_of};
 use serde::{Deserialize, Serialize};
@@ -42,7 +42,7 @@ impl FinishedFrames {
             Ok(file) => file.delete(),
             // The picture's own messages describe a folder that cannot be written.
             Err(OpenError::Io(_)) => {}
-            Err(error) => return Err(unlockable(picture, &path, error)),
+            Err(error) => return Err(lock_failure(picture, &path, error)),
         }
         // A line that is cut off is ignored.
         let old = text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();

@@ -24,7 +24,7 @@ pub struct Work {
 /// Inputs of a picture (`Work`), with the identity of the program that began to render it.
 #[derive(Serialize, Deserialize, Clone, Debug, PartialEq)]
 pub struct Begun {
-    /// Identity of the program, from [`program`].
+    /// Identity of the program, from [`program_identity`].
     program: String,
     /// Inputs that determine the bytes of the picture: options, files, look-ups and `now`.
     pub work: Work,
@@ -33,7 +33,7 @@ pub struct Begun {
 impl Begun {
     /// Returns the work together with the identity of the running program, which begins it.
     pub fn new(work: Work) -> Self {
-        Self { program: program().into(), work }
+        Self { program: program_identity().into(), work }
     }
 
     /// Parses the header of a journal, as JSON: the work, and the program that began it.
@@ -47,7 +47,7 @@ impl Begun {
         }
         let damaged = |_| "it is damaged".to_string();
         let Writer { program: writer } = serde_json::from_slice(text).map_err(damaged)?;
-        if writer != program() {
+        if writer != program_identity() {
             return Err("it is from another version of durer".into());
         }
         serde_json::from_slice(text).map_err(damaged)
@@ -61,7 +61,7 @@ impl Begun {
             known.get(path).copied().or_else(on_disk)
         };
         let is_same = |(path, lookups): (_, &Vec<Lookup>)| lookups.iter().all(|lookup| lookup.is_current(&Disk, path));
-        self.program == program()
+        self.program == program_identity()
             && self.work.options == options
             && self.work.files.iter().all(|(path, read)| hash(path) == Some(*read))
             && self.work.lookups.iter().map(|(path, lookups)| (path.as_path(), lookups)).all(is_same)
@@ -70,7 +70,7 @@ impl Begun {
 
 impl Work {
     /// Returns the reason why this work cannot continue `other`; `None` if both are the same.
-    pub fn differs(&self, other: &Work) -> Option<String> {
+    pub fn difference_reason(&self, other: &Work) -> Option<String> {
         if self.options != other.options {
             return Some("it was rendered with other options".into());
         }
@@ -100,7 +100,7 @@ impl Work {
 /// Development versions share one number, and a commit does not describe a changed work tree; size and time of the file
 /// change when the same program is copied, and may stay when another one replaces it. The hash takes some milliseconds,
 /// and is computed only if a journal is read or written.
-pub fn program() -> &'static str {
+pub fn program_identity() -> &'static str {
     static PROGRAM: LazyLock<String> = LazyLock::new(|| {
         let hash = EXECUTABLE.as_ref().and_then(|file| {
             let mut hasher = blake3::Hasher::new();
@@ -117,8 +117,8 @@ pub fn program() -> &'static str {
     &PROGRAM
 }
 
-/// Opens the program's file, so that a later [`program`] does not read the file of an update.
-pub fn open_program() {
+/// Opens the program's file, so that a later [`program_identity`] does not read the file of an update.
+pub fn open_own_executable() {
     LazyLock::force(&EXECUTABLE);
 }
 

@@ -19,14 +19,14 @@ pub(super) struct StoredLight {
 }
 
 impl StoredLight {
-    /// Adds a part that begins at `start` in its file of light, and at `offset` in the journal's file. The first part of a
+    /// Adds a part that begins at `offset_in_light` in its file of light, and at `offset_in_journal` in the journal's file. The first part of a
     /// file of light replaces what an interrupted attempt has left.
-    pub(super) fn add_part(&mut self, kind: LightKind, start: u64, offset: u64, length: usize) {
+    pub(super) fn add_part(&mut self, kind: LightKind, offset_in_light: u64, offset_in_journal: u64, length: usize) {
         let parts = &mut self.parts[kind as usize];
-        if start == 0 {
+        if offset_in_light == 0 {
             parts.clear();
         }
-        parts.push((offset, length));
+        parts.push((offset_in_journal, length));
     }
 }
 
@@ -63,7 +63,7 @@ impl Journal {
         if state.error.is_some() {
             return;
         }
-        match state.write_new_header().and_then(|_| state.write()) {
+        match state.write_header_if_new().and_then(|_| state.write()) {
             Ok(()) if state.key.is_some() => {
                 if let Err(error) = state.append_light(kind, write) {
                     state.light.error = Some(error);

@@ -18,7 +18,7 @@ use crate::render::{FINAL_PASS, Region, Tile};
 use crate::source::{Disk, Exclusive, OpenError, Span, follow_links, sync_folder_of};
 use identity::{Begun, Work};
 use light::StoredLight;
-use record::{Content, HEAD, Key, Record, SUM, damaged, unreadable};
+use record::{Content, HEAD, Key, Record, SUM, damaged_reason, unreadable_reason};
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
@@ -35,12 +35,12 @@ pub fn lock(picture: &Path) -> exit::Result<Journal> {
     let path = path_beside(&follow_links(picture).unwrap_or_else(|_| picture.to_path_buf()));
     match Exclusive::open(&path) {
         Ok(file) => Ok(Journal::new(file)),
-        Err(error) => Err(unlockable(picture, &path, error)),
+        Err(error) => Err(lock_failure(picture, &path, error)),
     }
 }
 
 /// Deletes the journal of a finished frame, which a run that was killed just after the frame has left.
-pub fn remove_of_finished(picture: &Path) {
+pub fn remove_finished_journal(picture: &Path) {
     let path = path_beside(&follow_links(picture).unwrap_or_else(|_| picture.to_path_buf()));
     if path.is_file()
         && let Ok(file) = Exclusive::open(&path)
@@ -50,7 +50,7 @@ pub fn remove_of_finished(picture: &Path) {
 }
 
 /// Returns the failure to open the journal of a picture.
-fn unlockable(picture: &Path, journal: &Path, error: OpenError) -> Failure {
+fn lock_failure(picture: &Path, journal: &Path, error: OpenError) -> Failure {
     let (path, reason, help) = match error {
         OpenError::Io(error) => return Failure::Fault(Box::new(file::unwritable(&Disk, journal, &error))),
         OpenError::InUse => (
@@ -69,8 +69,8 @@ fn unlockable(picture: &Path, journal: &Path, error: OpenError) -> Failure {
 }
 
 /// Begins the work of a journal: continues the work in the journal if `resume` is set, or reports why that is impossible.
-/// New work is written when rendering has taken longer than `after`.
-pub fn begin(console: &Console, journal: &Journal, work: Work, resume: bool, after: Duration) {
+/// New work is written when rendering has taken longer than `first_write_delay`.
+pub fn begin(console: &Console, journal: &Journal, work: Work, resume: bool, first_write_delay: Duration) {
     let name = journal.path.display();
     if journal.has_old_work() {
         if resume {
@@ -84,13 +84,13 @@ pub fn begin(console: &Console, journal: &Journal, work: Work, resume: bool, aft
             console.info(&format!("an unfinished render exists in `{name}`; continue it with `--resume`\n"));
         }
     }
-    journal.begin(work, after);
+    journal.begin(work, first_write_delay);
 }
 
 /// Closes the journal, which waits for the disk, and returns a line that says where the tiles of the unfinished picture
 /// are; `None` if there are none and nothing failed.
 pub fn close_with_note(journal: &Journal) -> Option<String> {
-    let Some(path) = journal.write_pending() else { return failure_note(journal) };
+    let Some(path) = journal.write_pending_returning_path() else { return failure_note(journal) };
     let path = path.display();
     let stored = match journal.failure() {
         None => format!("the unfinished picture is stored in `{path}`"),
@@ -189,13 +189,13 @@ impl Journal {
     /// without a valid header.
     pub fn begun(&self) -> Option<Begun> {
         let state = self.state();
-        read_header(&mut reader(state.file.file()).ok()?).and_then(|header| Begun::parse(&header)).ok()
+        read_header(&mut reader_from_start(state.file.file()).ok()?).and_then(|header| Begun::parse(&header)).ok()
     }
 
-    /// Begins a journal of new work. The file's old contents remain until rendering has taken longer than `after`.
-    pub fn begin(&self, work: Work, after: Duration) {
+    /// Begins a journal of new work. The file's old contents remain until rendering has taken longer than `first_write_delay`.
+    pub fn begin(&self, work: Work, first_write_delay: Duration) {
         let mut state = self.state();
-        state.begins = Instant::now().checked_add(after);
+        state.begins = Instant::now().checked_add(first_write_delay);
         state.new_work = Some(work);
     }
 
@@ -206,9 +206,9 @@ impl Journal {
     pub fn resume(&self, work: &Work) -> Result<(), String> {
         let mut guard = self.state();
         let state = &mut *guard;
-        let mut reader = reader(state.file.file()).map_err(|e| unreadable(&e))?;
+        let mut reader = reader_from_start(state.file.file()).map_err(|e| unreadable_reason(&e))?;
         let header = read_header(&mut reader)?;
-        if let Some(reason) = work.differs(&Begun::parse(&header)?.work) {
+        if let Some(reason) = work.difference_reason(&Begun::parse(&header)?.work) {
             return Err(reason);
         }
         let (key, mut end) = (Key::of(&header), header.len() as u64);
@@ -221,7 +221,7 @@ impl Journal {
             }
             end += length as u64;
         }
-        state.file.file().set_len(end).map_err(|e| unreadable(&e))?;
+        state.file.file().set_len(end).map_err(|e| unreadable_reason(&e))?;
         (state.key, state.known, state.light) = (Some(key), known, light);
         (state.end, state.begins) = (end, Some(Instant::now()));
         Ok(())
@@ -239,15 +239,15 @@ impl Journal {
     ///
     /// # Errors
     /// The reason for which the file cannot be read.
-    pub fn finished_tiles(&self) -> Result<Vec<(Region, u64)>, String> {
+    pub fn finished_tiles_and_offsets(&self) -> Result<Vec<(Region, u64)>, String> {
         let mut guard = self.state();
         let state = &mut *guard;
         if state.key.is_none() {
             return Ok(vec![]);
         }
-        state.write().map_err(|e| unreadable(&e))?;
+        state.write().map_err(|e| unreadable_reason(&e))?;
         let Some(key) = &state.key else { return Ok(vec![]) };
-        let mut reader = reader(state.file.file()).map_err(|e| unreadable(&e))?;
+        let mut reader = reader_from_start(state.file.file()).map_err(|e| unreadable_reason(&e))?;
         let (mut at, mut tiles) = (read_header(&mut reader)?.len() as u64, vec![]);
         while let Some(record) = key.read(&mut reader, at)? {
             if let Some(tile) = record.tile().filter(|tile| tile.pass == FINAL_PASS) {
@@ -259,10 +259,10 @@ impl Journal {
         Ok(tiles)
     }
 
-    /// Reads the pixels of a tile's area from the journal's file, at the offset that [`Self::finished_tiles`] gave;
+    /// Reads the pixels of a tile's area from the journal's file, at the offset that [`Self::finished_tiles_and_offsets`] gave;
     /// `None` if reading fails.
-    pub fn pixels_at(&self, area: Region, offset: u64) -> Option<Vec<[f32; 4]>> {
-        self.state().pixels_at(area, offset)
+    pub fn pixels_at(&self, area: Region, file_offset: u64) -> Option<Vec<[f32; 4]>> {
+        self.state().pixels_at(area, file_offset)
     }
 
     /// Adds a finished tile. A write error ends the journal, but not the rendering.
@@ -281,7 +281,7 @@ impl Journal {
     }
 
     /// Writes all pending records, and waits for the disk. Returns the path of the journal if this run has written its header.
-    pub fn write_pending(&self) -> Option<&Path> {
+    pub fn write_pending_returning_path(&self) -> Option<&Path> {
         let mut state = self.state();
         state.key.as_ref()?;
         if state.error.is_none() {
@@ -321,8 +321,8 @@ impl Journal {
     }
 
     /// Waits until the journal's contents are on the disk; the first time, also until the file's name is.
-    fn sync(&self, unsynced: Option<(File, bool)>) {
-        let Some((file, is_first)) = unsynced else { return };
+    fn sync(&self, unsynced: Option<UnsyncedFile>) {
+        let Some(UnsyncedFile { file, is_first }) = unsynced else { return };
         if let Err(error) = file.sync_data() {
             self.state().error.get_or_insert(error);
         }
@@ -332,12 +332,19 @@ impl Journal {
     }
 }
 
+/// File of the journal that is about to be synchronized with the disk.
+struct UnsyncedFile {
+    file: File,
+    /// True for the first synchronization, after which the folder is synchronized too.
+    is_first: bool,
+}
+
 impl State {
     /// Reads the pixels of a tile's area from the journal's file, at this offset; `None` if reading fails.
-    fn pixels_at(&self, area: Region, offset: u64) -> Option<Vec<[f32; 4]>> {
+    fn pixels_at(&self, area: Region, file_offset: u64) -> Option<Vec<[f32; 4]>> {
         let mut bytes = vec![0; area.width * area.height * 16];
         let mut file = self.file.file();
-        file.seek(SeekFrom::Start(offset)).ok()?;
+        file.seek(SeekFrom::Start(file_offset)).ok()?;
         file.read_exact(&mut bytes).ok()?;
         let (numbers, _) = bytes.as_chunks::<4>();
         let numbers: Vec<f32> = numbers.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect();
@@ -345,7 +352,7 @@ impl State {
     }
 
     fn store(&mut self, tile: Tile, pixels: &[[f32; 4]]) -> io::Result<()> {
-        let is_first = self.write_new_header()?;
+        let is_first = self.write_header_if_new()?;
         let Some(key) = &self.key else { return Ok(()) };
         let offset = self.end + self.pending.len() as u64;
         key.append(&mut self.pending, offset, tile, pixels);
@@ -353,7 +360,7 @@ impl State {
     }
 
     /// Replaces the old contents by the header of new work, if the header is not written yet. Returns true if it was written.
-    fn write_new_header(&mut self) -> io::Result<bool> {
+    fn write_header_if_new(&mut self) -> io::Result<bool> {
         let Some(work) = self.new_work.take() else { return Ok(false) };
         // An empty file vanishes at the end.
         self.write_header(work).inspect_err(|_| _ = self.file.file().set_len(0))?;
@@ -386,18 +393,18 @@ impl State {
         self.synced.is_none_or(|synced| synced.elapsed() >= interval)
     }
 
-    /// Returns the file, and true for the first wait for the disk; `None` if the last wait was not longer ago than `interval`.
-    fn take_unsynced(&mut self, interval: Duration) -> Option<(File, bool)> {
+    /// Returns the file if it is time to wait for the disk; `None` if the last wait was not longer ago than `interval`.
+    fn take_unsynced(&mut self, interval: Duration) -> Option<UnsyncedFile> {
         let is_first = self.synced.is_none();
         if self.key.is_none() || !self.is_sync_due(interval) {
             return None;
         }
         self.synced = Some(Instant::now());
-        Some((self.file.file().try_clone().ok()?, is_first))
+        Some(UnsyncedFile { file: self.file.file().try_clone().ok()?, is_first })
     }
 }
 
-fn reader(mut file: &File) -> io::Result<BufReader<&File>> {
+fn reader_from_start(mut file: &File) -> io::Result<BufReader<&File>> {
     file.seek(SeekFrom::Start(0))?;
     Ok(BufReader::with_capacity(1 << 20, file))
 }
@@ -405,8 +412,8 @@ fn reader(mut file: &File) -> io::Result<BufReader<&File>> {
 /// Reads the header of a journal, which is its first line, with the line's end.
 fn read_header(reader: &mut impl BufRead) -> Result<Vec<u8>, String> {
     let mut header = vec![];
-    reader.by_ref().take(MAX_HEADER).read_until(b'\n', &mut header).map_err(|e| unreadable(&e))?;
-    if header.ends_with(b"\n") { Ok(header) } else { Err(damaged()) }
+    reader.by_ref().take(MAX_HEADER).read_until(b'\n', &mut header).map_err(|e| unreadable_reason(&e))?;
+    if header.ends_with(b"\n") { Ok(header) } else { Err(damaged_reason()) }
 }
 
 #[cfg(test)]

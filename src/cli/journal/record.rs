@@ -63,7 +63,7 @@ impl Key {
         Self(blake3::derive_key("durer 2025-11-25 records of a resume journal", header))
     }
 
-    fn sum(&self, offset: u64, content: &[u8]) -> [u8; SUM] {
+    fn keyed_checksum(&self, offset: u64, content: &[u8]) -> [u8; SUM] {
         let mut hasher = blake3::Hasher::new_keyed(&self.0);
         hasher.update(&offset.to_le_bytes()).update(content);
         let mut sum = [0; SUM];
@@ -94,15 +94,15 @@ impl Key {
         &self,
         out: &mut Vec<u8>,
         offset: u64,
-        first: u8,
-        numbers: [u64; 4],
+        kind_byte: u8,
+        head_numbers: [u64; 4],
         append_content: impl FnOnce(&mut Vec<u8>),
     ) {
         let start = out.len();
-        out.push(first);
-        numbers.iter().for_each(|number| out.extend(number.to_le_bytes()));
+        out.push(kind_byte);
+        head_numbers.iter().for_each(|number| out.extend(number.to_le_bytes()));
         append_content(out);
-        let sum = self.sum(offset, &out[start..]);
+        let sum = self.keyed_checksum(offset, &out[start..]);
         out.extend(sum);
     }
 
@@ -112,24 +112,24 @@ impl Key {
     /// If the record is damaged or from another journal, or cannot be read.
     pub fn read(&self, from: &mut impl Read, offset: u64) -> Result<Option<Record>, String> {
         let mut bytes = vec![0; HEAD];
-        if !is_filled(from, &mut bytes)? {
+        if !try_fill(from, &mut bytes)? {
             return Ok(None);
         }
-        let (content, n_bytes) = parse_head(&bytes).ok_or_else(damaged)?;
+        let (content, n_bytes) = parse_content_and_length(&bytes).ok_or_else(damaged_reason)?;
         bytes.resize(HEAD + n_bytes + SUM, 0);
-        if !is_filled(from, &mut bytes[HEAD..])? {
+        if !try_fill(from, &mut bytes[HEAD..])? {
             return Ok(None);
         }
         let (summed, sum) = bytes.split_at(bytes.len() - SUM);
-        if self.sum(offset, summed) != sum {
-            return if ends_with_zeros(from, sum)? { Ok(None) } else { Err(damaged()) };
+        if self.keyed_checksum(offset, summed) != sum {
+            return if ends_with_zeros(from, sum)? { Ok(None) } else { Err(damaged_reason()) };
         }
         Ok(Some(Record { content, length: bytes.len() }))
     }
 }
 
 /// Returns the kind of a record's content and the content's length in bytes; `None` if the head is damaged.
-fn parse_head(head: &[u8]) -> Option<(Content, usize)> {
+fn parse_content_and_length(head: &[u8]) -> Option<(Content, usize)> {
     let mut numbers = head[1..].as_chunks::<8>().0.iter().map(|&number| u64::from_le_bytes(number));
     let [a, b, c, d] = [(); 4].map(|()| numbers.next().unwrap_or(0));
     let kind = match head[0] {
@@ -147,21 +147,21 @@ fn parse_head(head: &[u8]) -> Option<(Content, usize)> {
 }
 
 /// Returns the words that a journal is damaged, as the reason why it cannot be continued.
-pub fn damaged() -> String {
+pub fn damaged_reason() -> String {
     "it is damaged".into()
 }
 
 /// Returns the words that the system cannot read or write a journal, as the reason why it cannot be continued.
-pub fn unreadable(error: &io::Error) -> String {
+pub fn unreadable_reason(error: &io::Error) -> String {
     format!("it can't be read: {error}")
 }
 
 /// Fills `bytes`; false if the file ends before.
-fn is_filled(from: &mut impl Read, bytes: &mut [u8]) -> Result<bool, String> {
+fn try_fill(from: &mut impl Read, bytes: &mut [u8]) -> Result<bool, String> {
     match from.read_exact(bytes) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => Ok(false),
-        Err(error) => Err(unreadable(&error)),
+        Err(error) => Err(unreadable_reason(&error)),
     }
 }
 
@@ -171,7 +171,7 @@ fn ends_with_zeros(from: &mut impl Read, last: &[u8]) -> Result<bool, String> {
     let mut tail = last.to_vec();
     let mut chunk = vec![0; 1 << 16];
     loop {
-        match from.read(&mut chunk).map_err(|error| unreadable(&error))? {
+        match from.read(&mut chunk).map_err(|error| unreadable_reason(&error))? {
             0 => return Ok(tail[tail.len() - SUM..].iter().all(|byte| *byte == 0)),
             length => {
                 tail.extend(&chunk[..length]);

@@ -33,7 +33,7 @@ fn written(path: &Path, work: Work) -> Vec<u8> {
     let journal = at(path);
     journal.begin(work, Duration::ZERO);
     (0..9).for_each(|x| journal.store_tile(tile(x), &pixels(x)));
-    assert_eq!(journal.write_pending(), Some(path));
+    assert_eq!(journal.write_pending_returning_path(), Some(path));
     std::fs::read(path).unwrap()
 }
 
@@ -60,7 +60,7 @@ fn records_before_a_cut_are_known() {
         }
         let missing = (0..9).filter(|x| journal.load_tile(tile(*x)).is_none());
         missing.for_each(|x| journal.store_tile(tile(x), &pixels(x)));
-        journal.write_pending();
+        journal.write_pending_returning_path();
         assert!(std::fs::read(&path).unwrap() == whole);
     }
 }
@@ -134,7 +134,7 @@ fn light_is_read_as_it_was_written() {
         store(&journal, LightKind::Radiosity, &light(3));
         journal.store_tile(tile(0), &pixels(0));
         store(&journal, LightKind::Photons, &light(7));
-        assert!(journal.write_pending().is_some() && journal.finished_tiles() == Ok(vec![]));
+        assert!(journal.write_pending_returning_path().is_some() && journal.finished_tiles_and_offsets() == Ok(vec![]));
         drop(journal);
         let journal = at(&path);
         journal.resume(&work("a")).unwrap();
@@ -185,7 +185,7 @@ fn light_that_cannot_be_written_leaves_room_for_tiles() {
         Err(io::Error::other("the disk is full"))
     });
     (0..9).for_each(|x| journal.store_tile(tile(x), &pixels(x)));
-    assert_eq!(journal.write_pending(), Some(&*path));
+    assert_eq!(journal.write_pending_returning_path(), Some(&*path));
     assert_eq!((journal.failure(), journal.light_failure().as_deref()), (None, Some("the disk is full")));
     let note = "cannot write photons or radiosity samples to the resume journal: the disk is full\n";
     assert_eq!(failure_note(&journal).as_deref(), Some(note));
@@ -201,7 +201,7 @@ fn journals_without_tiles_leave_no_file() {
     let journal = at(&path);
     journal.begin(work("a"), Duration::from_secs(9));
     journal.store_tile(tile(0), &pixels(0));
-    assert!(path.exists() && journal.write_pending().is_none());
+    assert!(path.exists() && journal.write_pending_returning_path().is_none());
     drop(journal);
     assert!(!path.exists());
 }

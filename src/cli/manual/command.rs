@@ -1,6 +1,6 @@
 //! Manual pages about the command line and the diagnostic codes.
 
-use super::{code, table};
+use super::{in_backticks, table};
 use crate::cli::commands;
 use crate::cli::povray::table::{Effect, ROWS, Row, Takes};
 use crate::cli::povray::text_output::Stream;
@@ -46,7 +46,7 @@ fn option_row(arg: &Arg) -> [String; 2] {
     let default = arg.get_default_values().first().map(|d| format!(" [default: {}]", d.to_string_lossy()));
     let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
     // Markdown interprets angle brackets.
-    [code(shown.trim()), help.replace('<', "&lt;") + &described_values(arg) + &default.unwrap_or_default()]
+    [in_backticks(shown.trim()), help.replace('<', "&lt;") + &described_values(arg) + &default.unwrap_or_default()]
 }
 
 /// Returns the values of an option with their descriptions.
@@ -55,9 +55,9 @@ fn described_values(arg: &Arg) -> String {
     if values.is_empty() || values.iter().any(|value| value.get_help().is_none()) {
         return String::new();
     }
-    let each = values
-        .iter()
-        .map(|v| format!("{} ({})", code(v.get_name()), lower_first_letter(v.get_help().map(ToString::to_string))));
+    let each = values.iter().map(|v| {
+        format!("{} ({})", in_backticks(v.get_name()), lower_first_letter(v.get_help().map(ToString::to_string)))
+    });
     format!(": {}", each.collect::<Vec<_>>().join(", "))
 }
 
@@ -81,8 +81,8 @@ fn povray_row(row: &Row) -> [String; 4] {
         Takes::Text => "TEXT",
         Takes::MaybeText => "[TEXT]",
     };
-    let switch = if row.switch.is_empty() { String::new() } else { code(&format!("+{}{value}", row.switch)) };
-    let ini = if row.ini.is_empty() { String::new() } else { code(row.ini) };
+    let switch = if row.switch.is_empty() { String::new() } else { in_backticks(&format!("+{}{value}", row.switch)) };
+    let ini = if row.ini.is_empty() { String::new() } else { in_backticks(row.ini) };
     let (on, off) = (effect(&row.on), effect(&row.off));
     let off = if off == on { String::new() } else { off };
     [switch, ini, on, off]
@@ -91,10 +91,10 @@ fn povray_row(row: &Row) -> [String; 4] {
 fn effect(effect: &Effect) -> String {
     match effect {
         Effect::Same => "nothing to do".into(),
-        Effect::Option(option) | Effect::Flag(option) | Effect::Whole(option, ..) => code(option),
+        Effect::Option(option) | Effect::Flag(option) | Effect::Whole(option, ..) => in_backticks(option),
         Effect::Part(_) => "obeyed".into(),
         Effect::TextFile(stream) => format!("copies the {} text into a file", stream.name()),
-        Effect::Silence(Stream::All) => code("--quiet"),
+        Effect::Silence(Stream::All) => in_backticks("--quiet"),
         Effect::Silence(Stream::Fatal) => "ignored: errors are always printed".into(),
         Effect::Silence(stream) => format!("does not print the {} text", stream.name()),
         Effect::Lacks(why) => format!("ignored: {why}"),

@@ -1,6 +1,6 @@
 //! Manual pages about directives, functions and constants.
 
-use super::{code, table};
+use super::{in_backticks, table};
 use crate::function::numeric;
 use crate::interpreter;
 use crate::interpreter::directives::TABLE;
@@ -23,10 +23,10 @@ pub(super) fn functions_page() -> String {
             numeric::Kernel::Two(_) => "A, B",
             numeric::Kernel::Many(_) => "A, B, …",
         };
-        [code(&format!("{}({usage})", row.name)), row.summary.to_string()]
+        [in_backticks(&format!("{}({usage})", row.name)), row.summary.to_string()]
     });
-    let others =
-        interpreter::functions().map(|(name, usage, summary)| [code(&format!("{name}{usage}")), summary.into()]);
+    let others = interpreter::functions()
+        .map(|(name, usage, summary)| [in_backticks(&format!("{name}{usage}")), summary.into()]);
     let head = ["function", "gives"];
     format!(
         "## Of numbers\n\nIn scripts and in `function {{ }}` alike. Angles are in radians.\n\n{}\
@@ -38,5 +38,6 @@ pub(super) fn functions_page() -> String {
 
 pub(super) fn constants_page() -> String {
     let intro = "Names that durer sets. No scene can declare them anew.\n\n";
-    intro.to_string() + &table(["name", "is"], CONSTANTS.iter().map(|(name, what)| [code(name), what.to_string()]))
+    intro.to_string()
+        + &table(["name", "is"], CONSTANTS.iter().map(|(name, what)| [in_backticks(name), what.to_string()]))
 }

@@ -1,15 +1,15 @@
 //! Manual pages about blocks and their words.
 
-use super::{code, kind, list, section, table, word_table};
+use super::{in_backticks, list_in_backticks, section, table, value_description, word_table};
 use crate::pattern::{CellPattern, FieldPattern, Modifiers, TurbulenceParams, Warp, bitmap};
 use crate::shape::Shape;
-use crate::syntax::word::contextual;
+use crate::syntax::word::durer_words_of_block;
 use crate::value::words::TRANSFORMS;
 use crate::value::{Family, Spec};
 use crate::{atmosphere, camera, interpreter, light, medium, scene, texture};
 
 pub(super) fn scene_page() -> String {
-    let shapes = list(Shape::SPECS.iter().map(|s| s.name));
+    let shapes = list_in_backticks(Shape::SPECS.iter().map(|s| s.name));
     section(&interpreter::STATEMENTS, "Outside of all braces", &[]) + &format!("[Shapes](shapes.md): {shapes}.\n")
 }
 
@@ -22,12 +22,12 @@ pub(super) fn shapes_page() -> String {
 fn shape_section(spec: &Spec) -> String {
     let mut text = format!("## {}\n\n`{}`: {}.\n\n", spec.name, spec.block_usage(), spec.summary.trim_end_matches('.'));
     if !spec.params.is_empty() {
-        let row = |p: &crate::value::Param| [p.name.to_string(), kind(p.kind).into(), p.summary.into()];
+        let row = |p: &crate::value::Param| [p.name.to_string(), value_description(p.kind).into(), p.summary.into()];
         text += &table(["in this order", "is a", ""], spec.params.iter().map(row));
     }
     if !spec.words.is_empty() {
         let behind = if spec.params.is_empty() { "" } else { "Behind these, in any order:\n\n" };
-        text += &(behind.to_string() + &word_table(spec.words, contextual(spec.name)));
+        text += &(behind.to_string() + &word_table(spec.words, durer_words_of_block(spec.name)));
     }
     text
 }
@@ -48,7 +48,7 @@ pub(super) fn cameras_page() -> String {
     let kinds = camera::words::KINDS.iter().map(|kind| {
         // Shapes and patterns have these names, too.
         let more = if matches!(kind.name, "cylinder" | "spherical") { " camera" } else { "" };
-        format!("## {}{more}\n\nWith the word {}: {}.\n\n", kind.name, code(kind.name), kind.summary)
+        format!("## {}{more}\n\nWith the word {}: {}.\n\n", kind.name, in_backticks(kind.name), kind.summary)
     });
     let mesh = "Rays begin in the middle of the faces of meshes, and go along their normals: a camera of any form, or, with distribution 3, a \
                 picture of the light on a mesh, for its `uv_mapping`. `mesh_camera { rays distribution [distance] mesh { … } … }`: of several \
@@ -68,7 +68,7 @@ pub(super) fn cameras_page() -> String {
         + &format!("## Mesh camera\n\n{mesh}## Bumps before the camera\n\n{bumps}")
         + &format!("## Focal blur\n\n{blur}{}", word_table(camera::words::BLUR, &[]))
         + &format!("## Bokeh\n\n{bokeh}")
-        + &section(&camera::words::LECTURE, "durer's own camera", contextual("camera"))
+        + &section(&camera::words::LECTURE, "durer's own camera", durer_words_of_block("camera"))
 }
 
 pub(super) fn lights_page() -> String {
@@ -164,7 +164,7 @@ const AVERAGE: &str = "## average\n\n`average`: all entries of a `pigment_map`, 
 
 /// Returns the sections about `image_map` and related blocks.
 fn pictures() -> String {
-    let formats = list(bitmap::FORMATS);
+    let formats = list_in_backticks(bitmap::FORMATS);
     let all = word_table(bitmap::WORDS, &[]);
     let image_map = section(&texture::words::IMAGE_MAP, "image_map", &[]);
     let channels = word_table(bitmap::CHANNELS, &[]);
@@ -177,7 +177,7 @@ fn pictures() -> String {
 }
 
 fn pattern_section(spec: &Spec) -> String {
-    let mut text = format!("## {}\n\n{}: {}.\n\n", spec.name, code(&spec.usage()), spec.summary);
+    let mut text = format!("## {}\n\n{}: {}.\n\n", spec.name, in_backticks(&spec.usage()), spec.summary);
     if !spec.words.is_empty() {
         text += &word_table(spec.words, &[]);
     }

@@ -49,26 +49,27 @@ const GENERATED: &str =
 
 /// Formats a table; cells may contain `|`.
 fn table<const N: usize>(head: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
-    let line = |cells: &[String]| format!("| {} |\n", cells.iter().map(|c| cell(c)).collect::<Vec<_>>().join(" | "));
+    let line =
+        |cells: &[String]| format!("| {} |\n", cells.iter().map(|c| escape_cell(c)).collect::<Vec<_>>().join(" | "));
     let head = line(&head.map(String::from)) + &"|---".repeat(N) + "|\n";
     rows.into_iter().fold(head, |text, row| text + &line(&row)) + "\n"
 }
 
-fn cell(text: &str) -> String {
+fn escape_cell(text: &str) -> String {
     text.replace('|', "\\|").replace('\n', " ")
 }
 
-fn code(text: &str) -> String {
+fn in_backticks(text: &str) -> String {
     if text.is_empty() { String::new() } else { format!("`{text}`") }
 }
 
 /// Formats words in backticks, separated by commas.
-fn list(words: impl IntoIterator<Item = impl AsRef<str>>) -> String {
-    words.into_iter().map(|w| code(w.as_ref())).collect::<Vec<_>>().join(", ")
+fn list_in_backticks(words: impl IntoIterator<Item = impl AsRef<str>>) -> String {
+    words.into_iter().map(|w| in_backticks(w.as_ref())).collect::<Vec<_>>().join(", ")
 }
 
 /// Describes the value that a word takes.
-fn kind(kind: ValueKind) -> &'static str {
+fn value_description(kind: ValueKind) -> &'static str {
     match kind {
         ValueKind::Nothing => "",
         ValueKind::Flag => "nothing, `on` or `off`",
@@ -86,25 +87,26 @@ fn kind(kind: ValueKind) -> &'static str {
 fn word_table(words: &[WordSpec], durer_words: &[&str]) -> String {
     let row = |w: &WordSpec| {
         let mark = if durer_words.contains(&w.name) { " *(durer's own)*" } else { "" };
-        [code(w.name) + mark, kind(w.kind).into(), w.default.into(), w.summary.into()]
+        [in_backticks(w.name) + mark, value_description(w.kind).into(), w.default.into(), w.summary.into()]
     };
     table(["word", "takes", "default", ""], words.iter().map(row))
 }
 
 /// Formats the section about a block. Words in `durer_words` are marked as words that only durer has.
 fn section(block: &Spec, title: &str, durer_words: &[&str]) -> String {
-    let mut text = format!("## {title}\n\n{}.\n\n{}", sentence(block.summary), word_table(block.words, durer_words));
+    let mut text =
+        format!("## {title}\n\n{}.\n\n{}", capitalize_sentence(block.summary), word_table(block.words, durer_words));
     if block.has_transforms {
         text += "It takes the [transforms](objects.md#transforms) too.\n\n";
     }
     if !block.ignored.is_empty() {
-        text += &format!("Read, and without effect in durer: {}.\n\n", list(block.ignored));
+        text += &format!("Read, and without effect in durer: {}.\n\n", list_in_backticks(block.ignored));
     }
     text
 }
 
 /// Capitalizes the first letter of a manual's sentence.
-fn sentence(text: &str) -> String {
+fn capitalize_sentence(text: &str) -> String {
     let mut chars = text.chars();
     let first = chars.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
     // The name `durer` is always in lower case.

@@ -1,6 +1,6 @@
 //! Manual page with an index of all words of the language, and the blocks that take them.
 
-use super::{code, table};
+use super::{in_backticks, table};
 use crate::pattern::{Modifiers, TurbulenceParams, bitmap};
 use crate::reference::{ELSEWHERE, entries};
 use crate::syntax::word::{CONSTANTS, CONTEXTUAL, FUNCTIONS, KEYWORDS};
@@ -13,14 +13,15 @@ type Index = BTreeMap<&'static str, Vec<String>>;
 
 pub(super) fn words_page() -> String {
     let mut index = Index::new();
-    blocks(&mut index);
-    values(&mut index);
+    add_block_words(&mut index);
+    add_value_words(&mut index);
     let all = KEYWORDS.iter().chain(FUNCTIONS).copied().chain(CONSTANTS.iter().map(|c| c.0));
     let mut all: Vec<_> = all.chain(CONTEXTUAL.iter().flat_map(|(_, words)| words.iter().copied())).collect();
     all.sort_unstable();
     all.dedup();
-    let rows =
-        all.into_iter().map(|word| [code(word), index.get(word).map(|places| places.join("; ")).unwrap_or_default()]);
+    let rows = all
+        .into_iter()
+        .map(|word| [in_backticks(word), index.get(word).map(|places| places.join("; ")).unwrap_or_default()]);
     format!(
         "What the language knows, and which blocks take it. No scene can declare these names; those that are *durer's own* are \
          words only in their blocks.\n\n{}",
@@ -39,7 +40,7 @@ fn add_words(index: &mut Index, words: &'static [WordSpec], place: &str) {
     words.iter().for_each(|w| add(index, w.name, place));
 }
 
-fn blocks(index: &mut Index) {
+fn add_block_words(index: &mut Index) {
     for entry in entries() {
         let (spec, place) = (entry.spec, entry.link());
         if let Some(family) = entry.family {
@@ -59,7 +60,7 @@ fn blocks(index: &mut Index) {
     add_words(index, TRANSFORMS, "[transforms](objects.md#transforms)");
 }
 
-fn values(index: &mut Index) {
+fn add_value_words(index: &mut Index) {
     add_words(index, interpreter::COLOR_WORDS, "[colours](colors.md)");
     let numeric = function::numeric::TABLE.iter().map(|row| row.name);
     for name in numeric.chain(interpreter::functions().map(|(name, ..)| name)) {

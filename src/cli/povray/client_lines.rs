@@ -24,14 +24,13 @@ pub fn progress(done: usize, total: usize) -> String {
 const RULE: &str = "----------------------------------------------------------------------------\n";
 
 /// Returns POV-Ray's statistics of a picture: width and height, and the times of parsing and tracing.
-pub fn statistics(size: [usize; 2], times: [Duration; 2]) -> String {
+pub fn statistics([width, height]: [usize; 2], [parse, trace]: [Duration; 2]) -> String {
     let line = |name: &str, time: Duration| {
         let seconds = time.as_secs();
         let [hours, minutes, rest] = [seconds / 3600, seconds / 60 % 60, seconds % 60];
         let seconds = time.as_secs_f64();
         format!("  {name} Time: {hours:7} hours {minutes:2} minutes {rest:2} seconds ({seconds:.3} seconds)\n")
     };
-    let ([width, height], [parse, trace]) = (size, times);
     let times = line("Parse", parse) + &line("Trace", trace);
     format!("{RULE}Render Statistics\nImage Resolution {width} x {height}\n{RULE}{times}{RULE}")
 }
@@ -41,7 +40,7 @@ const NOT_OF_POVRAY: &[&str] = &["W001", "W04"];
 
 /// Returns the line that POV-Ray prints for a diagnostic, with its file and line number; an empty text for the warnings
 /// in [`NOT_OF_POVRAY`].
-pub fn fault_line(sources: &Sources, diagnostic: &Diagnostic) -> String {
+pub fn povray_diagnostic_line(sources: &Sources, diagnostic: &Diagnostic) -> String {
     if diagnostic.code == codes::UNKNOWN_OPTION {
         return "Problem with option setting\nFailed to parse command-line option\n".into();
     }

@@ -45,7 +45,7 @@ impl<'s> Files<'s> {
     /// Reads an INI file, `file.ini` or `file.ini[section]`, named at `span`.
     pub fn open_ini(&mut self, word: &str, span: Span) -> Result<Ini> {
         let (name, section) = ini::split_section(word);
-        let path = self.located(&with_ini_extension(name), Path::is_file);
+        let path = self.path_beside_ini(&with_ini_extension(name), Path::is_file);
         self.check_named(&path, span)?;
         let entry = (path.canonicalize().unwrap_or_else(|_| path.clone()), section.map(str::to_lowercase));
         if self.open.contains(&entry) || self.open.len() >= MAX_NESTED {
@@ -68,35 +68,35 @@ impl<'s> Files<'s> {
 
     /// True if a word names an INI file, also one that is beside the INI file with the word.
     pub fn is_ini(&self, word: &str) -> bool {
-        let exists = |word: &str| self.located(word, Path::is_file).is_file();
+        let exists = |word: &str| self.path_beside_ini(word, Path::is_file).is_file();
         is_ini(word) || Path::new(word).extension().is_none() && !exists(word) && exists(&with_ini_extension(word))
     }
 
     /// Removes the innermost INI file after its end.
-    pub fn close(&mut self) {
+    pub fn close_innermost_ini(&mut self) {
         self.open.pop();
     }
 
     /// Returns the path of a scene in the current folder, as in POV-Ray, or else beside the INI file that names it.
-    pub fn scene(&self, name: &str) -> String {
-        self.located(name, |path| path.is_file() || exists_with_pov_extension(path)).display().to_string()
+    pub fn scene_path(&self, name: &str) -> String {
+        self.path_beside_ini(name, |path| path.is_file() || exists_with_pov_extension(path)).display().to_string()
     }
 
     /// Returns the path of a folder in the current folder, or else beside the INI file that names it.
-    pub fn folder(&self, name: &str) -> String {
-        self.located(name, Path::is_dir).display().to_string()
+    pub fn folder_path(&self, name: &str) -> String {
+        self.path_beside_ini(name, Path::is_dir).display().to_string()
     }
 
-    fn located(&self, name: &str, is_there: impl Fn(&Path) -> bool) -> PathBuf {
+    fn path_beside_ini(&self, name: &str, is_there: impl Fn(&Path) -> bool) -> PathBuf {
         let name = Path::new(name);
         let beside = self.open.last().and_then(|(ini, _)| ini.parent());
-        let beside = beside.map(|folder| shortened(&folder.join(name))).filter(|path| is_there(path));
+        let beside = beside.map(|folder| relative_to_current_folder(&folder.join(name))).filter(|path| is_there(path));
         if is_there(name) { name.into() } else { beside.unwrap_or(name.into()) }
     }
 }
 
 /// Returns the path relative to the current folder, if it is below that folder.
-fn shortened(path: &Path) -> PathBuf {
+fn relative_to_current_folder(path: &Path) -> PathBuf {
     let here = std::env::current_dir().and_then(|here| here.canonicalize()).unwrap_or_default();
     path.strip_prefix(here).map_or(path.to_path_buf(), Path::to_path_buf)
 }

@@ -40,7 +40,7 @@ pub fn parse(text: &str, base: usize, section: Option<&str>) -> Ini {
     let mut wanted = true;
     let mut labels = Vec::new();
     let mut found = false;
-    for line in lines(text) {
+    for line in line_ranges(text) {
         let line = reader.trimmed(line);
         if !text[line.clone()].starts_with('[') {
             if wanted {
@@ -78,7 +78,7 @@ pub fn split_section(word: &str) -> (&str, Option<&str>) {
 }
 
 /// Returns the byte ranges of all lines, which end with CR, LF or CRLF.
-fn lines(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
+fn line_ranges(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
     let mut start = 0;
     text.split(['\n', '\r']).map(move |line| {
         let range = start..start + line.len();

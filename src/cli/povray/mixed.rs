@@ -19,8 +19,8 @@ pub enum Form {
 }
 
 /// Determines the form of a command line.
-pub fn form(words: &[OsString]) -> Form {
-    let Some((at, first)) = first_word(words) else { return Form::Durer };
+pub fn command_line_form(words: &[OsString]) -> Form {
+    let Some((at, first)) = first_word_and_index(words) else { return Form::Durer };
     let command = commands();
     // `-V` before other words is POV-Ray's.
     if ["--help", "-h", "--version", "help"].contains(&&*first) || first == "-V" && words.len() == at + 1 {
@@ -37,7 +37,7 @@ pub fn form(words: &[OsString]) -> Form {
 }
 
 /// Returns the first word after the options that all commands have, and its index.
-pub fn first_word(words: &[OsString]) -> Option<(usize, String)> {
+pub fn first_word_and_index(words: &[OsString]) -> Option<(usize, String)> {
     let mut at = 1;
     loop {
         let word = words.get(at)?.to_string_lossy().into_owned();
@@ -107,13 +107,13 @@ fn is_povray_option(text: &str) -> bool {
 impl Translation<'_> {
     /// Puts the translated POV-Ray options before durer's own. The default of anti-aliasing is durer's unless `+A` or
     /// `-A` is given.
-    pub(super) fn mixed(mut self, words: &[OsString], at: usize) -> Translated {
+    pub(super) fn translate_mixed(mut self, words: &[OsString], command_index: usize) -> Translated {
         let all = commands();
-        let Some(command) = words.get(at).and_then(|word| all.find_subcommand(word)) else {
+        let Some(command) = words.get(command_index).and_then(|word| all.find_subcommand(word)) else {
             return self.into_translated("durer".into());
         };
         let mut own = Vec::new();
-        for (word, is_povray) in mark_povray_options(command, &words[at + 1..]) {
+        for (word, is_povray) in mark_povray_options(command, &words[command_index + 1..]) {
             match is_povray {
                 true => self.option(&word.to_string_lossy(), Origin::default()),
                 false => own.push(word.clone()),
@@ -136,7 +136,8 @@ impl Translation<'_> {
             .filter(|own| has_option(command.get_name(), &own.name) && !is_set(&own.name))
             .flat_map(|own| own.words);
         let named = self.settings.input.take().map(OsString::from);
-        let words = words[..=at].iter().cloned().chain(options).chain(named).chain(own.iter().cloned()).collect();
+        let words =
+            words[..=command_index].iter().cloned().chain(options).chain(named).chain(own.iter().cloned()).collect();
         let animation = self.settings.animation();
         Translated { words, animation, diagnostics: self.faults, idle: self.idle, ..Translated::default() }
     }

@@ -24,7 +24,7 @@ use crate::source::{Sources, Span};
 use created_ini::NamedSettings;
 pub use files::is_ini;
 use files::{Files, find_scene_file};
-pub use mixed::first_word;
+pub use mixed::first_word_and_index;
 use own::DurerOption;
 use settings::Settings;
 use std::ffi::OsString;
@@ -62,10 +62,14 @@ pub fn translate(sources: &Sources, words: Vec<OsString>) -> Translated {
         return Translated { words: vec!["durer".into(), "--version".into()], ..Translated::default() };
     }
     let untrusted = environment_is_untrusted() || words.iter().any(|word| word == "--untrusted");
-    let form = if is_named_povray(&words) && words.len() == 1 { mixed::Form::Povray } else { mixed::form(&words) };
+    let form = if is_named_povray(&words) && words.len() == 1 {
+        mixed::Form::Povray
+    } else {
+        mixed::command_line_form(&words)
+    };
     match form {
         mixed::Form::Durer => Translated { words, ..Translated::default() },
-        mixed::Form::Mixed(at) => Translation::new(sources, untrusted).mixed(&words, at),
+        mixed::Form::Mixed(at) => Translation::new(sources, untrusted).translate_mixed(&words, at),
         mixed::Form::Povray => {
             let reads_no_ini = untrusted || words.iter().any(|word| word == NO_INI);
             let user_ini = if reads_no_ini { None } else { user_ini() };
@@ -181,7 +185,7 @@ impl<'s> Translation<'s> {
     /// Translates a word of the command line, which may be a durer option whose value is the next word.
     fn word<'a>(&mut self, word: &'a OsString, rest: &mut Peekable<impl Iterator<Item = &'a OsString>>) {
         let text = word.to_string_lossy().into_owned();
-        match own::option(&text, rest.peek().map(|next| next.to_string_lossy()).as_deref()) {
+        match own::name_and_takes_next(&text, rest.peek().map(|next| next.to_string_lossy()).as_deref()) {
             Some((name, takes_value)) => {
                 let words = std::iter::once(word).chain(rest.take(usize::from(takes_value))).cloned().collect();
                 self.options.push(DurerOption { name, words });
@@ -214,7 +218,7 @@ impl<'s> Translation<'s> {
             self.ini(text, origin);
             Ok(())
         } else if origin.word.is_none() {
-            self.scenes.push(find_scene_file(self.files.scene(text)).into());
+            self.scenes.push(find_scene_file(self.files.scene_path(text)).into());
             Ok(())
         } else {
             self.set_input(text, origin)
@@ -233,7 +237,7 @@ impl<'s> Translation<'s> {
 
     /// Sets the scene to render, unless a later word names another one.
     fn set_input(&mut self, name: &str, origin: Origin) -> Result<(), Diagnostic> {
-        let scene = self.files.scene(name);
+        let scene = self.files.scene_path(name);
         self.files.check_named(Path::new(&find_scene_file(scene.clone())), origin.value).map_err(|fault| *fault)?;
         let is_as_named = scene == name && !self.files.is_untrusted();
         self.settings.scene_folder = Path::new(name).parent().filter(|_| is_as_named).unwrap_or(Path::new("")).into();
@@ -250,7 +254,7 @@ impl<'s> Translation<'s> {
             (Takes::Number | Takes::Text, _) => self.apply(row, text, value, true, origin),
             (_, Some(on)) => self.apply(row, text, "", on, origin),
             (Takes::Nothing, None) => Err(wrong_value_error(text, "it needs `on` or `off`", origin)),
-            (Takes::MaybeNumber, None) if number::real(value).is_none() => {
+            (Takes::MaybeNumber, None) if number::parse_number_prefix(value).is_none() => {
                 Err(wrong_value_error(text, "it needs `on`, `off` or a number", origin))
             }
             _ => self.apply(row, text, value, true, origin),
@@ -259,7 +263,7 @@ impl<'s> Translation<'s> {
 
     fn apply(&mut self, row: &Row, text: &str, value: &str, on: bool, origin: Origin) -> Result<(), Diagnostic> {
         let needs = match row.takes {
-            Takes::Number if number::real(value).is_none() => Some("a number"),
+            Takes::Number if number::parse_number_prefix(value).is_none() => Some("a number"),
             Takes::Text if value.is_empty() => Some("a value, without a space before it"),
             _ => None,
         };
@@ -287,16 +291,18 @@ impl<'s> Translation<'s> {
             Effect::Option(name) => {
                 check_value(name, value).map_err(|reason| wrong_value_error(text, &reason, origin))?;
                 let value = match name {
-                    "--include" => self.files.folder(value),
-                    "--language" => number::real(value).unwrap_or_default().clamp(1.0, 100.0).to_string(),
+                    "--include" => self.files.folder_path(value),
+                    "--language" => {
+                        number::parse_number_prefix(value).unwrap_or_default().clamp(1.0, 100.0).to_string()
+                    }
                     _ => value.into(),
                 };
                 self.options.push(DurerOption::new(format!("{name}={value}")));
                 Ok(())
             }
             Effect::Whole(name, least, largest) => {
-                let n =
-                    number::whole(value).ok_or_else(|| wrong_value_error(text, "it needs a whole number", origin))?;
+                let n = number::parse_whole_prefix(value)
+                    .ok_or_else(|| wrong_value_error(text, "it needs a whole number", origin))?;
                 let n = n.clamp(f64::from(least), f64::from(largest));
                 self.options.push(DurerOption::new(format!("{name}={n}")));
                 Ok(())
@@ -326,7 +332,7 @@ impl<'s> Translation<'s> {
                 for word in ini.words {
                     self.option(&word.text, Origin { word: word.span, value: word.value });
                 }
-                self.files.close();
+                self.files.close_innermost_ini();
             }
             Err(fault) => self.faults.push(*fault),
         }
@@ -393,7 +399,7 @@ pub fn ini_names() -> impl Iterator<Item = &'static str> {
 fn find_switch(word: &str) -> Option<(&'static Row, &str)> {
     // Try exact numbers first: `+H12abc` is a number, too, but `+HRx` is a misspelt `+HR`.
     switch_with(word, |value| value.parse::<f64>().is_ok())
-        .or_else(|| switch_with(word, |value| number::real(value).is_some()))
+        .or_else(|| switch_with(word, |value| number::parse_number_prefix(value).is_some()))
 }
 
 fn switch_with(word: &str, is_number: impl Fn(&str) -> bool) -> Option<(&'static Row, &str)> {

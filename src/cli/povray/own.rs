@@ -33,7 +33,7 @@ pub fn drop_overridden(options: Vec<DurerOption>) -> Vec<DurerOption> {
 /// Returns the long name of durer's option `text`, and true if the next word is its value; `None` for other words. Every
 /// `--name` counts as durer's, known or not. A short option of durer counts unless POV-Ray has an option of the same
 /// letter that is valid without a value. `-j` counts only if a number follows, attached or as the next word.
-pub fn option(text: &str, next: Option<&str>) -> Option<(String, bool)> {
+pub fn name_and_takes_next(text: &str, next: Option<&str>) -> Option<(String, bool)> {
     let command = commands();
     let render = command.find_subcommand("render")?;
     let mut arguments = render.get_arguments().chain(command.get_arguments());

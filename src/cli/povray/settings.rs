@@ -75,18 +75,20 @@ impl Settings {
     }
 
     pub fn number(&mut self, text: &str, put: impl FnOnce(&mut Self, f64)) -> Checked {
-        let x = number::real(text).filter(|x| x.is_finite()).ok_or("expected a number")?;
+        let x = number::parse_number_prefix(text).filter(|x| x.is_finite()).ok_or("expected a number")?;
         self.change(|p| put(p, x))
     }
 
     /// Sets a frame number: fractions are cut off, and negative numbers become 0, as in POV-Ray.
     pub fn frame(&mut self, text: &str, put: impl FnOnce(&mut Self, u32)) -> Checked {
-        let n = number::whole(text).ok_or("expected a whole number")?;
+        let n = number::parse_whole_prefix(text).ok_or("expected a whole number")?;
         self.change(|p| put(p, n as u32))
     }
 
     pub fn pixels(&mut self, text: &str, put: impl FnOnce(&mut Self, usize)) -> Checked {
-        let n = number::whole(text).filter(|&n| n >= 1.0).ok_or("expected a whole number of pixels, 1 or more")?;
+        let n = number::parse_whole_prefix(text)
+            .filter(|&n| n >= 1.0)
+            .ok_or("expected a whole number of pixels, 1 or more")?;
         self.change(|p| put(p, n as usize))
     }
 
@@ -101,7 +103,7 @@ impl Settings {
 
     /// Sets the method of anti-aliasing, 1 or 2.
     pub fn sampling_method(&mut self, text: &str) -> Checked {
-        let method = match number::whole(text) {
+        let method = match number::parse_whole_prefix(text) {
             Some(1.0) => "grid",
             Some(2.0) => "corners",
             _ => return Err("the methods are 1 and 2".into()),
@@ -110,7 +112,7 @@ impl Settings {
     }
 
     pub fn sampling_depth(&mut self, text: &str) -> Checked {
-        let depth = number::whole(text).ok_or("expected a number")?;
+        let depth = number::parse_whole_prefix(text).ok_or("expected a number")?;
         self.change(|p| p.sampling_depth = Some(depth.clamp(1.0, 9.0) as u32))
     }
 
@@ -121,8 +123,9 @@ impl Settings {
     }
 
     pub fn antialias_gamma(&mut self, text: &str) -> Checked {
-        let gamma =
-            number::real(text).filter(|x| (0.1..=10.0).contains(x)).ok_or("expected a number from 0.1 to 10")?;
+        let gamma = number::parse_number_prefix(text)
+            .filter(|x| (0.1..=10.0).contains(x))
+            .ok_or("expected a number from 0.1 to 10")?;
         self.change(|p| p.antialias_gamma = Some(gamma))
     }
 
@@ -158,7 +161,9 @@ impl Settings {
 
     /// Sets the bits per channel: 5 to 16, rounded up to 8 or 16.
     pub fn depth(&mut self, text: &str) -> Checked {
-        let bits = number::whole(text).filter(|bits| (1.0..=16.0).contains(bits)).ok_or("bits go from 5 to 16")?;
+        let bits = number::parse_whole_prefix(text)
+            .filter(|bits| (1.0..=16.0).contains(bits))
+            .ok_or("bits go from 5 to 16")?;
         self.change(|p| p.depth = Some(if bits > 8.0 { 16 } else { 8 }))
     }
 
@@ -180,13 +185,13 @@ impl Settings {
         self.change(|p| p.dither_method = Some(method))
     }
 
-    /// Returns the settings as options of durer. With `plain`, anti-aliasing is off unless it was turned on.
-    pub fn options(&self, plain: bool) -> Vec<String> {
+    /// Returns the settings as options of durer. With `antialias_off_by_default`, anti-aliasing is off unless it was turned on.
+    pub fn options(&self, antialias_off_by_default: bool) -> Vec<String> {
         let mut out = Vec::new();
         let mut put = |name: &str, value: String| out.push(format!("{name}={value}"));
         match self.antialias {
             Some(true) => put("--aa", self.threshold.to_string()),
-            None if !plain => {}
+            None if !antialias_off_by_default => {}
             _ => put("--aa", "off".into()),
         }
         let theirs = (self.antialias == Some(true)).then_some("grid");
@@ -205,8 +210,8 @@ impl Settings {
         }
         let sides = [self.start_column, self.end_column, self.start_row, self.end_row];
         if sides.iter().any(Option::is_some) {
-            let (x, w) = region_side(self.start_column, self.end_column, width);
-            let (y, h) = region_side(self.start_row, self.end_row, height);
+            let (x, w) = region_start_and_length(self.start_column, self.end_column, width);
+            let (y, h) = region_start_and_length(self.start_row, self.end_row, height);
             put("--region", format!("{x},{y},{w},{h}"));
             if self.is_povray_line {
                 put("--outside", "black".into());
@@ -315,7 +320,7 @@ fn is_special(path: &Path) -> bool {
 }
 
 /// Returns the first pixel and the number of pixels along one side of the region (quirk: `region_bounds`).
-fn region_side(start: Option<f64>, end: Option<f64>, side: usize) -> (usize, usize) {
+fn region_start_and_length(start: Option<f64>, end: Option<f64>, side: usize) -> (usize, usize) {
     let from = match start {
         Some(x) if x > 1.0 => x - 1.0,
         Some(x) if x < 1.0 => (x.max(0.0) * side as f64).floor(),

@@ -302,7 +302,7 @@ fn command_lines_of_durer_are_unchanged() {
         "--color never check a.scene",
         "test a.scene",
     ] {
-        assert_eq!(mixed::form(&words(line)), Form::Durer, "{line}");
+        assert_eq!(mixed::command_line_form(&words(line)), Form::Durer, "{line}");
     }
     for line in [
         "a.scene",
@@ -314,15 +314,15 @@ fn command_lines_of_durer_are_unchanged() {
         "+W4 render a.scene",
         "-V -D a.pov",
     ] {
-        assert_eq!(mixed::form(&words(line)), Form::Povray, "{line}");
+        assert_eq!(mixed::command_line_form(&words(line)), Form::Povray, "{line}");
     }
     for line in ["render a.scene +W4", "render -D a.scene", "-q check a.scene Width=4", "pick a.scene 1,2 -A"] {
-        assert!(matches!(mixed::form(&words(line)), Form::Mixed(_)), "{line}");
+        assert!(matches!(mixed::command_line_form(&words(line)), Form::Mixed(_)), "{line}");
     }
     for line in
         ["render a.scene -o +W4", "render --declare Width=4 a.scene", "render a.scene -- +W4", "render -o=+W a.scene"]
     {
-        assert_eq!(mixed::form(&words(line)), Form::Durer, "{line}");
+        assert_eq!(mixed::command_line_form(&words(line)), Form::Durer, "{line}");
     }
 }
 

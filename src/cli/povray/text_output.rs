@@ -3,7 +3,7 @@
 use super::client_lines::BANNER;
 use crate::cli::exit::Result;
 use crate::diagnostic::{Diagnostic, codes, file};
-use crate::source::{Disk, OpenError, Span, open_plain};
+use crate::source::{Disk, OpenError, Span, open_or_create_regular};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -106,12 +106,12 @@ fn first_line() -> String {
 fn open_own(path: &Path, appends: bool) -> Result<File> {
     let is_hidden = path.file_name().is_none_or(|name| name.to_string_lossy().starts_with('.'));
     if is_hidden {
-        return Err(foreign(path).into());
+        return Err(foreign_file_error(path).into());
     }
-    let mut file = match open_plain(path) {
+    let mut file = match open_or_create_regular(path) {
         Ok(file) => file,
         Err(OpenError::Io(error)) => return Err(unwritable(path, &error).into()),
-        _ => return Err(foreign(path).into()),
+        _ => return Err(foreign_file_error(path).into()),
     };
     let prepare = |file: &mut File| -> io::Result<bool> {
         let mut start = vec![];
@@ -131,7 +131,7 @@ fn open_own(path: &Path, appends: bool) -> Result<File> {
     };
     match prepare(&mut file) {
         Ok(true) => Ok(file),
-        Ok(false) => Err(foreign(path).into()),
+        Ok(false) => Err(foreign_file_error(path).into()),
         Err(error) => Err(unwritable(path, &error).into()),
     }
 }
@@ -141,7 +141,7 @@ fn unwritable(path: &Path, error: &io::Error) -> Box<Diagnostic> {
 }
 
 /// Returns the error for a file that durer did not write, and therefore does not replace.
-fn foreign(path: &Path) -> Box<Diagnostic> {
+fn foreign_file_error(path: &Path) -> Box<Diagnostic> {
     let text = format!("`{}` was not written by durer, and is not replaced", path.display());
     Box::new(Diagnostic::new(codes::FILE_UNWRITABLE, Span::NONE, text).help("move it away, or choose another name"))
 }

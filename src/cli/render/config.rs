@@ -92,7 +92,7 @@ impl Config {
                 (Pictures::One(timing), if is_exact { target } else { target.numbered(timing.frame, digits) })
             }
         };
-        let threads = args.threads.or_else(|| scheduler::assigned_threads(variable)).map_or(0, usize::from);
+        let threads = args.threads.or_else(|| scheduler::assigned_threads(environment_variable)).map_or(0, usize::from);
         let (shard, shard_note) = resolve_shard(&args, &target)?.map_or((None, None), |it| (Some(it.shard), it.note));
         let (timing, region) = (Timing::default(), args.region.map(|part| part.0));
         let drawing = render::Options {
@@ -160,13 +160,13 @@ fn resolve_shard(args: &RenderArgs, target: &Target) -> Result<Option<Resolved>>
     if target.file().is_none() {
         return usage("`--shard` writes a file beside the picture: name the picture's file with `-o`");
     }
-    let resolved = scheduler::resolve(choice, variable)?;
-    exit::ask_for_another_try();
+    let resolved = scheduler::resolve(choice, environment_variable)?;
+    exit::request_retry_on_term();
     Ok(Some(resolved))
 }
 
 /// Returns a variable of the environment.
-fn variable(name: &str) -> Option<String> {
+fn environment_variable(name: &str) -> Option<String> {
     std::env::var(name).ok()
 }
 
@@ -179,7 +179,7 @@ fn animation_of(args: &RenderArgs, animation: Option<Animation>) -> Result<Optio
                 "`--frames` asks for frames that do not exist: the animation goes from {first} to {last}"
             ));
         }
-        (Some(frames), Some(animation)) => Some(animation.only(frames)),
+        (Some(frames), Some(animation)) => Some(animation.restricted_to(frames)),
         (Some(frames), None) => {
             let animation = Animation::new(frames);
             Some(Animation { clock: args.scene.clock.unwrap_or(animation.clock), ..animation })
@@ -215,7 +215,7 @@ fn checked_target(input: &std::path::Path, args: &RenderArgs) -> Result<Target> 
     let target = Target::new(input, args)?;
     if args.dump.is_none() {
         let limit = args.scene.memory_limit().map(|bytes| bytes.0);
-        memory::check_memory(args.scene.size(), args.region.map(|part| part.0), target.kept_bytes(), limit)?;
+        memory::check_memory(args.scene.size(), args.region.map(|part| part.0), target.kept_bytes_per_pixel(), limit)?;
     }
     Ok(target)
 }
@@ -229,7 +229,7 @@ fn check_stdout(input: &std::path::Path, args: &RenderArgs, target: &Target, is_
         return usage("standard output can't take both the picture and `--stats json` or `--dump`");
     }
     if is_animated && args.scene.frame.is_none() {
-        target.check_many()?;
+        target.check_takes_many_frames()?;
     }
     if std::io::stdout().is_terminal() {
         let input = input.display();

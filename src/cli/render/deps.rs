@@ -36,26 +36,26 @@ fn as_rule(pictures: &[PathBuf], files: &[PathBuf]) -> Vec<u8> {
     let mut text = vec![];
     for (i, picture) in pictures.iter().enumerate() {
         text.extend(if i > 0 { &b" "[..] } else { b"" });
-        text.extend(escaped(picture));
+        text.extend(escaped_for_make(picture));
     }
     if !pictures.is_empty() {
         text.push(b':');
         for file in files {
             text.extend(b" \\\n  ");
-            text.extend(escaped(file));
+            text.extend(escaped_for_make(file));
         }
         text.push(b'\n');
     }
     for file in files {
         text.push(b'\n');
-        text.extend(escaped(file));
+        text.extend(escaped_for_make(file));
         text.extend(b":\n");
     }
     text
 }
 
 /// Escapes a path for make (GNU make's manual, "Rule Syntax" and "Using Wildcard Characters in File Names").
-fn escaped(path: &Path) -> Vec<u8> {
+fn escaped_for_make(path: &Path) -> Vec<u8> {
     let (mut out, mut slashes) = (vec![], 0);
     for &byte in path.as_os_str().as_encoded_bytes() {
         match byte {
@@ -77,10 +77,10 @@ mod tests {
 
     #[test]
     fn names_are_escaped_for_make() {
-        let escaped = |name: &str| String::from_utf8(super::escaped(Path::new(name))).unwrap();
-        assert_eq!(escaped("a b.inc"), r"a\ b.inc");
-        assert_eq!(escaped("a$b#c"), r"a$$b\#c");
-        assert_eq!(escaped(r"a\ b\c"), r"a\\\ b\c");
+        let escaped_for_make = |name: &str| String::from_utf8(super::escaped_for_make(Path::new(name))).unwrap();
+        assert_eq!(escaped_for_make("a b.inc"), r"a\ b.inc");
+        assert_eq!(escaped_for_make("a$b#c"), r"a$$b\#c");
+        assert_eq!(escaped_for_make(r"a\ b\c"), r"a\\\ b\c");
     }
 
     #[test]

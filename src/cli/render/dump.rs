@@ -10,19 +10,19 @@ const WIDTH: usize = 100;
 /// Formats a stage of the scene, which `--dump` prints, as JSON with a line ending at the end.
 pub fn to_json(sources: &Sources, stage: &impl Serialize) -> String {
     let mut value = serde_json::to_value(stage).unwrap_or_default();
-    name_positions(sources, &mut value);
+    replace_spans_by_positions(sources, &mut value);
     let mut out = String::new();
-    write(&value, 0, 0, &mut out);
+    write_json(&value, 0, 0, &mut out);
     out + "\n"
 }
 
 /// Replaces spans by positions in the text.
-fn name_positions(sources: &Sources, value: &mut Value) {
+fn replace_spans_by_positions(sources: &Sources, value: &mut Value) {
     match value {
-        Value::Array(items) => items.iter_mut().for_each(|item| name_positions(sources, item)),
+        Value::Array(items) => items.iter_mut().for_each(|item| replace_spans_by_positions(sources, item)),
         Value::Object(fields) => match as_span(fields) {
             Some(span) => *value = sources.place(span).map_or(Value::Null, |place| place.to_string().into()),
-            None => fields.values_mut().for_each(|field| name_positions(sources, field)),
+            None => fields.values_mut().for_each(|field| replace_spans_by_positions(sources, field)),
         },
         _ => {}
     }
@@ -33,21 +33,21 @@ fn as_span(fields: &serde_json::Map<String, Value>) -> Option<Span> {
     if fields.len() == 2 { Some(Span::new(number("lo")?, number("hi")?)) } else { None }
 }
 
-/// Writes a value after `before` bytes of a line that is indented by `depth` steps.
-fn write(value: &Value, depth: usize, before: usize, out: &mut String) {
-    let room = WIDTH.saturating_sub(2 * depth + before);
+/// Writes a value after `used_columns` bytes of a line that is indented by `depth` steps.
+fn write_json(value: &Value, depth: usize, used_columns: usize, out: &mut String) {
+    let room = WIDTH.saturating_sub(2 * depth + used_columns);
     let is_short = |text: &String| text.len() <= room;
     match value {
         Value::Array(items) if !items.is_empty() => match Some(one_line_json(value, room)).filter(is_short) {
             Some(text) => out.push_str(&text),
-            None => block(out, depth, ['[', ']'], items, |item, out| write(item, depth + 1, 0, out)),
+            None => block(out, depth, ['[', ']'], items, |item, out| write_json(item, depth + 1, 0, out)),
         },
         Value::Object(fields) if !fields.is_empty() => match Some(one_line_json(value, room)).filter(is_short) {
             Some(text) => out.push_str(&text),
             None => block(out, depth, ['{', '}'], fields, |(name, field), out| {
                 let name = format!("{}: ", Value::from(name.as_str()));
                 out.push_str(&name);
-                write(field, depth + 1, name.len(), out);
+                write_json(field, depth + 1, name.len(), out);
             }),
         },
         other => out.push_str(&other.to_string()),

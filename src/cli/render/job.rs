@@ -14,7 +14,7 @@ use crate::cli::allocator::MeteredHost;
 use crate::cli::args::Dump;
 use crate::cli::console::{Console, print_message};
 use crate::cli::exit::{Exit, Failure, Result};
-use crate::cli::interrupt::{self, Cleanup, Deadline, Deferred, Overrun, StatusTask};
+use crate::cli::interrupt::{self, Cleanup, Deadline, DeferredSignals, Overrun, StatusTask};
 use crate::cli::journal::finished_frames::FinishedFrames;
 use crate::cli::journal::identity::{self, Begun, Work};
 use crate::cli::journal::{self, Journal};
@@ -74,7 +74,7 @@ impl<'a> Job<'a> {
     ) -> Result<Self> {
         let start = Instant::now();
         let file = session::open_or_report(console, sources, &config.input)?;
-        identity::open_program();
+        identity::open_own_executable();
         config.shard_note.iter().for_each(|note| console.info(note));
         let mut common_files = ini_files.clone();
         common_files.extend(sources.read_files());
@@ -93,7 +93,7 @@ impl<'a> Job<'a> {
             Pictures::Animation(animation) => {
                 let picture = config.target.file().filter(|_| config.dump.is_none());
                 let finished = picture.map(|path| FinishedFrames::new(path, config.resume)).transpose()?;
-                for (frame, shard) in share_of_frames(animation.frames().collect(), config.shard) {
+                for (frame, shard) in frames_and_shares(animation.frames().collect(), config.shard) {
                     let target = config.target.numbered(frame, animation.digits);
                     let target = shard.map(|shard| target.of_shard(shard)).unwrap_or(target);
                     self.render_frame(finished.as_ref(), &target, animation.timing(frame))?;
@@ -149,7 +149,7 @@ impl<'a> Job<'a> {
         let now = begun.as_ref().filter(|begun| begun.is_current(&options, &self.common_files));
         let now = now.and_then(|begun| begun.work.now);
         let built = self.build(timing, cancel, now);
-        let is_other = begun.is_some_and(|begun| self.work(timing).differs(&begun.work).is_some());
+        let is_other = begun.is_some_and(|begun| self.work(timing).difference_reason(&begun.work).is_some());
         // A picture that is rendered anew belongs to the present.
         if now.is_some() && is_other { self.build(timing, cancel, None) } else { built }
     }
@@ -173,7 +173,7 @@ impl<'a> Job<'a> {
     fn work(&self, timing: Timing) -> Work {
         let mut files = self.common_files.clone();
         files.extend(self.sources.read_files());
-        Work { options: self.options(timing), files, lookups: self.sources.lookups(), now: self.host.used_now() }
+        Work { options: self.options(timing), files, lookups: self.sources.lookups(), now: self.host.now_if_used() }
     }
 
     /// Returns the description of a shard, after its scene has been built.
@@ -196,7 +196,7 @@ impl<'a> Job<'a> {
         };
         let options = self.options(timing) + &target.encoding_options();
         if finished.is_current(timing.frame, picture, &options, &self.common_files) {
-            journal::remove_of_finished(picture);
+            journal::remove_finished_journal(picture);
             self.done.pictures.push(picture.to_path_buf());
             self.written.push(picture.to_path_buf());
             return Ok(Exit::Fine);
@@ -347,7 +347,7 @@ impl<'a> Job<'a> {
             return Ok(Exit::Fine);
         }
         self.advise(advice::time_warnings(&world, &config.drawing(timing)));
-        let deferred = Deferred::begin();
+        let deferred = DeferredSignals::begin();
         let Rendered { rays, passes, is_black, trace_time, encode_time, warnings } =
             self.render_to_draft(target, &mut world, timing, journal.as_ref(), token)?;
         self.advise(warnings);
@@ -391,7 +391,7 @@ fn early_exit_handler(journal: Arc<Journal>, quiet: bool) -> impl Fn() + Send {
 
 /// Returns the frames that a shard renders, each with the share of the picture: whole frames, or shares of one frame if
 /// there are fewer frames than shards.
-fn share_of_frames(frames: Vec<u32>, shard: Option<Shard>) -> Vec<(u32, Option<Shard>)> {
+fn frames_and_shares(frames: Vec<u32>, shard: Option<Shard>) -> Vec<(u32, Option<Shard>)> {
     let Some(Shard { index, count }) = shard else {
         return frames.into_iter().map(|frame| (frame, None)).collect();
     };
@@ -413,7 +413,7 @@ mod tests {
         for (n_frames, count) in [(1, 1), (10, 3), (3, 10), (4, 4), (5, 16)] {
             let mut shares = std::collections::HashMap::<u32, Vec<Shard>>::new();
             for index in 1..=count {
-                let all = share_of_frames((1..=n_frames).collect(), Some(Shard { index, count }));
+                let all = frames_and_shares((1..=n_frames).collect(), Some(Shard { index, count }));
                 for (frame, share) in all {
                     shares.entry(frame).or_default().push(share.unwrap_or(Shard { index: 1, count: 1 }));
                 }

@@ -29,7 +29,7 @@ pub fn add_option_files(world: &mut World, config: &Config, sources: &Sources) -
     match LoadedLight::read(LightKind::Radiosity, &name, found, Span::NONE, sources.files()) {
         Ok(loaded) => {
             radiosity.saved.loaded = Some(loaded);
-            advice::other_light_warning(world, LightKind::Radiosity).into_iter().collect()
+            advice::foreign_saved_light_warning(world, LightKind::Radiosity).into_iter().collect()
         }
         Err(warning) => vec![*warning],
     }
@@ -54,8 +54,10 @@ pub fn add_prepared(world: &mut World, path: &Path, options: &render::Options) -
         LightFileError::OtherVersion => unreadable("was written by another version of durer"),
         LightFileError::Damaged => unreadable("is damaged or cut off"),
     })?;
-    let digests = render::light_digests(world, options);
-    for ((saved, light), digest) in saved_light(world).into_iter().zip([photons, radiosity]).zip(digests) {
+    let digests = render::photon_and_radiosity_digests(world, options);
+    for ((saved, light), digest) in
+        saved_photons_and_radiosity(world).into_iter().zip([photons, radiosity]).zip(digests)
+    {
         match (saved, light) {
             (Some(saved), Some(file)) if file.header.computation == digest => {
                 saved.loaded = Some(LoadedLight { file, name: name.to_string(), source: Span::NONE });
@@ -73,7 +75,7 @@ pub fn add_prepared(world: &mut World, path: &Path, options: &render::Options) -
 }
 
 /// Returns the files of photons and of radiosity samples; `None` for light that the World does not have.
-fn saved_light(world: &mut World) -> [Option<&mut SavedLight>; 2] {
+fn saved_photons_and_radiosity(world: &mut World) -> [Option<&mut SavedLight>; 2] {
     [
         world.photon_map.as_mut().map(|settings| &mut settings.saved),
         world.radiosity.as_mut().map(|settings| &mut settings.saved),
@@ -90,7 +92,7 @@ fn is_current(saved: &SavedLight, digest: Option<Digest>) -> bool {
 }
 
 /// Loads light from a journal, if the computation with this digest has stored the light whole. Returns true if it is loaded.
-fn load_from_journal(saved: &mut SavedLight, journal: &Journal, kind: LightKind, digest: Option<Digest>) -> bool {
+fn try_load_from_journal(saved: &mut SavedLight, journal: &Journal, kind: LightKind, digest: Option<Digest>) -> bool {
     let file = journal.load_light(kind).and_then(|bytes| LightFile::parse(bytes, kind).ok());
     let Some(file) = file.filter(|file| Some(file.header.computation) == digest) else { return false };
     let name = journal.path().to_string_lossy().into_owned();
@@ -147,12 +149,13 @@ impl LightSaver {
     ) {
         // The digests of a large scene take time.
         let is_loaded = |saved: &Option<&mut SavedLight>| saved.as_ref().is_some_and(|saved| saved.loaded.is_some());
-        let needs_digests = journal.has_light() || saved_light(world).iter().any(is_loaded);
-        let digests = if needs_digests { render::light_digests(world, options).map(Some) } else { [None; 2] };
+        let needs_digests = journal.has_light() || saved_photons_and_radiosity(world).iter().any(is_loaded);
+        let digests =
+            if needs_digests { render::photon_and_radiosity_digests(world, options).map(Some) } else { [None; 2] };
         let mut kinds = vec![];
-        for ((kind, saved), digest) in LIGHT_KINDS.into_iter().zip(saved_light(world)).zip(digests) {
+        for ((kind, saved), digest) in LIGHT_KINDS.into_iter().zip(saved_photons_and_radiosity(world)).zip(digests) {
             let Some(saved) = saved else { continue };
-            if !is_current(saved, digest) && !load_from_journal(saved, journal, kind, digest) {
+            if !is_current(saved, digest) && !try_load_from_journal(saved, journal, kind, digest) {
                 let file = SaveFile { kind, path: journal.path().to_path_buf(), source: Span::NONE };
                 kinds.push((kind, saved.save.replace(file)));
             }
@@ -165,8 +168,8 @@ impl LightSaver {
     /// file.
     fn save(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) {
         let saved = match file.source {
-            Span::NONE => save_for_user(&file.path, file.kind, write),
-            _ => self.save_for_scene(file, write),
+            Span::NONE => save_to_user_path(&file.path, file.kind, write),
+            _ => self.save_to_scene_path(file, write),
         };
         self.warnings.lock().unwrap_or_else(PoisonError::into_inner).extend(saved.err().map(|warning| *warning));
     }
@@ -178,7 +181,7 @@ impl LightSaver {
 
     /// Saves photons or radiosity samples to a file that the scene names, if the policy for the scene's files allows
     /// that.
-    fn save_for_scene(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) -> Result<()> {
+    fn save_to_scene_path(&self, file: &SaveFile, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) -> Result<()> {
         if let WritePolicy::InMemory = self.sandbox.write {
             let error = io::Error::other("only `durer render` without `--untrusted` writes the files of a scene");
             return unsaved_warning(file.kind, &file.path, file.source, &error).into();
@@ -199,7 +202,7 @@ impl LightSaver {
 
 /// Saves photons or radiosity samples to a file that the command line names. An existing file is replaced only if it
 /// contains such saved light.
-fn save_for_user(path: &Path, kind: LightKind, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) -> Result<()> {
+fn save_to_user_path(path: &Path, kind: LightKind, write: &dyn Fn(&mut dyn Write) -> io::Result<()>) -> Result<()> {
     let save = || {
         if Disk.exists(path) && !is_light_file(&Disk.read(path)?) {
             return Err(io::Error::other("the file exists, and durer did not save it"));

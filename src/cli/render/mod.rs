@@ -73,7 +73,7 @@ fn render_all(console: &Console, args: &RenderArgs, context: &Context, done: &mu
         let mut render = |input| render_scene(console, args, context, input, done).map(|(exit, _)| exit);
         return inputs.all.iter().try_fold(Exit::Fine, |_, input| render(input));
     }
-    check_several(args, &inputs.all)?;
+    check_outputs_differ(args, &inputs.all)?;
     let print = |line: &str| {
         console.info(line);
         Ok(())
@@ -84,18 +84,18 @@ fn render_all(console: &Console, args: &RenderArgs, context: &Context, done: &mu
 }
 
 /// Checks that several pictures go to different files.
-fn check_several(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
+fn check_outputs_differ(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
     if let Some(picture) = inputs.iter().find(|input| Format::from_path(input).is_ok()) {
         let picture = picture.display();
         return usage(format!("`{picture}` is a picture, not a scene; `-o {picture}` writes the picture to it"));
     }
     let Some(output) = &args.output else {
-        return check_names(args, inputs);
+        return check_output_names(args, inputs);
     };
     if output == Path::new("-") {
         usage("the pictures of several scenes can't all go to standard output; render them one by one")
     } else if is_folder(output) {
-        check_names(args, inputs)
+        check_output_names(args, inputs)
     } else {
         let output = output.display();
         usage(format!("the pictures of several scenes can't all go to `{output}`; name a folder: `-o pictures/`"))
@@ -103,7 +103,7 @@ fn check_several(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
 }
 
 /// Checks that no two scenes have the same output file.
-fn check_names(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
+fn check_output_names(args: &RenderArgs, inputs: &[PathBuf]) -> Result<()> {
     if args.no_output || args.dump.is_some() {
         return Ok(());
     }

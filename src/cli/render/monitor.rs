@@ -44,7 +44,7 @@ impl Watch for Monitor<'_> {
     }
 
     fn preparing(&self, pass: &'static str, done: usize, total: usize) {
-        self.progress.prepare(pass, done, total);
+        self.progress.show_preparation(pass, done, total);
         self.passes.record(pass, done, total);
     }
 
@@ -101,12 +101,12 @@ impl Monitor<'_> {
 
     fn render_with<T>(&self, render: impl FnOnce() -> std::result::Result<T, Stopped>) -> Result<T> {
         if self.cancelled() {
-            return Err(self.reason());
+            return Err(self.stop_failure());
         }
         let rendered = render();
         self.progress.clear();
         rendered.map_err(|stopped| match stopped {
-            Stopped::Cancelled => self.reason(),
+            Stopped::Cancelled => self.stop_failure(),
             Stopped::Fault(fault) => Failure::Fault(fault),
         })
     }
@@ -120,7 +120,7 @@ impl Monitor<'_> {
     }
 
     /// Returns the reason why the picture was not finished.
-    fn reason(&self) -> Failure {
+    fn stop_failure(&self) -> Failure {
         interrupt::await_cancelled_work();
         if let Some(signal) = interrupt::requested() {
             print_message(&format!("{}; no picture was written\n", signal.reason));

@@ -43,7 +43,7 @@ impl PartialPicture {
     /// Writes the finished tiles as a PNG file, and returns a line for people about the result.
     pub fn write_and_describe(&self) -> String {
         let path = self.path.display();
-        match self.write() {
+        match self.write_returning_share() {
             Ok(share) => format!("{path}: {:.0} % of the picture\n", (100.0 * share).floor()),
             Err(Failure::Fault(fault)) => format!("{}\n", fault.message),
             Err(_) => format!("{path} could not be written\n"),
@@ -52,12 +52,12 @@ impl PartialPicture {
 
     /// Writes the finished tiles as a PNG file, whole or not at all. Returns the finished share of the pixels, from 0
     /// to 1.
-    fn write(&self) -> Result<f64> {
+    fn write_returning_share(&self) -> Result<f64> {
         let unreadable = |reason: String| {
             let text = format!("the journal of `{}` can't be read: {reason}", self.path.display());
             Failure::Fault(Box::new(Diagnostic::new(codes::FILE_UNREADABLE, Span::NONE, text)))
         };
-        let tiles = self.journal.finished_tiles().map_err(unreadable)?;
+        let tiles = self.journal.finished_tiles_and_offsets().map_err(unreadable)?;
         let target = Target::of_file(&self.path, Encoding { alpha: true, ..Encoding::new(Format::Png) });
         target.check()?;
         let [width, height] = self.size;
@@ -75,17 +75,17 @@ impl PartialPicture {
     }
 
     /// Returns the pixels of these rows of the picture, as linear light and alpha.
-    fn band(&self, tiles: &[(Region, u64)], rows: std::ops::Range<usize>) -> Vec<[f32; 4]> {
+    fn band(&self, tiles_and_offsets: &[(Region, u64)], rows: std::ops::Range<usize>) -> Vec<[f32; 4]> {
         let width = self.size[0];
         let mut band = vec![[0.0; 4]; width * rows.len()];
-        let first = tiles.partition_point(|(area, _)| area.y + MAX_TILE_HEIGHT <= rows.start);
-        let last = tiles.partition_point(|(area, _)| area.y < rows.end);
-        for &(area, offset) in &tiles[first..last] {
+        let first = tiles_and_offsets.partition_point(|(area, _)| area.y + MAX_TILE_HEIGHT <= rows.start);
+        let last = tiles_and_offsets.partition_point(|(area, _)| area.y < rows.end);
+        for &(area, offset) in &tiles_and_offsets[first..last] {
             let Some(pixels) = self.journal.pixels_at(area, offset) else { continue };
             for (y, pixels) in (area.y..).zip(pixels.chunks(area.width)).filter(|(y, _)| rows.contains(y)) {
                 let start = (y - rows.start) * width + area.x;
                 let to = &mut band[start..start + area.width];
-                to.iter_mut().zip(pixels).for_each(|(to, pixel)| *to = self.conversion.light(pixel));
+                to.iter_mut().zip(pixels).for_each(|(to, pixel)| *to = self.conversion.to_linear_rgba(pixel));
             }
         }
         band

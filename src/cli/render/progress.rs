@@ -149,7 +149,7 @@ impl Progress {
     }
 
     /// Updates the display: `done` of `total` work items of a pass before the picture are finished.
-    pub fn prepare(&self, pass: &str, done: usize, total: usize) {
+    pub fn show_preparation(&self, pass: &str, done: usize, total: usize) {
         match self {
             Self::Bar(bar) => {
                 bar.set_message(if done < total { format!(" {pass}") } else { String::new() });

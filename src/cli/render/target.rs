@@ -115,7 +115,7 @@ impl Target {
     }
 
     /// Checks that the destination takes several pictures. On standard output, only ppm files may follow one another.
-    pub fn check_many(&self) -> Result<()> {
+    pub fn check_takes_many_frames(&self) -> Result<()> {
         match (&self.location, self.encoding.format) {
             (Location::Stdout, format) if format != Format::Ppm => usage(format!(
                 "many frames on standard output can't be {}: add `--format ppm`, or name a file: `-o film.png`",
@@ -127,7 +127,9 @@ impl Target {
 
     /// True if the file's name contains a pattern such as `%03d` for the frame's number.
     pub fn has_pattern(&self) -> bool {
-        self.file().and_then(Path::file_name).is_some_and(|name| pattern(&name.to_string_lossy()).is_some())
+        self.file()
+            .and_then(Path::file_name)
+            .is_some_and(|name| number_placeholder_and_width(&name.to_string_lossy()).is_some())
     }
 
     /// Returns the destination of one frame. `%03d` in the name is replaced by the frame number with at least three
@@ -137,7 +139,7 @@ impl Target {
             return self.clone();
         };
         let whole = path.file_name().unwrap_or_default().to_string_lossy();
-        let name = if let Some((range, least)) = pattern(&whole) {
+        let name = if let Some((range, least)) = number_placeholder_and_width(&whole) {
             format!("{}{frame:0least$}{}", &whole[..range.start], &whole[range.end..]).into()
         } else {
             let mut name = path.file_stem().unwrap_or_default().to_os_string();
@@ -202,7 +204,7 @@ impl Target {
     }
 
     /// Returns the memory that each pixel occupies until the file is finished, in bytes.
-    pub fn kept_bytes(&self) -> usize {
+    pub fn kept_bytes_per_pixel(&self) -> usize {
         if self.location == Location::Nowhere { 0 } else { self.encoding.buffered_bytes_per_pixel() }
     }
 }
@@ -256,7 +258,7 @@ fn is_same(a: &Path, b: &Path) -> bool {
 }
 
 /// Finds `%d` or `%03d` in a name, as in C and ffmpeg; returns its byte range and the number of digits.
-fn pattern(name: &str) -> Option<(Range<usize>, usize)> {
+fn number_placeholder_and_width(name: &str) -> Option<(Range<usize>, usize)> {
     name.match_indices('%').find_map(|(at, _)| {
         let digits = name[at + 1..].bytes().take_while(u8::is_ascii_digit).count();
         let end = at + 1 + digits;
@@ -317,7 +319,7 @@ mod tests {
         assert_eq!(numbered("b.scene -o c/d%03d_.png", 2), Location::File("c/d007_.png".into()));
         assert_eq!(numbered("b.scene -o 100%/%d%%.png", 2), Location::File("100%/7%%.png".into()));
         assert_eq!(numbered("b.scene -o 5%5.png", 1), Location::File("5%57.png".into()));
-        assert_eq!(pattern("a%9999999999999999999999d"), None);
+        assert_eq!(number_placeholder_and_width("a%9999999999999999999999d"), None);
     }
 
     #[test]
@@ -335,7 +337,7 @@ mod tests {
             assert!(target(&format!("b.scene {line}")).is_err(), "{line}");
         }
         assert!(target("b.scene -o - --format ppm --bit-depth 16").is_ok());
-        assert!(target("b.scene -o - --format ppm").unwrap().check_many().is_ok());
-        assert!(target("b.scene -o -").unwrap().check_many().is_err());
+        assert!(target("b.scene -o - --format ppm").unwrap().check_takes_many_frames().is_ok());
+        assert!(target("b.scene -o -").unwrap().check_takes_many_frames().is_err());
     }
 }

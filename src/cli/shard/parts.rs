@@ -30,7 +30,7 @@ pub fn merge(console: &Console, picture: &Path, parts: &[PathBuf]) -> Result {
             let reason = format!("it has another size or kind of pixels than `{}`", first_path.display());
             return Err(unusable(path, &reason));
         }
-        if let Some(at) = add_part(&mut whole.pixels, &part.pixels, &mut owners, number) {
+        if let Some(at) = add_part_until_conflict(&mut whole.pixels, &part.pixels, &mut owners, number) {
             let (x, y) = (at % whole.pixels.width, at / whole.pixels.width);
             let other = parts[owners[at]].display();
             return Err(unusable(path, &format!("its pixel {x},{y} is another than that of `{other}`")));
@@ -51,22 +51,27 @@ fn is_alike(a: &Picture, b: &Picture) -> bool {
     kind(a) == kind(b) && a.stored == b.stored
 }
 
-/// Copies the pixels of `part` into those pixels of `whole` that are empty, and notes `number` as their owner. Returns the
+/// Copies the pixels of `part` into those pixels of `whole` that are empty, and notes `part_number` as their owner. Returns the
 /// index of the first pixel at which the pictures show different things.
-fn add_part(whole: &mut Pixels, part: &Pixels, owners: &mut [usize], number: usize) -> Option<usize> {
+fn add_part_until_conflict(
+    whole: &mut Pixels,
+    part: &Pixels,
+    owners: &mut [usize],
+    part_number: usize,
+) -> Option<usize> {
     fn add<T: Copy + Default + PartialEq>(
         whole: &mut [T],
         part: &[T],
         channels: usize,
         owners: &mut [usize],
-        number: usize,
+        part_number: usize,
     ) -> Option<usize> {
         let pixels = whole.chunks_exact_mut(channels).zip(part.chunks_exact(channels));
         for (at, (to, from)) in pixels.enumerate() {
-            if is_empty(to, channels) {
+            if is_empty_pixel(to, channels) {
                 to.copy_from_slice(from);
-                owners[at] = number;
-            } else if !is_empty(from, channels) && to != from {
+                owners[at] = part_number;
+            } else if !is_empty_pixel(from, channels) && to != from {
                 return Some(at);
             }
         }
@@ -74,15 +79,15 @@ fn add_part(whole: &mut Pixels, part: &Pixels, owners: &mut [usize], number: usi
     }
     let channels = whole.channels;
     match (&mut whole.samples, &part.samples) {
-        (Samples::U8(whole), Samples::U8(part)) => add(whole, part, channels, owners, number),
-        (Samples::U16(whole), Samples::U16(part)) => add(whole, part, channels, owners, number),
-        (Samples::F32(whole), Samples::F32(part)) => add(whole, part, channels, owners, number),
+        (Samples::U8(whole), Samples::U8(part)) => add(whole, part, channels, owners, part_number),
+        (Samples::U16(whole), Samples::U16(part)) => add(whole, part, channels, owners, part_number),
+        (Samples::F32(whole), Samples::F32(part)) => add(whole, part, channels, owners, part_number),
         _ => Some(0),
     }
 }
 
 /// True for a pixel that is black or transparent.
-fn is_empty<T: Default + PartialEq>(pixel: &[T], channels: usize) -> bool {
+fn is_empty_pixel<T: Default + PartialEq>(pixel: &[T], channels: usize) -> bool {
     let (color, alpha) = pixel.split_at(if matches!(channels, 2 | 4) { channels - 1 } else { channels });
     color.iter().all(|sample| *sample == T::default()) || alpha.iter().any(|alpha| *alpha == T::default())
 }
@@ -108,7 +113,7 @@ fn write(console: &Console, path: &Path, format: Format, picture: &Picture) -> R
     let alpha = matches!(pixels.channels, 2 | 4) && !(format == Format::Exr && is_opaque(pixels));
     let gray = pixels.channels <= 2;
     let encoding = Encoding { depth, alpha, gray: gray && format.has_gray(), gamma, ..plain };
-    let light = light(pixels, gamma);
+    let light = linear_frame(pixels, gamma);
     let bytes = image_io::encode(&light, &encoding)?;
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     if !image_io::decode_pixels(&bytes, ending).is_ok_and(|stored| stored == *pixels) {
@@ -133,7 +138,7 @@ fn is_opaque(pixels: &Pixels) -> bool {
 }
 
 /// Returns the linear light of a picture whose samples have this transfer curve.
-fn light(pixels: &Pixels, gamma: Gamma) -> Frame {
+fn linear_frame(pixels: &Pixels, gamma: Gamma) -> Frame {
     let Gamma::Power(_) = gamma else { return pixels.to_linear_image() };
     let decode = |sample: f64| gamma.decode(sample) as f32;
     let expand = |pixel: &[f64]| image_io::expand_pixel(pixel, decode, |alpha| alpha as f32);
@@ -150,7 +155,7 @@ fn light(pixels: &Pixels, gamma: Gamma) -> Frame {
 fn empty_rows_note(pixels: &Pixels) -> Option<String> {
     fn empty_rows<T: Default + PartialEq>(samples: &[T], width: usize, channels: usize) -> Vec<usize> {
         let rows = samples.chunks_exact(width * channels).enumerate();
-        let is_empty_row = |row: &[T]| row.chunks_exact(channels).all(|pixel| is_empty(pixel, channels));
+        let is_empty_row = |row: &[T]| row.chunks_exact(channels).all(|pixel| is_empty_pixel(pixel, channels));
         rows.filter(|(_, row)| is_empty_row(row)).map(|(y, _)| y).collect()
     }
     let rows = match &pixels.samples {

@@ -1,7 +1,7 @@
 //! Reader of shard files, which proves that a shard is whole before any of its pixels is used.
 
 use super::{Header, MAGIC};
-use crate::cli::journal::record::{HEAD, Key, damaged, unreadable};
+use crate::cli::journal::record::{HEAD, Key, damaged_reason, unreadable_reason};
 use crate::render::Region;
 use std::collections::HashMap;
 use std::fs::File;
@@ -27,26 +27,26 @@ impl ShardFile {
     /// The reason why the file is not a complete shard.
     pub fn open(path: &Path) -> Result<Self, String> {
         // A FIFO would block, and a device would have no end.
-        if !path.metadata().map_err(|error| unreadable(&error))?.is_file() {
+        if !path.metadata().map_err(|error| unreadable_reason(&error))?.is_file() {
             return Err("it is not a regular file".into());
         }
-        let file = File::open(path).map_err(|error| unreadable(&error))?;
+        let file = File::open(path).map_err(|error| unreadable_reason(&error))?;
         let mut reader = BufReader::with_capacity(1 << 20, &file);
         let start = read_start(&mut reader)?;
-        let header: Header = serde_json::from_slice(&start[MAGIC.len()..]).map_err(|_| damaged())?;
+        let header: Header = serde_json::from_slice(&start[MAGIC.len()..]).map_err(|_| damaged_reason())?;
         check_sizes(&header)?;
         let (key, mut end) = (Key::of(&start), start.len() as u64);
         let mut offsets = HashMap::new();
         for block in header.layout.blocks(header.shard) {
             let record = key.read(&mut reader, end)?.ok_or("it is not complete")?;
             if record.tile().is_none_or(|tile| tile.area != block) {
-                return Err(damaged());
+                return Err(damaged_reason());
             }
             offsets.insert([block.x, block.y], end + HEAD as u64);
             end += record.length as u64;
         }
-        let is_longer = reader.read(&mut [0]).map_err(|error| unreadable(&error))? > 0;
-        if is_longer { Err(damaged()) } else { Ok(Self { file, header, offsets }) }
+        let is_longer = reader.read(&mut [0]).map_err(|error| unreadable_reason(&error))? > 0;
+        if is_longer { Err(damaged_reason()) } else { Ok(Self { file, header, offsets }) }
     }
 
     /// Reads the pixels of a block; `None` if the shard does not have the block.
@@ -58,7 +58,7 @@ impl ShardFile {
         let mut bytes = vec![0; area.width * area.height * size_of::<[f32; 4]>()];
         let mut file = &self.file;
         let read = file.seek(SeekFrom::Start(offset)).and_then(|_| file.read_exact(&mut bytes));
-        read.map_err(|error| unreadable(&error))?;
+        read.map_err(|error| unreadable_reason(&error))?;
         let numbers: Vec<f32> = bytes.as_chunks::<4>().0.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect();
         Ok(Some(numbers.as_chunks::<4>().0.to_vec()))
     }
@@ -68,12 +68,12 @@ impl ShardFile {
 fn read_start(reader: &mut impl BufRead) -> Result<Vec<u8>, String> {
     let mut start = vec![];
     let mut reader = reader.take(MAX_HEADER);
-    reader.read_until(b'\n', &mut start).map_err(|error| unreadable(&error))?;
+    reader.read_until(b'\n', &mut start).map_err(|error| unreadable_reason(&error))?;
     if start != MAGIC {
         let is_other_version = super::begins_like_a_shard(&start);
         return Err(if is_other_version { "it is from another version of durer" } else { "it is not a shard" }.into());
     }
-    reader.read_until(b'\n', &mut start).map_err(|error| unreadable(&error))?;
+    reader.read_until(b'\n', &mut start).map_err(|error| unreadable_reason(&error))?;
     if start.ends_with(b"\n") { Ok(start) } else { Err("it is not complete".into()) }
 }
 
@@ -87,7 +87,7 @@ fn check_sizes(header: &Header) -> Result<(), String> {
         && layout.width.max(layout.height) <= MAX_SIDE
         && is_inside(x, width, layout.width)
         && is_inside(y, height, layout.height);
-    if is_sound { Ok(()) } else { Err(damaged()) }
+    if is_sound { Ok(()) } else { Err(damaged_reason()) }
 }
 
 /// Largest width and height of a picture, in pixels.

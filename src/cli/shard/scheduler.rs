@@ -53,17 +53,17 @@ pub struct Resolved {
     pub note: Option<String>,
 }
 
-/// Resolves `--shard`; `variable` returns a variable of the environment.
+/// Resolves `--shard`; `environment_variable` returns a variable of the environment.
 ///
 /// # Errors
 /// A usage error if `auto` is asked for and no scheduler states the shard.
-pub fn resolve(choice: ShardChoice, variable: impl Fn(&str) -> Option<String>) -> Result<Resolved> {
+pub fn resolve(choice: ShardChoice, environment_variable: impl Fn(&str) -> Option<String>) -> Result<Resolved> {
     let count = match choice {
         ShardChoice::Exact(shard) => return Ok(Resolved { shard, note: None }),
         ShardChoice::Auto(count) => count,
     };
     // Grid Engine sets the variable to a word for a task outside of arrays.
-    let number = |name: &str| variable(name).and_then(|text| text.trim().parse::<usize>().ok());
+    let number = |name: &str| environment_variable(name).and_then(|text| text.trim().parse::<usize>().ok());
     let Some((scheduler, task)) = SCHEDULERS.iter().find_map(|known| Some((known, number(known.task)?))) else {
         let names: Vec<&str> = SCHEDULERS.iter().map(|scheduler| scheduler.task).collect();
         return usage(format!(
@@ -94,8 +94,8 @@ pub fn resolve(choice: ShardChoice, variable: impl Fn(&str) -> Option<String>) -
 }
 
 /// Returns the number of processors that Slurm assigned to the task; `None` elsewhere.
-pub fn assigned_threads(variable: impl Fn(&str) -> Option<String>) -> Option<u16> {
-    variable("SLURM_CPUS_PER_TASK")?.trim().parse().ok().filter(|threads| *threads > 0)
+pub fn assigned_threads(environment_variable: impl Fn(&str) -> Option<String>) -> Option<u16> {
+    environment_variable("SLURM_CPUS_PER_TASK")?.trim().parse().ok().filter(|threads| *threads > 0)
 }
 
 #[cfg(test)]

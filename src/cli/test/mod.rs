@@ -6,10 +6,10 @@ use super::args::values::Size;
 use super::args::{LookArgs, MessageFormat, SceneArgs, TestArgs};
 use super::console::Console;
 use super::exit::{Exit, Failure, Result, usage};
-use super::interrupt::{self, Deadline, Deferred, Overrun};
+use super::interrupt::{self, Deadline, DeferredSignals, Overrun};
 use super::memory;
 use super::session;
-use super::summary::{self, Word};
+use super::summary::{self, ResultWord};
 use crate::BuildOptions;
 use crate::cli::render::monitor::Monitor;
 use crate::cli::render::progress::Progress;
@@ -93,7 +93,7 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
         match args.format {
             MessageFormat::Human => {
                 console.info(&outcome.messages);
-                console.data(line(&case, &outcome, accept.as_deref()))?;
+                console.data(result_lines(&case, &outcome, accept.as_deref()))?;
             }
             MessageFormat::Json => console.json(&as_json(&case, &outcome, accept.as_deref()))?,
         }
@@ -110,8 +110,8 @@ pub fn run(console: &Console, args: &TestArgs) -> Result {
         console.info(&format!("{} shows the pictures side by side\n", page.display()));
     }
     if args.format == MessageFormat::Human {
-        let words: Vec<_> = outcomes.iter().map(|(_, outcome)| word(outcome)).collect();
-        console.data(summary::total_line(&words, console.take_count()))?;
+        let words: Vec<_> = outcomes.iter().map(|(_, outcome)| result_word(outcome)).collect();
+        console.data(summary::total_line(&words, console.take_message_count()))?;
     }
     Ok(summary::combined_exit_code(outcomes.iter().map(|(_, outcome)| outcome.exit)))
 }
@@ -132,8 +132,8 @@ fn try_case(console: &Console, case: &Case, setting: &Setting) -> Outcome {
         rendered: None,
         encoding: Encoding::new(Format::Png),
     };
-    if let Err(failure) = attempt(console, &sources, case, setting, &mut outcome) {
-        let (exit, messages) = console.text_of(&sources, failure);
+    if let Err(failure) = render_and_compare(console, &sources, case, setting, &mut outcome) {
+        let (exit, messages) = console.exit_and_text_of(&sources, failure);
         outcome.exit = exit;
         outcome.messages += &messages;
         outcome.text = "could not be rendered".into();
@@ -141,13 +141,19 @@ fn try_case(console: &Console, case: &Case, setting: &Setting) -> Outcome {
     outcome
 }
 
-fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting, outcome: &mut Outcome) -> Result<()> {
+fn render_and_compare(
+    console: &Console,
+    sources: &Sources,
+    case: &Case,
+    setting: &Setting,
+    outcome: &mut Outcome,
+) -> Result<()> {
     let file = session::open(sources, &case.scene)?;
-    let mut header = match Header::try_parse_from(snapshot::header(sources.text(file)).unwrap_or("").split_whitespace())
-    {
-        Ok(header) => header,
-        Err(error) => return Err(Failure::Usage(Box::new(error))),
-    };
+    let mut header =
+        match Header::try_parse_from(snapshot::test_options(sources.text(file)).unwrap_or("").split_whitespace()) {
+            Ok(header) => header,
+            Err(error) => return Err(Failure::Usage(Box::new(error))),
+        };
     let expected =
         if case.picture.is_file() { Some(image_io::decode_picture_file(&Disk, &case.picture)?) } else { None };
     header.scene.include.extend(setting.include.iter().cloned());
@@ -171,7 +177,7 @@ fn attempt(console: &Console, sources: &Sources, case: &Case, setting: &Setting,
         return Err(Failure::Reported(exit));
     }
     let drawing = session::drawing_options(&header.scene, &header.look, setting.threads, timing);
-    let _deferred = Deferred::begin();
+    let _deferred = DeferredSignals::begin();
     let frame = Monitor::new(Progress::Silent, deadline.token().clone()).render(&world, &drawing)?;
     compare(if header.look.alpha { frame } else { frame.over_black() }, expected.as_ref(), outcome);
     Ok(())
@@ -219,7 +225,7 @@ fn accept(case: &Case, outcome: &mut Outcome) -> Result<()> {
     else {
         return Ok(());
     };
-    let _deferred = Deferred::begin();
+    let _deferred = DeferredSignals::begin();
     let bytes = image_io::encode(rendered, &outcome.encoding)?;
     Disk.write(&case.picture, &bytes).map_err(|e| Box::new(file::unwritable(&Disk, &case.picture, &e)))?;
     outcome.text = format!("accepted: {}", outcome.comparison.map_or("new".into(), |c| c.to_string()));
@@ -227,10 +233,10 @@ fn accept(case: &Case, outcome: &mut Outcome) -> Result<()> {
     Ok(())
 }
 
-fn word(outcome: &Outcome) -> Word {
+fn result_word(outcome: &Outcome) -> ResultWord {
     match (outcome.exit, &outcome.rendered, outcome.comparison) {
-        (Exit::Snapshot, Some(_), None) => Word::New,
-        (exit, ..) => Word::of(exit),
+        (Exit::Snapshot, Some(_), None) => ResultWord::New,
+        (exit, ..) => ResultWord::of(exit),
     }
 }
 
@@ -251,9 +257,9 @@ fn quoted(path: &Path) -> String {
     if !text.is_empty() && text.chars().all(plain) { text } else { format!("'{}'", text.replace('\'', "'\\''")) }
 }
 
-fn line(case: &Case, outcome: &Outcome, accept: Option<&str>) -> String {
+fn result_lines(case: &Case, outcome: &Outcome, accept: Option<&str>) -> String {
     let accept = accept.map_or(String::new(), |command| format!("      if the new picture is right: {command}\n"));
-    summary::scene_line(word(outcome), case.scene.display(), &outcome.text) + &accept
+    summary::scene_line(result_word(outcome), case.scene.display(), &outcome.text) + &accept
 }
 
 /// Returns the result of one scene as JSON; the numbers are null without a comparison.
@@ -262,7 +268,7 @@ fn as_json(case: &Case, outcome: &Outcome, accept: Option<&str>) -> serde_json::
     json!({
         "scene": case.scene.display().to_string(),
         "snapshot": case.picture.display().to_string(),
-        "result": word(outcome).text().to_lowercase(),
+        "result": result_word(outcome).text().to_lowercase(),
         "exit": outcome.exit as u8,
         "text": outcome.text,
         "messages": outcome.messages,

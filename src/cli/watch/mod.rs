@@ -23,7 +23,7 @@ use worker::Worker;
 
 /// Renders the scene again after each change, for a page or a file, until the program is interrupted.
 pub fn run(console: &Console, args: &WatchArgs) -> Result {
-    let input = session::named(&args.input);
+    let input = session::existing_scene_path(&args.input);
     if input == Path::new("-") {
         return usage("standard input can't be watched; name a file");
     }
@@ -81,7 +81,7 @@ fn redraw(console: &Console, args: &WatchArgs) -> Result {
         if !has_failed && !cancel.is_cancelled() {
             console.info(&format!("{}: rendered; waiting for the next change\n", args.input.display()));
         }
-        files.follow(&looked_up, &args.input);
+        files.watch_files(&looked_up, &args.input);
     }
 }
 
@@ -126,6 +126,6 @@ fn file_watcher(queue: &Arc<RenderQueue>, input: &Path) -> FileWatcher {
     let files = FileWatcher::new(move || queue.push(Request::Scene, |_| {}));
     let content = Disk.read(input).map(|bytes| (input.to_path_buf(), ContentHash::of(&bytes)));
     let looked_up = LookedUpFiles { read: content.into_iter().collect(), ..LookedUpFiles::default() };
-    files.follow(&looked_up, input);
+    files.watch_files(&looked_up, input);
     files
 }

@@ -94,7 +94,7 @@ fn try_read(
     let mut invocation = Invocation::new(&args.input, super::render_args(args), None);
     if let Some(mut ini) = overlay::read_ini(sources, &args.input, &args.scene, false)? {
         messages.append(&mut ini.warnings);
-        invocation = invocation.over(ini);
+        invocation = invocation.with_ini_defaults(ini);
     }
     let Invocation { input, mut args, animation, .. } = invocation;
     let file = crate::load(sources, &input).map_err(|fault| vec![*fault])?;
@@ -154,12 +154,12 @@ pub fn message(sources: &Sources, diagnostic: &Diagnostic) -> Message {
 pub fn link(sources: &Sources, span: Span) -> Option<Link> {
     let place = sources.place(span)?;
     let path = sources.locate(span).and_then(|(file, _)| sources.path(file))?;
-    let url = format!("vscode://file{}:{}:{}", in_url(path), place.line, place.column);
+    let url = format!("vscode://file{}:{}:{}", url_path(path), place.line, place.column);
     Some(Link { file: place.file, line: place.line, column: place.column, url })
 }
 
 /// Returns a file's path as the path of a URL, with a leading `/`.
-fn in_url(path: &Path) -> String {
+fn url_path(path: &Path) -> String {
     let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"/-._~:".contains(&byte);
     let text = whole.to_string_lossy().replace('\\', "/");
@@ -204,6 +204,6 @@ mod tests {
 
     #[test]
     fn paths_are_escaped_in_addresses() {
-        assert_eq!(in_url(Path::new("/a b/ü#.scene")), "/a%20b/%C3%BC%23.scene");
+        assert_eq!(url_path(Path::new("/a b/ü#.scene")), "/a%20b/%C3%BC%23.scene");
     }
 }

@@ -105,7 +105,7 @@ impl RenderLoop {
             }
             // After a panic nothing is known.
             if read.files != LookedUpFiles::default() {
-                files.follow(&read.files, &self.args.input);
+                files.watch_files(&read.files, &self.args.input);
             }
             *scene = update_page(state, read);
         }
@@ -178,7 +178,7 @@ impl RenderLoop {
     ) -> std::result::Result<Rendered, Stopped> {
         let limit = scene.args.scene.max_memory.map(|bytes| bytes.0);
         // Two pictures are in memory: this one and the previous one.
-        let Region { width, height, .. } = part_of(options);
+        let Region { width, height, .. } = displayed_region(options);
         memory::check_memory(Size { width, height }, None, 2 * size_of::<[f32; 4]>(), limit)?;
         let start = Instant::now();
         let deadline = Deadline::start(scene.args.scene.time_limit(), cancel.clone(), Overrun::Continues);
@@ -188,7 +188,7 @@ impl RenderLoop {
 }
 
 /// Returns the displayed part of the picture.
-fn part_of(options: &render::Options) -> Region {
+fn displayed_region(options: &render::Options) -> Region {
     options.region.unwrap_or(Region { x: 0, y: 0, width: options.width, height: options.height })
 }
 
@@ -218,7 +218,7 @@ impl preview::Backend for RenderLoop {
     fn pick(&self, x: usize, y: usize) -> Value {
         let displayed = self.displayed.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let Some((scene, options)) = displayed else { return json!({"hit": false}) };
-        let part = part_of(&options);
+        let part = displayed_region(&options);
         if x >= part.width || y >= part.height {
             return json!({"hit": false});
         }
@@ -226,7 +226,7 @@ impl preview::Backend for RenderLoop {
         let [r, g, b, _] = self.screen.color_at(x, y).unwrap_or_default().map(f64::from);
         let picked = render::pick(&scene.world, &options, across, down);
         let sources = scene.sources.lock().unwrap_or_else(PoisonError::into_inner);
-        let words = pick::words(&sources, picked.as_ref(), [r, g, b]);
+        let words = pick::pixel_in_words(&sources, picked.as_ref(), [r, g, b]);
         let place = picked.as_ref().and_then(|picked| read::link(&sources, picked.source));
         json!({"hit": picked.is_some(), "words": words, "place": place})
     }
@@ -260,7 +260,7 @@ impl preview::Backend for RenderLoop {
         let own = || (self.args.input.display().to_string() == *file).then(|| self.args.input.clone());
         let path = displayed.as_ref().and_then(|(scene, _)| path_in(scene)).or_else(own);
         let path = path.ok_or_else(|| format!("`{file}` is not a file of this scene"))?;
-        let words = editor.at(&path.to_string_lossy(), *line, *column);
+        let words = editor.words_for_position(&path.to_string_lossy(), *line, *column);
         let failure = |error| format!("cannot start `{}`: {error}", words[0]);
         let child = Command::new(&words[0]).args(&words[1..]).spawn().map_err(failure)?;
         reap(child).map_err(failure)

@@ -75,7 +75,7 @@ impl Gatherer<'_> {
         self.indices(&target.indices);
     }
 
-    fn arm(&mut self, arms: &mut Vec<Arm>, span: Span, head: Option<&Head>, body: &[Element], choice: bool) {
+    fn arm(&mut self, arms: &mut Vec<Arm>, span: Span, head: Option<&Head>, body: &[Element], is_switch_arm: bool) {
         self.gather_before(span);
         let start = self.len();
         self.gather_token();
@@ -84,7 +84,7 @@ impl Gatherer<'_> {
             Some(Head::Pieces(Some(elements))) => self.gather_arguments(elements),
             _ => {}
         }
-        self.close_arm(arms, start, body, span, choice);
+        self.close_arm(arms, start, body, span, is_switch_arm);
     }
 
     fn head_of_for(&mut self, head: &ForHead) {
@@ -97,8 +97,8 @@ impl Gatherer<'_> {
     }
 
     /// Adds the atoms of the rest of a directive's parentheses, and of its body.
-    fn close_arm(&mut self, arms: &mut Vec<Arm>, start: usize, body: &[Element], span: Span, choice: bool) {
-        let first = body.first().map_or(self.local(span.hi), |e| self.local(e.span.lo));
+    fn close_arm(&mut self, arms: &mut Vec<Arm>, start: usize, body: &[Element], span: Span, is_switch_arm: bool) {
+        let first = body.first().map_or(self.local_offset(span.hi), |e| self.local_offset(e.span.lo));
         let text = self.text;
         let depth = |row: &[Atom]| {
             let sign = |a: &Atom| match &text[a.lo as usize..a.hi as usize] {
@@ -119,7 +119,7 @@ impl Gatherer<'_> {
         }
         while open > 0
             && let Some(piece) = self.pieces.next
-            && self.local(piece.span().lo) < first
+            && self.local_offset(piece.span().lo) < first
         {
             open += match self.next_token() {
                 Some("(") => 1,
@@ -132,7 +132,7 @@ impl Gatherer<'_> {
         self.pending = 0;
         let (head, at) = (start as u32, self.len() as u32);
         self.body(body);
-        arms.push(Arm { head, body: at, end: at, choice });
+        arms.push(Arm { head, body: at, end: at, is_switch_arm });
     }
 
     // ------------------------------------------------------------ expressions
@@ -172,13 +172,13 @@ impl Gatherer<'_> {
         self.pending |= OPEN;
         self.gather_token();
         self.gather_arguments(parts);
-        self.gather_up_to(self.local(span.hi).saturating_sub(1));
+        self.gather_up_to(self.local_offset(span.hi).saturating_sub(1));
         self.pending = CLOSE;
     }
 
     pub(super) fn expr(&mut self, e: &Expr) {
         self.gather_before(e.span);
-        if self.text[self.local(e.span.lo)..].starts_with(['-', '+', '!']) {
+        if self.text[self.local_offset(e.span.lo)..].starts_with(['-', '+', '!']) {
             self.pending |= NO_BLANK_AFTER;
         }
         match &e.kind {
@@ -198,7 +198,7 @@ impl Gatherer<'_> {
             ExprKind::Paren(inner) | ExprKind::Prefix(_, inner) => self.expr(inner),
             ExprKind::Chain(chain) => {
                 self.operand(&chain.first);
-                if word::contextual(self.block).contains(&self.read(chain.first.span)) {
+                if word::durer_words_of_block(self.block).contains(&self.read(chain.first.span)) {
                     // A word and its value: `point -y`.
                     self.pending = NO_BLANK_AFTER;
                 }

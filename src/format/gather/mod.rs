@@ -17,7 +17,7 @@ pub fn gather(text: &str, base: usize, ast: &Ast) -> Atoms {
     let mut gatherer = Gatherer { text, base, pieces, out: Atoms::default(), at: 0, pending: 0, block: "" };
     gatherer.body(&ast.elements);
     gatherer.gather_up_to(text.len());
-    gatherer.between(text.len());
+    gatherer.gather_stray_characters(text.len());
     gatherer.out
 }
 
@@ -67,18 +67,18 @@ impl<'a> Gatherer<'a> {
         self.out.row.len()
     }
 
-    fn local(&self, place: u32) -> usize {
-        (place as usize).saturating_sub(self.base)
+    fn local_offset(&self, global_offset: u32) -> usize {
+        (global_offset as usize).saturating_sub(self.base)
     }
 
     fn read(&self, span: Span) -> &'a str {
-        self.text.get(self.local(span.lo)..self.local(span.hi)).unwrap_or_default()
+        self.text.get(self.local_offset(span.lo)..self.local_offset(span.hi)).unwrap_or_default()
     }
 
     /// Adds all tokens and comments that begin before a local offset.
     fn gather_up_to(&mut self, end: usize) {
         while let Some(piece) = self.pieces.next
-            && self.local(piece.span().lo) < end
+            && self.local_offset(piece.span().lo) < end
         {
             self.pieces.advance();
             self.add_piece(piece);
@@ -86,17 +86,17 @@ impl<'a> Gatherer<'a> {
     }
 
     fn gather_before(&mut self, span: Span) {
-        self.gather_up_to(self.local(span.lo));
+        self.gather_up_to(self.local_offset(span.lo));
     }
 
     fn gather_through(&mut self, span: Span) {
-        self.gather_up_to(self.local(span.hi));
+        self.gather_up_to(self.local_offset(span.hi));
     }
 
     /// Returns the text of the next token; `None` before a comment.
     fn next_token(&self) -> Option<&str> {
         match self.pieces.next {
-            Some(Piece::Token(span)) => self.text.get(self.local(span.lo)..self.local(span.hi)),
+            Some(Piece::Token(span)) => self.text.get(self.local_offset(span.lo)..self.local_offset(span.hi)),
             _ => None,
         }
     }
@@ -112,39 +112,39 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Adds the characters without meaning between two tokens, so that they stay in the text.
-    fn between(&mut self, end: usize) {
+    fn gather_stray_characters(&mut self, end: usize) {
         let text = self.text;
         while let Some(from) = text[self.at..end].find(|c| !is_dropped(c)).map(|i| self.at + i) {
             let to = text[from..end].find(is_dropped).map_or(end, |i| from + i);
-            self.push(from, to, LONE);
+            self.push_atom(from, to, LONE);
         }
     }
 
     fn add_piece(&mut self, piece: Piece) {
         let Span { lo, hi } = piece.span();
-        let (lo, hi) = (self.local(lo), self.local(hi));
-        self.between(lo);
+        let (lo, hi) = (self.local_offset(lo), self.local_offset(hi));
+        self.gather_stray_characters(lo);
         let text = &self.text[lo..hi];
         if let Piece::Comment(_) = piece {
             let kind = if text.starts_with("//") { LINE_COMMENT } else { BLOCK_COMMENT };
             let blanks = text.len() - text.trim_end_matches(|c| c <= ' ').len();
-            self.push(lo, hi - blanks, kind);
+            self.push_atom(lo, hi - blanks, kind);
             self.at = hi;
             return;
         }
         let flags = std::mem::take(&mut self.pending);
         let sign = text.starts_with(['-', '+']);
         match text.as_bytes() {
-            [b'<', _, _, ..] | [b'0'..=b'9' | b'.', ..] if text.len() > 2 => self.list(lo, hi),
-            [_, _, ..] if sign => self.list(lo, hi),
-            [b'(' | b'[' | b'{'] => self.push(lo, hi, flags | OPEN),
-            [b')' | b']' | b'}'] => self.push(lo, hi, flags | CLOSE),
-            _ if matches!(text, "'" | "“" | "‘") => self.push(lo, hi, flags | LONE),
-            _ => self.push(lo, hi, flags),
+            [b'<', _, _, ..] | [b'0'..=b'9' | b'.', ..] if text.len() > 2 => self.gather_number_list(lo, hi),
+            [_, _, ..] if sign => self.gather_number_list(lo, hi),
+            [b'(' | b'[' | b'{'] => self.push_atom(lo, hi, flags | OPEN),
+            [b')' | b']' | b'}'] => self.push_atom(lo, hi, flags | CLOSE),
+            _ if matches!(text, "'" | "“" | "‘") => self.push_atom(lo, hi, flags | LONE),
+            _ => self.push_atom(lo, hi, flags),
         }
     }
 
-    fn push(&mut self, lo: usize, hi: usize, mut flags: u16) {
+    fn push_atom(&mut self, lo: usize, hi: usize, mut flags: u16) {
         let bytes = self.text.as_bytes();
         let blanks = &bytes[self.at.min(lo)..lo];
         let ends = |i: &usize| blanks[*i] == b'\n' || blanks[*i] == b'\r' && blanks.get(i + 1) != Some(&b'\n');
@@ -180,7 +180,7 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Splits a token that is a list of numbers and vectors into atoms.
-    fn list(&mut self, lo: usize, hi: usize) {
+    fn gather_number_list(&mut self, lo: usize, hi: usize) {
         let (bytes, packed) = (self.text.as_bytes(), hi - lo > LONG_LIST);
         let mut at = lo;
         while at < hi {
@@ -189,7 +189,7 @@ impl<'a> Gatherer<'a> {
                 b if b <= b' ' => at += 1,
                 b'<' if packed => {
                     let end = bytes[at..hi].iter().position(|b| *b == b'>').map_or(hi, |i| at + i + 1);
-                    self.push(at, end, PACKED);
+                    self.push_atom(at, end, PACKED);
                     at = end;
                 }
                 b => {
@@ -200,7 +200,7 @@ impl<'a> Gatherer<'a> {
                     };
                     let end = bytes[at + 1..hi].iter().position(stops).map_or(hi, |i| at + 1 + i);
                     let end = if matches!(b, b'<' | b'>' | b',') { at + 1 } else { end };
-                    self.push(at, end, kind);
+                    self.push_atom(at, end, kind);
                     at = end;
                 }
             }
@@ -309,9 +309,9 @@ impl<'a> Gatherer<'a> {
                 ItemKind::Value
             }
             ElementKind::Numbers(_) => ItemKind::Value,
-            ElementKind::Block(block) => self.braces(e.span, block.name.span, ItemKind::Block, &block.body),
-            ElementKind::Group(group) => self.braces(e.span, Span::NONE, ItemKind::Group, &group.body),
-            ElementKind::Entry(group) => self.braces(e.span, Span::NONE, ItemKind::Entry, &group.body),
+            ElementKind::Block(block) => self.gather_bracketed(e.span, block.name.span, ItemKind::Block, &block.body),
+            ElementKind::Group(group) => self.gather_bracketed(e.span, Span::NONE, ItemKind::Group, &group.body),
+            ElementKind::Entry(group) => self.gather_bracketed(e.span, Span::NONE, ItemKind::Entry, &group.body),
             ElementKind::Function(function) => self.function(function, e.span),
             ElementKind::Directive(directive) => self.directive(directive, e.span),
             ElementKind::Semicolon | ElementKind::Comma => ItemKind::Separator,
@@ -324,7 +324,7 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Gathers the atoms of a body in brackets.
-    fn braces(&mut self, span: Span, name: Span, item: ItemKind, body: &[Element]) -> ItemKind {
+    fn gather_bracketed(&mut self, span: Span, name: Span, item: ItemKind, body: &[Element]) -> ItemKind {
         let start = self.len();
         if !name.is_none() {
             self.gather_through(name);
@@ -333,16 +333,16 @@ impl<'a> Gatherer<'a> {
         self.gather_token();
         let name = self.read(name);
         let outside = std::mem::replace(&mut self.block, name);
-        self.enclosed(start, span, body);
+        self.gather_to_closing_bracket(start, span, body);
         self.block = outside;
         item
     }
 
     /// Adds the contents of brackets, up to the closing one, after the opening one was added.
-    fn enclosed(&mut self, start: usize, span: Span, body: &[Element]) {
+    fn gather_to_closing_bracket(&mut self, start: usize, span: Span, body: &[Element]) {
         let open = self.len() - 1;
         self.body(body);
-        self.gather_up_to(self.local(span.hi).saturating_sub(1));
+        self.gather_up_to(self.local_offset(span.hi).saturating_sub(1));
         self.pending = 0;
         self.gather_token();
         let close = self.len() as u32 - 1;
@@ -368,7 +368,7 @@ impl<'a> Gatherer<'a> {
             }
             self.gather_token();
         }
-        self.enclosed(start, span, &function.body);
+        self.gather_to_closing_bracket(start, span, &function.body);
         ItemKind::Block
     }
 }

@@ -111,7 +111,7 @@ pub fn noise_bounds(_: &[Interval]) -> Interval {
 }
 
 /// The parameters after x, y and z of an internal function, if each interval is a single number.
-fn constant_parameters<const N: usize>(a: &[Interval]) -> Option<[f64; N]> {
+fn constant_parameters_after_point<const N: usize>(a: &[Interval]) -> Option<[f64; N]> {
     let mut all = [0.0; N];
     for (to, i) in all.iter_mut().zip(a.get(3..3 + N)?) {
         *to = i.lo;
@@ -160,7 +160,9 @@ fn without_nan(bounds: Interval) -> Interval {
 
 /// Bounds of the internal function [`f_hetero_mf`] over a box of arguments.
 pub fn hetero_bounds(a: &[Interval]) -> Interval {
-    let Some([h, lacunarity, octaves, offset, t, generator]) = constant_parameters(a) else { return Interval::ALL };
+    let Some([h, lacunarity, octaves, offset, t, generator]) = constant_parameters_after_point(a) else {
+        return Interval::ALL;
+    };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
     let octaves = octaves.min(MOST_OCTAVES);
     let mut value = noise.signed_octave_bounds(1.0) + Interval::point(offset);
@@ -180,7 +182,9 @@ pub fn hetero_bounds(a: &[Interval]) -> Interval {
 
 /// Bounds of the internal function [`f_ridged_mf`] over a box of arguments.
 pub fn ridged_bounds(a: &[Interval]) -> Interval {
-    let Some([h, lacunarity, octaves, offset, gain, generator]) = constant_parameters(a) else { return Interval::ALL };
+    let Some([h, lacunarity, octaves, offset, gain, generator]) = constant_parameters_after_point(a) else {
+        return Interval::ALL;
+    };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
     let ridge = |frequency: f64| (Interval::point(offset) + -noise.signed_octave_bounds(frequency).abs()).square();
     let mut signal = ridge(1.0);
@@ -198,7 +202,9 @@ pub fn ridged_bounds(a: &[Interval]) -> Interval {
 
 /// Bounds of the internal function [`f_ridge`] over a box of arguments.
 pub fn ridge_bounds(a: &[Interval]) -> Interval {
-    let Some([lambda, octaves, omega, offset, ridge, generator]) = constant_parameters(a) else { return Interval::ALL };
+    let Some([lambda, octaves, omega, offset, ridge, generator]) = constant_parameters_after_point(a) else {
+        return Interval::ALL;
+    };
     let Some(noise) = Octaves::new(a, generator) else { return Interval::ALL };
     let octaves = octaves.min(MOST_OCTAVES);
     let part = Interval::point(1.0 / ridge.max(1.0 - ridge));

@@ -81,7 +81,7 @@ pub fn ellipsoid_bounds(i: &[Interval]) -> Interval {
 }
 
 /// Upper bound of the gradient of the internal function [`f_ellipsoid`].
-pub fn ellipsoid_steepest(inverse: &[f64]) -> f64 {
+pub fn ellipsoid_max_gradient(inverse: &[f64]) -> f64 {
     inverse.iter().fold(0.0, |most, x| x.abs().max(most))
 }
 

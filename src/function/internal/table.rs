@@ -57,7 +57,7 @@ pub static TABLE: &[Internal] = &[
         "radius of inversion"]),
     internal_row(17, "f_ellipsoid", "1 on an ellipsoid",
         |a| call_with_array(a, quadric::f_ellipsoid), Some(quadric::ellipsoid_bounds), &["inverse half axis along x",
-        "inverse half axis along y", "inverse half axis along z"]).with_max_gradient(quadric::ellipsoid_steepest),
+        "inverse half axis along y", "inverse half axis along z"]).with_max_gradient(quadric::ellipsoid_max_gradient),
     internal_row(18, "f_enneper", "Enneper's surface", |a| call_with_array(a, algebraic::f_enneper), FIELD_BOUNDS, FIELD),
     internal_row(19, "f_flange_cover", "Spikes with flanges between them",
         |a| call_with_array(a, misc::f_flange_cover), None, &["spikiness: 1 for a sphere, small for spikes", "inverse size",

@@ -23,10 +23,10 @@ impl<'a> Interpreter<'a> {
     ) -> Result<Value> {
         let probe = self.probe(object)?;
         let (from, direction) = (self.argument_vector(from)?, self.argument_vector(direction)?);
-        let found = probe.trace(from, direction);
+        let found = probe.hit_point_and_normal(from, direction);
         let (point, turned) = found.unwrap_or((DVec3::ZERO, DVec3::ZERO));
         if let Some(name) = normal {
-            self.set_result(name, Value::Vector(turned.into()))?;
+            self.assign_to_argument(name, Value::Vector(turned.into()))?;
         }
         Ok(Value::Vector(point.into()))
     }
@@ -45,7 +45,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Assigns a value to a name or an array's element.
-    fn set_result(&mut self, target: &Argument<'a>, value: Value) -> Result<()> {
+    fn assign_to_argument(&mut self, target: &Argument<'a>, value: Value) -> Result<()> {
         match &target.given {
             ArgumentForm::Name(symbol) if self.evaluator.is_declared(*symbol) => {
                 self.evaluator.scopes_mut().set_global(*symbol, Slot::Value(value), vec![]);

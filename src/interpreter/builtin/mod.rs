@@ -7,7 +7,7 @@ mod special;
 mod text;
 mod vector;
 
-pub(super) use text::leading_number;
+pub(super) use text::leading_number_and_length;
 
 use super::Interpreter;
 use super::argument::Argument;
@@ -53,10 +53,10 @@ enum Function {
 static FUNCTIONS: LazyLock<FxHashMap<&'static str, Function>> = LazyLock::new(|| {
     let numeric = numeric_table::TABLE.iter().map(|row| (row.name, Function::Numeric(row)));
     let special = special::TABLE.iter().map(|row| (row.name, Function::Special(row)));
-    numeric.chain(plain().map(|row| (row.name, Function::Plain(row)))).chain(special).collect()
+    numeric.chain(plain_builtins().map(|row| (row.name, Function::Plain(row)))).chain(special).collect()
 });
 
-fn plain() -> impl Iterator<Item = &'static Builtin> {
+fn plain_builtins() -> impl Iterator<Item = &'static Builtin> {
     [vector::TABLE, text::TABLE].into_iter().flatten()
 }
 
@@ -104,7 +104,7 @@ impl<'a> Interpreter<'a> {
                 check_count(name, &row.arity, arguments.len(), span)?;
                 let mut given = SmallVec::<[Argument<'a>; 4]>::new();
                 for argument in arguments {
-                    given.push(self.whole_argument(argument)?);
+                    given.push(self.argument_of_expression(argument)?);
                 }
                 (row.run)(self, &given, span)
             }
@@ -119,7 +119,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Calls a built-in function with arguments read token by token.
-    pub(super) fn builtin_of(
+    pub(super) fn call_builtin_by_tokens(
         &mut self,
         name: &'static str,
         arguments: SmallVec<[Argument<'a>; 4]>,
@@ -159,7 +159,7 @@ impl<'a> Interpreter<'a> {
             Function::Plain(row) => {
                 check_count(name, &row.arity, found, span)?;
                 let value = (row.run)(&arguments)?;
-                self.check_text(&value, span)?;
+                self.count_and_limit_text(&value, span)?;
                 Ok(value)
             }
             Function::Special(_) => Ok(Value::Float(0.0)),
@@ -167,7 +167,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Counts the bytes of a string result, and limits its length.
-    fn check_text(&mut self, value: &Value, span: Span) -> Result<()> {
+    fn count_and_limit_text(&mut self, value: &Value, span: Span) -> Result<()> {
         match value {
             Value::Text(text) if text.len() > MAX_TEXT => {
                 let message = format!("this string is longer than {} million bytes", MAX_TEXT / 1_000_000);
@@ -202,7 +202,9 @@ fn check_count(name: &str, arity: &RangeInclusive<usize>, found: usize, span: Sp
 
 /// Returns name, arguments and summary of each function that scripts have and `function { }` does not.
 pub(super) fn usages() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
-    plain().map(|f| (f.name, f.usage, f.summary)).chain(special::TABLE.iter().map(|f| (f.name, f.usage, f.summary)))
+    plain_builtins()
+        .map(|f| (f.name, f.usage, f.summary))
+        .chain(special::TABLE.iter().map(|f| (f.name, f.usage, f.summary)))
 }
 
 fn float(x: f64) -> Result<Value> {

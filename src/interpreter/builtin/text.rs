@@ -50,7 +50,7 @@ pub(super) const TABLE: &[Builtin] = &[
         usage: "(Text, Text)",
         summary: "0 if they are the same; below 0 if the first comes first in the dictionary, else above 0",
         arity: 2..=2,
-        run: |a| float(compare(a.text(0)?, a.text(1)?)),
+        run: |a| float(strcmp_difference(a.text(0)?, a.text(1)?)),
     },
     Builtin {
         name: "strlen",
@@ -85,7 +85,7 @@ pub(super) const TABLE: &[Builtin] = &[
         usage: "(Text)",
         summary: "the number that the text begins with",
         arity: 1..=1,
-        run: |a| float(leading_number(a.text(0)?.trim_start()).map_or(0.0, |(x, _)| x)),
+        run: |a| float(leading_number_and_length(a.text(0)?.trim_start()).map_or(0.0, |(x, _)| x)),
     },
     Builtin {
         name: "vstr",
@@ -101,13 +101,13 @@ fn text_value(s: String) -> Value {
 }
 
 /// Returns the difference of the first two characters that differ, as `strcmp` does; 0 for equal strings.
-fn compare(a: &str, b: &str) -> f64 {
+fn strcmp_difference(a: &str, b: &str) -> f64 {
     let codes = |s: &str| s.chars().map(|c| f64::from(u32::from(c))).chain([0.0]).collect::<Vec<_>>();
     codes(a).iter().zip(&codes(b)).map(|(a, b)| a - b).find(|d| *d != 0.0).unwrap_or(0.0)
 }
 
 /// Parses the number at the start of a string, and returns it with its length in bytes.
-pub fn leading_number(s: &str) -> Option<(f64, usize)> {
+pub fn leading_number_and_length(s: &str) -> Option<(f64, usize)> {
     let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-');
     let end = s.find(|c| !digits(c)).unwrap_or(s.len()).min(400);
     (1..=end).rev().find_map(|end| s[..end].parse().ok().map(|x| (x, end)))

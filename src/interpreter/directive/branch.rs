@@ -21,7 +21,7 @@ impl<'a> Interpreter<'a> {
         match head {
             Head::Whole(e) if !self.evaluator.must_split(e) => self.evaluate_number(e),
             Head::Whole(e) => {
-                let elements = self.inputs.as_elements(e);
+                let elements = self.inputs.as_single_element(e);
                 self.read_number_within(elements, e.span)
             }
             Head::Pieces(Some(elements)) => self.read_number_within(elements, span),
@@ -60,7 +60,7 @@ impl<'a> Interpreter<'a> {
             if taken {
                 branches[i + 1..].iter().for_each(|other| self.reporter.record_branch(&other.body, false));
                 if let (Condition::Always, Some(next)) = (&branch.condition, branches.get(i + 1)) {
-                    return Err(continues_nothing(next.span, self.inputs.sources.snippet(next.span)));
+                    return Err(branch_after_else_error(next.span, self.inputs.sources.snippet(next.span)));
                 }
                 self.stream.push_frame(&branch.body, FrameKind::Branch, span);
                 break;
@@ -94,7 +94,7 @@ impl<'a> Interpreter<'a> {
             Head::Whole(e) => self.is_declared(e),
             Head::Pieces(Some(elements)) => self.read_contents(elements, Bracket::Paren, span, |me| {
                 // The name may be a macro's, which is not called here.
-                match me.stream.take_closed_name() {
+                match me.stream.take_name_before_closer() {
                     Some((symbol, _)) => Ok(me.evaluator.is_declared(symbol)),
                     None => {
                         let argument = match me.read_argument() {
@@ -116,7 +116,7 @@ impl<'a> Interpreter<'a> {
 
     /// Skips the rest of the tokens inside a bracket.
     fn skip_to_end(&mut self) -> Result<()> {
-        while !self.peek()?.ends() {
+        while !self.peek()?.is_closer_or_end() {
             self.stream.advance();
         }
         Ok(())
@@ -170,7 +170,7 @@ impl<'a> Interpreter<'a> {
                 (*counter, [first, last, step], at)
             }
             ForHead::Pieces(Some(elements)) => {
-                self.read_contents(elements, Bracket::Paren, span, |me| me.read_for_head(span))?
+                self.read_contents(elements, Bracket::Paren, span, |me| me.read_counter_range_span(span))?
             }
             ForHead::Pieces(None) => return Err(self.syntax_error_at(span).into()),
         };
@@ -185,16 +185,16 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads the contents `I, 0, 10, 2` of the parentheses after `#for`. The commas are optional.
-    fn read_for_head(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
+    fn read_counter_range_span(&mut self, span: Span) -> Result<(Symbol, [f64; 3], Span)> {
         // Without the comma after the name, `J -1, 1` and `J (0), 1` parse as expressions.
         if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if !matches!(e.kind, ExprKind::Name(_)))
         {
-            self.stream.split_next();
+            self.stream.split_next_element();
         }
         let Some((counter, _)) = self.stream.take_name() else { return Err(self.unexpected_token("a name").into()) };
         let (mut numbers, mut at) = ([0.0, 0.0, 1.0], span);
         let mut count = 0;
-        while count < 3 && !self.peek()?.ends() {
+        while count < 3 && !self.peek()?.is_closer_or_end() {
             let (value, lvalue) = self.read_value()?;
             numbers[count] = as_float(&value, lvalue)?;
             (count, at) = (count + 1, lvalue);
@@ -226,7 +226,7 @@ impl<'a> Interpreter<'a> {
             // The part of an arm's body that follows a head read from the body.
             let begun = self.stream.split_off_frames(checkpoint.frame_count());
             if let (true, When::Otherwise, Some(next)) = (fits, &arm.when, arms.get(i + 1)) {
-                return Err(continues_nothing(next.span, self.inputs.sources.snippet(next.span)));
+                return Err(branch_after_else_error(next.span, self.inputs.sources.snippet(next.span)));
             }
             // The `#break` of an arm is found only when the arm runs: the arms after it count as run.
             self.reporter.record_branch(&arm.body, fits);
@@ -262,7 +262,7 @@ fn doubled_operator(elements: &[Element]) -> Option<Span> {
 }
 
 /// Returns the error for `#elseif`, `#case` or the like after an `#else`.
-fn continues_nothing(span: Span, text: &str) -> Fault {
+fn branch_after_else_error(span: Span, text: &str) -> Fault {
     let word = text.split(|c: char| !c.is_ascii_alphabetic() && c != '#').next().unwrap_or("#else");
     let at = Span { hi: span.lo + word.len() as u32, ..span };
     let d = Diagnostic::new(codes::UNMATCHED_CLOSER, at, format!("`{word}` continues nothing"));

@@ -1,16 +1,16 @@
 //! Contents of data files: parses values for `#read`, and formats them for `#write` as text or bytes.
 
-use crate::interpreter::builtin::leading_number;
+use crate::interpreter::builtin::leading_number_and_length;
 use crate::interpreter::evaluator::numbers_of;
 use crate::value::{Value, VecN, format_decimal, trim_zeros};
 
 /// Skips blanks, commas and comments; returns the new offset.
 pub(super) fn skip_blanks(text: &str, at: usize) -> usize {
-    skip(text, at, |c| c == ',')
+    skip_blanks_and(text, at, |c| c == ',')
 }
 
 /// Skips blanks, comments and the characters that `also` accepts; returns the new offset.
-pub(super) fn skip(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
+pub(super) fn skip_blanks_and(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
     loop {
         let rest = &text[at..];
         let blank = rest.len() - rest.trim_start_matches(|c: char| c.is_whitespace() || also(c)).len();
@@ -27,7 +27,7 @@ pub(super) fn skip(text: &str, mut at: usize, also: fn(char) -> bool) -> usize {
 }
 
 /// Parses the number, vector or string at the start of a text, and returns it with its length in bytes.
-pub(super) fn data_value(text: &str) -> Option<(Value, usize)> {
+pub(super) fn data_value_and_length(text: &str) -> Option<(Value, usize)> {
     match text.as_bytes()[0] {
         b'"' => {
             let end = 1 + closing_quote(&text[1..])?;
@@ -41,13 +41,13 @@ pub(super) fn data_value(text: &str) -> Option<(Value, usize)> {
                 if text[at..].starts_with('>') {
                     break;
                 }
-                let (x, length) = leading_number(&text[at..])?;
+                let (x, length) = leading_number_and_length(&text[at..])?;
                 c.push(x);
                 at += length;
             }
             (2..=5).contains(&c.len()).then(|| (Value::Vector(VecN::from_slice(&c)), at + 1))
         }
-        _ => leading_number(text).map(|(x, length)| (Value::Float(x), length)),
+        _ => leading_number_and_length(text).map(|(x, length)| (Value::Float(x), length)),
     }
 }
 

@@ -43,18 +43,18 @@ impl<'a> Interpreter<'a> {
             }
             return Ok(());
         }
-        self.expect_value_of(target.symbol)?;
+        self.refuse_semicolon_as_value(target.symbol)?;
         let deprecated = declare.deprecated.as_ref().map(|(once, why)| (*once, &**why));
         if !declare.others.is_empty() {
             let targets: Vec<&'a Target> = std::iter::once(target).chain(&declare.others).collect();
             let values = self.read_values_in_parentheses(targets.len())?;
             for (target, slot) in targets.into_iter().zip(values) {
-                let declared = self.target_of(target)?;
+                let declared = self.evaluate_target(target)?;
                 self.bind(declare.local, &declared, slot, vec![]);
             }
             return Ok(());
         }
-        let declared = self.target_of(target)?;
+        let declared = self.evaluate_target(target)?;
         self.declare_one(declare.local, deprecated, declared)
     }
 
@@ -66,8 +66,8 @@ impl<'a> Interpreter<'a> {
             .into()
     }
 
-    fn expect_value_of(&self, symbol: Symbol) -> Result<()> {
-        match self.stream.at_semicolon() {
+    fn refuse_semicolon_as_value(&self, symbol: Symbol) -> Result<()> {
+        match self.stream.next_semicolon_span() {
             Some(at) => {
                 let message = format!("expected a value for `{}`, found `;`", self.inputs.names.text(symbol));
                 Diagnostic::err(codes::EXPECTED, at, message)
@@ -79,7 +79,7 @@ impl<'a> Interpreter<'a> {
     /// Runs `#declare` and `#local` for a target that comes token by token.
     pub fn run_declare_by_tokens(&mut self, local: bool, span: Span) -> Result<()> {
         let checkpoint = self.stream.checkpoint();
-        self.declare_tokens(local, span).map_err(|fault| self.skip_fault(checkpoint, *fault))
+        self.declare_tokens(local, span).map_err(|fault| self.trace_fault_and_skip(checkpoint, *fault))
     }
 
     fn declare_tokens(&mut self, local: bool, span: Span) -> Result<()> {
@@ -113,14 +113,14 @@ impl<'a> Interpreter<'a> {
         }
         let declared = self.read_target(span)?;
         self.expect_equal()?;
-        self.expect_value_of(declared.symbol)?;
+        self.refuse_semicolon_as_value(declared.symbol)?;
         self.declare_one(local, deprecated, declared)
     }
 
     /// Returns the next token if it is `(`, and [`Token::End`] otherwise.
     fn peek_parenthesis(&mut self) -> Result<Token<'a>> {
         match self.stream.next_raw_element().map(|e| &e.kind) {
-            Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.stream.split_next(),
+            Some(ElementKind::Expr(e)) if matches!(e.kind, ExprKind::Paren(_)) => self.stream.split_next_element(),
             Some(ElementKind::Punctuation(_)) => {}
             _ => return Ok(Token::End),
         }
@@ -152,7 +152,7 @@ impl<'a> Interpreter<'a> {
         self.pop_spent();
         // A `declare A = 3` without `#` was parsed as a comparison.
         if matches!(self.stream.next_raw_element().map(|e| &e.kind), Some(ElementKind::Expr(e)) if e.compares()) {
-            self.stream.split_next();
+            self.stream.split_next_element();
         }
         let Some((symbol, span)) = self.stream.take_name() else { return Err(self.missing_name_error(directive)) };
         let text = self.inputs.names.text(symbol);
@@ -165,7 +165,7 @@ impl<'a> Interpreter<'a> {
         {
             return self.read_prefixed_target(level, directive);
         }
-        let indices = self.indices_of(symbol)?;
+        let indices = self.read_indices(symbol)?;
         let lvalue = match indices.is_empty() {
             true => None,
             false => Some(self.lvalue_at(symbol, span, &indices, true)?),
@@ -178,12 +178,12 @@ impl<'a> Interpreter<'a> {
     fn read_prefixed_target(&mut self, level: u32, directive: Span) -> Result<Declared> {
         self.stream.advance();
         let Some((symbol, span)) = self.stream.take_name() else { return Err(self.missing_name_error(directive)) };
-        let indices = self.indices_of(symbol)?;
+        let indices = self.read_indices(symbol)?;
         let lvalue = match indices.is_empty() {
             true => None,
             false => {
                 let array = self.evaluator.scopes().resolve_at(symbol, level);
-                Some(self.lvalue_in(array, span, &indices, true)?)
+                Some(self.lvalue_in_array(array, span, &indices, true)?)
             }
         };
         Ok(Declared { symbol, level: Some(level), lvalue })
@@ -238,14 +238,14 @@ impl<'a> Interpreter<'a> {
                     self.bind(local, &declared, Slot::Faulty(Rc::default()), vec![]);
                     return fault.into();
                 }
-                let mut faults = self.reporter.take_since(first);
+                let mut faults = self.reporter.take_diagnostics_since(first);
                 faults.push(fault);
                 Slot::Faulty(Rc::new(faults))
             }
         };
         // Warnings about a thing wait until the thing is used; those about a number are reported here.
         let waits = matches!(slot, Slot::Value(Value::Thing(_)) | Slot::Faulty(_));
-        let pending = if waits { self.reporter.take_since(first) } else { vec![] };
+        let pending = if waits { self.reporter.take_diagnostics_since(first) } else { vec![] };
         self.bind(local, &declared, slot, pending);
         if let Some((_, why)) = deprecated {
             self.evaluator.deprecate(declared.symbol, why);
@@ -253,7 +253,7 @@ impl<'a> Interpreter<'a> {
         Ok(())
     }
 
-    fn target_of(&mut self, target: &'a Target) -> Result<Declared> {
+    fn evaluate_target(&mut self, target: &'a Target) -> Result<Declared> {
         let lvalue = match target.indices.is_empty() {
             true => None,
             false => Some(self.target_lvalue(target.symbol, target.span, &target.indices)?),
@@ -285,7 +285,7 @@ impl<'a> Interpreter<'a> {
         };
         let span = self.open()?;
         let mut values = vec![];
-        while !self.peek()?.ends() {
+        while !self.peek()?.is_closer_or_end() {
             values.push(self.read_rvalue()?);
         }
         let end = self.stream.next_span();
@@ -299,7 +299,7 @@ impl<'a> Interpreter<'a> {
     pub fn run_undef(&mut self, span: Span) -> Result<()> {
         self.pop_spent();
         // The name is removed before anything after it runs, and a macro's name is not called.
-        let next = self.stream.innermost().and_then(StackFrame::following).map(|e| &e.kind);
+        let next = self.stream.innermost().and_then(StackFrame::element_after_next).map(|e| &e.kind);
         if !matches!(next, Some(ElementKind::Entry(_) | ElementKind::Punctuation(_)))
             && let Some((symbol, _)) = self.stream.take_name()
         {

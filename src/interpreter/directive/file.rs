@@ -1,6 +1,6 @@
 //! The directives `#fopen`, `#fclose`, `#read` and `#write` (manual, "User Defined File I/O").
 
-use super::data::{Binary, data_bytes, data_value, skip_blanks};
+use super::data::{Binary, data_bytes, data_value_and_length, skip_blanks};
 use crate::diagnostic::{Diagnostic, Result, codes};
 use crate::interpreter::Interpreter;
 use crate::interpreter::argument::ArgumentForm;
@@ -138,7 +138,7 @@ impl<'a> Interpreter<'a> {
 
     fn close_file(&mut self, symbol: Symbol, span: Span) {
         if let Some(Slot::File(index)) = self.evaluator.scopes().get(symbol) {
-            self.flush(*index, span);
+            self.close_file_at(*index, span);
             if let Some(place) = self.evaluator.scopes().resolve(symbol) {
                 self.evaluator.scopes_mut().unbind(&place);
             }
@@ -146,7 +146,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Closes a file, and reports an error in writing the rest of the file's buffer.
-    fn flush(&mut self, index: usize, span: Span) {
+    fn close_file_at(&mut self, index: usize, span: Span) {
         let file = &mut self.open_files[index];
         let written = match std::mem::replace(&mut file.access, Access::Closed) {
             Access::Write(mut out) => out.flush(),
@@ -159,10 +159,10 @@ impl<'a> Interpreter<'a> {
 
     /// Closes the files that the scene has left open.
     pub fn close_files(&mut self) {
-        (0..self.open_files.len()).for_each(|index| self.flush(index, self.open_files[index].span));
+        (0..self.open_files.len()).for_each(|index| self.close_file_at(index, self.open_files[index].span));
     }
 
-    fn file_number(&mut self, symbol: Symbol, span: Span) -> Result<usize> {
+    fn open_file_index(&mut self, symbol: Symbol, span: Span) -> Result<usize> {
         match self.evaluator.scopes().get(symbol) {
             Some(Slot::File(index)) => Ok(*index),
             Some(Slot::Faulty(_)) => Diagnostic::err(codes::FOLLOWS, span, ""),
@@ -180,15 +180,15 @@ impl<'a> Interpreter<'a> {
         let Some((file, at)) = self.read_name()? else {
             return Diagnostic::err(codes::EXPECTED, span, "`#read` takes an open file and names");
         };
-        let index = self.file_number(file, at)?;
+        let index = self.open_file_index(file, at)?;
         let mut more = true;
-        while !self.peek()?.ends() {
+        while !self.peek()?.is_closer_or_end() {
             let target = self.read_argument()?;
             // Names after the end of the file keep their values.
             if !more {
                 continue;
             }
-            let value = self.next_value(index, span);
+            let value = self.next_value_and_follows(index, span);
             if let (Err(_), ArgumentForm::Name(symbol)) = (&value, &target.given) {
                 self.evaluator.scopes_mut().set_global(*symbol, Slot::Faulty(Rc::default()), vec![]);
             }
@@ -215,7 +215,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Reads the next number, vector or string of a file. The flag is true if more values follow.
-    fn next_value(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
+    fn next_value_and_follows(&mut self, index: usize, span: Span) -> Result<Option<(Value, bool)>> {
         let file = &mut self.open_files[index];
         let Access::Read { file, at } = &mut file.access else {
             let message = format!("`{}` is open for writing: it can't be read", file.name);
@@ -226,7 +226,7 @@ impl<'a> Interpreter<'a> {
         if *at == text.len() {
             return Ok(None);
         }
-        match data_value(&text[*at..]) {
+        match data_value_and_length(&text[*at..]) {
             Some((value, length)) => {
                 *at = skip_blanks(text, *at + length);
                 Ok(Some((value, *at < text.len())))
@@ -244,7 +244,7 @@ impl<'a> Interpreter<'a> {
     pub fn run_write(&mut self, span: Span) -> Result<()> {
         self.expect_paren("#write")?;
         let index = match self.read_name()? {
-            Some((symbol, at)) => self.file_number(symbol, at)?,
+            Some((symbol, at)) => self.open_file_index(symbol, at)?,
             None => return Err(self.unexpected_token("an open file").into()),
         };
         // Binary format of the values up to the next comma. A comma directly after the word cancels it.
@@ -255,7 +255,7 @@ impl<'a> Interpreter<'a> {
                 form = None;
             }
             match token {
-                token if token.ends() => return self.close("`)`"),
+                token if token.is_closer_or_end() => return self.close("`)`"),
                 Token::Word(word) if Binary::from_word(word).is_some() => {
                     self.stream.advance();
                     form = Binary::from_word(word);

@@ -27,7 +27,7 @@ impl<'a> Interpreter<'a> {
     pub fn call_macro(&mut self, name: Symbol, arguments: &'a [Element], span: Span, comma: bool) -> Result<()> {
         let Some(&Slot::Macro(definition)) = self.evaluator.scopes().get(name) else { return Ok(()) };
         self.check_depth(name, span)?;
-        let slots = match self.plain_arguments(definition, arguments)? {
+        let slots = match self.evaluate_plain_arguments(definition, arguments)? {
             Some(slots) => slots,
             None => self.read_contents(arguments, Bracket::Paren, span, |me| me.read_arguments(definition, span))?,
         };
@@ -74,14 +74,20 @@ impl<'a> Interpreter<'a> {
         self.reporter.limit_error(codes::CALL_DEPTH, span, message, "does this recursion ever end?")
     }
 
-    fn enter_macro(&mut self, definition: &'a Macro, arguments: Vec<Option<Slot<'a>>>, span: Span, comma: bool) {
+    fn enter_macro(
+        &mut self,
+        definition: &'a Macro,
+        arguments: Vec<Option<Slot<'a>>>,
+        span: Span,
+        has_comma_after: bool,
+    ) {
         self.evaluator.enter_call(&definition.parameters, arguments);
-        self.stream.push_call(definition, span, comma);
+        self.stream.push_call(definition, span, has_comma_after);
     }
 
     /// Evaluates the arguments of a macro in the common case: one expression for each parameter, without calls of
     /// macros. `None` for other arguments.
-    fn plain_arguments(
+    fn evaluate_plain_arguments(
         &mut self,
         definition: &'a Macro,
         arguments: &'a [Element],
@@ -92,7 +98,7 @@ impl<'a> Interpreter<'a> {
             return Ok(None);
         }
         // The list is reused: calls are many, and evaluation itself does not allocate.
-        let mut slots = self.evaluator.argument_list();
+        let mut slots = self.evaluator.take_spare_arguments();
         slots.clear();
         for (i, element) in arguments.iter().enumerate() {
             let ElementKind::Expr(e) = &element.kind else { return Ok(None) };
@@ -101,7 +107,7 @@ impl<'a> Interpreter<'a> {
                 _ => None,
             });
             slots.push(Some(match e.kind {
-                ExprKind::Name(symbol) => match self.referenced_name(symbol, next) {
+                ExprKind::Name(symbol) => match self.reference_target(symbol, next) {
                     Some(lvalue) => Slot::Alias(lvalue),
                     None => return Ok(None),
                 },
@@ -113,7 +119,7 @@ impl<'a> Interpreter<'a> {
 
     /// Returns the location to which a parameter refers if its argument is the name `symbol`. `next` is the name that
     /// follows without a comma (quirk: `reference_without_comma`).
-    fn referenced_name(&self, symbol: Symbol, next: Option<Symbol>) -> Option<LValue> {
+    fn reference_target(&self, symbol: Symbol, next: Option<Symbol>) -> Option<LValue> {
         let scopes = self.evaluator.scopes();
         let is_number = |slot: &Slot| matches!(slot, Slot::Value(Value::Float(_) | Value::Vector(_) | Value::Color(_)));
         match next.and_then(|next| scopes.resolve(next)) {
@@ -127,7 +133,7 @@ impl<'a> Interpreter<'a> {
         let (level, wanted) = (self.evaluator.scopes().level(), definition.parameters.len());
         let mut slots = Vec::with_capacity(wanted);
         for &(parameter, optional) in &definition.parameters {
-            if self.peek()?.ends() {
+            if self.peek()?.is_closer_or_end() {
                 if optional {
                     slots.push(None);
                     continue;
@@ -139,7 +145,7 @@ impl<'a> Interpreter<'a> {
                     format!(
                         "macro `{name}` takes {}, but only {} given",
                         arguments_text(wanted),
-                        number_are_text(slots.len())
+                        count_with_verb(slots.len())
                     ),
                 )
                 .also(definition.span, "defined here")
@@ -152,10 +158,10 @@ impl<'a> Interpreter<'a> {
         if let Some(d) = self.uncallable_value_error() {
             return d.into();
         }
-        if matches!(next, Token::Punctuation(_)) && !next.ends() {
+        if matches!(next, Token::Punctuation(_)) && !next.is_closer_or_end() {
             return Err(self.unexpected_token("`)`").into());
         }
-        if !next.ends() {
+        if !next.is_closer_or_end() {
             let message = format!("macro `{name}` takes {}, but more are given", arguments_text(wanted));
             return Diagnostic::new(codes::WRONG_COUNT, self.stream.next_span(), message)
                 .also(definition.span, "defined here")
@@ -182,7 +188,7 @@ impl<'a> Interpreter<'a> {
                     Token::Expr(next) if !self.stream.has_comma() => first_name(next),
                     _ => None,
                 };
-                let referenced = self.referenced_name(symbol, next);
+                let referenced = self.reference_target(symbol, next);
                 let referenced = referenced.filter(|lvalue| self.evaluator.scopes().level_of(lvalue) <= level);
                 Ok(Slot::Alias(referenced.unwrap_or(own)))
             }
@@ -207,6 +213,6 @@ fn arguments_text(n: usize) -> String {
     if n == 1 { "one argument".into() } else { format!("{n} arguments") }
 }
 
-fn number_are_text(n: usize) -> String {
+fn count_with_verb(n: usize) -> String {
     if n == 1 { "one is".into() } else { format!("{n} are") }
 }

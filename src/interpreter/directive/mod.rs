@@ -28,21 +28,21 @@ impl<'a> Interpreter<'a> {
             Directive::For(f) => self.run_for(f, span),
             Directive::Switch(value, arms) => self.run_switch(value, arms, span),
             Directive::Macro(definition) => self.define_macro(definition),
-            Directive::Plain(word) => self.plain_directive(directive, *word, span),
+            Directive::Plain(word) => self.run_bodiless_directive(directive, *word, span),
         }
     }
 
     /// Runs a directive without a body. A `#` before another word, as in `#Ball(1)`, is ignored.
-    fn plain_directive(&mut self, directive: &'a Directive, word: Symbol, span: Span) -> Result<()> {
+    fn run_bodiless_directive(&mut self, directive: &'a Directive, word: Symbol, span: Span) -> Result<()> {
         let name = self.inputs.names.text(word);
-        if let Some((name, run)) = table::find(name) {
-            return self.run_plain(name, run, span);
+        if let Some((name, run)) = table::find_runner(name) {
+            return self.run_directive_function(name, run, span);
         }
         let declared = self.evaluator.is_declared(word);
         if declared || crate::syntax::word::lookup(name).is_some() {
             let text = Span { lo: span.hi - name.len() as u32, hi: span.hi };
-            let parts = self.inputs.parsed.parts_of(directive, || self.inputs.tokens_of(text));
-            self.stream.push_piece(parts, None, text, false);
+            let parts = self.inputs.parsed.cached_parts(directive, || self.inputs.tokens_of(text));
+            self.stream.push_elements(parts, None, text, false);
             return Ok(());
         }
         self.skip_statement(self.stream.checkpoint());
@@ -52,14 +52,14 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Runs a directive without a body, whose word has been consumed.
-    pub(super) fn run_plain(&mut self, name: &'static str, run: table::Run, span: Span) -> Result<()> {
+    pub(super) fn run_directive_function(&mut self, name: &'static str, run: table::Run, span: Span) -> Result<()> {
         // No other directive runs before this one has read its values.
         let frame_floor = self.stream.frames().len();
         self.in_mode(
             |mode| (mode.defers, mode.frame_floor) = (true, frame_floor),
             |me| {
                 let checkpoint = me.stream.checkpoint();
-                run(me, name, span).map_err(|fault| me.skip_fault(checkpoint, *fault))
+                run(me, name, span).map_err(|fault| me.trace_fault_and_skip(checkpoint, *fault))
             },
         )
     }

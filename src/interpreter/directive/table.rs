@@ -25,7 +25,7 @@ pub struct DirectiveSpec {
 pub(in crate::interpreter) type Run = for<'a> fn(&mut Interpreter<'a>, &'static str, Span) -> Result<()>;
 
 /// Returns the word and the function of a directive without a body.
-pub(in crate::interpreter) fn find(name: &str) -> Option<(&'static str, Run)> {
+pub(in crate::interpreter) fn find_runner(name: &str) -> Option<(&'static str, Run)> {
     RUNNERS.get(name).copied()
 }
 

@@ -50,8 +50,8 @@ impl<'a> Evaluator<'a> {
         self.level_of_prefix(prefix).map(|level| self.scopes.resolve_at(*symbol, level))
     }
 
-    /// Returns the location of a dictionary's element by its keys. With `adds`, a new last key is added.
-    pub fn key_lvalue(&mut self, lvalue: LValue, keys: &[(Value, Span)], adds: bool) -> Result<LValue> {
+    /// Returns the location of a dictionary's element by its keys. With `adds_key`, a new last key is added.
+    pub fn key_lvalue(&mut self, lvalue: LValue, keys: &[(Value, Span)], adds_key: bool) -> Result<LValue> {
         let mut lvalue = lvalue;
         for (i, (value, span)) in keys.iter().enumerate() {
             let Value::Text(key) = value else { return not_text(value, *span) };
@@ -60,7 +60,7 @@ impl<'a> Evaluator<'a> {
             };
             let index = match dictionary.key_index(key) {
                 Some(index) => index,
-                None if adds && i + 1 == keys.len() => self.scopes.add_key(&lvalue, key),
+                None if adds_key && i + 1 == keys.len() => self.scopes.add_key(&lvalue, key),
                 None => return Err(missing_key_error(dictionary, key, *span)),
             };
             lvalue = lvalue.element(&[index]);

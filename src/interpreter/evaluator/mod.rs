@@ -125,7 +125,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Returns a name as [`crate::value::Reader::next`] announces it: as a declared thing or as a value.
-    pub(super) fn next_of_name(&self, symbol: Symbol) -> Next {
+    pub(super) fn next_kind_of_name(&self, symbol: Symbol) -> Next {
         match self.scopes.get(symbol) {
             Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
             _ => Next::Value,
@@ -133,7 +133,13 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Adds the step to a loop's counter, which the body may have changed. Returns true if another pass follows.
-    pub(super) fn advance_counter(&mut self, counter: Symbol, last: f64, step: f64, span: Span) -> Result<bool> {
+    pub(super) fn counter_continues_after_step(
+        &mut self,
+        counter: Symbol,
+        last: f64,
+        step: f64,
+        span: Span,
+    ) -> Result<bool> {
         let Some(Slot::Value(Value::Float(value))) = self.scopes.get(counter) else {
             let name = self.inputs.names.text(counter);
             return Diagnostic::err(codes::WRONG_TYPE, span, format!("the counter `{name}` is no longer a number"));
@@ -170,7 +176,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Returns an empty list for the arguments of a macro call.
-    pub(super) fn argument_list(&mut self) -> Vec<Option<Slot<'a>>> {
+    pub(super) fn take_spare_arguments(&mut self) -> Vec<Option<Slot<'a>>> {
         std::mem::take(&mut self.spare_arguments)
     }
 

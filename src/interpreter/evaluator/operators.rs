@@ -16,7 +16,7 @@ pub fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
         (Prefix::Minus, Value::Float(x)) => Value::Float(-x),
         (_, Value::Float(x)) => Value::Float(x),
         (sign, value) => {
-            let (mut v, color) = five_numbers(&value).ok_or_else(|| {
+            let (mut v, color) = components_and_is_color(&value).ok_or_else(|| {
                 Box::new(Diagnostic::new(codes::WRONG_TYPE, span, format!("{} has no sign", value.describe())))
             })?;
             if sign == Prefix::Minus {
@@ -28,7 +28,7 @@ pub fn apply_prefix(prefix: Prefix, value: Value, span: Span) -> Result<Value> {
 }
 
 /// Returns the components of a vector or colour. The flag is true for a colour.
-pub fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
+pub fn components_and_is_color(value: &Value) -> Option<(VecN, bool)> {
     match value {
         Value::Vector(v) => Some((*v, false)),
         Value::Color(c) => Some((VecN { c: c.to_array(), len: 5 }, true)),
@@ -40,7 +40,7 @@ pub fn five_numbers(value: &Value) -> Option<(VecN, bool)> {
 pub fn numbers_of(value: &Value) -> Option<VecN> {
     match value {
         Value::Float(x) => Some(VecN::splat(*x, 1)),
-        value => five_numbers(value).map(|(v, _)| v),
+        value => components_and_is_color(value).map(|(v, _)| v),
     }
 }
 
@@ -62,7 +62,7 @@ pub fn combine(op: Operator, left: Value, right: Value, left_span: Span, right_s
                 let message = format!("`{}` takes numbers, vectors and colours, not {}", op.text(), value.describe());
                 Diagnostic::err(codes::WRONG_TYPE, span, message)
             };
-            let (l, r) = (five_numbers(&left), five_numbers(&right));
+            let (l, r) = (components_and_is_color(&left), components_and_is_color(&right));
             let (a, b, color) = match (l, r, &left, &right) {
                 (Some((a, ca)), Some((b, cb)), ..) => (a, b, ca || cb),
                 (Some((a, color)), _, _, Value::Float(x)) => (a, VecN::splat(*x, a.len), color),

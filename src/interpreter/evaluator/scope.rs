@@ -125,7 +125,7 @@ impl<'a> Scopes<'a> {
     }
 
     /// Removes a name from the list of the names that are bound at a scope level.
-    fn forget(&mut self, symbol: Symbol, level: u32) {
+    fn forget_bound_name(&mut self, symbol: Symbol, level: u32) {
         let Some(level) = (level as usize).checked_sub(1) else { return };
         let Some(&start) = self.levels.get(level) else { return };
         let end = self.levels.get(level + 1).copied().unwrap_or(self.names.len());
@@ -147,7 +147,7 @@ impl<'a> Scopes<'a> {
 
     /// Returns the location of a name's innermost binding, after following aliases; `None` after its `#undef`.
     pub fn resolve(&self, symbol: Symbol) -> Option<LValue> {
-        let (symbol, depth, path) = self.find_binding(symbol)?;
+        let (symbol, depth, path) = self.symbol_depth_and_path(symbol)?;
         Some(LValue { symbol, depth, path: path.cloned() })
     }
 
@@ -155,20 +155,20 @@ impl<'a> Scopes<'a> {
     pub fn resolve_at(&self, symbol: Symbol, level: u32) -> LValue {
         let stack = self.bindings.get(symbol.0 as usize).map_or(&[][..], Vec::as_slice);
         let bound = stack.iter().rposition(|binding| binding.level == level);
-        match bound.and_then(|depth| self.find_binding_from(symbol, depth)) {
+        match bound.and_then(|depth| self.follow_aliases_from(symbol, depth)) {
             Some((symbol, depth, path)) => LValue { symbol, depth, path: path.cloned() },
             None => LValue { symbol, depth: usize::MAX, path: None },
         }
     }
 
     /// Returns the parts of the location that [`Self::resolve`] returns, without copying the path.
-    fn find_binding(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Path>)> {
+    fn symbol_depth_and_path(&self, symbol: Symbol) -> Option<(Symbol, usize, Option<&Path>)> {
         let depth = self.bindings.get(symbol.0 as usize)?.len().checked_sub(1)?;
-        self.find_binding_from(symbol, depth)
+        self.follow_aliases_from(symbol, depth)
     }
 
     /// Follows the aliases that begin at the binding number `depth` of a symbol.
-    fn find_binding_from(&self, symbol: Symbol, depth: usize) -> Option<(Symbol, usize, Option<&Path>)> {
+    fn follow_aliases_from(&self, symbol: Symbol, depth: usize) -> Option<(Symbol, usize, Option<&Path>)> {
         let (mut symbol, mut depth, mut path) = (symbol, depth, None);
         // An alias is made from a resolved location. Its target can be another alias only after an `#undef`.
         for _ in 0..MAX_ALIASES {
@@ -198,7 +198,7 @@ impl<'a> Scopes<'a> {
     }
 
     pub fn get(&self, symbol: Symbol) -> Option<&Slot<'a>> {
-        let (symbol, depth, path) = self.find_binding(symbol)?;
+        let (symbol, depth, path) = self.symbol_depth_and_path(symbol)?;
         let slot = &self.bindings[symbol.0 as usize][depth].slot;
         path.map_or(Some(slot), |path| slot.element(path))
     }
@@ -253,8 +253,8 @@ impl<'a> Scopes<'a> {
     }
 
     /// Returns the warnings about a name's declaration that the first use of the name is to report; `None` without any.
-    pub fn pending(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
-        let (symbol, depth, _) = self.find_binding(symbol)?;
+    pub fn pending_warnings(&self, symbol: Symbol) -> Option<Rc<[Diagnostic]>> {
+        let (symbol, depth, _) = self.symbol_depth_and_path(symbol)?;
         self.bindings[symbol.0 as usize][depth].pending.clone()
     }
 
@@ -274,7 +274,7 @@ impl<'a> Scopes<'a> {
 
     /// Changes the innermost binding of a name, or creates a global one, as `#declare` does.
     pub fn set_global(&mut self, symbol: Symbol, slot: Slot<'a>, pending: Vec<Diagnostic>) {
-        match self.find_binding(symbol) {
+        match self.symbol_depth_and_path(symbol) {
             Some((symbol, depth, None)) => self.rebind(symbol, depth, slot, pending),
             Some((symbol, depth, Some(path))) => {
                 let lvalue = LValue { symbol, depth, path: Some(path.clone()) };
@@ -332,7 +332,7 @@ impl<'a> Scopes<'a> {
     /// Removes the innermost binding of a name, as `#undef` does. If the name is an alias, its target stays.
     pub fn remove(&mut self, symbol: Symbol) -> bool {
         let Some(binding) = self.stack(symbol).pop() else { return false };
-        self.forget(symbol, binding.level);
+        self.forget_bound_name(symbol, binding.level);
         true
     }
 
@@ -344,7 +344,7 @@ impl<'a> Scopes<'a> {
         let Some(stack) = self.bindings.get_mut(lvalue.symbol.0 as usize) else { return };
         if lvalue.depth < stack.len() {
             let binding = stack.remove(lvalue.depth);
-            self.forget(lvalue.symbol, binding.level);
+            self.forget_bound_name(lvalue.symbol, binding.level);
         }
     }
 

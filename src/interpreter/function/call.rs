@@ -30,7 +30,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Calls a function or spline that is an array's element.
-    pub fn call_element(&mut self, thing: &Value, arguments: &'a [Element], span: Span) -> Result<Value> {
+    pub fn call_array_element(&mut self, thing: &Value, arguments: &'a [Element], span: Span) -> Result<Value> {
         if let Value::Thing(thing) = thing {
             if let Some(spline) = downcast::<Spline>(thing) {
                 return self.call_spline(&spline, arguments, span);
@@ -61,7 +61,7 @@ impl<'a> Interpreter<'a> {
             }
             _ => spline.kind,
         };
-        if self.peek()?.ends() {
+        if self.peek()?.is_closer_or_end() {
             return Ok(Value::Vector(VecN { c: spline.point_at(t, kind), len: spline.len }));
         }
         Err(self.unexpected_token("one number and, at most, the kind of spline").into())
@@ -75,7 +75,7 @@ impl<'a> Interpreter<'a> {
             }
             if let Some(function) = downcast::<Function>(thing) {
                 let mut numbers = vec![];
-                while !self.peek()?.ends() {
+                while !self.peek()?.is_closer_or_end() {
                     let (value, at) = self.read_value()?;
                     numbers.push(as_float(&value, at)?);
                 }

@@ -31,8 +31,13 @@ struct Compiler {
 }
 
 impl<'a> Interpreter<'a> {
-    fn read_sampled_function(&mut self, parameters: bool, word: &'static str, span: Span) -> Result<Arc<dyn Thing>> {
-        if parameters {
+    fn read_sampled_function(
+        &mut self,
+        has_parameters: bool,
+        word: &'static str,
+        span: Span,
+    ) -> Result<Arc<dyn Thing>> {
+        if has_parameters {
             let message = format!("a function made of a `{word}` has no parameters of its own");
             return Diagnostic::new(codes::WRONG_COUNT, span, message)
                 .help(format!("`function {{ {word} {{ … }} }}`"))
@@ -66,7 +71,7 @@ impl<'a> Interpreter<'a> {
                     .into());
             }
         };
-        if self.peek()?.ends() {
+        if self.peek()?.is_closer_or_end() {
             return Ok(Arc::new(Function { parameters: default_parameter_names(), body: Body::Sampled(sampler) }));
         }
         Err(self.unexpected_token("the end of the function").into())
@@ -151,7 +156,7 @@ impl<'a> Interpreter<'a> {
                     let ids = self.compile_arguments(c, arguments)?;
                     self.compile_call_of(c, &callee, ids, Some(component), e.span)
                 }
-                _ => self.constant_number(c, e),
+                _ => self.compile_constant(c, e),
             },
             // A call of a function in an array.
             ExprKind::Apply(callee, arguments) => {
@@ -159,12 +164,12 @@ impl<'a> Interpreter<'a> {
                 let ids = self.compile_arguments(c, arguments)?;
                 self.compile_call_of(c, &callee, ids, None, e.span)
             }
-            _ => self.constant_number(c, e),
+            _ => self.compile_constant(c, e),
         }
     }
 
     /// Compiles an expression that does not depend on the parameters to its present value.
-    fn constant_number(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
+    fn compile_constant(&mut self, c: &mut Compiler, e: &'a Expr) -> Result<Id> {
         let x = self.evaluate_number(e)?;
         Ok(c.graph.add_constant(x))
     }
@@ -177,11 +182,11 @@ impl<'a> Interpreter<'a> {
         let other = match self.inputs.names.text(symbol) {
             "u" => "x",
             "v" => "y",
-            _ => return self.constant_number(c, e),
+            _ => return self.compile_constant(c, e),
         };
         match c.parameters.iter().position(|p| self.inputs.names.text(*p) == other) {
             Some(i) => Ok(c.graph.add_operation(Operation::Parameter(i as u16))),
-            None => self.constant_number(c, e),
+            None => self.compile_constant(c, e),
         }
     }
 
@@ -282,7 +287,7 @@ impl<'a> Interpreter<'a> {
         component: Option<&Name>,
         span: Span,
     ) -> Result<Id> {
-        let (callee, gives, arity) = self.callable_of(callee, span)?;
+        let (callee, gives, arity) = self.callee_type_and_arity(callee, span)?;
         self.check_arity(span, ids.len(), arity)?;
         let component = self.select_component(gives, component, span)?;
         if let Callee::Function(f) = &callee
@@ -307,7 +312,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Returns the function or spline in a value, with its result type and number of parameters.
-    fn callable_of(&mut self, callee: &Value, span: Span) -> Result<(Callee, ResultType, usize)> {
+    fn callee_type_and_arity(&mut self, callee: &Value, span: Span) -> Result<(Callee, ResultType, usize)> {
         if let Value::Thing(thing) = callee {
             if let Some(f) = downcast::<Function>(thing) {
                 let (gives, arity) = (f.result_type(), f.arity());

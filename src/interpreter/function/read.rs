@@ -53,7 +53,7 @@ impl<'a> Interpreter<'a> {
         self.split_to_parenthesis()?;
         if let Token::Open(Bracket::Paren, _) = self.peek()? {
             self.open()?;
-            while !self.peek()?.ends() {
+            while !self.peek()?.is_closer_or_end() {
                 match self.read_name()? {
                     Some((symbol, _)) => parameters.push(symbol),
                     None => return Err(self.unexpected_token("the name of a parameter").into()),
@@ -88,7 +88,7 @@ impl<'a> Interpreter<'a> {
             };
         };
         let size = [self.picture_side(width, at)?, self.picture_side(height, end)?];
-        self.reporter.check_picture(size, joined_span_if_near(at, end))?;
+        self.reporter.check_picture_memory(size, joined_span_if_near(at, end))?;
         Ok(Some(size))
     }
 
@@ -101,7 +101,7 @@ impl<'a> Interpreter<'a> {
             return Ok(internal);
         }
         let mut compiler = Compiler::new(self, parameters);
-        if self.peek()?.ends() {
+        if self.peek()?.is_closer_or_end() {
             return Err(self.unexpected_token("an expression").into());
         }
         let result = match self.peek()? {
@@ -112,7 +112,7 @@ impl<'a> Interpreter<'a> {
             _ => self.read_by_precedence(&mut Compiled(&mut compiler), true)?.0,
         };
         compiler.graph.result = result;
-        if !self.peek()?.ends() {
+        if !self.peek()?.is_closer_or_end() {
             return Err(self.unexpected_token("an operator or the end of the function").into());
         }
         compiler.into_function(self, span)
@@ -141,7 +141,7 @@ impl<'a> Interpreter<'a> {
             _ => return Ok(None),
         };
         match internal_function(number, self.builder.noise_generator()) {
-            Some(function) if self.peek()?.ends() => Ok(Some(Arc::new(function))),
+            Some(function) if self.peek()?.is_closer_or_end() => Ok(Some(Arc::new(function))),
             Some(_) => Err(self.unexpected_token("the end of the function").into()),
             None => Diagnostic::err(codes::NOT_YET, span, format!("`internal({number})` is not supported yet")),
         }

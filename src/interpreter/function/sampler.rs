@@ -34,7 +34,7 @@ impl Sampler for PigmentSampler {
     }
 
     fn bounds_near(&self, p: &[f64], radius: f64) -> [LocalBounds; 5] {
-        self.0.colors_near(&ctx(p, &self.1), radius)
+        self.0.color_bounds_near(&ctx(p, &self.1), radius)
     }
 }
 

@@ -55,7 +55,7 @@ impl<'a> Interpreter<'a> {
                 Token::Expr(e) => match &e.kind {
                     // A component may follow the call.
                     ExprKind::Call(..) | ExprKind::Apply(..) if !self.next_is_complete(true) => {
-                        self.stream.split_next();
+                        self.stream.split_next_element();
                         continue;
                     }
                     ExprKind::Name(symbol) => {
@@ -111,7 +111,7 @@ impl<'a> Interpreter<'a> {
     fn compile_call_by_tokens(&mut self, c: &mut Compiler, callee: &Value, span: Span) -> Result<(Id, Span)> {
         self.open()?;
         let mut ids = vec![];
-        while !self.peek()?.ends() {
+        while !self.peek()?.is_closer_or_end() {
             ids.push(self.read_by_precedence(&mut Compiled(c), true)?.0);
         }
         let mut whole = joined_span_if_near(span, self.stream.next_span());
@@ -132,7 +132,7 @@ impl<'a> Interpreter<'a> {
             return self.compile_series_by_tokens(c, word == "prod", span);
         }
         let mut ids = vec![];
-        while !self.peek()?.ends() {
+        while !self.peek()?.is_closer_or_end() {
             ids.push(self.read_by_precedence(&mut Compiled(c), true)?.0);
         }
         self.compile_builtin_of(c, word, &ids, span)

@@ -36,12 +36,12 @@ impl<'a> Interpreter<'a> {
         let whole = self.stream.next_raw_element().map_or(span, |element| element.span);
         self.stream.advance();
         let mode = self.stream.stop_deferring();
-        let own_words = word.map_or(&[][..], crate::syntax::word::contextual);
+        let own_words = word.map_or(&[][..], crate::syntax::word::durer_words_of_block);
         let frame_count = self.stream.frames().len();
         let mut opened = OpenBracket { word, span: name, alone: None, bracket, own_words, frame_count, mode };
         match body {
             Some(body) => {
-                self.stream.push_piece(body, Some(bracket), whole, comma);
+                self.stream.push_elements(body, Some(bracket), whole, comma);
                 self.stream.set_comma(false);
             }
             // The bracket is a token by itself.
@@ -52,7 +52,7 @@ impl<'a> Interpreter<'a> {
                     self.stream.advance();
                     opened.frame_count = self.stream.frames().len();
                     match body {
-                        Some(body) => self.stream.push_piece(body, Some(Bracket::Brace), whole, comma),
+                        Some(body) => self.stream.push_elements(body, Some(Bracket::Brace), whole, comma),
                         None => opened.alone = Some(at),
                     }
                 }
@@ -88,7 +88,7 @@ impl<'a> Interpreter<'a> {
         read: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<T> {
         let checkpoint = self.stream.checkpoint();
-        self.stream.push_piece(elements, Some(bracket), span, false);
+        self.stream.push_elements(elements, Some(bracket), span, false);
         let mode = self.stream.stop_deferring();
         let frame_count = self.stream.frames().len();
         self.stream.push_bracket(OpenBracket {

@@ -13,21 +13,21 @@ impl<'a> Interpreter<'a> {
         let Some((frame, outer)) = self.stream.frames().split_last() else { return true };
         let Some(element) = frame.next().filter(|_| !self.stream.has_pushed_back()) else { return false };
         if let ElementKind::Numbers(list) = &element.kind
-            && frame.list_item() + 1 < list.len()
+            && frame.list_item_index() + 1 < list.len()
         {
             return true;
         }
         if element.comma {
             return true;
         }
-        match frame.following() {
-            Some(next) => self.separates(next, compares),
-            None => self.end_separates(frame, outer, compares),
+        match frame.element_after_next() {
+            Some(next) => self.cannot_continue_value(next, compares),
+            None => self.frame_end_ends_value(frame, outer, compares),
         }
     }
 
     /// True if no token after the end of `frame` can continue the frame's last value.
-    fn end_separates<'f>(
+    fn frame_end_ends_value<'f>(
         &self,
         mut frame: &'f StackFrame<'a>,
         mut outer: &'f [StackFrame<'a>],
@@ -45,14 +45,14 @@ impl<'a> Interpreter<'a> {
             }
             let Some((last, rest)) = outer.split_last() else { return true };
             match last.next() {
-                Some(next) => return self.separates(next, compares),
+                Some(next) => return self.cannot_continue_value(next, compares),
                 None => (frame, outer) = (last, rest),
             }
         }
     }
 
     /// True if the element `next` can't continue the value before it.
-    fn separates(&self, next: &Element, compares: bool) -> bool {
+    fn cannot_continue_value(&self, next: &Element, compares: bool) -> bool {
         match &next.kind {
             ElementKind::Semicolon | ElementKind::Comma | ElementKind::Word(_) | ElementKind::Block(_) => true,
             ElementKind::Group(_) | ElementKind::Entry(_) | ElementKind::Function(_) => true,
@@ -91,7 +91,7 @@ impl<'a> Interpreter<'a> {
                 },
                 None if matches!(frame.kind(), FrameKind::File) => return Ok(None),
                 _ => {
-                    if !self.run_or_drop_once()? {
+                    if !self.run_or_drop_unless_token()? {
                         return self.peek().map(Some);
                     }
                 }

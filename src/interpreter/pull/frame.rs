@@ -15,16 +15,17 @@ impl Interpreter<'_> {
     }
 
     /// Ends the innermost frame after its last element: a loop begins its next pass, any other frame is dropped.
-    pub(super) fn end_of_frame(&mut self) -> Result<()> {
+    pub(super) fn end_frame_or_loop_pass(&mut self) -> Result<()> {
         let Some(frame) = self.stream.innermost() else { return Ok(()) };
         let span = frame.span();
         let again = match frame.kind() {
             FrameKind::While(condition) => {
                 self.reporter.step(span).and_then(|()| self.evaluate_condition(condition, span))
             }
-            FrameKind::For { counter, last, step } => {
-                self.reporter.step(span).and_then(|()| self.evaluator.advance_counter(counter, last, step, span))
-            }
+            FrameKind::For { counter, last, step } => self
+                .reporter
+                .step(span)
+                .and_then(|()| self.evaluator.counter_continues_after_step(counter, last, step, span)),
             _ => Ok(false),
         };
         let again = match again {
@@ -70,14 +71,14 @@ impl Interpreter<'_> {
     ///
     /// # Errors
     /// If a macro gives a second value.
-    pub fn run_rest_of_macros(&mut self, floor: usize) -> Result<()> {
+    pub fn run_rest_of_macros(&mut self, frame_count: usize) -> Result<()> {
         let in_macro = |f: &StackFrame| matches!(f.kind(), FrameKind::Macro(_));
         self.stream.clear_look_ahead();
-        while self.stream.frames().iter().skip(floor).any(in_macro) {
+        while self.stream.frames().iter().skip(frame_count).any(in_macro) {
             let Some(frame) = self.stream.innermost() else { break };
             match frame.next() {
                 None if frame.closer().is_some() => return Ok(()),
-                None => self.end_of_frame()?,
+                None => self.end_frame_or_loop_pass()?,
                 Some(element) => match &element.kind {
                     ElementKind::Semicolon | ElementKind::Comma => self.stream.skip_element(),
                     ElementKind::Directive(directive) => {

@@ -44,7 +44,7 @@ impl<'a> Interpreter<'a> {
                 continue;
             }
             let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
-            if frame.next().is_none_or(may_run_or_drop) && self.run_or_drop_once()? {
+            if frame.next().is_none_or(may_run_before_token) && self.run_or_drop_unless_token()? {
                 continue;
             }
             let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
@@ -79,12 +79,12 @@ impl<'a> Interpreter<'a> {
 
     /// Runs directives and macro calls, and drops finished frames, until the next element is a token.
     fn run_to_token(&mut self) -> Result<()> {
-        while self.run_or_drop_once()? {}
+        while self.run_or_drop_unless_token()? {}
         Ok(())
     }
 
     /// Runs one directive or macro call, or drops one finished frame; returns false if the next element is a token.
-    pub(super) fn run_or_drop_once(&mut self) -> Result<bool> {
+    pub(super) fn run_or_drop_unless_token(&mut self) -> Result<bool> {
         if self.stream.look_ahead().is_some() {
             return Ok(false);
         }
@@ -93,7 +93,7 @@ impl<'a> Interpreter<'a> {
             if frame.closer().is_some() || matches!(frame.kind(), FrameKind::File) {
                 return Ok(false);
             }
-            self.between_tokens(Self::end_of_frame)?;
+            self.between_tokens(Self::end_frame_or_loop_pass)?;
             return Ok(true);
         };
         match &element.kind {
@@ -115,7 +115,7 @@ impl<'a> Interpreter<'a> {
                     self.stream.skip_element();
                     self.between_tokens(|me| me.call_macro_by_tokens(*name, element.span))?;
                 }
-                _ if expr.calls && self.evaluator.must_split(expr) => self.stream.split_next(),
+                _ if expr.calls && self.evaluator.must_split(expr) => self.stream.split_next_element(),
                 _ => return Ok(false),
             },
             _ => return Ok(false),
@@ -142,7 +142,7 @@ impl<'a> Interpreter<'a> {
 
 /// True if the element may run a directive or macro, or end a frame, before the next token; false for elements that are
 /// tokens in any case, which are most.
-fn may_run_or_drop(element: &Element) -> bool {
+fn may_run_before_token(element: &Element) -> bool {
     match &element.kind {
         ElementKind::Numbers(_) | ElementKind::Word(_) | ElementKind::Block(_) | ElementKind::Punctuation(_) => false,
         ElementKind::Expr(e) => e.calls || matches!(e.kind, ExprKind::Name(_)),

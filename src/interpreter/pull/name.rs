@@ -14,7 +14,7 @@ impl<'a> Interpreter<'a> {
             ExprKind::Name(symbol) => self.name_token(*symbol, expr, element),
             ExprKind::Index(base, indices) => match base.kind {
                 ExprKind::Name(symbol) if !self.evaluator.takes_index(symbol) => {
-                    self.stream.split_next();
+                    self.stream.split_next_element();
                     Ok(None)
                 }
                 _ => {
@@ -30,8 +30,8 @@ impl<'a> Interpreter<'a> {
                 }
                 None => Ok(Some(Token::Expr(expr))),
             },
-            _ if self.stream.begins_with_own_word(expr) => {
-                self.stream.split_next();
+            _ if self.stream.begins_with_durer_word(expr) => {
+                self.stream.split_next_element();
                 Ok(None)
             }
             _ => Ok(Some(Token::Expr(expr))),
@@ -41,11 +41,11 @@ impl<'a> Interpreter<'a> {
     /// Returns the token of a name alone: a word that only durer has, an unknown block's name, an array's element, or a
     /// value.
     fn name_token(&mut self, symbol: Symbol, expr: &'a Expr, element: &'a Element) -> Result<Option<Token<'a>>> {
-        if let Some(word) = self.stream.own_word(symbol) {
+        if let Some(word) = self.stream.durer_only_word(symbol) {
             return self.word_token(word, false, element).map(Some);
         }
         let Some(frame) = self.stream.innermost() else { return Ok(None) };
-        let next = frame.following().filter(|_| !element.comma);
+        let next = frame.element_after_next().filter(|_| !element.comma);
         let is_indexed = match next.map(|e| &e.kind) {
             Some(ElementKind::Group(_) | ElementKind::Punctuation(Punctuation::Open(Bracket::Brace))) => {
                 return Ok(Some(Token::Block(BlockName { word: None, span: expr.span, body: None })));
@@ -66,7 +66,7 @@ impl<'a> Interpreter<'a> {
             _ => false,
         };
         match is_indexed {
-            true => self.element_by_tokens(symbol, expr).map(Some),
+            true => self.read_element_token(symbol, expr).map(Some),
             false => Ok(Some(Token::Expr(expr))),
         }
     }
@@ -79,7 +79,7 @@ impl<'a> Interpreter<'a> {
         let Some(frame) = self.stream.innermost() else { return Ok(Token::End) };
         let alone = if word == "function" { Token::Function(None) } else { Token::Word(word) };
         let block = Token::Block(BlockName { word: Some(word), span, body: None });
-        let next = frame.following().map(|e| &e.kind);
+        let next = frame.element_after_next().map(|e| &e.kind);
         let callee = callee.then_some(Token::Callee(word));
         let is_open = match next {
             _ if element.comma || word == "function" => false,

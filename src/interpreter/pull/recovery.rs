@@ -29,7 +29,7 @@ impl Interpreter<'_> {
 
     /// Adds the call trace to an error, and skips the statement that contains it. Inside an unclosed bracket, nothing
     /// is skipped, and the bracket is reported instead.
-    pub fn skip_fault(&mut self, checkpoint: Checkpoint, fault: Diagnostic) -> Fault {
+    pub fn trace_fault_and_skip(&mut self, checkpoint: Checkpoint, fault: Diagnostic) -> Fault {
         let fault = self.stream.with_trace(fault);
         if self.stream.unclosed_bracket_error().is_none() {
             self.skip_statement(checkpoint);

@@ -174,7 +174,7 @@ impl Interpreter<'_> {
             Token::Block(_) | Token::Open(Bracket::Square | Bracket::Brace, _) => {
                 Err(self.unexpected_token(wanted).into())
             }
-            token if token.ends() => Err(self.unexpected_token(wanted).into()),
+            token if token.is_closer_or_end() => Err(self.unexpected_token(wanted).into()),
             _ => Ok(()),
         }
     }
@@ -208,19 +208,23 @@ impl Interpreter<'_> {
                     );
                     return d.help(help);
                 }
-                return if d.code == codes::EXPECTED { d.help(format!("it takes {}", list(takes))) } else { d };
+                return if d.code == codes::EXPECTED {
+                    d.help(format!("it takes {}", first_words_in_backticks(takes)))
+                } else {
+                    d
+                };
             }
         };
         let d = refused_word_error(&word, span, block, takes);
         let near = did_you_mean(&word, takes.iter().copied());
         if let Some(spec) = Shape::spec_of(block).filter(|spec| spec.params.iter().any(|p| p.name == word)) {
-            let help = format!("it is written `{}`, and takes {}", spec.block_usage(), list(takes));
+            let help = format!("it is written `{}`, and takes {}", spec.block_usage(), first_words_in_backticks(takes));
             return d.help(help);
         }
         let home = block_taking(&word)
             .filter(|home| *home != block)
             .map(|home| format!("it belongs in `{home} {{ {word} … }}`"));
-        d.maybe_help(near).maybe_help(home).maybe_help(hints::in_block(block, &word).map(String::from))
+        d.maybe_help(near).maybe_help(home).maybe_help(hints::wrong_block_word_hint(block, &word).map(String::from))
     }
 
     /// Returns the error for an undeclared name where a word of the block could be.
@@ -229,26 +233,26 @@ impl Interpreter<'_> {
         let near = did_you_mean(name, takes.iter().copied());
         // A capitalized name is the author's own, or that of an include file.
         if name.starts_with(char::is_uppercase)
-            || hints::other_tools(name).is_none() && self.reporter.is_in_include(name)
+            || hints::other_tool_hint(name).is_none() && self.reporter.is_in_include(name)
         {
             let d = self.undeclared(symbol, span);
             return if d.cause.as_ref().is_some_and(|c| c.remedy == Remedy::Declare) { d.maybe_help(near) } else { d };
         }
         let declared = self.evaluator.scopes().names().map(|s| self.inputs.names.text(s));
         let near = did_you_mean(name, takes.iter().copied().chain(declared));
-        let hint = hints::in_block(block, name).or_else(|| hints::other_tools(name)).map(String::from);
+        let hint = hints::wrong_block_word_hint(block, name).or_else(|| hints::other_tool_hint(name)).map(String::from);
         refused_word_error(name, span, block, takes).maybe_help(near).maybe_help(hint)
     }
 
     /// Returns the error for a word that the block takes, but that is followed by an unsuitable token.
-    fn wrong_form_error(&mut self, block: &str, word: &'static str, span: Span, brace: bool) -> Diagnostic {
+    fn wrong_form_error(&mut self, block: &str, word: &'static str, span: Span, has_brace: bool) -> Diagnostic {
         let rest =
             self.inputs.sources.locate(span).map_or("", |(file, range)| &self.inputs.sources.text(file)[range.end..]);
         let found = match fault::token_at(rest.trim_start(), 0) {
             "" => "the end of the text".to_string(),
             token => format!("`{token}`"),
         };
-        let (wanted, usage) = match (brace, opens_block(word)) {
+        let (wanted, usage) = match (has_brace, opens_block(word)) {
             (true, false) => value_description_and_example(word),
             (false, true) => ("`{`".to_string(), block_usage(word)),
             // The word has what it needs, but is not allowed at this position.
@@ -283,7 +287,7 @@ fn refused_word_error(word: &str, span: Span, block: &str, takes: &[&'static str
         "scene" => format!("`{word}` is not allowed outside of all braces"),
         _ => format!("`{word}` is not something a `{block}` takes"),
     };
-    Diagnostic::new(codes::UNKNOWN_WORD, span, message).help(format!("it takes {}", list(takes)))
+    Diagnostic::new(codes::UNKNOWN_WORD, span, message).help(format!("it takes {}", first_words_in_backticks(takes)))
 }
 
 /// Returns description and example of the value after a word that opens no block.
@@ -318,7 +322,7 @@ fn block_taking(word: &str) -> Option<&'static str> {
 }
 
 /// Lists the first twelve words in backticks.
-fn list(words: &[&str]) -> String {
+fn first_words_in_backticks(words: &[&str]) -> String {
     let quoted: Vec<String> = words.iter().take(12).map(|w| format!("`{w}`")).collect();
     if words.len() > 12 { format!("{} …", quoted.join(" ")) } else { quoted.join(" ") }
 }

@@ -45,7 +45,7 @@ impl<'a> Interpreter<'a> {
     }
 }
 
-fn finite(v: DVec3, span: Span) -> Result<DVec3> {
+fn checked_finite(v: DVec3, span: Span) -> Result<DVec3> {
     if v.is_finite() {
         return Ok(v);
     }
@@ -61,15 +61,15 @@ impl Reader for Interpreter<'_> {
                     let (text, span) = (self.inputs.sources.snippet(name.span), name.span);
                     let d = Diagnostic::new(codes::UNKNOWN_WORD, span, format!("there is no block `{text} {{…}}`"));
                     let symbol = self.inputs.names.find(text);
-                    if let Some(Next::Thing(kind)) = symbol.map(|symbol| self.evaluator.next_of_name(symbol)) {
+                    if let Some(Next::Thing(kind)) = symbol.map(|symbol| self.evaluator.next_kind_of_name(symbol)) {
                         return d.help(format!("write `{kind} {{ {text} … }}`")).into();
                     }
                     let near = did_you_mean(text, crate::syntax::word::KEYWORDS.iter().copied());
                     let near = near.or_else(|| self.reporter.include_hint(text));
-                    return d.maybe_help(near).maybe_help(hints::other_tools(text).map(String::from)).into();
+                    return d.maybe_help(near).maybe_help(hints::other_tool_hint(text).map(String::from)).into();
                 }
             },
-            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.next_of_name(*symbol),
+            Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => self.evaluator.next_kind_of_name(*symbol),
             Token::Element(_) => match self.stream.element().and_then(|lvalue| self.evaluator.scopes().slot_at(lvalue))
             {
                 Some(Slot::Value(Value::Thing(thing))) => Next::Thing(thing.kind()),
@@ -157,7 +157,7 @@ impl Reader for Interpreter<'_> {
     fn vector(&mut self) -> Result<DVec3> {
         self.expect_value("a vector")?;
         let (value, span) = self.read_value()?;
-        finite(as_vector(&value, span)?, span)
+        checked_finite(as_vector(&value, span)?, span)
     }
 
     fn unchecked_vector(&mut self) -> Result<DVec3> {
@@ -210,7 +210,7 @@ impl Reader for Interpreter<'_> {
     }
 
     fn read_literals(&mut self, width: usize, most: usize, take: &mut dyn FnMut(&[f64]) -> bool) -> usize {
-        self.stream.take_middle_items(width, most, take)
+        self.stream.take_inner_list_items(width, most, take)
     }
 
     fn numbers_in_parentheses(&mut self, n: usize) -> Result<Vec<f64>> {
@@ -255,7 +255,7 @@ impl Reader for Interpreter<'_> {
         Ok(match self.peek()? {
             Token::Word(word) => begins_color(word),
             Token::Expr(Expr { kind: ExprKind::Name(symbol), .. }) => {
-                matches!(self.evaluator.next_of_name(*symbol), Next::Value)
+                matches!(self.evaluator.next_kind_of_name(*symbol), Next::Value)
                     && !matches!(self.evaluator.scopes().get(*symbol), Some(Slot::Value(Value::Text(_))))
             }
             Token::Element(_) => {

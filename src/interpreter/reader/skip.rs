@@ -12,7 +12,7 @@ impl Interpreter<'_> {
     /// Skips a block, map entry or group up to its closing bracket, while its contents are evaluated.
     fn skip_enclosed(&mut self) -> Result<()> {
         self.take_token()?;
-        while !self.peek()?.ends() {
+        while !self.peek()?.is_closer_or_end() {
             self.skip_next_item()?;
         }
         self.leave_block()
@@ -26,7 +26,7 @@ impl Interpreter<'_> {
             Token::Numbers(data) if data.len() > 5 || self.next_is_complete(false) => {
                 self.stream.advance();
                 // Items inside a literal list cannot be continued by what follows the list.
-                while self.stream.take_middle_item().is_some() {}
+                while self.stream.take_inner_list_item().is_some() {}
             }
             // `<a, b, … >` of a quartic has more components than a vector.
             Token::Expr(Expr { kind: ExprKind::Literal(data), .. })

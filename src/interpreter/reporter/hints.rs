@@ -1,7 +1,7 @@
 //! Hints about words of other tools, of POV-Ray 3.8 and of other blocks.
 
 /// Returns a hint for a macro or an include file of POV-Ray 3.8 that 3.7 lacks.
-pub fn newer_name(name: &str) -> Option<&'static str> {
+pub fn newer_name_hint(name: &str) -> Option<&'static str> {
     Some(match name.to_lowercase().as_str() {
         "cie.inc" => "part of POV-Ray 3.8; durer reads the include files of 3.7: put the file next to the scene",
         "get_screen_xy" | "get_xy_relative_to_screen" => {
@@ -12,7 +12,7 @@ pub fn newer_name(name: &str) -> Option<&'static str> {
 }
 
 /// Returns a hint about the place of a block that can neither stand alone nor be declared; `None` for another block.
-pub fn place_of_block(word: &str) -> Option<&'static str> {
+pub fn block_place_hint(word: &str) -> Option<&'static str> {
     Some(match word {
         "radiosity" => "it belongs inside `global_settings { … }`",
         "photons" => "it belongs inside `global_settings { … }`, an object or a `light_source`",
@@ -25,7 +25,7 @@ pub fn place_of_block(word: &str) -> Option<&'static str> {
 }
 
 /// Returns a hint for a word that POV-Ray's language lacks, but that other tools have.
-pub fn other_tools(word: &str) -> Option<&'static str> {
+pub fn other_tool_hint(word: &str) -> Option<&'static str> {
     Some(match word.to_lowercase().as_str() {
         "cube" | "cuboid" => "a box is `box { <corner>, <opposite corner> }`",
         "vec3" | "vec2" | "vector" | "point3" => "a vector is `<x, y, z>`",
@@ -70,7 +70,7 @@ pub fn other_tools(word: &str) -> Option<&'static str> {
 }
 
 /// Returns a hint for a word that has another name in this block, or that belongs to another block.
-pub fn in_block(block: &str, word: &str) -> Option<&'static str> {
+pub fn wrong_block_word_hint(block: &str, word: &str) -> Option<&'static str> {
     Some(match (block, word.to_lowercase().as_str()) {
         ("camera", "position" | "pos" | "from" | "origin" | "place") => {
             "`location <x, y, z>` sets the position of a camera"

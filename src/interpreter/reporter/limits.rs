@@ -107,7 +107,7 @@ impl Reporter<'_> {
     }
 
     /// Returns the error E0242 if the remaining memory cannot hold a function's picture of this size.
-    pub fn check_picture(&mut self, [width, height]: [usize; 2], span: Span) -> Result<()> {
+    pub fn check_picture_memory(&mut self, [width, height]: [usize; 2], span: Span) -> Result<()> {
         let points = (width as u64).saturating_mul(height as u64);
         let fits = match self.inputs.options.max_memory {
             Some(bytes) => {

@@ -72,7 +72,7 @@ impl<'a> Reporter<'a> {
     pub(super) fn report(&mut self, d: Diagnostic) {
         let silent = matches!(d.code, codes::FOLLOWS | codes::ENDS_RUN);
         // The code separates errors from warnings: an error in an unused declaration is reported with severity `Warning`.
-        let d = if silent || d.code.severity() == Severity::Warning { Some(d) } else { self.with_cause(d) };
+        let d = if silent || d.code.severity() == Severity::Warning { Some(d) } else { self.cause_to_report(d) };
         let Some(d) = d.filter(|_| !silent) else { return };
         // An error at the same place replaces a warning.
         let is_same = |k: &Diagnostic| k.message == d.message || k.severity > d.severity;
@@ -100,18 +100,18 @@ impl<'a> Reporter<'a> {
     }
 
     /// Counts an error, even one that was reported before. Returns true if there are too many to continue.
-    pub(super) fn count_fault(&mut self) -> bool {
+    pub(super) fn count_fault_reaches_limit(&mut self) -> bool {
         self.fault_count += 1;
         self.fault_count >= MAX_FAULTS
     }
 
-    /// Returns the number of diagnostics so far, for [`Self::take_since`].
+    /// Returns the number of diagnostics so far, for [`Self::take_diagnostics_since`].
     pub(super) fn position(&self) -> usize {
         self.diagnostics.len()
     }
 
     /// Removes and returns the diagnostics reported since `position`.
-    pub(super) fn take_since(&mut self, position: usize) -> Vec<Diagnostic> {
+    pub(super) fn take_diagnostics_since(&mut self, position: usize) -> Vec<Diagnostic> {
         self.diagnostics.split_off(position.min(self.diagnostics.len()))
     }
 

@@ -21,7 +21,7 @@ pub fn has_random_media(version: u32) -> bool {
 }
 
 /// Returns the number of the noise generator for a scene that sets none.
-pub fn noise_generator(version: u32) -> u8 {
+pub fn default_noise_generator(version: u32) -> u8 {
     if version < 350 { 1 } else { 2 }
 }
 

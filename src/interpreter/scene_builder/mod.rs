@@ -45,7 +45,7 @@ impl SceneBuilder {
                 srgb_files: false,
             },
             version_stated: false,
-            noise_generator: Arc::new(AtomicU8::new(compat::noise_generator(compat::DEFAULT_VERSION))),
+            noise_generator: Arc::new(AtomicU8::new(compat::default_noise_generator(compat::DEFAULT_VERSION))),
             origins: vec![],
         }
     }
@@ -59,7 +59,7 @@ impl SceneBuilder {
         self.language.untinted_layers = compat::has_untinted_layers(version);
         self.language.bare_operators = compat::has_bare_operators(version);
         if self.scene.settings.noise_generator.is_none() {
-            self.noise_generator.store(compat::noise_generator(version), Ordering::Relaxed);
+            self.noise_generator.store(compat::default_noise_generator(version), Ordering::Relaxed);
         }
         self.version_stated = true;
     }
@@ -149,7 +149,7 @@ impl SceneBuilder {
     }
 
     /// Adds the call trace of the object that was added last.
-    pub(super) fn add_origin(&mut self, trace: Vec<Label>) {
+    pub(super) fn add_object_trace(&mut self, trace: Vec<Label>) {
         self.origins.push(trace);
     }
 
@@ -169,7 +169,7 @@ impl SceneBuilder {
     }
 
     /// Returns the finished scene, and the call traces of its objects.
-    pub(super) fn into_scene(self) -> (Scene, Vec<Vec<Label>>) {
+    pub(super) fn into_scene_and_traces(self) -> (Scene, Vec<Vec<Label>>) {
         (self.scene, self.origins)
     }
 }

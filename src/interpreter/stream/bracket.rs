@@ -69,7 +69,7 @@ impl<'a> TokenStream<'a> {
 
     /// Returns the keyword with the spelling of a name, if only durer has the keyword and the innermost open block
     /// takes it.
-    pub fn own_word(&self, symbol: Symbol) -> Option<&'static str> {
+    pub fn durer_only_word(&self, symbol: Symbol) -> Option<&'static str> {
         let words = self.open_brackets.last()?.own_words;
         if words.is_empty() {
             return None;
@@ -79,7 +79,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// True if an expression begins with a keyword that only durer has: `eye -5*z` parses as a difference.
-    pub fn begins_with_own_word(&self, e: &Expr) -> bool {
+    pub fn begins_with_durer_word(&self, e: &Expr) -> bool {
         if self.open_brackets.last().is_none_or(|o| o.own_words.is_empty()) {
             return false;
         }
@@ -88,8 +88,8 @@ impl<'a> TokenStream<'a> {
             first = match &first.kind {
                 ExprKind::Chain(chain) => &chain.first,
                 ExprKind::Choice(parts) => &parts[0],
-                ExprKind::Call(symbol, _) => return self.own_word(*symbol).is_some(),
-                ExprKind::Name(symbol) => return self.own_word(*symbol).is_some(),
+                ExprKind::Call(symbol, _) => return self.durer_only_word(*symbol).is_some(),
+                ExprKind::Name(symbol) => return self.durer_only_word(*symbol).is_some(),
                 _ => return false,
             };
         }

@@ -30,7 +30,7 @@ impl StackFrame<'_> {
             return self.skip_brackets(open);
         }
         if self.at == from {
-            self.skip_one();
+            self.skip_element_or_bracket();
         }
         // A block or a function ends a statement. At the start of a loop's next pass there is no last element.
         let last = self.at.checked_sub(1).and_then(|last| self.elements.get(last)).map(|e| &e.kind);
@@ -54,13 +54,13 @@ impl StackFrame<'_> {
                     self.at += 1;
                     return;
                 }
-                _ => self.skip_one(),
+                _ => self.skip_element_or_bracket(),
             }
         }
     }
 
     /// Skips one element, or an opening bracket with the elements up to its partner.
-    fn skip_one(&mut self) {
+    fn skip_element_or_bracket(&mut self) {
         let opens =
             matches!(self.elements.get(self.at).map(|e| &e.kind), Some(ElementKind::Punctuation(Punctuation::Open(_))));
         self.at += 1;
@@ -98,7 +98,7 @@ impl StackFrame<'_> {
             while is_texture(self, self.at) {
                 let alone = matches!(self.elements[self.at].kind, ElementKind::Word(_));
                 self.at += usize::from(alone);
-                self.skip_one();
+                self.skip_element_or_bracket();
             }
         }
     }

@@ -62,7 +62,7 @@ impl<'a> StackFrame<'a> {
 
     /// Returns the frame's element after [`Self::next`].
     #[inline]
-    pub fn following(&self) -> Option<&'a Element> {
+    pub fn element_after_next(&self) -> Option<&'a Element> {
         self.elements.get(self.at + 1)
     }
 
@@ -90,7 +90,7 @@ impl<'a> StackFrame<'a> {
     }
 
     /// Returns the index of the next item in the list of literals at the read position.
-    pub fn list_item(&self) -> usize {
+    pub fn list_item_index(&self) -> usize {
         self.item.0
     }
 
@@ -161,7 +161,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Inserts elements that are read next, then a closing bracket if one is given, then a comma if `comma` is set.
-    pub fn push_piece(&mut self, elements: &'a [Element], closer: Option<Bracket>, span: Span, comma: bool) {
+    pub fn push_elements(&mut self, elements: &'a [Element], closer: Option<Bracket>, span: Span, comma: bool) {
         self.look_ahead = None;
         self.frames.push(StackFrame { closer, comma, ..StackFrame::new(elements, FrameKind::Piece, span) });
     }

@@ -178,9 +178,9 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Consumes a name that comes next if a closing bracket follows it.
-    pub(super) fn take_closed_name(&mut self) -> Option<(Symbol, Span)> {
+    pub(super) fn take_name_before_closer(&mut self) -> Option<(Symbol, Span)> {
         let frame = self.frames.last()?;
-        match frame.following().map(|e| &e.kind) {
+        match frame.element_after_next().map(|e| &e.kind) {
             Some(ElementKind::Punctuation(Punctuation::Close(_))) => {}
             None if frame.closer.is_some() => {}
             _ => return None,
@@ -189,7 +189,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Returns the span of a `;` that comes next.
-    pub(super) fn at_semicolon(&self) -> Option<Span> {
+    pub(super) fn next_semicolon_span(&self) -> Option<Span> {
         self.next_raw_element()
             .filter(|element| matches!(element.kind, ElementKind::Semicolon))
             .map(|element| element.span)
@@ -269,7 +269,7 @@ impl<'a> TokenStream<'a> {
     }
 
     /// Consumes and returns the next item of a list of literals, unless it is the first or the last item of the list.
-    pub(super) fn take_middle_item(&mut self) -> Option<&'a [f64]> {
+    pub(super) fn take_inner_list_item(&mut self) -> Option<&'a [f64]> {
         if self.look_ahead.is_some() || !self.pushed_back.is_empty() {
             return None;
         }
@@ -286,7 +286,7 @@ impl<'a> TokenStream<'a> {
 
     /// Consumes up to `most` items of a list of literals, neither the first nor the last one, while each has `width`
     /// numbers and `take` accepts them. Returns the number of items consumed.
-    pub(super) fn take_middle_items(
+    pub(super) fn take_inner_list_items(
         &mut self,
         width: usize,
         most: usize,

@@ -8,7 +8,7 @@ use crate::syntax::{Granularity, pieces};
 
 impl<'a> TokenStream<'a> {
     /// Replaces the expression or literal list that comes next by its parts.
-    pub fn split_next(&mut self) {
+    pub fn split_next_element(&mut self) {
         self.look_ahead = None;
         let inputs = self.inputs;
         let Some(frame) = self.frames.last_mut() else { return };
@@ -16,15 +16,16 @@ impl<'a> TokenStream<'a> {
         let item = frame.item;
         frame.at += 1;
         frame.item = (0, 0);
-        let parts = inputs.parsed.parts_of(element, || match &element.kind {
-            ElementKind::Expr(e) => inputs.with_exact_signs(pieces(e, inputs.names)),
+        let parts = inputs.parsed.cached_parts(element, || match &element.kind {
+            ElementKind::Expr(e) => inputs.with_exact_operator_spans(pieces(e, inputs.names)),
             ElementKind::Numbers(_) => inputs.tokens_of(element.span),
             _ => vec![element.clone()],
         });
-        self.push_piece(parts, None, element.span, element.comma);
+        self.push_elements(parts, None, element.span, element.comma);
         if let (ElementKind::Numbers(list), Some(frame)) = (&element.kind, self.frames.last_mut()) {
             // Skip the items consumed before: each item ends with a comma.
-            let behind = parts.iter().enumerate().filter(|(_, e)| e.comma && item_ends(parts, e)).map(|(i, _)| i + 1);
+            let behind =
+                parts.iter().enumerate().filter(|(_, e)| e.comma && ends_list_item(parts, e)).map(|(i, _)| i + 1);
             frame.at = if item.0 == 0 { 0 } else { behind.take(list.len()).nth(item.0 - 1).unwrap_or(0) };
         }
     }
@@ -40,14 +41,14 @@ impl<'a> TokenStream<'a> {
         let ([first, ..], [.., last]) = (frame.unread(), frame.unread()) else { return };
         self.look_ahead = None;
         let span = first.span.to(last.span);
-        frame.elements = inputs.parsed.rest_from(first, || inputs.tokens_of(span));
+        frame.elements = inputs.parsed.cached_rest_tokens(first, || inputs.tokens_of(span));
         frame.at = 0;
     }
 }
 
 impl<'a> Inputs<'a> {
     /// Shrinks the spans of operators that were split from an expression to the operator signs.
-    fn with_exact_signs(&self, mut parts: Vec<Element>) -> Vec<Element> {
+    fn with_exact_operator_spans(&self, mut parts: Vec<Element>) -> Vec<Element> {
         for part in parts.iter_mut().filter(|part| matches!(part.kind, ElementKind::Punctuation(_))) {
             let text = self.sources.snippet(part.span);
             let lo = part.span.lo + (text.len() - text.trim_start().len()) as u32;
@@ -57,8 +58,8 @@ impl<'a> Inputs<'a> {
     }
 
     /// Returns an expression as a list of one element, which can be split if needed.
-    pub fn as_elements(&self, e: &'a Expr) -> &'a [Element] {
-        self.parsed.parts_of(e, || vec![Element::new(e.span, ElementKind::Expr(Box::new(e.clone())))])
+    pub fn as_single_element(&self, e: &'a Expr) -> &'a [Element] {
+        self.parsed.cached_parts(e, || vec![Element::new(e.span, ElementKind::Expr(Box::new(e.clone())))])
     }
 
     /// Returns the text at `span` as single tokens.
@@ -69,7 +70,7 @@ impl<'a> Inputs<'a> {
 }
 
 /// True if an item of a list of literals ends with `element`; false within a vector.
-fn item_ends(parts: &[Element], element: &Element) -> bool {
+fn ends_list_item(parts: &[Element], element: &Element) -> bool {
     let before = parts.iter().take_while(|e| !std::ptr::eq(*e, element));
     let depth = before.fold(0_i32, |depth, e| match e.kind {
         ElementKind::Punctuation(Punctuation::Operator(Operator::Less)) => depth + 1,

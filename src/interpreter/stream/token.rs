@@ -41,7 +41,7 @@ pub struct BlockName<'a> {
 
 impl Token<'_> {
     /// True for a closing bracket and for the end of the text.
-    pub fn ends(self) -> bool {
+    pub fn is_closer_or_end(self) -> bool {
         matches!(self, Token::End | Token::Punctuation(Punctuation::Close(_)))
     }
 

@@ -42,13 +42,13 @@ impl<'a> Interpreter<'a> {
         let end = self.stream.next_span();
         self.close("`)`")?;
         let span = joined_span_if_near(span, end);
-        Ok((self.builtin_of(word, arguments, span)?, span))
+        Ok((self.call_builtin_by_tokens(word, arguments, span)?, span))
     }
 
     /// Splits the next expression until its leading `(` is a token by itself.
     pub fn split_to_parenthesis(&mut self) -> Result<()> {
         while matches!(self.peek()?, Token::Expr(e) if begins_with_parenthesis(e)) {
-            self.stream.split_next();
+            self.stream.split_next_element();
         }
         Ok(())
     }

@@ -102,11 +102,11 @@ impl<'a> Interpreter<'a> {
                     Some(op)
                 }
                 Some(Token::Expr(e)) if begins_with_sign(e) => {
-                    self.stream.split_next();
+                    self.stream.split_next_element();
                     continue;
                 }
                 Some(Token::Numbers([x])) if x.is_sign_negative() => {
-                    self.stream.split_next();
+                    self.stream.split_next_element();
                     continue;
                 }
                 _ => None,
@@ -168,7 +168,7 @@ impl<'a> Interpreter<'a> {
                 self.open()?;
                 let (value, _) = self.read_expression(true)?;
                 let next = self.peek()?;
-                if !next.ends() && !matches!(next, Token::Punctuation(_)) {
+                if !next.is_closer_or_end() && !matches!(next, Token::Punctuation(_)) {
                     let d = Diagnostic::new(codes::EXPECTED, span, "expected a value, found a list in parentheses");
                     return d.help("vectors are written in angle brackets: `<1, 2, 3>`").into();
                 }
@@ -194,13 +194,13 @@ impl<'a> Interpreter<'a> {
     fn split_to_operand(&mut self) -> Result<()> {
         let holds_more = |e: &Expr| matches!(e.kind, ExprKind::Chain(_) | ExprKind::Choice(_) | ExprKind::Prefix(..));
         while matches!(self.peek()?, Token::Expr(e) if holds_more(e)) {
-            self.stream.split_next();
+            self.stream.split_next_element();
         }
         Ok(())
     }
 
     /// Reads the components (`.x`) and call arguments after a value, and applies them to the value.
-    fn postfix(&mut self, (mut value, mut span): (Value, Span)) -> Result<(Value, Span)> {
+    fn apply_postfixes(&mut self, (mut value, mut span): (Value, Span)) -> Result<(Value, Span)> {
         loop {
             match self.peek_after()? {
                 Some(Token::Punctuation(Punctuation::Dot)) => {
@@ -261,7 +261,7 @@ impl<'a> Interpreter<'a> {
         loop {
             match self.peek()? {
                 Token::Punctuation(Punctuation::Operator(Operator::Greater)) => return Ok(self.stream.next_span()),
-                token if token.ends() || matches!(token, Token::Punctuation(_)) && !self.at_sign() => {
+                token if token.is_closer_or_end() || matches!(token, Token::Punctuation(_)) && !self.sign_is_next() => {
                     return Err(self.unclosed_vector_error(start).into());
                 }
                 // A colour is a value, although no vector can hold one.
@@ -283,7 +283,7 @@ impl<'a> Interpreter<'a> {
     }
 
     /// True if the next token is a sign that can precede an operand.
-    fn at_sign(&mut self) -> bool {
+    fn sign_is_next(&mut self) -> bool {
         matches!(
             self.peek(),
             Ok(Token::Punctuation(
@@ -341,11 +341,11 @@ impl<'a> Operands<'a> for Computed {
 
     fn operand(&mut self, me: &mut Interpreter<'a>) -> Result<(Value, Span)> {
         if let Some(first) = self.0.take() {
-            return me.postfix(first);
+            return me.apply_postfixes(first);
         }
         let signs = read_signs(me)?;
         let first = me.read_primary()?;
-        let (mut value, mut span) = me.postfix(first)?;
+        let (mut value, mut span) = me.apply_postfixes(first)?;
         for (prefix, at) in signs {
             value = apply_prefix(prefix, value, span)?;
             span = joined_span_if_near(at, span);

@@ -57,7 +57,7 @@ fn remedies(document: &Document, diagnostic: &EditorDiagnostic) -> Vec<(String, 
     let data = |name: &str| diagnostic.data.as_ref().and_then(|data| data.get(name)).and_then(|value| value.as_str());
     let named = || data("help")?.strip_prefix("add `#include \"")?.split_once('"').map(|(file, _)| file);
     if let Some(file) = data("include").or_else(named) {
-        out.push((format!("Include \"{file}\""), vec![include(document, file)]));
+        out.push((format!("Include \"{file}\""), vec![insert_include(document, file)]));
     }
     let Some(help) = data("help") else { return out };
     // "did you mean `sphere`?", "write `#elseif`"
@@ -73,10 +73,10 @@ fn remedies(document: &Document, diagnostic: &EditorDiagnostic) -> Vec<(String, 
     if help == "remove it" {
         out.push(("Remove it".into(), vec![TextEdit { range: diagnostic.range, new_text: String::new() }]));
     }
-    let written = wrap_in_block(document, diagnostic, help).or_else(|| statement(document, diagnostic, help));
+    let written = wrap_in_block(document, diagnostic, help).or_else(|| replace_statement(document, diagnostic, help));
     out.extend(written);
     out.extend(insert_semicolon(diagnostic));
-    out.extend(missing(document, help));
+    out.extend(insert_missing(document, help));
     out
 }
 
@@ -106,7 +106,11 @@ fn wrap_in_block(document: &Document, diagnostic: &EditorDiagnostic, help: &str)
 
 /// Help of the form "write `object { Ball translate x }`": replaces the statement around the position whose tokens
 /// occur in that text.
-fn statement(document: &Document, diagnostic: &EditorDiagnostic, help: &str) -> Option<(String, Vec<TextEdit>)> {
+fn replace_statement(
+    document: &Document,
+    diagnostic: &EditorDiagnostic,
+    help: &str,
+) -> Option<(String, Vec<TextEdit>)> {
     let (_, rest) = help.split_once("write `")?;
     let wanted = rest.strip_suffix('`')?;
     if !["object {", "#declare "].iter().any(|begin| wanted.starts_with(begin)) || wanted.contains(['…', '`']) {
@@ -143,12 +147,12 @@ fn line_end(document: &Document) -> &'static str {
     if document.text.as_str().contains("\r\n") { "\r\n" } else { "\n" }
 }
 
-fn on_a_new_line(document: &Document) -> &'static str {
+fn missing_line_end(document: &Document) -> &'static str {
     if document.text.as_str().ends_with(['\n', '\r']) { "" } else { line_end(document) }
 }
 
 /// The start of the first line after comments, `#version` and `#include`.
-fn first_line(document: &Document) -> usize {
+fn first_line_offset(document: &Document) -> usize {
     let (text, outline) = (&document.text, &document.outline);
     let is_head = |token: &&Token| matches!(outline.directive(token), "version" | "include");
     let directives = outline.tokens.iter().filter(is_head).map(|token| token.range.start);
@@ -160,18 +164,18 @@ fn first_line(document: &Document) -> usize {
 }
 
 /// Help about missing text: a closing bracket or directive, or a camera.
-fn missing(document: &Document, help: &str) -> Option<(String, Vec<TextEdit>)> {
+fn insert_missing(document: &Document, help: &str) -> Option<(String, Vec<TextEdit>)> {
     let text = &document.text;
     let insert = |offset: usize, new_text: String| {
         let at = text.position(offset);
         vec![TextEdit { range: Range::new(at, at), new_text }]
     };
     if let Some((closer, _)) = help.strip_prefix("add `").and_then(|rest| rest.split_once("` where it should end")) {
-        let edit = insert(text.as_str().len(), format!("{}{closer}", on_a_new_line(document)));
+        let edit = insert(text.as_str().len(), format!("{}{closer}", missing_line_end(document)));
         return Some((format!("Add `{closer}` at the end"), edit));
     }
     let camera = help.strip_prefix('`')?.strip_suffix('`').filter(|code| code.starts_with("camera {"))?;
-    Some(("Add a camera".into(), insert(first_line(document), format!("{camera}{}", line_end(document)))))
+    Some(("Add a camera".into(), insert(first_line_offset(document), format!("{camera}{}", line_end(document)))))
 }
 
 /// Inserts a missing `;` at the related position of the diagnostic.
@@ -183,7 +187,7 @@ fn insert_semicolon(diagnostic: &EditorDiagnostic) -> Option<(String, Vec<TextEd
 }
 
 /// Adds an `#include` after the last one at the top, or after `#version`, or below the first comment.
-pub fn include(document: &Document, file: &str) -> TextEdit {
+pub fn insert_include(document: &Document, file: &str) -> TextEdit {
     let (text, outline) = (&document.text, &document.outline);
     let all = text.as_str();
     let last = outline.pairs.iter().find(|pair| pair.bracket != b'<');

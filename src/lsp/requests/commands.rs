@@ -58,14 +58,14 @@ fn show_message(typ: MessageType, message: String) -> Message {
 }
 
 /// The request to open an address in a browser or another program.
-fn show_document(uri: Uri, number: i32) -> Message {
+fn show_document(uri: Uri, request_id: i32) -> Message {
     let params = ShowDocumentParams { uri, external: Some(true), take_focus: None, selection: None };
     // The response is ignored.
-    Message::Request(Request::new(number.into(), "window/showDocument".into(), params))
+    Message::Request(Request::new(request_id.into(), "window/showDocument".into(), params))
 }
 
 /// Returns the process to start for a scene: this program with `words` as its arguments, then the scene's path.
-fn durer(words: &[&str], scene: &Path) -> std::io::Result<Command> {
+fn durer_command(words: &[&str], scene: &Path) -> std::io::Result<Command> {
     let mut command = Command::new(std::env::current_exe()?);
     command.args(words).arg(scene).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
     if let Some(folder) = scene.parent().filter(|folder| folder.is_dir()) {
@@ -78,8 +78,8 @@ fn render(scene: &Path, events: SyncSender<Event>) {
     let (scene, picture) = (scene.to_path_buf(), scene.with_extension("png"));
     let work = move || {
         let name = picture.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let rendered =
-            durer(&["-q", "render", "-o", &picture.to_string_lossy()], &scene).and_then(|mut command| command.output());
+        let rendered = durer_command(&["-q", "render", "-o", &picture.to_string_lossy()], &scene)
+            .and_then(|mut command| command.output());
         let messages = match rendered {
             Ok(out) if out.status.success() => {
                 let document = uri_of(&picture).map(|uri| show_document(uri, 1));
@@ -103,7 +103,7 @@ fn open_watch_page<S: Client>(server: &mut Server<S>, scene: &Path) {
     watches.retain(|_, (child, _)| matches!(child.try_wait(), Ok(None)));
     let begun = match watches.get(scene) {
         Some((_, address)) => Ok(address.clone()),
-        None => begin(scene).map(|(child, address)| {
+        None => start_watch(scene).map(|(child, address)| {
             watches.insert(scene.to_path_buf(), (child, address.clone()));
             address
         }),
@@ -119,8 +119,8 @@ fn open_watch_page<S: Client>(server: &mut Server<S>, scene: &Path) {
 
 /// Starts `durer watch` for a scene, and waits for the address of its page, which comes at once. Returns the process
 /// and the address.
-fn begin(scene: &Path) -> Result<(Child, String), String> {
-    let start = || durer(&["watch"], scene)?.spawn();
+fn start_watch(scene: &Path) -> Result<(Child, String), String> {
+    let start = || durer_command(&["watch"], scene)?.spawn();
     let mut child = start().map_err(|error| format!("cannot start durer: {error}"))?;
     let mut output = BufReader::new(child.stderr.take().ok_or("durer has no output")?);
     let mut line = String::new();

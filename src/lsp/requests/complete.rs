@@ -58,8 +58,8 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
         return Some(directives());
     }
     let block = words::block_at(outline, offset);
-    let mut out: Vec<_> = words::of_block(block).iter().map(item_of_word).collect();
-    let values = words::functions().map(|(name, usage, summary)| CompletionItem {
+    let mut out: Vec<_> = words::block_words(block).iter().map(item_of_word).collect();
+    let values = words::function_usages_and_summaries().map(|(name, usage, summary)| CompletionItem {
         kind: Some(CompletionItemKind::FUNCTION),
         insert_text: Some(format!("{name}($1)$0")),
         insert_text_format: Some(InsertTextFormat::SNIPPET),
@@ -74,9 +74,9 @@ fn items(document: &Document, reached: &[ReachableText], offset: usize) -> Optio
     }
     let colors = interpreter::COLOR_WORDS.iter().map(item_of_word);
     out.extend(colors.map(|word| CompletionItem { sort_text: Some(format!("2{}", word.label)), ..word }));
-    out.extend(names(reached, outline.macro_at(offset)));
+    out.extend(names(reached, outline.macro_pair_at(offset)));
     if typed.len() >= MIN_LETTERS {
-        out.extend(of_library(document, &out, typed));
+        out.extend(library_completions(document, &out, typed));
     }
     Some(out)
 }
@@ -107,7 +107,7 @@ fn item_of_word(taken: &WordSpec) -> CompletionItem {
         }
         None => None,
     };
-    let detail = if shape.is_some() { "shape".into() } else { words::kind(taken.kind).to_string() };
+    let detail = if shape.is_some() { "shape".into() } else { words::kind_description(taken.kind).to_string() };
     CompletionItem {
         kind: Some(if shape.is_some() { CompletionItemKind::CLASS } else { CompletionItemKind::KEYWORD }),
         insert_text_format: snippet.is_some().then_some(InsertTextFormat::SNIPPET),
@@ -181,7 +181,7 @@ pub fn parameters(one: &ReachableText, d: &Declaration) -> Option<Vec<String>> {
 
 /// Returns completions for the names that standard include files declare and the document does not know yet; each also
 /// adds the `#include` of its file.
-fn of_library(document: &Document, known: &[CompletionItem], typed: &str) -> Vec<CompletionItem> {
+fn library_completions(document: &Document, known: &[CompletionItem], typed: &str) -> Vec<CompletionItem> {
     let lower = typed.to_lowercase();
     let fits = |name: &&str| name.to_lowercase().starts_with(&lower) && !known.iter().any(|item| item.label == **name);
     let item = |name: &str| {
@@ -189,7 +189,7 @@ fn of_library(document: &Document, known: &[CompletionItem], typed: &str) -> Vec
         Some(CompletionItem {
             kind: Some(CompletionItemKind::VARIABLE),
             sort_text: Some(format!("5{name}")),
-            additional_text_edits: Some(vec![actions::include(document, file)]),
+            additional_text_edits: Some(vec![actions::insert_include(document, file)]),
             ..completion_item(name, format!("from {file}; adds its #include"), "")
         })
     };

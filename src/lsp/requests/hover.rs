@@ -24,13 +24,14 @@ pub fn hover<S: Client>(server: &mut Server<S>, params: &HoverParams) -> Option<
     let token = outline.token_at(offset)?;
     let text = outline.slice(&token.range);
     let value = match token.kind {
-        TokenKind::Directive => words::of_directive(outline.directive(token))
+        TokenKind::Directive => words::directive_usage_and_summary(outline.directive(token))
             .map(|(form, summary)| format!("```pov\n{form}\n```\n{summary}")),
-        TokenKind::Word(_) => explained(text, words::block_at(outline, offset)),
+        TokenKind::Word(_) => word_explanation(text, words::block_at(outline, offset)),
         TokenKind::Name => {
-            let scope = outline.declaring_macro(text, outline.macro_at(token.range.end));
+            let scope = outline.declaring_macro(text, outline.macro_pair_at(token.range.end));
             let own = related.iter().position(|one| one.path == document.path);
-            declared(&related, text, scope, own).or_else(|| explained(text, words::block_at(outline, offset)))
+            declaration_and_position(&related, text, scope, own)
+                .or_else(|| word_explanation(text, words::block_at(outline, offset)))
         }
         _ => None,
     };
@@ -38,14 +39,19 @@ pub fn hover<S: Client>(server: &mut Server<S>, params: &HoverParams) -> Option<
     Some(Hover { contents, range: Some(document.text.range(token.range.clone())) })
 }
 
-fn explained(word: &str, block: &str) -> Option<String> {
+fn word_explanation(word: &str, block: &str) -> Option<String> {
     let lines = words::explain(word, block);
     let picture = manual::picture(word).map(|uri| format!("\n\n![{word}]({})", uri.as_str())).unwrap_or_default();
     (!lines.is_empty()).then(|| format!("**{word}**\n\n- {}{picture}", lines.join("\n- ")))
 }
 
 /// Returns the last declaration of a name and its position.
-fn declared(related: &[ReachableText], name: &str, scope: Option<usize>, own: Option<usize>) -> Option<String> {
+fn declaration_and_position(
+    related: &[ReachableText],
+    name: &str,
+    scope: Option<usize>,
+    own: Option<usize>,
+) -> Option<String> {
     let all = related.iter().enumerate().flat_map(|(i, one)| one.outline.declarations.iter().map(move |d| (i, one, d)));
     let fits = |(i, one, d): &(usize, &ReachableText, &Declaration)| {
         d.name == name && one.outline.declaring_macro(name, d.scope) == scope && (scope.is_none() || Some(*i) == own)

@@ -35,7 +35,7 @@ pub fn hints<S: Client>(server: &mut Server<S>, params: &InlayHintParams) -> Opt
             }
         } else if pair.bracket == b'(' && !is_definition(outline, pair) {
             let Some(names) = parameters.get(outline.head(pair)) else { continue };
-            for (name, at) in names.iter().zip(arguments(outline, pair)) {
+            for (name, at) in names.iter().zip(argument_offsets(outline, pair)) {
                 let argument = &text.as_str()[at..];
                 let same = argument.to_lowercase().starts_with(&name.to_lowercase());
                 if !same && name.len() > 1 && (from..=to).contains(&at) {
@@ -52,7 +52,7 @@ fn is_definition(outline: &Outline, pair: &Pair) -> bool {
 }
 
 /// Returns the byte offsets of a call's arguments.
-fn arguments(outline: &Outline, call: &Pair) -> Vec<usize> {
+fn argument_offsets(outline: &Outline, call: &Pair) -> Vec<usize> {
     let inside = &outline.tokens[call.opener + 1..call.closer.unwrap_or(outline.tokens.len())];
     let (mut out, mut depth, mut fresh) = (vec![], 0i32, true);
     for token in inside {

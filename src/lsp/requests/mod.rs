@@ -121,7 +121,7 @@ fn refuse_document<S: Client>(server: &Server<S>, request: &Request) -> Option<R
     Some(match request.method.as_str() {
         // The author has asked for these changes: report why there are none.
         "textDocument/formatting" | "textDocument/rangeFormatting" | "textDocument/rename" => {
-            Response::new_err(id, ErrorCode::RequestFailed as i32, document.size_message())
+            Response::new_err(id, ErrorCode::RequestFailed as i32, document.too_large_message())
         }
         "textDocument/documentColor" | "textDocument/colorPresentation" => Response::new_ok(id, json!([])),
         _ => Response::new_ok(id, Value::Null),

@@ -28,19 +28,19 @@ fn named<S: Client>(server: &Server<S>, uri: &Uri, at: Position) -> Option<Named
     let token = outline.token_at(offset).filter(|token| token.kind == TokenKind::Name)?;
     let name = outline.slice(&token.range).to_string();
     // The declaration of a parameter is inside of its macro, too.
-    let declaring_macro = outline.declaring_macro(&name, outline.macro_at(token.range.end));
+    let declaring_macro = outline.declaring_macro(&name, outline.macro_pair_at(token.range.end));
     Some(Named { name, range: document.text.range(token.range.clone()), declaring_macro })
 }
 
 /// One occurrence of a name in a scene's texts.
-struct Hit {
+struct Occurrence {
     range: Range,
     declares: bool,
 }
 
 /// Returns all occurrences of a name in a text. A parameter or local name of a macro has occurrences only in the text
 /// of the macro (`is_own`).
-fn hits(reached: &ReachableText, named: &Named, is_own: bool) -> Vec<Hit> {
+fn occurrences(reached: &ReachableText, named: &Named, is_own: bool) -> Vec<Occurrence> {
     let (outline, text) = (&reached.outline, &reached.text);
     if named.declaring_macro.is_some() && !is_own {
         return vec![];
@@ -48,22 +48,26 @@ fn hits(reached: &ReachableText, named: &Named, is_own: bool) -> Vec<Hit> {
     let belongs = |scope| outline.declaring_macro(&named.name, scope) == named.declaring_macro;
     let declared = outline.declarations.iter().filter(|d| d.name == named.name && belongs(d.scope));
     let used = outline.uses.iter().filter(|one| outline.slice(&one.range) == named.name && belongs(one.scope));
-    let mut out: Vec<Hit> = declared
-        .map(|d| Hit { range: text.range(d.range.clone()), declares: true })
-        .chain(used.map(|one| Hit { range: text.range(one.range.clone()), declares: false }))
+    let mut out: Vec<Occurrence> = declared
+        .map(|d| Occurrence { range: text.range(d.range.clone()), declares: true })
+        .chain(used.map(|one| Occurrence { range: text.range(one.range.clone()), declares: false }))
         .collect();
     out.sort_by_key(|hit| hit.range.start);
     out
 }
 
 /// All occurrences of a name in all related texts.
-fn everywhere<S: Client>(server: &mut Server<S>, uri: &Uri, named: &Named) -> Vec<(Uri, ReachableText, Vec<Hit>)> {
+fn related_occurrences<S: Client>(
+    server: &mut Server<S>,
+    uri: &Uri,
+    named: &Named,
+) -> Vec<(Uri, ReachableText, Vec<Occurrence>)> {
     let own = server.document(uri).map(|document| document.path.clone());
     let related = server.related(uri);
     let mut out = vec![];
     for reached in related {
         let is_own = own.as_ref() == Some(&reached.path);
-        let found = hits(&reached, named, is_own);
+        let found = occurrences(&reached, named, is_own);
         let address = if is_own { Some(uri.clone()) } else { server.uri(&reached, uri) };
         if let (Some(address), false) = (address, found.is_empty()) {
             out.push((address, reached, found));
@@ -76,25 +80,25 @@ fn everywhere<S: Client>(server: &mut Server<S>, uri: &Uri, named: &Named) -> Ve
 pub fn definition<S: Client>(server: &mut Server<S>, params: &GotoDefinitionParams) -> Option<GotoDefinitionResponse> {
     let TextDocumentPositionParams { text_document, position } = &params.text_document_position_params;
     let uri = &text_document.uri;
-    if let Some(file) = included(server, uri, *position) {
+    if let Some(file) = included_file_at(server, uri, *position) {
         return Some(GotoDefinitionResponse::Scalar(Location { uri: file, range: Range::default() }));
     }
     let named = named(server, uri, *position)?;
-    let all = everywhere(server, uri, &named).into_iter().flat_map(|(uri, _, hits)| {
+    let all = related_occurrences(server, uri, &named).into_iter().flat_map(|(uri, _, hits)| {
         hits.into_iter().filter(|hit| hit.declares).map(move |hit| Location { uri: uri.clone(), range: hit.range })
     });
     Some(GotoDefinitionResponse::Array(all.collect()))
 }
 
 /// Returns the file that an `#include` at a position names.
-fn included<S: Client>(server: &mut Server<S>, uri: &Uri, at: Position) -> Option<Uri> {
+fn included_file_at<S: Client>(server: &mut Server<S>, uri: &Uri, at: Position) -> Option<Uri> {
     let document = server.document(uri)?;
     let offset = document.text.offset(at);
     // (Or one of its quotes.)
     let contains = |name: &&std::ops::Range<usize>| (name.start - 1..=name.end).contains(&offset);
     let name = document.outline.slice(document.outline.includes.iter().find(contains)?);
     let search = crate::source::SearchPath::new(&document.folder(), &server.include);
-    crate::lsp::document::uri_of(&crate::lsp::files::find(name, &document.folder(), &search)?)
+    crate::lsp::document::uri_of(&crate::lsp::files::find_included_file(name, &document.folder(), &search)?)
 }
 
 /// Returns all occurrences of the name at a position of the document.
@@ -102,7 +106,7 @@ pub fn references<S: Client>(server: &mut Server<S>, params: &ReferenceParams) -
     let at = &params.text_document_position;
     let named = named(server, &at.text_document.uri, at.position)?;
     let declares = params.context.include_declaration;
-    let all = everywhere(server, &at.text_document.uri, &named).into_iter().flat_map(|(uri, _, hits)| {
+    let all = related_occurrences(server, &at.text_document.uri, &named).into_iter().flat_map(|(uri, _, hits)| {
         hits.into_iter()
             .filter(move |hit| declares || !hit.declares)
             .map(move |hit| Location { uri: uri.clone(), range: hit.range })
@@ -118,8 +122,8 @@ pub fn highlights<S: Client>(
     let TextDocumentPositionParams { text_document, position } = &params.text_document_position_params;
     let named = named(server, &text_document.uri, *position)?;
     let own = server.reachable(&text_document.uri).into_iter().next()?;
-    let kind = |hit: &Hit| if hit.declares { DocumentHighlightKind::WRITE } else { DocumentHighlightKind::READ };
-    let all = hits(&own, &named, true);
+    let kind = |hit: &Occurrence| if hit.declares { DocumentHighlightKind::WRITE } else { DocumentHighlightKind::READ };
+    let all = occurrences(&own, &named, true);
     Some(all.iter().map(|hit| DocumentHighlight { range: hit.range, kind: Some(kind(hit)) }).collect())
 }
 
@@ -142,11 +146,11 @@ pub fn rename<S: Client>(server: &mut Server<S>, params: &RenameParams) -> Resul
     let Some(named) = named(server, uri, at.position) else { return Ok(None) };
     let new = params.new_name.trim();
     check_name(new)?;
-    let all = everywhere(server, uri, &named);
+    let all = related_occurrences(server, uri, &named);
     if !all.iter().flat_map(|(.., hits)| hits).any(|hit| hit.declares) {
         return Err(format!("`{}` is not declared", named.name));
     }
-    let installed = |one: &&(Uri, ReachableText, Vec<Hit>)| {
+    let installed = |one: &&(Uri, ReachableText, Vec<Occurrence>)| {
         let name = one
             .1
             .path
@@ -166,7 +170,7 @@ pub fn rename<S: Client>(server: &mut Server<S>, params: &RenameParams) -> Resul
     if taken && new != named.name {
         return Err(format!("`{new}` is declared already"));
     }
-    let edit = |hit: &Hit| TextEdit { range: hit.range, new_text: new.to_string() };
+    let edit = |hit: &Occurrence| TextEdit { range: hit.range, new_text: new.to_string() };
     let changes: HashMap<Uri, Vec<TextEdit>> =
         all.iter().map(|(uri, _, hits)| (uri.clone(), hits.iter().map(edit).collect())).collect();
     Ok(Some(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() }))

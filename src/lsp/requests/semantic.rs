@@ -62,7 +62,7 @@ pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) 
             TokenKind::Name if own.get(&token.range.start) == Some(&DeclarationKind::Parameter) => Type::Parameter,
             TokenKind::Name if macros.contains(word) => Type::Macro,
             TokenKind::Name => {
-                let scope = outline.macro_at(token.range.end);
+                let scope = outline.macro_pair_at(token.range.end);
                 let is = |what: DeclarationKind| {
                     outline.declarations.iter().any(|d| d.scope == scope && d.kind == what && d.name == word)
                 };

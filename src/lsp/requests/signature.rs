@@ -26,7 +26,7 @@ pub fn help<S: Client>(server: &mut Server<S>, params: &SignatureHelpParams) -> 
     let (parameters, about) = match declared {
         Some(parameters) => (parameters, ""),
         None => {
-            let (_, usage, summary) = words::functions().find(|(other, ..)| *other == name)?;
+            let (_, usage, summary) = words::function_usages_and_summaries().find(|(other, ..)| *other == name)?;
             let inner = usage.trim_start_matches('(').trim_end_matches(')');
             (inner.split(',').map(|part| part.trim().to_string()).filter(|part| !part.is_empty()).collect(), summary)
         }

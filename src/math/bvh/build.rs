@@ -51,7 +51,7 @@ impl Bvh {
 struct Build<F> {
     prims: Vec<Prim>,
     /// Nodes of the binary tree from which the BVH is made, children before their parents.
-    pairs: Vec<Pair>,
+    binary_nodes: Vec<BinaryNode>,
     /// True if these boxes become one item of the BVH.
     is_item: F,
     item_cost: f32,
@@ -61,7 +61,7 @@ struct Build<F> {
 }
 
 /// A node of the BVH's binary tree: an item, or two halves.
-struct Pair {
+struct BinaryNode {
     /// Indices of the node's two halves; for an item, the range of its boxes.
     parts: [u32; 2],
     /// Number of items in the subtree of the node.
@@ -91,8 +91,8 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
     ) -> (Bvh, Vec<u32>, Vec<Range<u32>>) {
         let prims: Vec<Prim> = boxes.enumerate().map(|(i, b)| Prim::new(&b, i as u32)).collect();
         // A binary tree of n leaves has 2n - 1 nodes: a vector that grows would leave gaps in memory.
-        let pairs = Vec::with_capacity(2 * prims.len());
-        let mut build = Build { prims, pairs, is_item, item_cost, bvh: Bvh::default(), items: vec![] };
+        let binary_nodes = Vec::with_capacity(2 * prims.len());
+        let mut build = Build { prims, binary_nodes, is_item, item_cost, bvh: Bvh::default(), items: vec![] };
         if !build.prims.is_empty() {
             let mut around = Around::EMPTY;
             build.prims.iter().for_each(|prim| around.add(prim));
@@ -102,7 +102,7 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             build.items.reserve_exact(root.items as usize);
             build.fill_node(0, root.number);
         }
-        build.pairs = vec![];
+        build.binary_nodes = vec![];
         let mut order = Vec::with_capacity(build.prims.len());
         for item in &mut build.items {
             let start = order.len() as u32;
@@ -119,8 +119,8 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
             let Around { lo, hi, .. } = *around;
             let parts = [boxes.start as u32, boxes.end as u32];
             let cost = [half_surface_area(lo, hi) * self.item_cost; WIDTH - 1];
-            self.pairs.push(Pair { parts, items: 1, first: [0; WIDTH - 1], is_leaf: true });
-            return Half { number: self.pairs.len() as u32 - 1, lo, hi, items: 1, cost };
+            self.binary_nodes.push(BinaryNode { parts, items: 1, first: [0; WIDTH - 1], is_leaf: true });
+            return Half { number: self.binary_nodes.len() as u32 - 1, lo, hi, items: 1, cost };
         }
         // A cancelled build ends quickly with a poor tree.
         let is_cancelled = prims.len() > PRIMS_BETWEEN_POLLS && cancel::is_cancelled();
@@ -157,32 +157,37 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
         }
         let cost = from_fn(|i| cost[i + 1]);
         let is_leaf = items <= LEAF && leaf <= node;
-        self.pairs.push(Pair { parts: [a.number, b.number], items, first, is_leaf });
-        Half { number: self.pairs.len() as u32 - 1, lo, hi, items, cost }
+        self.binary_nodes.push(BinaryNode { parts: [a.number, b.number], items, first, is_leaf });
+        Half { number: self.binary_nodes.len() as u32 - 1, lo, hi, items, cost }
     }
 
     /// Returns the number of wide nodes of a subtree. (A list of nodes that grows would need three times their memory for a moment.)
-    fn count_nodes(&self, pair: u32) -> usize {
-        let is_node = |&child: &u32| !self.pairs[child as usize].is_leaf;
-        1 + self.children_of(pair).into_iter().filter(is_node).map(|child| self.count_nodes(child)).sum::<usize>()
+    fn count_nodes(&self, binary_node: u32) -> usize {
+        let is_node = |&child: &u32| !self.binary_nodes[child as usize].is_leaf;
+        1 + self
+            .children_of(binary_node)
+            .into_iter()
+            .filter(is_node)
+            .map(|child| self.count_nodes(child))
+            .sum::<usize>()
     }
 
     /// Returns the children of the wide node that a node of the binary tree becomes.
-    fn children_of(&self, pair: u32) -> SmallVec<[u32; WIDTH]> {
+    fn children_of(&self, binary_node: u32) -> SmallVec<[u32; WIDTH]> {
         let mut children = SmallVec::new();
-        match self.pairs[pair as usize].is_leaf {
-            true => children.push(pair),
-            false => self.choose_children(pair, WIDTH, &mut children),
+        match self.binary_nodes[binary_node as usize].is_leaf {
+            true => children.push(binary_node),
+            false => self.choose_children(binary_node, WIDTH, &mut children),
         }
         children
     }
 
     /// Fills a wide node of the BVH with children, recursively; returns their bounds.
-    fn fill_node(&mut self, node: usize, pair: u32) -> Around {
+    fn fill_node(&mut self, node: usize, binary_node: u32) -> Around {
         let mut all = Around::EMPTY;
         let mut inner: SmallVec<[(usize, usize, u32); WIDTH]> = SmallVec::new();
-        for (slot, number) in self.children_of(pair).into_iter().enumerate() {
-            let Pair { is_leaf, items, .. } = self.pairs[number as usize];
+        for (slot, number) in self.children_of(binary_node).into_iter().enumerate() {
+            let BinaryNode { is_leaf, items, .. } = self.binary_nodes[number as usize];
             if is_leaf {
                 let mut around = Around::EMPTY;
                 self.add_items(number, &mut around);
@@ -205,26 +210,26 @@ impl<F: Fn(&[Prim]) -> bool> Build<F> {
 
     /// Collects the best nodes of a subtree to be children of a wide BVH node, at most `count`.
     fn choose_children(&self, number: u32, mut count: usize, out: &mut SmallVec<[u32; WIDTH]>) {
-        let pair = &self.pairs[number as usize];
-        while count > 1 && pair.first[count - 2] == 0 {
+        let binary_node = &self.binary_nodes[number as usize];
+        while count > 1 && binary_node.first[count - 2] == 0 {
             count -= 1;
         }
         if count == 1 {
             return out.push(number);
         }
-        let first = usize::from(pair.first[count - 2]);
-        self.choose_children(pair.parts[0], first, out);
-        self.choose_children(pair.parts[1], count - first, out);
+        let first = usize::from(binary_node.first[count - 2]);
+        self.choose_children(binary_node.parts[0], first, out);
+        self.choose_children(binary_node.parts[1], count - first, out);
     }
 
     /// Appends the items of a subtree to the BVH, and extends `around` by their boxes.
     fn add_items(&mut self, number: u32, around: &mut Around) {
-        match self.pairs[number as usize] {
-            Pair { items: 1, parts: [start, end], .. } => {
+        match self.binary_nodes[number as usize] {
+            BinaryNode { items: 1, parts: [start, end], .. } => {
                 self.prims[start as usize..end as usize].iter().for_each(|prim| around.add(prim));
                 self.items.push(start..end);
             }
-            Pair { parts: [a, b], .. } => {
+            BinaryNode { parts: [a, b], .. } => {
                 self.add_items(a, around);
                 self.add_items(b, around);
             }

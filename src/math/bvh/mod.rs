@@ -224,7 +224,7 @@ impl FlatRay {
         let mut slack = SLACK;
         if range.min < 0.0 {
             // For planes behind the origin, distances can't be scaled: shift all planes instead.
-            error += (ray.origin.abs() + f64::from(root.max_coordinate())) * SLACK;
+            error += (ray.origin.abs() + f64::from(root.max_abs_coordinate())) * SLACK;
             slack = 0.0;
         }
         let error = error.copysign(ray.dir);

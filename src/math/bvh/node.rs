@@ -55,7 +55,7 @@ impl Wide {
         Wide { planes: [[[Vec4::INFINITY; 2]; 3], [[Vec4::NEG_INFINITY; 2]; 3]], child: [Child::NONE; WIDTH] };
 
     /// Maximum absolute coordinate of all planes of the BVH node.
-    pub fn max_coordinate(&self) -> f32 {
+    pub fn max_abs_coordinate(&self) -> f32 {
         let used = |plane: Vec4| Vec4::select(plane.is_finite_mask(), plane.abs(), Vec4::ZERO).max_element();
         self.planes.as_flattened().as_flattened().iter().map(|plane| used(*plane)).fold(0.0, f32::max)
     }

@@ -77,19 +77,19 @@ pub(super) fn ln(x: f64) -> Pair {
 /// e to the power of a pair whose first number is below [`MAX_EXPONENT`].
 #[inline]
 fn exp(x: Pair) -> f64 {
-    let (power, scale) = scaled_exp(x);
+    let (power, scale) = exp_and_scale(x);
     (power.high + power.low) * scale
 }
 
 /// e to the power of a pair whose first number is below [`MAX_EXPONENT`], as a pair with a relative error below 2⁻⁶⁰.
 pub(super) fn exp_pair(x: Pair) -> Pair {
-    let (power, scale) = scaled_exp(x);
+    let (power, scale) = exp_and_scale(x);
     Pair::sum(power.high * scale, power.low * scale)
 }
 
 /// Returns e to the power of a pair as a sum of two numbers, and the power of 2 that it is to be multiplied by.
 #[inline]
-fn scaled_exp(x: Pair) -> (Pair, f64) {
+fn exp_and_scale(x: Pair) -> (Pair, f64) {
     /// The sum with it rounds a number to an integer, which is then in the lowest bits.
     const ROUNDER: f64 = 6_755_399_441_055_744.0;
     let rounded = x.high * (1.0 / (STEP.high + STEP.low)) + ROUNDER;

@@ -16,21 +16,21 @@ fn load_row(&Row([a, b, c, d]): &Row) -> __m256d {
 /// Returns sum + g·x for each of the four lanes.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn add(sum: __m256d, g: __m256d, x: __m256d) -> __m256d {
+fn multiply_add(sum: __m256d, g: __m256d, x: __m256d) -> __m256d {
     _mm256_add_pd(sum, _mm256_mul_pd(g, x))
 }
 
 #[target_feature(enable = "avx2")]
 #[inline]
 fn lerp(a: __m256d, b: __m256d, s: __m256d) -> __m256d {
-    add(a, s, _mm256_sub_pd(b, a))
+    multiply_add(a, s, _mm256_sub_pd(b, a))
 }
 
 /// Returns the hash of each corner of the lattice cell that contains a point, and the point's position in the cell:
-/// [`super::lattice::lattice_cell`] of all coordinates at once.
+/// [`super::lattice::lattice_cell_and_position`] of all coordinates at once.
 #[target_feature(enable = "avx2")]
 #[inline]
-fn cell_corner_hashes(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
+fn corner_hashes_and_position(p: DVec3) -> ([[usize; 4]; 2], __m256d) {
     let p = _mm256_setr_pd(p.x, p.y, p.z, 0.0);
     let round = _mm256_set1_pd(ROUND);
     let rounded = _mm256_add_pd(p, round);
@@ -74,7 +74,7 @@ fn corner_contributions<const FAR: i32>(hashes: &[[usize; 4]; 2], near: __m256d,
 #[target_feature(enable = "avx2")]
 #[inline]
 pub fn scalar_noise<const CALLER: u8>(p: DVec3) -> f64 {
-    let (hashes, t) = cell_corner_hashes(p);
+    let (hashes, t) = corner_hashes_and_position(p);
     let near = _mm256_blend_pd::<1>(_mm256_permute4x64_pd::<0x93>(t), _mm256_set1_pd(1.0));
     let far = _mm256_sub_pd(near, _mm256_setr_pd(0.0, 1.0, 1.0, 1.0));
     let [sx, sy, sz] = broadcast_components(s_curve(t));
@@ -94,14 +94,14 @@ pub fn scalar_noise<const CALLER: u8>(p: DVec3) -> f64 {
 #[target_feature(enable = "avx2")]
 #[inline]
 pub fn vector_noise<const CALLER: u8>(p: DVec3) -> DVec3 {
-    let (hashes, t) = cell_corner_hashes(p);
+    let (hashes, t) = corner_hashes_and_position(p);
     let (near, far) = (broadcast_components(t), broadcast_components(_mm256_sub_pd(t, _mm256_set1_pd(1.0))));
     let along = |axis: usize, i: usize| if i >> axis & 1 == 1 { far[axis] } else { near[axis] };
     let corner = |i: usize| {
         let at = hashes[i >> 2][i & 3] & 0xff;
         let [v, gx, gy, gz] = [0, 1, 2, 3].map(|place: usize| load_row(&LANES[at + place]));
         let v = _mm256_mul_pd(v, _mm256_set1_pd(0.5));
-        add(add(add(v, gx, along(0, i)), gy, along(1, i)), gz, along(2, i))
+        multiply_add(multiply_add(multiply_add(v, gx, along(0, i)), gy, along(1, i)), gz, along(2, i))
     };
     let [sx, sy, sz] = broadcast_components(s_curve(t));
     let along_x = |i: usize| lerp(corner(i), corner(i + 1), sx);

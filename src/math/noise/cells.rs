@@ -14,9 +14,12 @@ pub struct Cell(pub [usize; 3]);
 
 impl Cell {
     /// Returns the unit cube that contains a point, and the point's position in the cube, 0 to 1 along each axis.
-    pub fn containing(p: DVec3) -> (Self, DVec3) {
-        let ((i, x), (j, y), (k, z)) =
-            (lattice::lattice_cell(p.x), lattice::lattice_cell(p.y), lattice::lattice_cell(p.z));
+    pub fn cell_and_position(p: DVec3) -> (Self, DVec3) {
+        let ((i, x), (j, y), (k, z)) = (
+            lattice::lattice_cell_and_position(p.x),
+            lattice::lattice_cell_and_position(p.y),
+            lattice::lattice_cell_and_position(p.z),
+        );
         (Self([i, j, k]), DVec3::new(x, y, z))
     }
 
@@ -121,26 +124,26 @@ impl Around {
 impl Around {
     /// Returns the three least squared distances from a position to the random points, ascending, and the index of the
     /// nearest point. NaN is ignored.
-    pub fn nearest_squares(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
+    pub fn nearest_squared_distances(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has the feature that the function needs.
             #[expect(unsafe_code, reason = "the compiler can't know the processor")]
-            return unsafe { self.nearest_squares_avx2(from) };
+            return unsafe { self.nearest_squared_distances_avx2(from) };
         }
-        self.nearest_squares_portably(from)
+        self.nearest_squared_distances_portably(from)
     }
 
-    /// Computes [`Self::nearest_squares`] with AVX2, four numbers at once.
+    /// Computes [`Self::nearest_squared_distances`] with AVX2, four numbers at once.
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn nearest_squares_avx2(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
-        self.nearest_squares_portably(from)
+    fn nearest_squared_distances_avx2(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
+        self.nearest_squared_distances_portably(from)
     }
 
-    /// Computes [`Self::nearest_squares`] with loops for automatic vectorisation.
+    /// Computes [`Self::nearest_squared_distances`] with loops for automatic vectorisation.
     #[inline(always)]
-    fn nearest_squares_portably(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
+    fn nearest_squared_distances_portably(&self, from: DVec3) -> ([f64; 3], Option<usize>) {
         let [xs, ys, zs] = &self.points;
         let mut sums = [0.0; 28];
         for i in 0..28 {
@@ -152,22 +155,23 @@ impl Around {
         for four in sums.chunks_exact(4) {
             for lane in 0..4 {
                 let [first, second, third] = least.map(|row| row[lane]);
-                let [first, second, third] = three_smallest([first, second, third], four[lane]);
+                let [first, second, third] = insert_into_three_smallest([first, second, third], four[lane]);
                 (least[0][lane], least[1][lane], least[2][lane]) = (first, second, third);
             }
         }
-        let three = least.as_flattened().iter().fold([f64::INFINITY; 3], |best, sum| three_smallest(best, *sum));
+        let three =
+            least.as_flattened().iter().fold([f64::INFINITY; 3], |best, sum| insert_into_three_smallest(best, *sum));
         (three, sums.iter().position(|sum| *sum == three[0]))
     }
 }
 
 /// Returns the three smallest of four numbers, ascending, without branches; the first three are ascending already.
 #[inline(always)]
-fn three_smallest([first, second, third]: [f64; 3], sum: f64) -> [f64; 3] {
+fn insert_into_three_smallest([first, second, third]: [f64; 3], new: f64) -> [f64; 3] {
     let order = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
-    let (first, sum) = order(sum, first);
-    let (second, sum) = order(sum, second);
-    [first, second, order(sum, third).0]
+    let (first, new) = order(new, first);
+    let (second, new) = order(new, second);
+    [first, second, order(new, third).0]
 }
 
 thread_local! {
@@ -233,7 +237,7 @@ mod tests {
 
     #[test]
     fn cells_reach_below_zero() {
-        let (cell, within) = Cell::containing(DVec3::new(-0.25, 1.5, 3.0));
+        let (cell, within) = Cell::cell_and_position(DVec3::new(-0.25, 1.5, 3.0));
         assert_eq!(within, DVec3::new(0.75, 0.5, 0.0));
         assert_eq!(cell.random(), Cell([0, 1, 3]).offset_by([-1, 0, 0]).random());
         assert_eq!(cell.random(), cell.random_point().x);

@@ -7,7 +7,7 @@ pub const ROUND: f64 = 6_755_399_441_055_744.0;
 /// Returns the index of the lattice cell that contains a coordinate (exact in its low bits for any coordinate below
 /// 2⁵¹), and the position in the cell, 0 to 1.
 #[inline(always)]
-pub fn lattice_cell(x: f64) -> (usize, f64) {
+pub fn lattice_cell_and_position(x: f64) -> (usize, f64) {
     let rounded = x + ROUND;
     let nearest = rounded - ROUND;
     let above = nearest > x;
@@ -50,7 +50,7 @@ mod tests {
     #[test]
     fn cells_are_floors() {
         for x in [0.0, 0.5, 1.0, -0.5, -1.0, 2.5, 3.5, -2.5, 1e9 + 0.75, -1e9 - 0.25, -1e-18, 4095.999] {
-            let (number, t) = lattice_cell(x);
+            let (number, t) = lattice_cell_and_position(x);
             assert_eq!((number & 0xfff) as i64, (x.floor() as i64).rem_euclid(4096), "{x}");
             assert_eq!(t, x - x.floor(), "{x}");
         }

@@ -157,7 +157,7 @@ pub fn turbulence(p: DVec3, turbulence: Turbulence, generator: NoiseGenerator) -
     }
     let mut each = [0.0; MAX_OCTAVES];
     noise_at_points(&points[..count], generator, &mut each[..count]);
-    (0..count).map(|i| weights[i] * turbulence_octave(each[i], generator, i == 0)).sum()
+    (0..count).map(|i| weights[i] * to_turbulence_range(each[i], generator, i == 0)).sum()
 }
 
 /// Returns N octaves of noise, each clamped to [0, 1] and twice as fine as the one before, for `granite` and
@@ -169,12 +169,12 @@ pub fn clamped_octaves<const N: usize>(p: DVec3, generator: NoiseGenerator) -> [
     }
     let mut out = [0.0; N];
     noise_at_points(&points, generator, &mut out);
-    out.map(|noise| turbulence_octave(noise, generator, true))
+    out.map(|noise| to_turbulence_range(noise, generator, true))
 }
 
-/// Maps [`noise`] to its range in turbulence; `cut` clamps it to [0, 1].
-fn turbulence_octave(noise: f64, generator: NoiseGenerator, cut: bool) -> f64 {
-    match (generator, cut) {
+/// Maps [`noise`] to its range in turbulence; `clamp` clamps it to [0, 1].
+fn to_turbulence_range(noise: f64, generator: NoiseGenerator, clamp: bool) -> f64 {
+    match (generator, clamp) {
         (NoiseGenerator::Original, _) => noise,
         (_, true) => (2.0 * noise - 0.5).clamp(0.0, 1.0),
         (_, false) => 2.0 * noise - 0.5,

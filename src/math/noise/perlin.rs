@@ -2,7 +2,7 @@
 //! permutation in Ebert et al., "Texturing and Modeling").
 
 use super::super::DVec3;
-use super::lattice::{blend_corners, lattice_cell, offset_from_corner};
+use super::lattice::{blend_corners, lattice_cell_and_position, offset_from_corner};
 use super::tables::{GRADIENTS, PERMUTATION};
 
 /// Number that noise generator 3 adds to each coordinate: the lattice points are thus just below the integers, and
@@ -12,8 +12,11 @@ pub(super) const OFFSET: f64 = 10_000_000.023157213;
 /// Returns the noise of generator 3 before its range is mapped: about -0.76 to 0.76, and 0 at each lattice point.
 #[inline(always)]
 pub fn scalar_noise(p: DVec3) -> f64 {
-    let ((ix, tx), (iy, ty), (iz, tz)) =
-        (lattice_cell(p.x + OFFSET), lattice_cell(p.y + OFFSET), lattice_cell(p.z + OFFSET));
+    let ((ix, tx), (iy, ty), (iz, tz)) = (
+        lattice_cell_and_position(p.x + OFFSET),
+        lattice_cell_and_position(p.y + OFFSET),
+        lattice_cell_and_position(p.z + OFFSET),
+    );
     let t = [tx, ty, tz];
     let permuted = |i: usize| PERMUTATION[i & 0x7ff] as usize;
     let (px, qx) = (permuted(ix), permuted(ix.wrapping_add(1)));

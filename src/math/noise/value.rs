@@ -1,7 +1,7 @@
 //! The noise of generators 1 and 2, and the vector noise: each lattice point has a value and a gradient.
 
 use super::super::DVec3;
-use super::lattice::{lattice_cell, offset_from_corner, s_curve};
+use super::lattice::{lattice_cell_and_position, offset_from_corner, s_curve};
 use super::tables::{CORNERS, HASH, Row, table_entry};
 
 /// Number that POV-Ray adds to the index of a lattice cell before the lookup of its hash.
@@ -27,8 +27,9 @@ pub(super) fn corner_hashes([ix, iy, iz]: [usize; 3]) -> [[usize; 4]; 2] {
 
 /// Returns the hash of each corner of the lattice cell that contains a point, and the point's position in the cell.
 #[inline(always)]
-fn cell_corner_hashes(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
-    let ((ix, tx), (iy, ty), (iz, tz)) = (lattice_cell(p.x), lattice_cell(p.y), lattice_cell(p.z));
+fn corner_hashes_and_position(p: DVec3) -> ([[usize; 4]; 2], [f64; 3]) {
+    let ((ix, tx), (iy, ty), (iz, tz)) =
+        (lattice_cell_and_position(p.x), lattice_cell_and_position(p.y), lattice_cell_and_position(p.z));
     (corner_hashes([ix, iy, iz]), [tx, ty, tz])
 }
 
@@ -57,7 +58,7 @@ fn blend_lanes(corner: impl Fn(usize) -> Lanes, t: [f64; 3]) -> Lanes {
 /// -1.2 to 1.2. The value and the three slopes of the lattice points are interpolated side by side and added last.
 #[inline(always)]
 pub fn scalar_noise<const CALLER: u8>(p: DVec3) -> f64 {
-    let (hashes, t) = cell_corner_hashes(p);
+    let (hashes, t) = corner_hashes_and_position(p);
     let corner = |i: usize| {
         let ([x, y, z], Row([v, gx, gy, gz])) = (offset_from_corner(i, t), CORNERS[hashes[i >> 2][i & 3] & 0xff]);
         [v, gx * x, gy * y, gz * z]
@@ -86,7 +87,7 @@ const fn lane_table() -> [Row; 259] {
 /// Returns the vector noise at a point: three noises on the same lattice, computed at once.
 #[inline(always)]
 pub fn vector_noise<const CALLER: u8>(p: DVec3) -> DVec3 {
-    let (hashes, t) = cell_corner_hashes(p);
+    let (hashes, t) = corner_hashes_and_position(p);
     let corner = |i: usize| {
         let ([x, y, z], at) = (offset_from_corner(i, t), hashes[i >> 2][i & 3] & 0xff);
         let add = |sum: Lanes, place: usize, x: f64| lanewise(sum, LANES[at + place].0, |sum, g| sum + g * x);

@@ -6,11 +6,11 @@ mod accessor;
 mod document;
 mod node;
 
-use super::{MeshFile, MeshMaterial, Open, ReadResult};
+use super::{FileOpener, MeshFile, MeshMaterial, ReadResult};
 use document::Document;
 
 /// Reads a glTF file, and the buffers that it names.
-pub fn read_gltf(bytes: &[u8], open: Open) -> ReadResult<MeshFile> {
+pub fn read_gltf(bytes: &[u8], open: FileOpener) -> ReadResult<MeshFile> {
     let Parts { json, bytes: chunk, base } =
         if bytes.starts_with(b"glTF") { split_glb_chunks(bytes)? } else { Parts { json: bytes, bytes: None, base: 0 } };
     let document: Document = serde_json::from_slice(json).map_err(|e| {
@@ -71,7 +71,7 @@ fn split_glb_chunks(bytes: &[u8]) -> ReadResult<Parts<'_>> {
 }
 
 /// Returns the bytes of a URI in a glTF file: embedded data, or a file.
-fn read_uri(uri: &str, open: Open) -> ReadResult<Vec<u8>> {
+fn read_uri(uri: &str, open: FileOpener) -> ReadResult<Vec<u8>> {
     match uri.strip_prefix("data:") {
         Some(data) => match data.split_once(";base64,") {
             Some((_, text)) => decode_base64(text),

@@ -15,7 +15,7 @@ pub struct Mapping {
     /// True if the bitmap's picture is not repeated.
     pub once: bool,
     /// Interpolation between the bitmap's pixels nearest to a point.
-    pub between: Between,
+    pub between: PixelInterpolation,
 }
 
 /// Projection from points to a bitmap's picture, by the number after `map_type`.
@@ -36,7 +36,7 @@ pub enum Wrap {
 /// Interpolation between a bitmap's pixels, by the number after `interpolate`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Between {
+pub enum PixelInterpolation {
     /// No interpolation: the bitmap's pixel that contains the point.
     #[default]
     Nearest,
@@ -63,7 +63,7 @@ impl Wrap {
     }
 }
 
-impl Between {
+impl PixelInterpolation {
     /// Returns the interpolation for the number after `interpolate`; `None` for an unknown number.
     pub fn from_interpolate_number(n: f64) -> Option<Self> {
         Some(match n as i64 {
@@ -113,17 +113,17 @@ impl Mapping {
         let (s, t) = (a - i, b - j);
         let (i, j) = (i as i64, j as i64);
         match self.between {
-            Between::Nearest => {
+            PixelInterpolation::Nearest => {
                 let column = (u * w + EDGE).floor() as usize % width;
                 let row = height - 1 - (v * h + EDGE).floor() as usize % height;
                 smallvec![(row * width + column, 1.0)]
             }
-            Between::Bilinear => weighted_grid(i, j, &[1.0 - s, s], &[1.0 - t, t], size),
-            Between::Bicubic => {
+            PixelInterpolation::Bilinear => weighted_grid(i, j, &[1.0 - s, s], &[1.0 - t, t], size),
+            PixelInterpolation::Bicubic => {
                 let row = |f: f64| [1.0 + f, f, 1.0 - f, 2.0 - f].map(catmull_rom);
                 weighted_grid(i - 1, j - 1, &row(s), &row(t), size)
             }
-            Between::Distance => {
+            PixelInterpolation::Distance => {
                 // Lower left of the four pixels; a point level with the centres takes those and the next.
                 let (left, above) = ((a + EDGE).floor(), (b - EDGE).ceil() - 1.0);
                 pixels_by_distance(left as i64, above as i64, a - left, b - above, size)
@@ -152,10 +152,10 @@ impl Size {
 
 /// Returns the pixels of a grid that begins at (i, j), each with the product of its column's and row's weight, for
 /// interpolation in a bitmap.
-fn weighted_grid(i: i64, j: i64, columns: &[f64], rows: &[f64], size: Size) -> Weighted {
+fn weighted_grid(i: i64, j: i64, column_weights: &[f64], row_weights: &[f64], size: Size) -> Weighted {
     let mut out = Weighted::new();
-    for (y, t) in (j..).zip(rows) {
-        for (x, s) in (i..).zip(columns) {
+    for (y, t) in (j..).zip(row_weights) {
+        for (x, s) in (i..).zip(column_weights) {
             out.push((size.pixel_index(x, y), s * t));
         }
     }
@@ -197,7 +197,7 @@ mod tests {
 
     #[test]
     fn weights_add_up_to_one() {
-        for between in [Between::Bilinear, Between::Bicubic, Between::Distance] {
+        for between in [PixelInterpolation::Bilinear, PixelInterpolation::Bicubic, PixelInterpolation::Distance] {
             let mapping = Mapping { between, ..Mapping::default() };
             let sum: f64 = mapping.weighted_pixels((0.37, 0.81), 5, 7).iter().map(|(_, weight)| weight).sum();
             assert!((sum - 1.0).abs() < 1e-12, "{between:?}");
@@ -206,7 +206,7 @@ mod tests {
 
     #[test]
     fn once_ends_at_the_edges() {
-        let once = Mapping { once: true, between: Between::Bilinear, ..Mapping::default() };
+        let once = Mapping { once: true, between: PixelInterpolation::Bilinear, ..Mapping::default() };
         assert_eq!(once.project_to_picture(DVec3::new(1.01, 0.5, 0.0)), None);
         assert!(once.weighted_pixels((0.01, 0.99), 4, 4).iter().all(|(number, _)| *number == 0));
     }

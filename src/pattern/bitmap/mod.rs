@@ -6,7 +6,7 @@ mod material;
 mod pattern;
 mod texels;
 
-pub use mapping::{Between, Mapping, Weighted, Wrap};
+pub use mapping::{Mapping, PixelInterpolation, Weighted, Wrap};
 pub use material::MaterialMap;
 pub use pattern::{CHANNELS, Channel, ImagePattern};
 pub use texels::{Texels, color_curve};
@@ -141,9 +141,9 @@ fn read_gamma(r: &mut dyn Reader) -> Result<Gamma> {
 }
 
 /// Reads the number after `interpolate` in a bitmap.
-fn read_interpolation(r: &mut dyn Reader) -> Result<Between> {
+fn read_interpolation(r: &mut dyn Reader) -> Result<PixelInterpolation> {
     let (at, n) = (r.span(), r.float()?);
-    Between::from_interpolate_number(n).ok_or_else(|| {
+    PixelInterpolation::from_interpolate_number(n).ok_or_else(|| {
         let message = format!("`interpolate` takes 2, 3 or 4, found {n}");
         Diagnostic::new(codes::BAD_ARGUMENT, at, message).into()
     })

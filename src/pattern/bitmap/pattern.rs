@@ -104,7 +104,7 @@ impl ImagePattern {
     }
 
     /// Returns the number of the bitmap's pixel `i` in a channel.
-    fn pixel_number(&self, i: usize, channel: Channel) -> f64 {
+    fn pixel_value(&self, i: usize, channel: Channel) -> f64 {
         let [r, g, b, a] = self.texels.rgba(i);
         match channel {
             Channel::Gray => gray(Rgb::new(r, g, b)),
@@ -116,9 +116,9 @@ impl ImagePattern {
 
 impl ImagePattern {
     /// Returns the interpolated number at a position on the bitmap.
-    fn interpolated_number(&self, place: (f64, f64)) -> f64 {
+    fn interpolated_value(&self, place: (f64, f64)) -> f64 {
         let pixels = self.mapping.weighted_pixels(place, self.texels.width(), self.texels.height());
-        let sum = |channel| pixels.iter().map(|(i, weight)| weight * self.pixel_number(*i, channel)).sum::<f64>();
+        let sum = |channel| pixels.iter().map(|(i, weight)| weight * self.pixel_value(*i, channel)).sum::<f64>();
         match self.channel {
             // quirk: palette_index_truncated
             Channel::Index => sum(Channel::Index).trunc(),
@@ -133,7 +133,7 @@ impl Field for ImagePattern {
     }
 
     fn value(&self, at: &TextureContext) -> f64 {
-        self.mapping.project_to_picture(at.p).map_or(0.0, |place| self.interpolated_number(place).clamp(0.0, 1.0))
+        self.mapping.project_to_picture(at.p).map_or(0.0, |place| self.interpolated_value(place).clamp(0.0, 1.0))
     }
 
     fn bumped_normal(&self, at: &TextureContext, _: &FieldParams, n: DVec3, amount: f64) -> Option<DVec3> {
@@ -145,7 +145,7 @@ impl Field for ImagePattern {
         // bump_map_three_pixels).
         let (across, up) = (1.0 / self.texels.width() as f64, 1.0 / self.texels.height() as f64);
         // Past an edge the picture continues at its opposite side, also with `once`.
-        let height = |du: f64, dv: f64| self.interpolated_number((fp::fraction(u + du), fp::fraction(v + dv)));
+        let height = |du: f64, dv: f64| self.interpolated_value((fp::fraction(u + du), fp::fraction(v + dv)));
         let (here, right, left) = (height(0.0, 0.0), height(across, -up), height(-across, -up));
         // The picture's directions in the surface; for a surface level to 1e-10 these are x and z (quirk:
         // bump_map_three_pixels).

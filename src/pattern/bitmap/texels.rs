@@ -1,7 +1,7 @@
 //! The pixels of a picture in the numbers of the scene.
 
 use crate::color::Gamma;
-use crate::image_io::{Picture, Samples, Stored, expand_pixel, povray_gray};
+use crate::image_io::{Picture, Samples, Stored, expand_pixel, round_gray_like_povray};
 use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ impl Texels {
     /// Creates the pixels of a bitmap whose numbers in [0, 1] are decoded by `curve`.
     pub fn new(picture: Arc<Picture>, curve: impl Fn(f64) -> f64, premultiplied: bool) -> Self {
         let number = |part: f64| curve(part) as f32;
-        let kept = |part: f64| if picture.gray_bytes { povray_gray(number(part)) } else { number(part) };
+        let kept = |part: f64| if picture.gray_bytes { round_gray_like_povray(number(part)) } else { number(part) };
         let table = |n: u32| -> Arc<[f32]> { (0..n).map(|i| kept(f64::from(i) / f64::from(n - 1))).collect() };
         let curve = match picture.pixels.samples {
             Samples::U8(_) => table(256),
@@ -78,12 +78,17 @@ impl Texels {
 /// Returns the curve from a picture file's numbers to those of a scene, whose colours relate to light by `scene_gamma`.
 /// `decodes` is true if files without gamma information follow the sRGB curve. In scenes before version 3.7 without
 /// `assumed_gamma`, numbers stay unchanged (quirk: `gamma_by_version`).
-pub fn color_curve(stored: Stored, stated: Option<Gamma>, scene_gamma: Gamma, decodes: bool) -> impl Fn(f64) -> f64 {
+pub fn color_curve(
+    stored: Stored,
+    stated: Option<Gamma>,
+    scene_gamma: Gamma,
+    decodes_unmarked_srgb: bool,
+) -> impl Fn(f64) -> f64 {
     let file = match (stated, stored) {
         (Some(gamma), _) => Some(gamma),
         (None, _) if scene_gamma == Gamma::Raw => None,
         (None, Stored::Plain) => None,
-        (None, Stored::Unsaid) => decodes.then_some(Gamma::Srgb),
+        (None, Stored::Unsaid) => decodes_unmarked_srgb.then_some(Gamma::Srgb),
         (None, Stored::Srgb) => Some(Gamma::Srgb),
         (None, Stored::Power(g)) => Some(Gamma::Power(g)),
     };

@@ -75,7 +75,7 @@ impl Cells {
     }
 
     /// Number of cells at each position of the pavement's grid.
-    fn kinds_per_position(self) -> usize {
+    fn cells_per_position(self) -> usize {
         if self == Self::Triangles { 2 } else { 1 }
     }
 
@@ -191,7 +191,7 @@ impl Plan {
         };
         let mut plan = Self { cells, steps, joints, corners: vec![] };
         let places = (0..steps[2]).flat_map(|j| (0..steps[0]).map(move |i| (i, j)));
-        let all = places.flat_map(|(i, j)| (0..cells.kinds_per_position()).map(move |kind| Cell { i, j, kind }));
+        let all = places.flat_map(|(i, j)| (0..cells.cells_per_position()).map(move |kind| Cell { i, j, kind }));
         plan.corners = all.map(|cell| (0..cells.side_count()).map(|k| plan.corner(cell, k)).collect()).collect();
         plan
     }
@@ -201,7 +201,7 @@ impl Plan {
         let (up, j) = (cell.j.div_euclid(c), cell.j.rem_euclid(c));
         // no step overflows, for any cell
         let i = (cell.i.rem_euclid(a) - up.rem_euclid(a) * b).rem_euclid(a);
-        (j * a + i) as usize * self.cells.kinds_per_position() + cell.kind
+        (j * a + i) as usize * self.cells.cells_per_position() + cell.kind
     }
 
     fn is_joint(&self, cell: Cell, edge: usize) -> bool {
@@ -239,12 +239,12 @@ mod tests {
                 let plan = Plan::new(cells, row);
                 assert_eq!(
                     plan.joints.len() as i64,
-                    plan.steps[0] * plan.steps[2] * cells.kinds_per_position() as i64,
+                    plan.steps[0] * plan.steps[2] * cells.cells_per_position() as i64,
                     "{row}"
                 );
                 for (i, j) in (-7..7).flat_map(|i| (-7..7).map(move |j| (i, j))) {
                     for (kind, edge) in
-                        (0..cells.kinds_per_position()).flat_map(|k| (0..cells.side_count()).map(move |e| (k, e)))
+                        (0..cells.cells_per_position()).flat_map(|k| (0..cells.side_count()).map(move |e| (k, e)))
                     {
                         let cell = Cell { i, j, kind };
                         let (other, same) = (cells.neighbour(cell, edge), cells.edge_in_neighbour(cell, edge));

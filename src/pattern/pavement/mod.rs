@@ -63,8 +63,8 @@ enum JointShape {
 
 impl JointShape {
     /// Returns the joint's shape for a number in the scene. POV-Ray keeps eight bits of the number, and wraps around.
-    fn joint_shape_of_number(n: f64, shapes: u8) -> Self {
-        [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % shapes)]
+    fn joint_shape_of_number(n: f64, shape_count: u8) -> Self {
+        [Self::Pointed, Self::Cut, Self::Round, Self::AsOthers][usize::from(n as i64 as u8 % shape_count)]
     }
 }
 
@@ -275,7 +275,7 @@ impl PavementLayout {
 
     /// Height of a pavement at a 120° corner, which shapes like a hexagon's; the point is `along` from the corner on
     /// its bisector.
-    fn blunt_corner_height(&self, [before, after]: [f64; 2], along: f64, near: NearCorner) -> f64 {
+    fn blunt_corner_height(&self, bevel_heights: [f64; 2], along: f64, near: NearCorner) -> f64 {
         match self.form {
             JointShape::Cut => 2.0 - 4.0 * along,
             JointShape::Round => {
@@ -284,7 +284,7 @@ impl PavementLayout {
                 let from_middle = (from_corner * from_corner + 1.0 - 2.0 * along).sqrt();
                 1.0 - (H - from_middle) / self.cells.bevel_width()
             }
-            _ => before.max(after),
+            _ => bevel_heights[0].max(bevel_heights[1]),
         }
     }
 

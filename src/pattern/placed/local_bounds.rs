@@ -147,7 +147,8 @@ mod tests {
                         let near = program.bounds_near(&at(p), radius);
                         known += usize::from(near.steepest.is_finite());
                         let q = p + vector().normalize() * radius * vector().x.abs();
-                        let (a, b) = (program.evaluate(&at(p)).0, program.evaluate(&at(q)).0);
+                        let (a, b) =
+                            (program.number_and_entry_context(&at(p)).0, program.number_and_entry_context(&at(q)).0);
                         let flat = near.steepest.is_infinite() || (a - b).abs() <= near.steepest * p.distance(q) + 1e-9;
                         let holds = near.range.contains(a) && near.range.contains(b) && flat;
                         assert!(holds, "{kind:?} {modifiers:?} {p} {q} {radius}: {a} {b} {near:?}");

@@ -172,7 +172,7 @@ impl Pattern {
 
     /// Ends the block that contains the pattern: a pattern with `uv_mapping` keeps its space apart from later
     /// transforms.
-    pub fn end_block(&mut self) {
+    pub fn separate_uv_space(&mut self) {
         if self.uv {
             self.around.get_or_insert_default();
         }

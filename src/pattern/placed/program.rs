@@ -15,13 +15,13 @@ pub struct PatternProgram {
     /// True for `uv_mapping`: the pattern's steps begin at (u, v, 0).
     uv: bool,
     /// Steps from the outer space to the pattern's own space, in the order in which they apply to a point.
-    way: Box<[Move]>,
+    way: Box<[SpaceStep]>,
     value: Value,
 }
 
 /// Step of a lowered pattern from one space to the next.
 #[derive(Clone, Debug, Serialize)]
-enum Move {
+enum SpaceStep {
     /// Product of the inverses of consecutive transforms of a pattern.
     Affine(DAffine3),
     Warp(Warp),
@@ -71,7 +71,7 @@ impl PatternProgram {
 
     /// Evaluates the lowered pattern at a point. Returns the number that the map receives, or the index of the cell;
     /// and the point in the space of the pattern's entries.
-    pub fn evaluate(&self, ctx: &TextureContext) -> (f64, TextureContext) {
+    pub fn number_and_entry_context(&self, ctx: &TextureContext) -> (f64, TextureContext) {
         let inner = self.to_pattern_space(ctx);
         (self.number_in_pattern_space(&inner), inner)
     }
@@ -89,9 +89,9 @@ impl PatternProgram {
     pub fn to_pattern_space(&self, ctx: &TextureContext) -> TextureContext {
         let p = if self.uv { ctx.uv.extend(0.0) } else { ctx.p };
         ctx.with_point(self.way.iter().fold(p, |p, step| match step {
-            Move::Affine(inverse) => inverse.transform_point3(p),
-            Move::Warp(warp) => warp.apply(p),
-            Move::Turbulence(amount, series) => p + *amount * noise::vturbulence(p, *series),
+            SpaceStep::Affine(inverse) => inverse.transform_point3(p),
+            SpaceStep::Warp(warp) => warp.apply(p),
+            SpaceStep::Turbulence(amount, series) => p + *amount * noise::vturbulence(p, *series),
         }))
     }
 
@@ -110,13 +110,13 @@ impl PatternProgram {
         }
     }
 
-    /// Returns bounds on the numbers of [`Self::evaluate`] within a radius of a point.
+    /// Returns bounds on the numbers of [`Self::number_and_entry_context`] within a radius of a point.
     pub fn bounds_near(&self, ctx: &TextureContext, radius: f64) -> LocalBounds {
         let mut longer = if self.uv { f64::INFINITY } else { 1.0 };
         for step in &self.way {
             longer *= match step {
-                Move::Affine(inverse) => max_stretch(&inverse.matrix3),
-                Move::Warp(_) | Move::Turbulence(..) => f64::INFINITY,
+                SpaceStep::Affine(inverse) => max_stretch(&inverse.matrix3),
+                SpaceStep::Warp(_) | SpaceStep::Turbulence(..) => f64::INFINITY,
             };
         }
         let (inner, radius) = (self.to_pattern_space(ctx), radius * longer);
@@ -138,7 +138,7 @@ impl PatternProgram {
     /// Returns the number that the map receives outside of the lowered pattern's support; `None` if no support is known.
     pub fn number_outside_support(&self) -> Option<f64> {
         let Value::Field(number) = &self.value else { return None };
-        let is_affine = !self.uv && matches!(&*self.way, [] | [Move::Affine(_)]);
+        let is_affine = !self.uv && matches!(&*self.way, [] | [SpaceStep::Affine(_)]);
         (is_affine && number.field.support().is_some()).then(|| number.modifiers.apply_to_number(0.0))
     }
 
@@ -150,7 +150,7 @@ impl PatternProgram {
         match &*self.way {
             _ if self.uv => None,
             [] => Some(support.range_on_line(ray.origin, ray.dir)),
-            [Move::Affine(inverse)] => {
+            [SpaceStep::Affine(inverse)] => {
                 let dir = inverse.transform_vector3(ray.dir);
                 Some(support.range_on_line(inverse.transform_point3(ray.origin), dir))
             }
@@ -164,7 +164,7 @@ impl PatternProgram {
         let corners = match &*self.way {
             _ if self.uv => return false,
             [] => corners,
-            [Move::Affine(inverse)] => corners.map(|p| inverse.transform_point3(p)),
+            [SpaceStep::Affine(inverse)] => corners.map(|p| inverse.transform_point3(p)),
             _ => return false,
         };
         number.field.support().is_some_and(|support| support.misses_box(&Aabb::from_points(corners)))
@@ -206,7 +206,7 @@ fn lower_value(pattern: &Pattern) -> Value {
 }
 
 /// Returns the steps of a pattern: the transform that was written last applies first.
-fn lower_steps(pattern: &Pattern) -> Box<[Move]> {
+fn lower_steps(pattern: &Pattern) -> Box<[SpaceStep]> {
     if pattern.kind == PatternKind::Surface {
         return Box::default();
     }
@@ -217,17 +217,17 @@ fn lower_steps(pattern: &Pattern) -> Box<[Move]> {
         match step {
             Step::Moved(transform) => affine = transform.inv * affine,
             Step::Warped(warp) => {
-                way.push(Move::Affine(std::mem::take(&mut affine)));
-                way.push(Move::Warp(warp.clone()));
+                way.push(SpaceStep::Affine(std::mem::take(&mut affine)));
+                way.push(SpaceStep::Warp(warp.clone()));
             }
         }
     }
-    way.push(Move::Affine(affine));
+    way.push(SpaceStep::Affine(affine));
     let owns_turbulence = matches!(&pattern.kind, PatternKind::Field(field) if field.owns_turbulence());
     if let Some(turbulence) = space.turbulence.as_deref().filter(|t| !owns_turbulence && t.amount != DVec3::ZERO) {
-        way.push(Move::Turbulence(turbulence.amount, turbulence.to_octaves()));
+        way.push(SpaceStep::Turbulence(turbulence.amount, turbulence.to_octaves()));
     }
-    way.retain(|step| !matches!(step, Move::Affine(inverse) if *inverse == DAffine3::IDENTITY));
+    way.retain(|step| !matches!(step, SpaceStep::Affine(inverse) if *inverse == DAffine3::IDENTITY));
     way.into()
 }
 

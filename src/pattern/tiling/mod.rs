@@ -120,8 +120,8 @@ impl Plan {
     }
 
     /// Adds several rectangles to the tiling: x, z, width, height.
-    fn with_rectangles(self, kind: usize, all: &[[f64; 4]]) -> Self {
-        all.iter().fold(self, |plan, &[x, z, w, h]| {
+    fn with_rectangles(self, kind: usize, xz_sizes: &[[f64; 4]]) -> Self {
+        xz_sizes.iter().fold(self, |plan, &[x, z, w, h]| {
             plan.with_polygon(kind, &to_points(&[(x, z), (x + w, z), (x + w, z + h), (x, z + h)]))
         })
     }
@@ -287,7 +287,7 @@ impl Plan {
 
     /// Returns the kind of the tile at a point, and the point's position in its bevel: 0 at the edge, 1 at the bevel's
     /// end and beyond.
-    fn tile_at(&self, p: DVec2) -> (usize, f64) {
+    fn kind_and_bevel_position(&self, p: DVec2) -> (usize, f64) {
         let [a, b] = self.steps;
         // in steps along a and b, without their whole parts
         let across = a.perp_dot(b);
@@ -362,8 +362,8 @@ impl Field for Tiling {
     fn value(&self, at: &TextureContext) -> f64 {
         let p = DVec2::new(at.p.x, at.p.z);
         let ((kind, within), kinds) = match &self.tiles {
-            Tiles::Plan(plan) => (plan.tile_at(p), plan.kinds),
-            Tiles::Penrose(penrose) => (penrose.tile_at(p), penrose.tile_kind_count()),
+            Tiles::Plan(plan) => (plan.kind_and_bevel_position(p), plan.kinds),
+            Tiles::Penrose(penrose) => (penrose.kind_and_bevel_position(p), penrose.tile_kind_count()),
         };
         let value = (kind as f64 + 1.0 - within) / kinds as f64;
         value_on_seam(self.number, p, value).unwrap_or(value)

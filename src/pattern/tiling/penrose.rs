@@ -123,14 +123,14 @@ impl Penrose {
     /// Returns the kind of the Penrose tile at a point, and the point's position in its bevel: 0 at the edge, just
     /// below 1 at the bevel's end and beyond (quirk: `penrose_bevels`), so that no number equals that of the next
     /// kind's edges.
-    pub fn tile_at(self, p: DVec2) -> (usize, f64) {
+    pub fn kind_and_bevel_position(self, p: DVec2) -> (usize, f64) {
         let (kind, within) = match self {
             Self::Pentagons => {
-                let (kind, distance) = pentagon_tile_at(Place::locate_in_triangle(p, LEG, 4));
+                let (kind, distance) = pentagon_kind_and_distance(Place::locate_in_triangle(p, LEG, 4));
                 (kind, distance / DEPTH)
             }
             Self::Kites => kite_or_dart_at(Place::locate_in_triangle(p, 1.0, 2)),
-            Self::Rhombs => rhomb_at(Place::locate_in_triangle(p, 1.0, 3)),
+            Self::Rhombs => rhomb_kind_and_bevel(Place::locate_in_triangle(p, 1.0, 3)),
         };
         let most = if kind == 0 { 1.0 } else { 1.0 - MARGIN * self.tile_kind_count() as f64 };
         (kind, within.clamp(0.0, most))
@@ -138,7 +138,7 @@ impl Penrose {
 }
 
 /// Evaluates the Penrose tiling of rhombs, which consist of two triangles with the common side BC.
-fn rhomb_at(place: Place) -> (usize, f64) {
+fn rhomb_kind_and_bevel(place: Place) -> (usize, f64) {
     let height = if place.obtuse { C18 } else { S36 };
     (usize::from(!place.obtuse), place.b.min(place.c) * height / DEPTH)
 }
@@ -157,12 +157,12 @@ fn kite_or_dart_at(place: Place) -> (usize, f64) {
 }
 
 /// Evaluates the Penrose tiling of pentagons: returns the kind of the tile and the distance from its edge.
-fn pentagon_tile_at(place: Place) -> (usize, f64) {
+fn pentagon_kind_and_distance(place: Place) -> (usize, f64) {
     // A is place the origin, B place <LEG, 0>.
     let tip = TOWARDS[if place.obtuse { 3 } else { 1 }] * LEG;
     let (end, p) = (DVec2::X * LEG, DVec2::X * (LEG * place.b) + tip * place.c);
     let (left, right) = if place.obtuse { (1, 2) } else { (2, 1) };
-    let mut best = diamond_tile(p - end / 2.0);
+    let mut best = diamond_kind_and_distance(p - end / 2.0);
     let mut tile = |kind, center: DVec2, mirrored: bool| {
         let distance = pentagon_distance(if mirrored { center - p } else { p - center });
         if distance > best.1 {
@@ -182,9 +182,9 @@ fn pentagon_tile_at(place: Place) -> (usize, f64) {
     }
     let middle = end + TOWARDS[4] * LEG;
     if place.obtuse && p.distance_squared(middle) < p.distance_squared(tip) {
-        boat_tile(p - middle)
+        boat_kind_and_distance(p - middle)
     } else {
-        star_tile(p - tip)
+        star_kind_and_distance(p - tip)
     }
 }
 
@@ -195,18 +195,18 @@ fn pentagon_distance(p: DVec2) -> f64 {
 
 /// Kind of a Penrose tile and distance from its edge, for a rhomb around the origin, with its acute corners at 0° and
 /// 180°.
-fn diamond_tile(p: DVec2) -> (usize, f64) {
+fn diamond_kind_and_distance(p: DVec2) -> (usize, f64) {
     (5, S18 * C18 - p.x.abs() * S18 - p.y.abs() * C18)
 }
 
 /// Kind of a Penrose tile and distance from its edge, for a star around the origin, with a tip at 0°.
-fn star_tile(p: DVec2) -> (usize, f64) {
+fn star_kind_and_distance(p: DVec2) -> (usize, f64) {
     (3, star_arm_distance(along_and_across(p, nearest_direction(p, &[0, 2, 4, 6, 8]))))
 }
 
 /// Kind of a Penrose tile and distance from its edge, for a boat: three arms of a star, the middle one at -36°, and a
 /// side across the missing two.
-fn boat_tile(p: DVec2) -> (usize, f64) {
+fn boat_kind_and_distance(p: DVec2) -> (usize, f64) {
     let across = (S18 * S18 / S36) + p.dot(TOWARDS[9]);
     let k = nearest_direction(p, &[9, 1, 7, 3, 5]);
     (4, if matches!(k, 3 | 5) { across } else { across.min(star_arm_distance(along_and_across(p, k))) })
@@ -244,7 +244,7 @@ mod tests {
                 // a low-discrepancy sequence (R2) over a square
                 let t = f64::from(i);
                 let p = DVec2::new(t * 0.754_877_666_246_693, t * 0.569_840_290_998_053_3).fract();
-                first += f64::from(u8::from(tiling.tile_at((p - 0.5) * 4000.0).0 == 0));
+                first += f64::from(u8::from(tiling.kind_and_bevel_position((p - 0.5) * 4000.0).0 == 0));
                 all += 1.0;
             }
             // φ : 1 by number, and by area φ times more
@@ -258,18 +258,18 @@ mod tests {
         fn there_is_fivefold_symmetry(x in -50.0..50.0f64, z in -50.0..50.0f64) {
             let p = DVec2::new(x, z);
             for tiling in ALL {
-                let (kind, within) = tiling.tile_at(p);
+                let (kind, within) = tiling.kind_and_bevel_position(p);
                 let (along, across) = along_and_across(p, 2);
-                let turned = tiling.tile_at(DVec2::new(along, across));
+                let turned = tiling.kind_and_bevel_position(DVec2::new(along, across));
                 prop_assert!((turned.1 - within).abs() < 1e-10 && (turned.0 == kind || within < 1e-10));
-                prop_assert_eq!(tiling.tile_at(DVec2::new(x, -z)), (kind, within));
+                prop_assert_eq!(tiling.kind_and_bevel_position(DVec2::new(x, -z)), (kind, within));
             }
         }
 
         #[test]
         fn bevels_have_no_jumps(x in -50.0..50.0f64, z in -50.0..50.0f64, dx in -1e-4..1e-4f64, dz in -1e-4..1e-4f64) {
             for tiling in ALL {
-                let [(_, one), (_, other)] = [(x, z), (x + dx, z + dz)].map(|(x, z)| tiling.tile_at(DVec2::new(x, z)));
+                let [(_, one), (_, other)] = [(x, z), (x + dx, z + dz)].map(|(x, z)| tiling.kind_and_bevel_position(DVec2::new(x, z)));
                 prop_assert!((one - other).abs() < 1e-3, "{tiling:?}");
             }
         }

@@ -5,9 +5,9 @@
 use crate::math::DVec2;
 
 /// Returns the number of a tiling on a seam between tiles; `None` where it is `value`, the number of the tiles.
-pub fn value_on_seam(number: usize, p: DVec2, value: f64) -> Option<f64> {
+pub fn value_on_seam(tiling_number: usize, p: DVec2, value: f64) -> Option<f64> {
     let (on_x, along) = (p.y == 0.0, p.x.rem_euclid(7.0));
-    match number {
+    match tiling_number {
         // The two halves are exchanged there.
         3 if p.x == p.x.trunc() => Some(if value > 0.5 { value - 0.5 } else { value + 0.5 }),
         // (POV-Ray shows 1/3; a `frequency` reveals 7/3.)

@@ -18,20 +18,20 @@ const RECENT: usize = 8;
 /// With the span of the unexpected token, and the expectation.
 pub fn read_camera(r: &mut dyn Reader, source: Span, defaults: &Defaults) -> Result<Camera> {
     let mut known = vec![];
-    Camera::read(r, source, &defaults.texture, &mut |r| Ok(placed(&*Object::read(r, defaults)?, &mut known)))
+    Camera::read(r, source, &defaults.texture, &mut |r| Ok(placed_mesh(&*Object::read(r, defaults)?, &mut known)))
 }
 
 /// Returns the faces of a mesh with the object's transform; other objects have no faces.
-fn placed(object: &Object, known: &mut Vec<(Shape, Arc<[Face]>)>) -> PlacedMesh {
+fn placed_mesh(object: &Object, known: &mut Vec<(Shape, Arc<[Face]>)>) -> PlacedMesh {
     let faces = match &object.kind {
-        ObjectKind::Shape(shape) => faces(shape, known),
+        ObjectKind::Shape(shape) => cached_faces(shape, known),
         _ => [].into(),
     };
     PlacedMesh { faces, transform: *object.transform }
 }
 
 /// Returns the faces of a shape, which are listed once for all copies of the shape.
-fn faces(shape: &Shape, known: &mut Vec<(Shape, Arc<[Face]>)>) -> Arc<[Face]> {
+fn cached_faces(shape: &Shape, known: &mut Vec<(Shape, Arc<[Face]>)>) -> Arc<[Face]> {
     if let Some((_, faces)) = known.iter().rev().take(RECENT).find(|(other, _)| other.shares_with(shape)) {
         return faces.clone();
     }

@@ -49,11 +49,11 @@ impl LightSource {
             match r.next()? {
                 Next::End => break,
                 Next::Block("looks_like") => {
-                    let mut object = Self::read_part(r, defaults)?;
+                    let mut object = Self::read_block_object(r, defaults)?;
                     object.transform_by(&Transform::translate(lit.light.location));
                     lit.looks_like = Some(object);
                 }
-                Next::Block("projected_through") => lit.projected_through = Some(Self::read_part(r, defaults)?),
+                Next::Block("projected_through") => lit.projected_through = Some(Self::read_block_object(r, defaults)?),
                 next if lit.light.read_own(next, r)? => {}
                 next if next.is_transform() => {
                     if let Some(step) = r.transform()? {
@@ -63,11 +63,11 @@ impl LightSource {
                 _ => return Err(r.unknown_word_in(&LIGHT)),
             }
         }
-        lit.light.check()?;
+        lit.light.check_circular_grid()?;
         Ok(lit)
     }
 
-    fn read_part(r: &mut dyn Reader, defaults: &Defaults) -> Result<Object> {
+    fn read_block_object(r: &mut dyn Reader, defaults: &Defaults) -> Result<Object> {
         r.take_token()?;
         let object = Object::read(r, defaults)?;
         r.leave_block()?;
@@ -102,7 +102,7 @@ impl Object {
         let pov_bounds = Self::pov_bounds_of_parts(CsgOp::Union, &parts);
         let kind = ObjectKind::Csg(CsgOp::Union, parts.into());
         let mut object = Box::new(Self::new(kind, "light_group", source, defaults));
-        object.weight().check(source)?;
+        object.weight().check_depth(source)?;
         object.bulk.get_or_insert_default().pov_bounds = Some(pov_bounds);
         object.uncommon.light_group = Some(global);
         for step in steps {

@@ -46,7 +46,7 @@ pub const PHOTONS: Spec = Spec {
 
 impl PhotonSettings {
     /// Returns whether the object refracts and whether it reflects photons of a light.
-    pub fn interaction(&self, light: &LightPhotons) -> [bool; 2] {
+    pub fn refracts_and_reflects(&self, light: &LightPhotons) -> [bool; 2] {
         let agree = |object: Option<bool>, light: Option<bool>| match (object, light) {
             (Some(object), light) => object && light.unwrap_or(true),
             (None, light) => light.unwrap_or(false),

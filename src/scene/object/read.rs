@@ -133,7 +133,7 @@ impl Object {
         }
         let pov_bounds = Self::pov_bounds_of_parts(op, &parts);
         let mut object = Box::new(Self::new(ObjectKind::Csg(op, parts.into()), word, source, defaults));
-        object.weight().check(source)?;
+        object.weight().check_depth(source)?;
         object.bulk.get_or_insert_default().pov_bounds = Some(pov_bounds);
         object.read_modifiers(None, r, defaults)?;
         Ok(object)
@@ -230,13 +230,13 @@ impl Object {
             }
             Next::Block("radiosity") => self.uncommon.radiosity = Some(ObjectRadiosity::read(r)?),
             Next::Block("photons") => self.uncommon.photons.get_or_insert_default().read(r)?,
-            _ => return self.read_surface(next, r, defaults),
+            _ => return self.read_texture_if_next(next, r, defaults),
         }
         Ok(true)
     }
 
     /// Reads `texture`, `interior_texture`, or a part of a texture such as `pigment`; returns false for another token.
-    fn read_surface(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
+    fn read_texture_if_next(&mut self, next: Next, r: &mut dyn Reader, defaults: &Defaults) -> Result<bool> {
         match next {
             Next::Block("texture") | Next::Thing("texture") => {
                 let texture = read_layers(r, defaults)?;
@@ -314,7 +314,7 @@ impl Object {
         }
         Weight::check_clipping(&parts, at)?;
         let weight = self.weight().enclosing(&parts);
-        weight.check(at)?;
+        weight.check_depth(at)?;
         self.bulk.get_or_insert_default().weight = weight;
         let uncommon = &mut *self.uncommon;
         let field = if word == "clipped_by" { &mut uncommon.clipped_by } else { &mut uncommon.bounded_by };

@@ -33,20 +33,20 @@ impl Net {
         self.0[4 * row + column]
     }
 
-    /// Halves four curves of a Bézier surface, whose points are `step` apart; the curves are `other` apart. (De
+    /// Halves four curves of a Bézier surface, whose points are `point_stride` apart; the curves are `curve_stride` apart. (De
     /// Casteljau's algorithm; the mean of two points does not depend on their order, so neighbours share their borders
     /// exactly.)
-    fn halve_curves(&self, step: usize, other: usize) -> [Net; 2] {
+    fn halve_curves(&self, point_stride: usize, curve_stride: usize) -> [Net; 2] {
         let mean = |p: DVec3, q: DVec3| 0.5 * (p + q);
         let (mut first, mut second) = (*self, *self);
         for curve in 0..4 {
-            let [a, b, c, d] = std::array::from_fn(|k| self.0[curve * other + k * step]);
+            let [a, b, c, d] = std::array::from_fn(|k| self.0[curve * curve_stride + k * point_stride]);
             let (ab, bc, cd) = (mean(a, b), mean(b, c), mean(c, d));
             let (abc, bcd) = (mean(ab, bc), mean(bc, cd));
             let middle = mean(abc, bcd);
             for (k, (p, q)) in [(a, middle), (ab, bcd), (abc, cd), (middle, d)].into_iter().enumerate() {
-                first.0[curve * other + k * step] = p;
-                second.0[curve * other + k * step] = q;
+                first.0[curve * curve_stride + k * point_stride] = p;
+                second.0[curve * curve_stride + k * point_stride] = q;
             }
         }
         [first, second]

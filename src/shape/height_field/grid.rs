@@ -71,12 +71,12 @@ struct Line<'v> {
 
 /// Piece of a ray over a height field: its ends, and the heights there.
 #[derive(Clone, Copy)]
-struct Way {
+struct RayPiece {
     t: [f64; 2],
     y: [f64; 2],
 }
 
-impl Way {
+impl RayPiece {
     /// True if the piece of the ray is entirely above or below these heights.
     fn is_clear_of(&self, [lo, hi]: [u16; 2]) -> bool {
         let [y0, y1] = self.y;
@@ -103,9 +103,9 @@ impl Way {
     }
 }
 
-/// Returns the distance at which a ray crosses the middle of a square along one axis: `at`, unless the line does not
+/// Returns the distance at which a ray crosses the middle of a square along one axis: `line_crossing`, unless the line does not
 /// cross it or nothing is beyond.
-fn middle_crossing(o: f64, d: f64, middle: usize, end: usize, at: f64) -> f64 {
+fn middle_crossing(o: f64, d: f64, middle: usize, end: usize, line_crossing: f64) -> f64 {
     let is_whole = middle >= end;
     if d == 0.0 {
         let is_first = is_whole || o < middle as f64;
@@ -114,7 +114,7 @@ fn middle_crossing(o: f64, d: f64, middle: usize, end: usize, at: f64) -> f64 {
     match is_whole {
         true if d < 0.0 => f64::NEG_INFINITY,
         true => f64::INFINITY,
-        false => at,
+        false => line_crossing,
     }
 }
 
@@ -173,7 +173,7 @@ impl Grid {
 
     /// Returns the height field's cell under a point, and the position within it, in cells; points outside belong to
     /// the nearest cell.
-    pub fn cell_at(&self, x: f64, z: f64) -> (Place, DVec2) {
+    pub fn triangle_and_position_at(&self, x: f64, z: f64) -> (Place, DVec2) {
         let (i, k) = ((x as usize).min(self.across - 1), (z as usize).min(self.deep - 1));
         let rest = DVec2::new(x - i as f64, z - k as f64).clamp(DVec2::ZERO, DVec2::ONE);
         (Place { i, k, upper: rest.x + rest.y > 1.0 }, rest)
@@ -218,14 +218,20 @@ impl Grid {
         if line.near < line.far && line.near.is_finite() && line.far.is_finite() {
             let t = [line.near.max(range.min), line.far.min(range.max)];
             if t[0] <= t[1] {
-                let way = Way { t, y: t.map(|t| line.height_at(t)) };
+                let way = RayPiece { t, y: t.map(|t| line.height_at(t)) };
                 let _ = self.visit_hits_in_square(top, [0, 0], way, &mut line);
             }
         }
     }
 
     /// Visits the hits in a square of a height field's pyramid; the line is over the square along `way`.
-    fn visit_hits_in_square(&self, level: usize, [a, b]: [usize; 2], way: Way, line: &mut Line) -> ControlFlow<()> {
+    fn visit_hits_in_square(
+        &self,
+        level: usize,
+        [a, b]: [usize; 2],
+        way: RayPiece,
+        line: &mut Line,
+    ) -> ControlFlow<()> {
         let Level { across, ranges, .. } = &self.pyramid[level];
         if way.is_clear_of(ranges[b * across + a]) {
             return ControlFlow::Continue(());
@@ -290,9 +296,9 @@ impl Grid {
                 return ControlFlow::Continue(());
             }
             let moved = if next_x <= next_z {
-                step_to_next_cell(&mut i, line.d.x, from[0], to[0])
+                try_next_cell(&mut i, line.d.x, from[0], to[0])
             } else {
-                step_to_next_cell(&mut k, line.d.z, from[1], to[1])
+                try_next_cell(&mut k, line.d.z, from[1], to[1])
             };
             if !moved {
                 return ControlFlow::Continue(());
@@ -414,7 +420,7 @@ impl Line<'_> {
 }
 
 /// Moves to the height field's next cell along an axis; returns false at the end.
-fn step_to_next_cell(i: &mut usize, d: f64, from: usize, to: usize) -> bool {
+fn try_next_cell(i: &mut usize, d: f64, from: usize, to: usize) -> bool {
     if d > 0.0 {
         *i += 1;
         *i < to

@@ -1,7 +1,7 @@
 //! Heights from the pixels of a picture, and from the values of a function (quirk: `height_field_heights`).
 
 use crate::color::{GRAY_WEIGHTS, Gamma};
-use crate::image_io::{Picture, Samples, expand_pixel, povray_gray};
+use crate::image_io::{Picture, Samples, expand_pixel, round_gray_like_povray};
 
 /// Converts a number to a height of 16 bits; numbers below 0 and above 1 wrap.
 pub fn wrap_to_u16(x: f64) -> u16 {
@@ -32,7 +32,7 @@ pub fn heights_of_picture(picture: &Picture, gamma: Option<Gamma>) -> Vec<u16> {
         Samples::U8(all) => {
             let code = |x: u8| {
                 let x = curve(f64::from(x) / 255.0);
-                if picture.gray_bytes { f64::from(povray_gray(x as f32)) } else { x }
+                if picture.gray_bytes { f64::from(round_gray_like_povray(x as f32)) } else { x }
             };
             let table: Vec<f64> = (0..=255).map(code).collect();
             let pixel = |i: usize| &all[i * channels..(i + 1) * channels];

@@ -243,7 +243,7 @@ impl Kernel for HeightField {
         if !(0.0..=1.0).contains(&p.x) || !(0.0..=1.0).contains(&p.z) {
             return false;
         }
-        let (place, rest) = grid.cell_at(p.x * grid.across as f64, p.z * grid.deep as f64);
+        let (place, rest) = grid.triangle_and_position_at(p.x * grid.across as f64, p.z * grid.deep as f64);
         p.y < self.water_level || p.y * STEPS < grid.triangle_height(place, rest)
     }
 

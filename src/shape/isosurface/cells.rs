@@ -103,11 +103,11 @@ impl Cells {
     }
 
     /// Calls `visit` with the pieces of a ray in each cell of the isosurface.
-    pub fn visit_pieces(&self, ray: &Ray, from: f64, to: f64, visit: Visit) -> bool {
-        self.visit_pieces_in(&self.grid, HALVINGS, ray, (from, to), visit)
+    pub fn any_piece(&self, ray: &Ray, from: f64, to: f64, visit: Visit) -> bool {
+        self.any_piece_in_grid(&self.grid, HALVINGS, ray, (from, to), visit)
     }
 
-    fn visit_pieces_in(&self, grid: &Grid, halvings: u32, ray: &Ray, (from, to): (f64, f64), visit: Visit) -> bool {
+    fn any_piece_in_grid(&self, grid: &Grid, halvings: u32, ray: &Ray, (from, to): (f64, f64), visit: Visit) -> bool {
         let o = (ray.origin - grid.bounds.min) * grid.scale;
         let d = ray.dir * grid.scale;
         let inverse = d.recip();
@@ -126,8 +126,8 @@ impl Cells {
             let ended = match grid.cell_at(cell) {
                 None => visit(t, next, None),
                 Some(inner) if halvings == 0 || inner.gradient.is_known() => visit(t, next, Some(&inner.gradient)),
-                Some(inner) => match self.cell_parts(grid, cell, inner) {
-                    Some(finer) => self.visit_pieces_in(finer, halvings - 1, ray, (t, next), visit),
+                Some(inner) => match self.subgrid_of_cell(grid, cell, inner) {
+                    Some(finer) => self.any_piece_in_grid(finer, halvings - 1, ray, (t, next), visit),
                     None => visit(t, next, Some(&inner.gradient)),
                 },
             };
@@ -146,7 +146,7 @@ impl Cells {
     }
 
     /// Returns the eight parts of an isosurface's cell; `None` if all of them hold surface and none has bounds.
-    fn cell_parts<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
+    fn subgrid_of_cell<'a>(&self, grid: &Grid, cell: [usize; 3], inner: &'a Cell) -> Option<&'a Grid> {
         let halves = inner.halves.get_or_init(|| {
             let mut eight = Grid::empty_grid(grid.block_bounds(cell.map(|i| [i, i + 1])), [2; 3]);
             eight.collect_cells(&self.formula, self.threshold, [[0, 2]; 3], &mut vec![]);
@@ -183,7 +183,7 @@ impl Grid {
 
     fn collect_cells(&mut self, formula: &Formula, threshold: f64, block: Block, scratch: &mut Vec<Slope>) {
         let b = self.block_bounds(block);
-        let slope = formula.slope_in_box(&b.grown(1e-9 * b.size().max_element()), scratch);
+        let slope = formula.value_and_slope_in(&b.grown(1e-9 * b.size().max_element()), scratch);
         if !slope.value.widened().contains(threshold) {
             return;
         }

@@ -134,7 +134,7 @@ impl Isosurface {
             Some(walk) => walk.povray_hit(t).is_some_and(|t| report_hit(t, SURFACE)),
             None => false,
         };
-        if self.search_cells(&near, (origin, to), within, first.map(|first| (0.0, first)), &mut report_root) {
+        if self.any_root_in_cells(&near, (origin, to), within, first.map(|first| (0.0, first)), &mut report_root) {
             return;
         }
         let leaves = walk.is_some() || to <= origin;
@@ -145,7 +145,7 @@ impl Isosurface {
 
     /// Searches the isosurface's cells up to `to` that overlap a range; the ray's origin is at `origin`, and `known` is
     /// a point with its value. Pieces start where cells do, so that roots hardly depend on the range.
-    fn search_cells(
+    fn any_root_in_cells(
         &self,
         near: &Ray,
         (origin, to): (f64, f64),
@@ -168,11 +168,11 @@ impl Isosurface {
             let last = (b, value(b));
             known = Some(last);
             Search { value, apart, exact, roughly, ahead: origin, range: within }
-                .find_roots_between(first, last, rate, found)
+                .any_root_between(first, last, rate, found)
         };
         // Consecutive cells without bounds are searched as one piece.
         let mut run: Option<(f64, f64)> = None;
-        let ended = cells.visit_pieces(near, 0.0, to, &mut |a, b, gradient| {
+        let ended = cells.any_piece(near, 0.0, to, &mut |a, b, gradient| {
             if a > within.max && run.is_none() {
                 return true;
             }

@@ -28,7 +28,7 @@ impl Search<'_> {
     ///
     /// From an end on, the value cannot reach 0 sooner than the rate allows: the rest is bisected (as in Kalra and
     /// Barr, "Guaranteed Ray Intersections with Implicit Surfaces", 1989).
-    pub fn find_roots_between(&self, a: Point, b: Point, rate: Interval, found: &mut dyn FnMut(f64) -> bool) -> bool {
+    pub fn any_root_between(&self, a: Point, b: Point, rate: Interval, found: &mut dyn FnMut(f64) -> bool) -> bool {
         if b.0 <= self.range.min || a.0 >= self.range.max {
             return false;
         }
@@ -48,7 +48,7 @@ impl Search<'_> {
         }
         let middle = 0.5 * (lo + hi);
         let m = (middle, (self.value)(middle));
-        self.find_roots_between(a, m, rate, found) || self.find_roots_between(m, b, rate, found)
+        self.any_root_between(a, m, rate, found) || self.any_root_between(m, b, rate, found)
     }
 
     /// Returns the only root between two points, if it is in the range.

@@ -104,29 +104,29 @@ fn times_minus_i(z: Complex) -> Complex {
 }
 
 /// Returns asinh z = ln(z + √(z² + 1)), and its derivative.
-fn asinh(z: Complex) -> (Complex, Complex) {
+fn asinh_and_slope(z: Complex) -> (Complex, Complex) {
     let root = (z.square() + ONE).sqrt();
     ((z + root).ln(), ONE / root)
 }
 
 /// Returns acosh z = ln(z + √(z + 1)·√(z - 1)), and its derivative.
-fn acosh(z: Complex) -> (Complex, Complex) {
+fn acosh_and_slope(z: Complex) -> (Complex, Complex) {
     let root = (z + ONE).sqrt() * (z - ONE).sqrt();
     ((z + root).ln(), ONE / root)
 }
 
 /// Returns atanh z = (ln(1 + z) - ln(1 - z))/2, and its derivative.
-fn atanh(z: Complex) -> (Complex, Complex) {
+fn atanh_and_slope(z: Complex) -> (Complex, Complex) {
     (0.5 * ((ONE + z).ln() - (ONE - z).ln()), ONE / (ONE - z.square()))
 }
 
 /// Returns g(z) = -i·f(i·z) and its derivative f'(i·z): sin follows from sinh, and asin from asinh.
-fn rotated_function(f: fn(Complex) -> (Complex, Complex), z: Complex) -> (Complex, Complex) {
+fn rotated_value_and_slope(f: fn(Complex) -> (Complex, Complex), z: Complex) -> (Complex, Complex) {
     let (value, slope) = f(z.times_i());
     (times_minus_i(value), slope)
 }
 
-fn tanh(z: Complex) -> (Complex, Complex) {
+fn tanh_and_slope(z: Complex) -> (Complex, Complex) {
     let (sinh, cosh) = z.sinh_cosh();
     let value = sinh / cosh;
     (value, ONE - value.square())
@@ -145,23 +145,23 @@ impl Function {
                 let (sinh, cosh) = z.sinh_cosh();
                 (cosh, sinh)
             }
-            Sin => rotated_function(|z| z.sinh_cosh(), z),
+            Sin => rotated_value_and_slope(|z| z.sinh_cosh(), z),
             Cos => {
                 // cos z = cosh(i·z), and its derivative is i·sinh(i·z) = -sin z.
                 let (sinh, cosh) = z.times_i().sinh_cosh();
                 (cosh, sinh.times_i())
             }
-            Tan => rotated_function(tanh, z),
-            Tanh => tanh(z),
-            Asin => rotated_function(asinh, z),
+            Tan => rotated_value_and_slope(tanh_and_slope, z),
+            Tanh => tanh_and_slope(z),
+            Asin => rotated_value_and_slope(asinh_and_slope, z),
             Acos => {
-                let (asin, slope) = rotated_function(asinh, z);
+                let (asin, slope) = rotated_value_and_slope(asinh_and_slope, z);
                 (Complex::new(std::f64::consts::FRAC_PI_2, 0.0) - asin, -slope)
             }
-            Atan => rotated_function(atanh, z),
-            Asinh => asinh(z),
-            Acosh => acosh(z),
-            Atanh => atanh(z),
+            Atan => rotated_value_and_slope(atanh_and_slope, z),
+            Asinh => asinh_and_slope(z),
+            Acosh => acosh_and_slope(z),
+            Atanh => atanh_and_slope(z),
             Ln => (z.ln(), ONE / z),
             Pwr(x, y) => {
                 let power = Complex::new(x, y);

@@ -118,14 +118,14 @@ impl JuliaFractal {
     }
 
     /// Maps a point of three dimensions to the four-dimensional slice of a Julia fractal.
-    fn to_slice(&self, p: DVec3) -> Four {
+    fn point_in_slice(&self, p: DVec3) -> Four {
         let [x, y, z, w] = self.slice;
         [p.x, p.y, p.z, (self.distance - x * p.x - y * p.y - z * p.z) / w]
     }
 
     /// Returns the start of a point's orbit in a Julia fractal, and the constant.
     fn orbit_start(&self, p: DVec3) -> [Four; 2] {
-        [self.to_slice(p), self.parameter]
+        [self.point_in_slice(p), self.parameter]
     }
 
     /// Returns true if the point is inside the Julia fractal, and a radius around it within which all points share
@@ -204,7 +204,7 @@ impl JuliaFractal {
     }
 
     /// Returns the iteration after which the orbit of a Julia fractal is longest, among those that count.
-    fn iteration_of_maximum(&self, p: DVec3) -> usize {
+    fn iteration_of_max_length(&self, p: DVec3) -> usize {
         let (mut k, mut last, mut most) = (0, 0, f64::NEG_INFINITY);
         self.iteration_rule().iterate_orbit(self.orbit_start(p), self.iteration_count(), |squares| {
             // (NaN counts as larger.)
@@ -221,15 +221,15 @@ impl JuliaFractal {
     /// the slice makes it depend on the others (quirk: `julia_normal`).
     fn gradient_of_squared_length(&self, p: DVec3, rounds: usize) -> DVec3 {
         let rule = self.iteration_rule();
-        let mut h = self.to_slice(p);
-        let mut turns = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+        let mut h = self.point_in_slice(p);
+        let mut tangents = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
         for _ in 0..rounds {
-            (h, turns) = rule.next_point(h, self.parameter, turns);
+            (h, tangents) = rule.next_point_and_tangents(h, self.parameter, tangents);
             // (Only the direction matters.)
-            let size = turns.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
-            turns = turns.map(|turn| turn.map(|x| x / size));
+            let size = tangents.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
+            tangents = tangents.map(|turn| turn.map(|x| x / size));
         }
-        turns.map(|turn| turn.iter().zip(h).map(|(a, b)| a * b).sum()).into()
+        tangents.map(|turn| turn.iter().zip(h).map(|(a, b)| a * b).sum()).into()
     }
 }
 
@@ -400,7 +400,7 @@ impl Kernel for JuliaFractal {
         let rounds = if self.iteration_rule().has_proven_bound() {
             self.iteration_count() + 1
         } else {
-            self.iteration_of_maximum(p)
+            self.iteration_of_max_length(p)
         };
         let n = self.gradient_of_squared_length(p, rounds);
         let n = if n.is_finite() && n != DVec3::ZERO { n } else { self.gradient_of_squared_length(p, 0) };

@@ -61,10 +61,10 @@ pub fn to_complex_pair([x, y, z, w]: Four) -> [Complex; 2] {
 
 impl Rule {
     /// Returns the next point of a Julia fractal's orbit, and the images of three directions.
-    pub fn next_point(self, h: Four, c: Four, turns: [Four; 3]) -> (Four, [Four; 3]) {
+    pub fn next_point_and_tangents(self, h: Four, c: Four, tangents: [Four; 3]) -> (Four, [Four; 3]) {
         let twice = |d: Four| quaternion_sum(quaternion_product(h, d), quaternion_product(d, h));
         match self {
-            Rule::Square => (quaternion_sum(quaternion_square(h), c), turns.map(twice)),
+            Rule::Square => (quaternion_sum(quaternion_square(h), c), tangents.map(twice)),
             Rule::Cube => {
                 let h2 = quaternion_square(h);
                 let turn = |d: Four| {
@@ -73,7 +73,7 @@ impl Rule {
                         quaternion_product(d, h2),
                     )
                 };
-                (quaternion_sum(quaternion_product(h2, h), c), turns.map(turn))
+                (quaternion_sum(quaternion_product(h2, h), c), tangents.map(turn))
             }
             Rule::Pair(f) => {
                 let both = to_complex_pair(h).map(|z| f.value_and_slope(z));
@@ -83,7 +83,7 @@ impl Rule {
                     let [a, b] = to_complex_pair(d);
                     back([a * both[0].1, b * both[1].1])
                 };
-                (quaternion_sum(back(both.map(|(value, _)| value)), c), turns.map(turn))
+                (quaternion_sum(back(both.map(|(value, _)| value)), c), tangents.map(turn))
             }
         }
     }
@@ -178,21 +178,21 @@ impl Rule {
     ///
     /// |(h + d)² - h²| ≤ (|h| + |d|)² - |h|², and likewise for cubes; both are solved for |d|, or bounded where that is
     /// cheaper.
-    fn deviation_before(self, square: f64, next: Stray) -> Stray {
-        let (length, Stray { least: e, most }) = (square.sqrt(), next);
+    fn deviation_before(self, square: f64, next: DeviationBounds) -> DeviationBounds {
+        let (length, DeviationBounds { least: e, most }) = (square.sqrt(), next);
         match self {
-            _ if e == 0.0 => Stray::exact_deviation(0.0),
+            _ if e == 0.0 => DeviationBounds::exact(0.0),
             Rule::Cube if e <= square * length => {
                 let most = e / (3.0 * square);
-                Stray::exact_deviation(e / (3.0 * square + most * (3.0 * length + most)))
+                DeviationBounds::exact(e / (3.0 * square + most * (3.0 * length + most)))
             }
-            Rule::Cube => Stray::exact_deviation(fp::cbrt(square * length + e) - length),
+            Rule::Cube => DeviationBounds::exact(fp::cbrt(square * length + e) - length),
             // d = e / (2|h| + d) ≥ e / (2|h| + e / 2|h|) ≥ e / 2|h| (1 - e / 4|h|²)
             _ if most <= square => {
                 let half = 0.5 / length;
-                Stray { least: e * (half * (1.0 - most * (half * half))), most: most * half }
+                DeviationBounds { least: e * (half * (1.0 - most * (half * half))), most: most * half }
             }
-            _ => Stray::exact_deviation((square + e).sqrt() - length),
+            _ => DeviationBounds::exact((square + e).sqrt() - length),
         }
     }
 
@@ -214,7 +214,7 @@ impl Rule {
     /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they stay in all
     /// iterations.
     fn deviation_while_staying<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
-        let mut e = [Stray::exact_deviation(f64::INFINITY); N];
+        let mut e = [DeviationBounds::exact(f64::INFINITY); N];
         for squares in trail.iter().rev() {
             let gap = (radius - mean_square(*squares).sqrt()).max(0.0);
             e = from_fn(|i| self.deviation_before(squares[i], e[i]).min(gap));
@@ -225,12 +225,12 @@ impl Rule {
     /// Maximum deviation of N numbers before the first iteration of a Julia fractal, such that they escape in one of
     /// the last iterations.
     fn deviation_while_escaping<const N: usize>(self, trail: &[[f64; 2]], radius: f64) -> f64 {
-        let mut e = [Stray::exact_deviation(0.0); N];
+        let mut e = [DeviationBounds::exact(0.0); N];
         for squares in trail.iter().rev() {
             e = from_fn(|i| self.deviation_before(squares[i], e[i]));
             if mean_square(*squares) > radius * radius {
                 let gap = mean_square(*squares).sqrt() - radius;
-                e = if gap > least_deviation(&e) { [Stray::exact_deviation(gap); N] } else { e };
+                e = if gap > least_deviation(&e) { [DeviationBounds::exact(gap); N] } else { e };
             }
         }
         least_deviation(&e)
@@ -240,13 +240,13 @@ impl Rule {
 /// Bounds of the deviation of an orbit. Each is computed from its own predecessor, so that a processor can compute both
 /// in parallel.
 #[derive(Clone, Copy)]
-struct Stray {
+struct DeviationBounds {
     least: f64,
     most: f64,
 }
 
-impl Stray {
-    fn exact_deviation(e: f64) -> Self {
+impl DeviationBounds {
+    fn exact(e: f64) -> Self {
         Self { least: e, most: e }
     }
 
@@ -255,7 +255,7 @@ impl Stray {
     }
 }
 
-fn least_deviation<const N: usize>(e: &[Stray; N]) -> f64 {
+fn least_deviation<const N: usize>(e: &[DeviationBounds; N]) -> f64 {
     e.iter().fold(f64::INFINITY, |least, stray| least.min(stray.least))
 }
 

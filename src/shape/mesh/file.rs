@@ -45,7 +45,7 @@ impl FileMesh {
 
     /// Adds the textures of the mesh file's materials to the object, and returns for each material the number of its
     /// texture in the object.
-    pub fn texture_weights(&self, paints: &mut dyn Paints, r: &mut dyn Reader) -> Result<Vec<u32>> {
+    pub fn add_material_textures(&self, paints: &mut dyn Paints, r: &mut dyn Reader) -> Result<Vec<u32>> {
         self.materials
             .iter()
             .map(|(material, picture)| paints.add_mesh_material(material, picture.as_ref(), r))

@@ -139,7 +139,7 @@ impl Mesh {
                 let at = r.take_token()?;
                 self.1.must_be_empty(at)?;
                 let file = FileMesh::read(r)?;
-                self.0.texture_weights = file.texture_weights(paints, r)?;
+                self.0.texture_weights = file.add_material_textures(paints, r)?;
                 self.1.file = Some(file);
                 Ok(true)
             }
@@ -160,10 +160,10 @@ impl Mesh {
         let Draft { triangles, known, .. } = &mut self.1;
         for i in 0..3 {
             points[i] = r.vector()?;
-            corners[i] = index_of_point(&mut known.vertices, &mut triangles.vertices, points[i]);
+            corners[i] = find_or_add_point(&mut known.vertices, &mut triangles.vertices, points[i]);
             if smooth {
                 let normal = r.vector()?.normalize_or_zero();
-                normals[i] = index_of_point(&mut known.normals, &mut triangles.normals, normal);
+                normals[i] = find_or_add_point(&mut known.normals, &mut triangles.normals, normal);
             }
         }
         loop {
@@ -187,7 +187,7 @@ impl Mesh {
                         };
                     }
                     r.leave_block()?;
-                    texture_weights = mark_each_corner(texture_weights);
+                    texture_weights = mark_textures_per_corner(texture_weights);
                 }
                 Next::Block("texture") | Next::Thing("texture") => {
                     let mut slot = 0;
@@ -207,7 +207,7 @@ impl Mesh {
 }
 
 /// Returns the index of a point in a mesh's list; appends the point if it is new.
-fn index_of_point(known: &mut FxHashMap<[u32; 3], u32>, list: &mut Vec<Vec3>, p: DVec3) -> u32 {
+fn find_or_add_point(known: &mut FxHashMap<[u32; 3], u32>, list: &mut Vec<Vec3>, p: DVec3) -> u32 {
     let p = p.as_vec3();
     *known.entry(p.to_array().map(f32::to_bits)).or_insert_with(|| {
         list.push(p);
@@ -300,7 +300,7 @@ impl Mesh2 {
             }
             "face_indices" => {
                 *faces = Some(span);
-                (mesh.corners, mesh.painted) = read_faces(r, textures)?;
+                (mesh.corners, mesh.painted) = read_faces_and_textures(r, textures)?;
             }
             "normal_indices" => {
                 *normals = Some(span);
@@ -393,7 +393,7 @@ fn to_indices(found: &[f64]) -> Option<[u32; 3]> {
 }
 
 /// Reads the corners of each face of a `mesh2`, and its textures: none, one, or one for each corner.
-fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)> {
+fn read_faces_and_textures(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)> {
     let count = read_count(r)?;
     let mut faces = Vec::with_capacity(count.min(BELIEVED));
     let mut painted: Vec<[u32; 3]> = vec![];
@@ -415,7 +415,7 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
                         texture_weights[given] = slot
                     }
                     if given == 2 {
-                        *texture_weights = mark_each_corner(*texture_weights);
+                        *texture_weights = mark_textures_per_corner(*texture_weights);
                     }
                 }
                 given += 1;
@@ -445,7 +445,7 @@ fn read_faces(r: &mut dyn Reader, textures: &[u32]) -> Result<(Triples, Triples)
 }
 
 /// Marks textures of a face that were given for each corner, even if they are equal.
-fn mark_each_corner([a, b, c]: [u32; 3]) -> [u32; 3] {
+fn mark_textures_per_corner([a, b, c]: [u32; 3]) -> [u32; 3] {
     if a == b && b == c { [a | super::EACH_CORNER, b, c] } else { [a, b, c] }
 }
 

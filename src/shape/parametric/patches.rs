@@ -46,7 +46,7 @@ impl Patch {
         let (mut bounds, mut by, mut off) = (Aabb::INFINITE, [DVec3::ZERO; 2], [DVec3::ZERO; 2]);
         let wanted = Aabb { min: from.extend(0.0), max: to.extend(0.0) };
         for (axis, function) in of.functions.iter().enumerate() {
-            let slope = function.slope_in_box(&wanted, room);
+            let slope = function.value_and_slope_in(&wanted, room);
             let mut reach = 0.0;
             for side in 0..2 {
                 let unit = [DVec3::X, DVec3::Y][side];
@@ -222,12 +222,12 @@ impl Line<'_> {
         self.approach_root(patch, [y0 * half.x, y1 * half.y], half)
     }
 
-    fn approach_root(&self, patch: &Patch, y: [DVec2; 2], half: DVec2) -> Verdict {
+    fn approach_root(&self, patch: &Patch, inverse_jacobian: [DVec2; 2], half: DVec2) -> Verdict {
         let middle = (patch.from + patch.to) * 0.5;
         let mut uv = middle;
         for _ in 0..60 {
             let miss = self.coordinates_across_ray(self.of.point_at(uv) - self.ray.origin);
-            let step = DVec2::new(y[0].dot(miss), y[1].dot(miss));
+            let step = DVec2::new(inverse_jacobian[0].dot(miss), inverse_jacobian[1].dot(miss));
             let next = (uv - step).clamp(patch.from - half * 1e-6, patch.to + half * 1e-6);
             let moved = ((next - uv) / half).abs().max_element();
             uv = next;

@@ -65,7 +65,7 @@ impl Formula {
     }
 
     /// Bounds of the value and gradient of the formula's function in a box; `scratch` is scratch memory.
-    pub fn slope_in_box(&self, b: &Aabb, scratch: &mut Vec<Slope>) -> Slope {
+    pub fn value_and_slope_in(&self, b: &Aabb, scratch: &mut Vec<Slope>) -> Slope {
         let side = |axis: usize| Interval { lo: b.min[axis], hi: b.max[axis] };
         self.0.slope_over_box(&[side(0), side(1), side(2)], scratch)
     }

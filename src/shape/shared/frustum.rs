@@ -47,13 +47,13 @@ struct Precomputed {
 
 /// A point or direction in the frame of a frustum's axis: `w` is 0 at the base and 1 at the cap, `x` and `y` are
 /// lengths perpendicular to the axis.
-struct Split {
+struct AxisCoordinates {
     w: f64,
     x: f64,
     y: f64,
 }
 
-impl Split {
+impl AxisCoordinates {
     /// Returns x² + y²: the squared distance of a point from the frustum's axis, or the squared part of a direction across it.
     fn across_squared(&self) -> f64 {
         self.x * self.x + self.y * self.y
@@ -81,9 +81,9 @@ impl Frustum {
         self.base_radius + w * (self.cap_radius - self.base_radius)
     }
 
-    fn to_axis_frame(&self, v: DVec3) -> Split {
+    fn to_axis_frame(&self, v: DVec3) -> AxisCoordinates {
         let Precomputed { along, across: (x, y), .. } = &self.frame;
-        Split { w: v.dot(*along), x: v.dot(*x), y: v.dot(*y) }
+        AxisCoordinates { w: v.dot(*along), x: v.dot(*x), y: v.dot(*y) }
     }
 
     /// True if the frustum has no surface.
@@ -105,7 +105,7 @@ impl Frustum {
 
     /// Returns a ray in the frustum's frame, relative to its point nearest to the centre, so that a distant eye costs
     /// no digits: `t` of that point, the point, and the direction.
-    fn ray_in_axis_frame(&self, ray: &Ray) -> (f64, Split, Split) {
+    fn shift_point_and_direction(&self, ray: &Ray) -> (f64, AxisCoordinates, AxisCoordinates) {
         let shift = (self.frame.middle - ray.origin).dot(ray.dir) / ray.dir.length_squared();
         (shift, self.to_axis_frame(ray.at(shift) - self.base), self.to_axis_frame(ray.dir))
     }
@@ -137,7 +137,7 @@ impl Frustum {
             }
             return;
         }
-        let (shift, o, v) = self.ray_in_axis_frame(ray);
+        let (shift, o, v) = self.shift_point_and_direction(ray);
         // Roots of |across(s)|² = r(w(s))²
         let dr = self.cap_radius - self.base_radius;
         let (r, slope) = (self.radius_at(o.w), v.w * dr);
@@ -232,7 +232,7 @@ impl Frustum {
     /// Interval of a line inside a closed cylinder: the intersection of the interval between the ends and the interval
     /// within the wall.
     fn cylinder_interval(&self, ray: &Ray) -> Crossing {
-        let (shift, o, v) = self.ray_in_axis_frame(ray);
+        let (shift, o, v) = self.shift_point_and_direction(ray);
         let r2 = self.base_radius * self.base_radius;
         let mut ends = [End::on_single_piece(f64::NEG_INFINITY), End::on_single_piece(f64::INFINITY)];
         let a = v.across_squared();

@@ -1,6 +1,6 @@
 //! Surfaces of revolution about the y axis: the walls of `lathe` and `sor`.
 
-use super::spline::{bernstein_derivative_at, bernstein_product, derivative_roots, evaluate_bernstein};
+use super::spline::{bernstein_derivative_at, bernstein_derivative_roots, bernstein_product, evaluate_bernstein};
 use crate::math::{DVec2, DVec3, Range, Ray, bernstein_roots, fp, solve_quadratic_with_discriminant};
 use crate::shape::{Hit, Hits};
 use smallvec::SmallVec;
@@ -152,7 +152,7 @@ impl Piece {
 }
 
 /// Maximum on [0, 1] of a polynomial with these Bernstein coefficients, of degree up to 3; at least 0.
-pub fn max_on_unit_interval(b: &[f64]) -> f64 {
-    let inner = derivative_roots(b).into_iter().flatten().map(|t| evaluate_bernstein(b, t));
+pub fn bernstein_max_or_zero(b: &[f64]) -> f64 {
+    let inner = bernstein_derivative_roots(b).into_iter().flatten().map(|t| evaluate_bernstein(b, t));
     inner.chain([b[0], b[b.len() - 1]]).fold(0.0, f64::max)
 }

@@ -108,8 +108,8 @@ impl SphereSweep {
     }
 
     /// Returns the intervals of a ray that the sphere sweep covers, ascending and without overlaps. If the range starts
-    /// outside of everything, with `first` only the first interval is correct.
-    fn covered_intervals(&self, ray: &Ray, range: Range, first: bool) -> Covers {
+    /// outside of everything, with `only_first` only the first interval is correct.
+    fn covered_intervals(&self, ray: &Ray, range: Range, only_first: bool) -> Covers {
         let length = ray.dir.length();
         let line = Line { o: ray.origin, v: ray.dir / length };
         let mut all: SmallVec<[[Hit; 2]; 8]> = SmallVec::new();
@@ -120,12 +120,12 @@ impl SphereSweep {
                 let is_ahead = ends[0].t > range.min;
                 starts_inside |= !is_ahead && ends[1].t > range.min;
                 // The first interval hides what is behind.
-                max = if first && is_ahead { max.min(ends[0].t) } else { max };
+                max = if only_first && is_ahead { max.min(ends[0].t) } else { max };
                 all.push(ends);
             });
-            if first && starts_inside { ControlFlow::Break(()) } else { ControlFlow::Continue(max) }
+            if only_first && starts_inside { ControlFlow::Break(()) } else { ControlFlow::Continue(max) }
         });
-        if first && starts_inside {
+        if only_first && starts_inside {
             return self.covered_intervals(ray, range, false);
         }
         all.sort_unstable_by(|a, b| a[0].t.total_cmp(&b[0].t));

@@ -127,7 +127,7 @@ impl Piece {
     }
 
     fn contains_by<const N: usize, const D: usize>(&self, p: DVec3) -> bool {
-        let depth = self.signed_depth::<N, D>(|center| center - p).coefficients();
+        let depth = self.squared_depth_polynomial::<N, D>(|center| center - p).coefficients();
         let mut holds = depth[0] > 0.0;
         bernstein_roots(&depth, &mut |_| {
             holds = true;
@@ -137,7 +137,7 @@ impl Piece {
     }
 
     /// Bernstein coefficients of r² - |way|² along the piece of a sphere sweep.
-    fn signed_depth<const N: usize, const D: usize>(&self, way: impl Fn(DVec3) -> DVec3) -> Scaled<D> {
+    fn squared_depth_polynomial<const N: usize, const D: usize>(&self, way: impl Fn(DVec3) -> DVec3) -> Scaled<D> {
         let square = |value: &dyn Fn(usize) -> f64| {
             let scaled = Scaled::<N>::new(&std::array::from_fn(value));
             scaled.times::<N, D>(&scaled)
@@ -173,7 +173,7 @@ impl Piece {
         // Start from the ray's point nearest to a point of the piece, so that a distant origin costs no digits.
         let start = (self.centers[0] - line.o).dot(line.v);
         let o = line.o + line.v * start;
-        let scaled = self.signed_depth::<N, D>(|center| {
+        let scaled = self.squared_depth_polynomial::<N, D>(|center| {
             let way = center - o;
             way - line.v * way.dot(line.v)
         });

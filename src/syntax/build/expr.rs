@@ -177,7 +177,7 @@ impl Builder<'_> {
 
     /// Builds a call of a built-in function, whose arguments have commas between them.
     fn builtin(&self, pair: Pair<Rule>, context: Context) -> Option<Expr> {
-        let (span, name) = (self.span(&pair), word::by_number(self.token(&pair).data));
+        let (span, name) = (self.span(&pair), word::word_of_number(self.token(&pair).data));
         let mut arguments = vec![];
         let mut at = pair.as_span().start() + 2;
         let end = pair.as_span().end() - 1;

@@ -140,7 +140,7 @@ impl<'n> Builder<'n> {
         let span = self.span(&pair);
         let kind = match pair.as_rule() {
             Rule::SEMICOLON => ElementKind::Semicolon,
-            Rule::keyword | Rule::word => ElementKind::Word(word::by_number(self.token(&pair).data)),
+            Rule::keyword | Rule::word => ElementKind::Word(word::word_of_number(self.token(&pair).data)),
             Rule::declare => match self.declare(pair.clone()) {
                 Some(declare) => ElementKind::Directive(Box::new(Directive::Declare(declare))),
                 None => return self.declare_pieces(pair, out),
@@ -210,7 +210,7 @@ impl<'n> Builder<'n> {
                     continue;
                 }
                 class::KEYWORD | class::BUILTIN | class::FUNCTION | class::DEPRECATED => {
-                    ElementKind::Word(word::by_number(token.data))
+                    ElementKind::Word(word::word_of_number(token.data))
                 }
                 class::HEAD => match word::entry(text).filter(|word| word.category.is_reserved()) {
                     Some(word) => ElementKind::Word(word),

@@ -19,7 +19,7 @@ pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
             out.punctuation(Punctuation::Operator(Operator::Less), Span { hi: e.span.lo + 1, ..e.span });
             for x in data.iter() {
                 out.whole(&Expr { span: e.span, calls: false, kind: ExprKind::Number(*x) });
-                out.comma();
+                out.mark_comma_after_last();
             }
             out.punctuation(Punctuation::Operator(Operator::Greater), Span { lo: e.span.hi - 1, ..e.span });
         }
@@ -30,7 +30,7 @@ pub fn pieces(e: &Expr, names: &Names) -> Vec<Element> {
             out.bracketed(Bracket::Paren, brackets, |out| {
                 for argument in arguments {
                     out.whole(argument);
-                    out.comma();
+                    out.mark_comma_after_last();
                 }
                 out.unmark_comma_after_last();
             });
@@ -103,7 +103,7 @@ impl Pieces {
         self.0.push(Element::new(span, ElementKind::Punctuation(mark)));
     }
 
-    fn comma(&mut self) {
+    fn mark_comma_after_last(&mut self) {
         self.0.last_mut().into_iter().for_each(|last| last.comma = true);
     }
 

@@ -177,9 +177,9 @@ impl Outline {
     }
 
     /// Returns the index of the pair of the innermost macro around a byte offset.
-    pub fn macro_at(&self, offset: usize) -> Option<usize> {
+    pub fn macro_pair_at(&self, offset: usize) -> Option<usize> {
         let last = self.pairs.partition_point(|pair| pair.range.start < offset).checked_sub(1);
-        let mut around = self.enclosing(last).filter(|&pair| offset < self.pairs[pair].range.end);
+        let mut around = self.pairs_enclosing(last).filter(|&pair| offset < self.pairs[pair].range.end);
         around.find(|&pair| self.is_macro(&self.pairs[pair]))
     }
 
@@ -191,7 +191,7 @@ impl Outline {
             let mut own = self.declarations.iter().filter(|d| d.scope == Some(*pair) && d.name == name);
             own.any(|d| matches!(d.kind, Local | Parameter | Counter))
         };
-        self.enclosing(scope).filter(|&pair| self.is_macro(&self.pairs[pair])).find(owns)
+        self.pairs_enclosing(scope).filter(|&pair| self.is_macro(&self.pairs[pair])).find(owns)
     }
 
     /// Returns the names of the parameters of a macro. `definition` is the declaration of the macro's name.
@@ -217,7 +217,7 @@ impl Outline {
     }
 
     /// Returns the indices of a pair and of all pairs around it, the innermost first.
-    fn enclosing(&self, pair: Option<usize>) -> impl Iterator<Item = usize> {
+    fn pairs_enclosing(&self, pair: Option<usize>) -> impl Iterator<Item = usize> {
         std::iter::successors(pair, |&inner| self.pairs[inner].outer)
     }
 }
@@ -230,7 +230,7 @@ impl Outline {
     }
 
     /// Returns the lexical class of the token before `token`; 0 before the first one.
-    pub(super) fn before(&self, token: usize) -> u8 {
+    pub(super) fn class_before(&self, token: usize) -> u8 {
         token.checked_sub(1).map_or(0, |before| self.class(before))
     }
 
@@ -253,7 +253,7 @@ impl Outline {
     /// does not.
     pub(super) fn pairs_around(&self, token: usize) -> impl Iterator<Item = &Pair> {
         let innermost = self.tokens.get(token).and_then(|token| token.pair);
-        self.enclosing(innermost.map(|pair| pair as usize)).map(|pair| &self.pairs[pair])
+        self.pairs_enclosing(innermost.map(|pair| pair as usize)).map(|pair| &self.pairs[pair])
     }
 
     /// Returns the pair that a token opens.
@@ -358,7 +358,7 @@ mod tests {
             ["A", "B", "E", "D"].map(|name| outline.declaring_macro(name, Some(2))),
             [None, Some(0), Some(0), None]
         );
-        assert_eq!([0, 37, 45, 61].map(|offset| outline.macro_at(offset)), [None, Some(2), Some(0), None]);
+        assert_eq!([0, 37, 45, 61].map(|offset| outline.macro_pair_at(offset)), [None, Some(2), Some(0), None]);
         // An unclosed list of parameters ends before the next directive.
         let broken = "#macro A(B #local C = B;";
         assert_eq!(declarations(broken), ["Macro -: #macro A B", "Parameter 0: #macro A(B ", "Local 0: #local C "]);
@@ -412,7 +412,7 @@ mod tests {
         assert_eq!([around(0), around(5), around(7), around(8)], [vec![], vec!["if"], vec!["a", "if"], vec!["if"]]);
         assert_eq!([5, 7].map(|token| outline.opened_by(token).map(|pair| pair.closer)), [Some(Some(7)), None]);
         assert_eq!([5, 7].map(|token| outline.closed_by(token).map(|pair| pair.opener)), [None, Some(5)]);
-        assert_eq!([outline.class(9), outline.before(0), outline.before(9)], [0, 0, class::END]);
+        assert_eq!([outline.class(9), outline.class_before(0), outline.class_before(9)], [0, 0, class::END]);
         assert_eq!([outline.token_span(8), outline.token_span(9)], [Span::new(17, 21), Span::NONE]);
     }
 }

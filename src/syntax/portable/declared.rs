@@ -1,6 +1,6 @@
 //! Finds the kinds of the declared names, as far as the text alone decides them.
 
-use super::after_partner;
+use super::token_after_partner;
 use crate::syntax::class;
 use crate::syntax::outline::{Declaration, DeclarationKind, Outline};
 use rustc_hash::FxHashMap;
@@ -66,7 +66,7 @@ impl<'a> Declared<'a> {
 /// True if the last token of the macro that a declaration defines is the `}` of a block.
 fn is_block_macro(outline: &Outline, d: &Declaration) -> bool {
     let own = outline.opened_by(outline.first_token_from(d.whole.start)).and_then(|pair| pair.closer);
-    own.is_some_and(|end| outline.before(end) == class::BRACE_END)
+    own.is_some_and(|end| outline.class_before(end) == class::BRACE_END)
 }
 
 /// Returns the kind of a declaration's value.
@@ -74,7 +74,7 @@ fn kind_of(outline: &Outline, d: &Declaration) -> DeclaredKind {
     // The first token after the name is `=`.
     let value = outline.first_token_from(d.range.end) + 1;
     let end = match outline.class(value) {
-        class::VECTOR => after_partner(outline, value),
+        class::VECTOR => token_after_partner(outline, value),
         class::LITERAL if outline.word(value).starts_with('<') => Some(value + 1),
         _ if outline.class(value + 1) == class::BRACE => {
             let block = BLOCKS.iter().find(|block| **block == outline.word(value));

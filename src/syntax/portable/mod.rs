@@ -20,10 +20,10 @@ pub const MISSING_SEMICOLON: &str = "`;` goes here";
 pub(super) fn lint_portability(own: &Outline, all: &[Outline]) -> Vec<Diagnostic> {
     let declared = Declared::new(own, all);
     let mut check = Check { outline: own, declared: &declared, directive: None, addition: None, out: vec![] };
-    for at in 0..own.tokens.len() {
-        check.apply_rules(at);
-        if class::is_directive(own.class(at)) {
-            check.directive = Some(at);
+    for token in 0..own.tokens.len() {
+        check.apply_rules(token);
+        if class::is_directive(own.class(token)) {
+            check.directive = Some(token);
         }
     }
     check.out
@@ -42,38 +42,38 @@ struct Check<'a> {
 
 impl<'a> Check<'a> {
     /// Returns the brackets around a token, the innermost first.
-    fn brackets(&self, at: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
-        self.outline.pairs_around(at).filter(|pair| pair.bracket != b'#' && pair.closer.is_some())
+    fn brackets(&self, token: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
+        self.outline.pairs_around(token).filter(|pair| pair.bracket != b'#' && pair.closer.is_some())
     }
 
     /// Returns the directives whose bodies contain a token, the innermost first.
-    fn directives(&self, at: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
-        self.outline.pairs_around(at).filter(|pair| pair.bracket == b'#')
+    fn directives(&self, token: usize) -> impl Iterator<Item = &'a Pair> + use<'a> {
+        self.outline.pairs_around(token).filter(|pair| pair.bracket == b'#')
     }
 
-    fn in_macro(&self, at: usize) -> bool {
-        self.directives(at).any(|pair| self.outline.is_macro(pair))
+    fn in_macro(&self, token: usize) -> bool {
+        self.directives(token).any(|pair| self.outline.is_macro(pair))
     }
 
     /// Returns the word of the block that directly contains a token.
-    fn block(&self, at: usize) -> Option<&'a str> {
-        self.brackets(at).next().filter(|pair| pair.bracket == b'{').map(|pair| self.outline.head(pair))
+    fn block(&self, token: usize) -> Option<&'a str> {
+        self.brackets(token).next().filter(|pair| pair.bracket == b'{').map(|pair| self.outline.head(pair))
     }
 
-    fn report(&mut self, at: usize, message: String, help: impl Into<String>) {
-        self.out.push(Diagnostic::new(codes::NOT_PORTABLE, self.outline.token_span(at), message).help(help));
+    fn report(&mut self, token: usize, message: String, help: impl Into<String>) {
+        self.out.push(Diagnostic::new(codes::NOT_PORTABLE, self.outline.token_span(token), message).help(help));
     }
 }
 
 /// True if the token is a word of the scene language.
-fn is_keyword(outline: &Outline, at: usize) -> bool {
-    matches!(outline.class(at), class::KEYWORD | class::HEAD | class::FUNCTION)
+fn is_keyword(outline: &Outline, token: usize) -> bool {
+    matches!(outline.class(token), class::KEYWORD | class::HEAD | class::FUNCTION)
 }
 
 /// Returns the index of the token after the partner of an opening bracket; `None` if a directive is between them.
-fn after_partner(outline: &Outline, open: usize) -> Option<usize> {
+fn token_after_partner(outline: &Outline, open: usize) -> Option<usize> {
     let closer = outline.opened_by(open)?.closer?;
-    (open..closer).all(|at| !class::is_directive(outline.class(at))).then_some(closer + 1)
+    (open..closer).all(|token| !class::is_directive(outline.class(token))).then_some(closer + 1)
 }
 
 #[cfg(test)]

@@ -44,42 +44,42 @@ const PATTERN_WORDS: &[&str] = &[
 const LIST_PATTERNS: &[&str] = &["checker", "hexagon", "brick", "square", "triangular", "cubic", "object", "tiles"];
 
 impl Check<'_> {
-    /// Applies all rules of the lint to the token of the index `at`.
-    pub(super) fn apply_rules(&mut self, at: usize) {
-        match self.outline.class(at) {
-            class::COMMA => self.check_comma(at),
-            class::SEMICOLON => self.check_semicolon(at),
-            class::VECTOR | class::NUMBER => self.check_bare_value(at),
-            class::DECLARE => self.check_declaration(at),
-            class::NAME => self.check_name(at),
-            class::KEYWORD | class::HEAD if self.outline.word(at) == "array" => self.check_array_size(at),
-            class::STRING if at > 0 && self.outline.word(at - 1) == "ttf" => self.check_font(at),
-            class::KEYWORD => self.check_durer_word(at),
+    /// Applies all rules of the lint to the token of the index `token`.
+    pub(super) fn apply_rules(&mut self, token: usize) {
+        match self.outline.class(token) {
+            class::COMMA => self.check_comma(token),
+            class::SEMICOLON => self.check_semicolon(token),
+            class::VECTOR | class::NUMBER => self.check_bare_value(token),
+            class::DECLARE => self.check_declaration(token),
+            class::NAME => self.check_name(token),
+            class::KEYWORD | class::HEAD if self.outline.word(token) == "array" => self.check_array_size(token),
+            class::STRING if token > 0 && self.outline.word(token - 1) == "ttf" => self.check_font(token),
+            class::KEYWORD => self.check_durer_word(token),
             _ => {}
         }
     }
 
-    fn check_comma(&mut self, at: usize) {
-        let mut brackets = self.brackets(at);
+    fn check_comma(&mut self, token: usize) {
+        let mut brackets = self.brackets(token);
         let Some(open) = brackets.next() else {
             // Between statements; the context of a macro's body is unknown.
-            if self.outline.before(at) == class::BRACE_END && self.is_statement(at) {
-                self.report(at, "POV-Ray accepts no comma between objects".into(), "leave it out");
+            if self.outline.class_before(token) == class::BRACE_END && self.is_statement(token) {
+                self.report(token, "POV-Ray accepts no comma between objects".into(), "leave it out");
             }
             return;
         };
         if open.bracket == b'[' {
             // `array[2, 3]`, `A[1, 2]`; a map's entry is in brackets too.
-            if self.outline.head(open) == "array" || self.outline.before(open.opener) == class::NAME {
+            if self.outline.head(open) == "array" || self.outline.class_before(open.opener) == class::NAME {
                 let message = "POV-Ray needs each index in brackets of its own";
-                self.report(at, message.into(), "write `[2][3]` for `[2, 3]`");
+                self.report(token, message.into(), "write `[2][3]` for `[2, 3]`");
             }
             return;
         }
-        let Some(block) = self.block(at) else { return };
-        let next = self.outline.class(at + 1);
+        let Some(block) = self.block(token) else { return };
+        let next = self.outline.class(token + 1);
         // Text that a directive inserts there may need it.
-        if is_directive(next) || is_directive(self.outline.before(at)) {
+        if is_directive(next) || is_directive(self.outline.class_before(token)) {
             return;
         }
         // `pigment { object { … } }` is a list of pigments.
@@ -87,15 +87,15 @@ impl Check<'_> {
         if block == "object" && matches!(outer, "pigment" | "normal" | "texture" | "density") {
             return;
         }
-        let modifies = is_keyword(self.outline, at + 1) && MODIFIERS.contains(&self.outline.word(at + 1));
-        let in_row = LIST_BLOCKS.contains(&block) && self.outline.before(at) == class::BRACE_END;
+        let modifies = is_keyword(self.outline, token + 1) && MODIFIERS.contains(&self.outline.word(token + 1));
+        let in_row = LIST_BLOCKS.contains(&block) && self.outline.class_before(token) == class::BRACE_END;
         if PATTERN_BLOCKS.contains(&block) {
-            let begins =
-                is_keyword(self.outline, at + 1) && (modifies || PATTERN_WORDS.contains(&self.outline.word(at + 1)));
+            let begins = is_keyword(self.outline, token + 1)
+                && (modifies || PATTERN_WORDS.contains(&self.outline.word(token + 1)));
             // A macro that is called before it may contain a list.
-            let listed = self.outline.before(at) == class::PAREN_END || self.has_list(at);
+            let listed = self.outline.class_before(token) == class::PAREN_END || self.has_list(token);
             if (begins || next == class::BRACE_END) && !listed {
-                self.report(at, format!("in `{block} {{ … }}`, POV-Ray accepts no comma here"), "leave it out");
+                self.report(token, format!("in `{block} {{ … }}`, POV-Ray accepts no comma here"), "leave it out");
             }
             return;
         }
@@ -107,47 +107,47 @@ impl Check<'_> {
             ("here", VALUE_BLOCKS.contains(&block) && modifies)
         };
         if wrong {
-            self.report(at, format!("in `{block} {{ … }}`, POV-Ray accepts no comma {what}"), "leave it out");
+            self.report(token, format!("in `{block} {{ … }}`, POV-Ray accepts no comma {what}"), "leave it out");
         }
     }
 
     /// True if the open block has a pattern with a list before this token.
-    fn has_list(&self, at: usize) -> bool {
-        let start = self.brackets(at).next().map_or(0, |open| open.opener);
-        (start..at).any(|i| self.outline.class(i) == class::NAME || LIST_PATTERNS.contains(&self.outline.word(i)))
+    fn has_list(&self, token: usize) -> bool {
+        let start = self.brackets(token).next().map_or(0, |open| open.opener);
+        (start..token).any(|i| self.outline.class(i) == class::NAME || LIST_PATTERNS.contains(&self.outline.word(i)))
     }
 
-    fn check_semicolon(&mut self, at: usize) {
-        match self.brackets(at).next() {
+    fn check_semicolon(&mut self, token: usize) {
+        match self.brackets(token).next() {
             // `#end;`
-            None if self.outline.before(at) == class::END && self.begins_statement(at - 1) => {
-                self.report(at, "POV-Ray accepts no `;` after `#end`".into(), "leave it out");
+            None if self.outline.class_before(token) == class::END && self.begins_statement(token - 1) => {
+                self.report(token, "POV-Ray accepts no `;` after `#end`".into(), "leave it out");
             }
             // `M();`, where M's last word is none that a `;` may follow
-            None if self.outline.before(at) == class::PAREN_END
-                && !self.in_macro(at)
-                && self.ends_call_of_object_macro(at) =>
+            None if self.outline.class_before(token) == class::PAREN_END
+                && !self.in_macro(token)
+                && self.ends_call_of_object_macro(token) =>
             {
                 let message = "POV-Ray accepts no `;` after this macro, which ends with a block";
-                self.report(at, message.into(), "leave it out");
+                self.report(token, message.into(), "leave it out");
             }
-            None if self.outline.before(at) == class::BRACE_END && self.is_statement(at) => {
-                self.report(at, "POV-Ray accepts no `;` after an object".into(), "leave it out");
+            None if self.outline.class_before(token) == class::BRACE_END && self.is_statement(token) => {
+                self.report(token, "POV-Ray accepts no `;` after an object".into(), "leave it out");
             }
             // `#include "a.inc";`
-            None if self.outline.before(at) == class::STRING && !self.in_macro(at) && at > 1 => {
-                let directive = self.outline.word(at - 2);
+            None if self.outline.class_before(token) == class::STRING && !self.in_macro(token) && token > 1 => {
+                let directive = self.outline.word(token - 2);
                 if matches!(
                     directive.trim_start_matches('#'),
                     "include" | "debug" | "warning" | "render" | "statistics"
                 ) {
-                    self.report(at, format!("POV-Ray accepts no `;` after `{directive}`"), "leave it out");
+                    self.report(token, format!("POV-Ray accepts no `;` after `{directive}`"), "leave it out");
                 }
             }
             // After a directive in the same brackets, the `;` may belong to the directive.
             Some(open) if self.directive < Some(open.opener) => {
-                if let Some(block) = self.block(at).filter(|block| VALUE_BLOCKS.contains(block)) {
-                    self.report(at, format!("in `{block} {{ … }}`, POV-Ray accepts no `;`"), "leave it out");
+                if let Some(block) = self.block(token).filter(|block| VALUE_BLOCKS.contains(block)) {
+                    self.report(token, format!("in `{block} {{ … }}`, POV-Ray accepts no `;`"), "leave it out");
                 }
             }
             _ => {}
@@ -163,142 +163,143 @@ impl Check<'_> {
     }
 
     /// True if the token before this index ends a call of a macro that produces an object, where a statement may begin.
-    fn ends_call_of_object_macro(&self, at: usize) -> bool {
-        let Some(name) = self.outline.closed_by(at - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
+    fn ends_call_of_object_macro(&self, token: usize) -> bool {
+        let Some(name) = self.outline.closed_by(token - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
         };
-        let before = self.outline.before(name);
+        let before = self.outline.class_before(name);
         let starts = matches!(before, 0 | class::SEMICOLON | class::END)
             || before == class::BRACE_END && self.is_statement(name);
         starts && self.outline.class(name) == class::NAME && self.declared.ends_with_block(self.outline.word(name))
     }
 
     /// True if the block that ends before this token is a statement, not a value or a part of a macro or a branch.
-    fn is_statement(&self, at: usize) -> bool {
-        let Some(head) = self.outline.closed_by(at - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
+    fn is_statement(&self, token: usize) -> bool {
+        let Some(head) = self.outline.closed_by(token - 1).and_then(|pair| pair.opener.checked_sub(1)) else {
             return false;
         };
-        let (word, before) = (self.outline.word(head), self.outline.before(head));
+        let (word, before) = (self.outline.word(head), self.outline.class_before(head));
         let known = is_object(word) || word == "light_source" || word == "camera";
         // (After `=` it is a value, after a comma or `(` an argument.)
         known && matches!(before, 0 | class::BRACE_END | class::SEMICOLON)
     }
 
     /// Checks for a colour without a keyword, as in `pigment { <1, 0, 0> }` or `[0 <1, 0, 0>]`.
-    fn check_bare_value(&mut self, at: usize) {
-        let is_vector = self.outline.class(at) == class::VECTOR;
-        if self.begins_pigment(at) || is_vector && self.is_map_entry(at) {
+    fn check_bare_value(&mut self, token: usize) {
+        let is_vector = self.outline.class(token) == class::VECTOR;
+        if self.begins_pigment(token) || is_vector && self.is_map_entry(token) {
             let what = if is_vector { "vector" } else { "number" };
-            self.report(at, format!("POV-Ray accepts no {what} for a colour here"), "write `rgb` before it");
+            self.report(token, format!("POV-Ray accepts no {what} for a colour here"), "write `rgb` before it");
         }
     }
 
     /// True if the token is the first one in a pigment's braces.
-    fn begins_pigment(&self, at: usize) -> bool {
-        let open = self.brackets(at).next();
-        self.block(at) == Some("pigment") && open.is_some_and(|open| open.opener + 1 == at)
+    fn begins_pigment(&self, token: usize) -> bool {
+        let open = self.brackets(token).next();
+        self.block(token) == Some("pigment") && open.is_some_and(|open| open.opener + 1 == token)
     }
 
     /// True if the token follows the number of an entry of a colour map.
-    fn is_map_entry(&self, at: usize) -> bool {
-        let mut outwards = self.brackets(at);
+    fn is_map_entry(&self, token: usize) -> bool {
+        let mut outwards = self.brackets(token);
         let (Some(entry), Some(map)) = (outwards.next(), outwards.next()) else { return false };
         entry.bracket == b'['
-            && entry.opener + 2 == at
+            && entry.opener + 2 == token
             && self.outline.class(entry.opener + 1) == class::NUMBER
             && matches!(self.outline.head(map), "color_map" | "colour_map" | "pigment_map")
     }
 
     /// Checks for an array without a size, `array { 1, 2 }`.
-    fn check_array_size(&mut self, at: usize) {
-        if self.outline.class(at + 1) == class::BRACE {
-            self.report(at, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");
+    fn check_array_size(&mut self, token: usize) {
+        if self.outline.class(token + 1) == class::BRACE {
+            self.report(token, "POV-Ray needs an array's size".into(), "write `array[2] { … }`");
         }
     }
 
-    fn check_declaration(&mut self, at: usize) {
-        if self.outline.class(at + 1) == class::PAREN {
+    fn check_declaration(&mut self, token: usize) {
+        if self.outline.class(token + 1) == class::PAREN {
             let message = "POV-Ray 3.7 declares one name at a time";
-            return self.report(at + 1, message.into(), "write a `#declare` for each name");
+            return self.report(token + 1, message.into(), "write a `#declare` for each name");
         }
-        if self.declared.is_old || self.outline.class(at + 1) != class::NAME {
+        if self.declared.is_old || self.outline.class(token + 1) != class::NAME {
             return;
         }
-        let Some(equal) = (at + 2..self.outline.tokens.len()).find(|&i| self.outline.class(i) == class::EQUAL) else {
+        let Some(equal) = (token + 2..self.outline.tokens.len()).find(|&i| self.outline.class(i) == class::EQUAL)
+        else {
             return;
         };
         // Between the name and the equal sign are only indices.
         let indices =
-            (at + 2..equal).all(|i| !is_directive(self.outline.class(i)) && self.outline.class(i) != class::BRACE);
-        let Some(end) = value::value_end(self.outline, equal + 1).filter(|_| indices) else { return };
+            (token + 2..equal).all(|i| !is_directive(self.outline.class(i)) && self.outline.class(i) != class::BRACE);
+        let Some(end) = value::token_after_value(self.outline, equal + 1).filter(|_| indices) else { return };
         let next = self.outline.class(end);
         let goes_on = is_keyword(self.outline, end) && !self.outline.word(end).is_empty() && next != class::FUNCTION;
         // (The token that ends a macro may precede the `;` of its call.)
         let ends_branch = matches!(next, class::END | class::ELSE | class::ELSEIF | class::CASE | class::RANGE)
-            && !self.directives(at).next().is_some_and(|inner| self.outline.is_macro(inner));
+            && !self.directives(token).next().is_some_and(|inner| self.outline.is_macro(inner));
         if matches!(next, 0 | class::DECLARE | class::PLAIN)
             || ends_branch
             || goes_on && is_statement_word(self.outline.word(end))
         {
-            let name = self.outline.word(at + 1);
+            let name = self.outline.word(token + 1);
             let message = format!("POV-Ray needs a `;` after the value of `{name}`");
-            self.report(at + 1, message, format!("`#declare {name} = …;`"));
+            self.report(token + 1, message, format!("`#declare {name} = …;`"));
             let behind = self.outline.token_span(end - 1).end();
             let label = Label { span: behind, text: super::MISSING_SEMICOLON.into() };
             self.out.last_mut().into_iter().for_each(|d| d.labels.push(label.clone()));
         }
     }
 
-    fn check_name(&mut self, at: usize) {
-        let next = self.outline.class(at + 1);
+    fn check_name(&mut self, token: usize) {
+        let next = self.outline.class(token + 1);
         let calls = matches!(next, class::PAREN | class::BRACKET | class::EQUAL | class::DOT);
-        let before = self.outline.before(at);
+        let before = self.outline.class_before(token);
         let said =
             matches!(before, class::EQUAL | class::COMMA | class::PLUS | class::MINUS | class::TIMES | class::OVER);
         if calls || said || is_directive(before) {
-            return self.check_durer_word(at);
+            return self.check_durer_word(token);
         }
-        let is_color = self.begins_pigment(at) || self.is_map_entry(at);
-        let block = self.block(at).unwrap_or("");
-        let name = self.outline.word(at);
+        let is_color = self.begins_pigment(token) || self.is_map_entry(token);
+        let block = self.block(token).unwrap_or("");
+        let name = self.outline.word(token);
         match self.declared.kind(name) {
             Some(DeclaredKind::Block(of))
-                if is_object(block) && self.outline.word(at.saturating_sub(1)) != "transform" =>
+                if is_object(block) && self.outline.word(token.saturating_sub(1)) != "transform" =>
             {
                 let message = format!("POV-Ray takes the name of a `{of}` only inside of `{of} {{ … }}`");
-                self.report(at, message, format!("write `{of} {{ {name} }}`"));
+                self.report(token, message, format!("write `{of} {{ {name} }}`"));
             }
             Some(DeclaredKind::Vector) if is_color => {
                 let message = format!("`{name}` is a vector, and POV-Ray accepts no vector for a colour here");
-                self.report(at, message, format!("write `rgb {name}`"));
+                self.report(token, message, format!("write `rgb {name}`"));
             }
-            _ => self.check_durer_word(at),
+            _ => self.check_durer_word(token),
         }
     }
 
     /// Reports a word that only durer has.
-    fn check_durer_word(&mut self, at: usize) {
-        let (Some(block), Some(open)) = (self.block(at), self.brackets(at).next()) else { return };
-        let name = self.outline.word(at);
-        let own = word::contextual(block).contains(&name);
+    fn check_durer_word(&mut self, token: usize) {
+        let (Some(block), Some(open)) = (self.block(token), self.brackets(token).next()) else { return };
+        let name = self.outline.word(token);
+        let own = word::durer_words_of_block(block).contains(&name);
         // One message for each block is enough.
         let is_reported = self.addition > Some(open.opener);
         if own && self.declared.kind(name).is_none() && !is_reported {
-            self.addition = Some(at);
+            self.addition = Some(token);
             let help = match block {
                 "camera" => "`camera { location … look_at … angle … }` is what both know",
                 "mesh" => "triangles that are written out are what both know",
                 _ => "`plane { <A, B, C>, distance }` is what both know",
             };
-            self.report(at, format!("`{name}` of `{block}` is a word of durer's own"), help);
+            self.report(token, format!("`{name}` of `{block}` is a word of durer's own"), help);
         }
     }
 
     /// Reports a font that is given by its family name. (The name of a font file usually has no blanks, or an ending.)
-    fn check_font(&mut self, at: usize) {
-        if self.outline.word(at).contains(' ') && !self.outline.word(at).contains('.') {
+    fn check_font(&mut self, token: usize) {
+        if self.outline.word(token).contains(' ') && !self.outline.word(token).contains('.') {
             let help = "`ttf \"file.ttf\"` is what both know";
-            self.report(at, "only durer finds fonts by the names of their families".into(), help);
+            self.report(token, "only durer finds fonts by the names of their families".into(), help);
         }
     }
 }

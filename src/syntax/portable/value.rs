@@ -1,6 +1,6 @@
 //! Finds the end of the value of a `#declare`, where a `;` belongs.
 
-use super::{after_partner, is_keyword};
+use super::{is_keyword, token_after_partner};
 use crate::syntax::class;
 use crate::syntax::outline::Outline;
 
@@ -12,46 +12,46 @@ const COLOR_WORDS: &[&str] = &[
     "filter", "transmit",
 ];
 
-/// Returns the index of the token after the number, vector or colour that begins at the index `at`; `None` where the
+/// Returns the index of the token after the number, vector or colour that begins at the index `token`; `None` where the
 /// text alone does not decide, as for a name that may be a macro, or for a value with directives in it.
-pub(super) fn value_end(outline: &Outline, at: usize) -> Option<usize> {
-    let mut at = at;
+pub(super) fn token_after_value(outline: &Outline, token: usize) -> Option<usize> {
+    let mut token = token;
     loop {
-        while matches!(outline.class(at), class::PLUS | class::MINUS | class::NOT) {
-            at += 1;
+        while matches!(outline.class(token), class::PLUS | class::MINUS | class::NOT) {
+            token += 1;
         }
-        at = operand_end(outline, at)?;
-        while outline.class(at) == class::DOT {
-            at += 2;
+        token = token_after_operand(outline, token)?;
+        while outline.class(token) == class::DOT {
+            token += 2;
         }
-        match outline.class(at) {
-            class::PLUS | class::MINUS | class::TIMES | class::OVER => at += 1,
-            _ if is_color(outline, at) => {}
-            _ => return Some(at),
+        match outline.class(token) {
+            class::PLUS | class::MINUS | class::TIMES | class::OVER => token += 1,
+            _ if is_color(outline, token) => {}
+            _ => return Some(token),
         }
     }
 }
 
-fn is_color(outline: &Outline, at: usize) -> bool {
-    is_keyword(outline, at) && COLOR_WORDS.contains(&outline.word(at))
+fn is_color(outline: &Outline, token: usize) -> bool {
+    is_keyword(outline, token) && COLOR_WORDS.contains(&outline.word(token))
 }
 
-fn operand_end(outline: &Outline, at: usize) -> Option<usize> {
-    match outline.class(at) {
-        class::NUMBER => Some(at + 1),
-        class::PAREN | class::VECTOR => after_partner(outline, at),
-        class::BUILTIN if STRING_FUNCTIONS.contains(&outline.word(at)) => None,
-        class::BUILTIN if outline.class(at + 1) == class::PAREN => after_partner(outline, at + 1),
+fn token_after_operand(outline: &Outline, token: usize) -> Option<usize> {
+    match outline.class(token) {
+        class::NUMBER => Some(token + 1),
+        class::PAREN | class::VECTOR => token_after_partner(outline, token),
+        class::BUILTIN if STRING_FUNCTIONS.contains(&outline.word(token)) => None,
+        class::BUILTIN if outline.class(token + 1) == class::PAREN => token_after_partner(outline, token + 1),
         // `rgb` and its value.
-        _ if is_color(outline, at) => {
-            let behind = at + 1;
+        _ if is_color(outline, token) => {
+            let behind = token + 1;
             match outline.class(behind) {
-                class::PLUS | class::MINUS => operand_end(outline, behind + 1),
-                _ => operand_end(outline, behind),
+                class::PLUS | class::MINUS => token_after_operand(outline, behind + 1),
+                _ => token_after_operand(outline, behind),
             }
         }
         // Among names, only the built-in constants are known to be numbers.
-        class::NAME if is_constant(outline.word(at)) => Some(at + 1),
+        class::NAME if is_constant(outline.word(token)) => Some(token + 1),
         _ => None,
     }
 }

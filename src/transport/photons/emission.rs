@@ -72,7 +72,7 @@ impl Source {
     }
 
     /// Returns the approximate number of photons: the area of the bundle's end divided by the area of a photon.
-    fn count(&self) -> f64 {
+    fn n_photons(&self) -> f64 {
         let area = match self.bundle {
             Bundle::Cone => 2.0 * PI * (1.0 - fp::cos(self.extent)),
             Bundle::Tube => PI * self.extent * self.extent,
@@ -122,13 +122,13 @@ impl Source {
     }
 
     /// Divides the rings of this source into jobs of about 4096 photons each, and appends them to `jobs`.
-    fn jobs(&self, source: usize, jobs: &mut Vec<Job>) {
+    fn append_jobs(&self, source_number: usize, jobs: &mut Vec<Job>) {
         let (mut first, mut count) = (0, 0.0);
         let n_rings = (self.extent / self.step).ceil().clamp(1.0, 1e6) as u32;
         for ring in 0..n_rings {
             count += f64::from(self.n_in_ring(ring));
             if count >= PHOTONS_PER_JOB || ring + 1 == n_rings {
-                jobs.push(Job { source, rings: first..ring + 1 });
+                jobs.push(Job { source: source_number, rings: first..ring + 1 });
                 (first, count) = (ring + 1, 0.0);
             }
         }
@@ -164,7 +164,7 @@ impl Plan {
         let pairs = || {
             world.lights.iter().flat_map(|light| targets.iter().map(move |target| (light, target))).filter(
                 |(light, target)| {
-                    let [refracts, reflects] = world.photon_interaction(light, target.settings);
+                    let [refracts, reflects] = world.photon_refracts_and_reflects(light, target.settings);
                     refracts || reflects
                 },
             )
@@ -179,13 +179,13 @@ impl Plan {
             }
         }
         // Widen the spacing of too many photons
-        let count: f64 = sources.iter().map(Source::count).sum();
+        let count: f64 = sources.iter().map(Source::n_photons).sum();
         if count > MAX_PHOTONS {
             sources.iter_mut().for_each(|source| source.widen((count / MAX_PHOTONS).sqrt()));
         }
         let mut plan = Self { sources, jobs: vec![] };
         for (number, source) in plan.sources.iter().enumerate() {
-            source.jobs(number, &mut plan.jobs);
+            source.append_jobs(number, &mut plan.jobs);
         }
         plan
     }
@@ -223,7 +223,7 @@ fn spacing_of_count<'a>(
     pairs: impl Iterator<Item = (&'a LightSource, &'a Target)>,
 ) -> f64 {
     let area = |(light, target): (&LightSource, &Target)| {
-        let [refracts, reflects] = world.photon_interaction(light, target.settings);
+        let [refracts, reflects] = world.photon_refracts_and_reflects(light, target.settings);
         let radius = 0.5 * finite_size(&target.bounds, light.emitter.location);
         0.5 * PI * radius * radius * if refracts && reflects { 4.0 } else { 1.0 }
     };

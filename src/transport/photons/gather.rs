@@ -16,16 +16,16 @@ const MIN_COS: f64 = 0.05;
 
 impl Photons {
     /// Finds the photons of an estimate on a surface, and returns the radius that they fill.
-    fn find_on_surface(&self, p: DVec3, found: &mut Found) -> f64 {
+    fn surface_photons_and_radius(&self, p: DVec3, found: &mut Found) -> f64 {
         let [least, most] = self.gather;
-        let narrow = self.surface.nearest(p, self.radius[0], most, found);
+        let narrow = self.surface.find_nearest_and_radius(p, self.radius[0], most, found);
         if found.len() >= least {
             return narrow;
         }
         // Search farther, unless the density rises too much at a border
         let before = found.len() as f64 / (narrow * narrow);
         let mut more = Found::new();
-        let wide = self.surface.nearest(p, self.radius[0] * EXPANSION, most, &mut more);
+        let wide = self.surface.find_nearest_and_radius(p, self.radius[0] * EXPANSION, most, &mut more);
         let after = more.len() as f64 / (wide * wide);
         if more.len() < self.expand_min || after <= before * (1.0 + self.max_increase) {
             *found = more;
@@ -48,7 +48,7 @@ impl Tracer<'_> {
         if !shading.layers().any(reflects) {
             return Rgb::ZERO;
         }
-        let radius = photons.find_on_surface(shading.point, &mut self.found_photons);
+        let radius = photons.surface_photons_and_radius(shading.point, &mut self.found_photons);
         if self.found_photons.is_empty() || radius <= 0.0 {
             return Rgb::ZERO;
         }
@@ -82,7 +82,8 @@ impl Tracer<'_> {
         if photons.media.is_empty() {
             return Rgb::ZERO;
         }
-        let radius = photons.media.nearest(p, photons.radius[1], photons.gather[1], &mut self.found_photons);
+        let radius =
+            photons.media.find_nearest_and_radius(p, photons.radius[1], photons.gather[1], &mut self.found_photons);
         if radius <= 0.0 {
             return Rgb::ZERO;
         }

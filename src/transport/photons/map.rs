@@ -129,7 +129,7 @@ impl PhotonMap {
 
     /// Finds the at most `count` photons nearest to a point within a radius, and returns the radius that they fill: the
     /// distance of the farthest one if there are `count`, the radius of the search otherwise.
-    pub fn nearest(&self, p: DVec3, radius: f64, count: usize, found: &mut Found) -> f64 {
+    pub fn find_nearest_and_radius(&self, p: DVec3, radius: f64, count: usize, found: &mut Found) -> f64 {
         found.clear();
         let mut search = Search { map: self, p: p.as_vec3().to_array(), limit: (radius * radius) as f32, count, found };
         search.visit(0, self.len(), [0.0; 3]);
@@ -142,7 +142,7 @@ impl PhotonMap {
         let (mut sum, mut found) = (0.0, Found::new());
         for i in 0..n {
             let p = DVec3::from_array(self.position(i * self.len() / n).map(f64::from));
-            self.nearest(p, f64::MAX.sqrt(), count.min(self.len()), &mut found);
+            self.find_nearest_and_radius(p, f64::MAX.sqrt(), count.min(self.len()), &mut found);
             sum += found.first().map_or(0.0, |(squared, _)| f64::from(*squared).sqrt());
         }
         sum / n.max(1) as f64
@@ -282,10 +282,10 @@ mod tests {
             let p = point();
             let mut all: Vec<f64> = points.iter().map(|q| q.distance(p)).collect();
             all.sort_by(f64::total_cmp);
-            let radius = map.nearest(p, 10.0, 40, &mut found);
+            let radius = map.find_nearest_and_radius(p, 10.0, 40, &mut found);
             assert!(found.len() == 40 && (radius - all[39]).abs() < 1e-6);
             let within = all.iter().filter(|d| **d < 0.1).count();
-            let radius = map.nearest(p, 0.1, 4000, &mut found);
+            let radius = map.find_nearest_and_radius(p, 0.1, 4000, &mut found);
             assert!((radius - 0.1).abs() < 1e-7 && found.len() == within);
         }
     }

@@ -114,6 +114,7 @@ impl PhotonPass {
 }
 
 /// True if photons of a light replace the light that an object with these settings transmits.
-pub(super) fn replace_transmitted(world: &World, light: &LightSource, settings: u32) -> bool {
-    world.photons[settings as usize].target.is_some() && world.photon_interaction(light, settings)[0]
+pub(super) fn photons_replace_transmitted(world: &World, light: &LightSource, settings_number: u32) -> bool {
+    world.photons[settings_number as usize].target.is_some()
+        && world.photon_refracts_and_reflects(light, settings_number)[0]
 }

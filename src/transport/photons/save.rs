@@ -2,7 +2,7 @@
 
 use super::map::{Photon, PhotonMap};
 use super::{PhotonMapSettings, Photons};
-use crate::scene::{Digest, LightFile, LightHeader, LightKind, LightWriter, numbers_of};
+use crate::scene::{Digest, LightFile, LightHeader, LightKind, LightWriter, decode_numbers};
 use crate::transport::FrameContext;
 use std::io::{self, Write};
 
@@ -42,7 +42,7 @@ impl Photons {
 impl Photon {
     /// Decodes a photon from its bytes in a file of saved photons.
     fn from_bytes(record: &[u8]) -> Self {
-        let [a, b, c, d, e, f, g, h, i] = numbers_of(record, f32::from_le_bytes);
+        let [a, b, c, d, e, f, g, h, i] = decode_numbers(record, f32::from_le_bytes);
         Self::from_numbers([a, b, c], [d, e, f], [g, h, i])
     }
 }

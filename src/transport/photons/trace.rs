@@ -98,7 +98,7 @@ impl<'w> Tracer<'w> {
             }
             ring.hits_target = true;
             let point = flight.state.ray.at(hit.t());
-            flight.state.throughput *= beam.light.emitter.share_towards(point, -flight.state.ray.dir, hit.t());
+            flight.state.throughput *= beam.light.emitter.beam_share_at(point, -flight.state.ray.dir, hit.t());
             if flight.state.throughput == Rgb::ZERO {
                 return;
             }
@@ -123,16 +123,17 @@ impl<'w> Tracer<'w> {
         // Store the photon
         let interface = self.interface(&flight.state, &hit);
         let shading = ShadingPoint::new(world, &ray, &hit, &self.context.quality, &interface);
-        if flight.has_hit_target && self.stores(beam, &shading) {
+        if flight.has_hit_target && self.stores_photons(beam, &shading) {
             let flux = flight.state.throughput * power_at(source, beam.light, flight.distance);
             ring.surface.push(Photon::new(shading.point, flux, ray.dir));
         }
         // Photons that continue
-        let [refracts, reflects] = world.photon_interaction(beam.light, world.objects[hit.object as usize].photons);
+        let [refracts, reflects] =
+            world.photon_refracts_and_reflects(beam.light, world.objects[hit.object as usize].photons);
         if !refracts && !reflects {
             return;
         }
-        let attenuation = match world.colors_light && interface.leaves() {
+        let attenuation = match world.colors_light && interface.leaves_interior() {
             true => self.attenuation(shading.part.interior, hit.t()),
             false => Rgb::ONE,
         };
@@ -151,7 +152,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// True if the surface stores photons of the light.
-    fn stores(&self, beam: &Beam, shading: &ShadingPoint) -> bool {
+    fn stores_photons(&self, beam: &Beam, shading: &ShadingPoint) -> bool {
         let world = self.context.world;
         let is_lit = || world.lit_by[shading.part.light_set() as usize].contains(&beam.source.light);
         let is_diffuse = || {

@@ -179,8 +179,8 @@ fn grid_exponent(width: f64) -> i16 {
 }
 
 /// Returns the cell of a grid that contains a point. Cells far from the origin are clamped to the last ones.
-fn cell(p: DVec3, grid: i16) -> [i32; 3] {
-    let per_cell = f64::from_bits(((1023 - i64::from(grid)) as u64) << 52);
+fn cell(p: DVec3, exponent: i16) -> [i32; 3] {
+    let per_cell = f64::from_bits(((1023 - i64::from(exponent)) as u64) << 52);
     // (`as` clamps.)
     (p * per_cell).floor().to_array().map(|x| x.clamp(-1e9, 1e9) as i32)
 }

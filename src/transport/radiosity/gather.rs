@@ -131,7 +131,8 @@ impl Tracer<'_> {
                 continue;
             }
             let rank = (i as f64 + 0.5) / count as f64;
-            let (incoming, distance) = self.gather_radiance(RayState::gather(Ray::new(at.point, dir), at, rank));
+            let (incoming, distance) =
+                self.radiance_and_first_distance(RayState::gather(Ray::new(at.point, dir), at, rank));
             inverse_distances += 1.0 / distance;
             let most = incoming.max_element();
             let is_limited = settings.max_sample > 0.0 && most > settings.max_sample;
@@ -151,7 +152,7 @@ impl Tracer<'_> {
     }
 
     /// Returns the radiance along a ray that gathers light, and the distance of its first hit.
-    fn gather_radiance(&mut self, state: RayState) -> (Rgb, f64) {
+    fn radiance_and_first_distance(&mut self, state: RayState) -> (Rgb, f64) {
         let before = std::mem::replace(&mut self.first_distance, f64::INFINITY);
         let light = self.radiance(state).rgb;
         let distance = std::mem::replace(&mut self.first_distance, before);

@@ -4,7 +4,7 @@ use super::RadiosityState;
 use super::cache::Sample;
 use crate::color::Rgb;
 use crate::math::{DVec3, cancel};
-use crate::scene::{Digest, LightFile, LightHeader, LightKind, LightWriter, numbers_of};
+use crate::scene::{Digest, LightFile, LightHeader, LightKind, LightWriter, decode_numbers};
 use std::io::{self, Write};
 
 impl RadiosityState<'_> {
@@ -39,7 +39,7 @@ impl RadiosityState<'_> {
 impl Sample {
     /// Decodes a radiosity sample from its bytes in a file of saved samples.
     fn from_bytes(record: &[u8]) -> Self {
-        let [px, py, pz, nx, ny, nz, r, g, b, radius] = numbers_of(record, f64::from_le_bytes);
+        let [px, py, pz, nx, ny, nz, r, g, b, radius] = decode_numbers(record, f64::from_le_bytes);
         Self {
             point: DVec3::new(px, py, pz),
             normal: DVec3::new(nx, ny, nz),

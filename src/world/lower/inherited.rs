@@ -61,14 +61,14 @@ fn add_finish_words(object: &Object, interior: &mut Option<Arc<Interior>>) {
 
 /// Returns the value of `hollow` for interiors whose blocks do not state it: that of the last shape (quirk:
 /// `hollow_of_last_part`); `None` without any such shape.
-pub fn hollow_inside(object: &Object, inherited: bool) -> Option<bool> {
+pub fn hollow_of_last_shape(object: &Object, inherited: bool) -> Option<bool> {
     let hollow = object.uncommon.flags.hollow || inherited;
     match &object.kind {
         ObjectKind::Shape(_) => Some(hollow),
         ObjectKind::Light(_) => None,
         ObjectKind::Csg(_, parts) => {
             let open = parts.iter().rev().filter(|part| part.uncommon.interior.is_none());
-            open.filter_map(|part| hollow_inside(part, hollow)).next()
+            open.filter_map(|part| hollow_of_last_shape(part, hollow)).next()
         }
     }
 }

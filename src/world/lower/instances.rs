@@ -44,7 +44,7 @@ impl Lowering {
     }
 
     /// Returns an instance that replaces the object just lowered to `node`, if the object has many copies.
-    pub(super) fn copied(
+    pub(super) fn instance_of_copy(
         &mut self,
         object: &Object,
         node: &SolidNode,

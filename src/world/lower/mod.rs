@@ -24,7 +24,7 @@ use crate::shape::{Bounding, Kernel, Shape, transformed_box};
 use crate::source::{Activity, Span};
 use crate::texture::Texture;
 use crate::value::SharedDefault;
-use inherited::{Inherited, combined_flags, hollow_inside, interior_of};
+use inherited::{Inherited, combined_flags, hollow_of_last_shape, interior_of};
 use instances::Copies;
 use place::{BlockSpace, PlacedTexture, not_finite};
 use shared::{LoweredTable, SharedSurfaceParts};
@@ -44,7 +44,7 @@ pub fn lower(scene: &Scene) -> Result<World> {
 ///
 /// # Errors
 /// As [`lower`].
-pub fn lower_away(mut scene: Scene) -> Result<World> {
+pub fn lower_and_free(mut scene: Scene) -> Result<World> {
     lower_objects(std::mem::take(&mut scene.objects).into_iter(), &scene)
 }
 
@@ -75,7 +75,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
                 _ => solid.node,
             };
             let number = node.can_be_split_into_children().then_some(node.object);
-            match lowering.copied(&object, &node, before)? {
+            match lowering.instance_of_copy(&object, &node, before)? {
                 Some(copied) => builder.add_instance(copied),
                 None => lowering.add_views(node, before.objects, &mut builder),
             }
@@ -99,7 +99,7 @@ fn lower_objects(objects: impl ExactSizeIterator<Item = Object>, scene: &Scene) 
         restarts_shadow_rays,
         bends: interiors.iter().any(|interior| interior.ior != 1.0 || interior.dispersion != 1.0),
         disperses: interiors.iter().any(|interior| interior.dispersion != 1.0),
-        colors_light: interiors.iter().any(|interior| interior.colors_light()),
+        colors_light: interiors.iter().any(|interior| interior.changes_crossing_light()),
         parts,
         objects,
         cuts,
@@ -244,7 +244,7 @@ impl Lowering {
         let flags = combined_flags(object, inherited.flags);
         let lights = object.uncommon.light_group.map(|global| self.add_group(global));
         let group = lights.unwrap_or(inherited.light_set);
-        let hollow = || hollow_inside(object, inherited.flags.hollow).unwrap_or(flags.hollow);
+        let hollow = || hollow_of_last_shape(object, inherited.flags.hollow).unwrap_or(flags.hollow);
         Ok(Inherited {
             hollow_air: inherited.hollow_air.or_else(|| interior.is_none().then(hollow)),
             place,
@@ -260,12 +260,12 @@ impl Lowering {
             lights_here: lights.is_some(),
             flags,
             importance: object.uncommon.radiosity.map(|own| own.importance as f32).or(inherited.importance),
-            photons: self.add_photons(object, inherited.photons),
+            photons: self.add_photon_settings(object, inherited.photons),
         })
     }
 
     /// Adds the photon settings of an object in a group with the settings number `group`, and returns their number.
-    fn add_photons(&mut self, object: &Object, group: u32) -> u32 {
+    fn add_photon_settings(&mut self, object: &Object, group: u32) -> u32 {
         let Some(own) = object.uncommon.photons else { return group };
         let settings = own.inherit(self.photons.get(group as usize).copied().unwrap_or_default());
         let known = self.photons.iter().position(|other| *other == settings);
@@ -343,7 +343,7 @@ impl Lowering {
         let embedded: Box<[PlacedMaterial]> = embedded
             .map(|painted| {
                 let along = shape.quirks().moves_embedded_textures;
-                let transform = if along { own.place.now.clone() } else { own.place.of_textures(object) };
+                let transform = if along { own.place.now.clone() } else { own.place.texture_transform_of(object) };
                 self.lower_look(&PlacedTexture { texture: painted.texture.clone(), transform })
             })
             .collect();
@@ -415,7 +415,7 @@ impl Lowering {
 
     /// Appends the shapes of a group, with the material that each shows on surfaces that cut it (manual, "Cutaway
     /// Textures", quirk: `cutaway_without_texture`).
-    fn find_cut(
+    fn collect_cutaway_materials(
         &mut self,
         op: CsgOp,
         parts: &[Object],
@@ -430,7 +430,7 @@ impl Lowering {
             let own = around.placed_texture(part.texture.as_ref(), part, &place)?;
             let look = own.as_ref().or(look);
             match (&part.kind, look) {
-                (ObjectKind::Csg(op, parts), look) => self.find_cut(*op, parts, &place, look, out)?,
+                (ObjectKind::Csg(op, parts), look) => self.collect_cutaway_materials(*op, parts, &place, look, out)?,
                 (ObjectKind::Shape(shape), look) if look.is_some() || any => {
                     let placed = self.lower_look(&look.cloned().unwrap_or_else(|| self.default_look()));
                     let node = SolidNode::leaf(Leaf::placed(shape.clone(), &place.now, 0), 0);
@@ -454,7 +454,7 @@ impl Lowering {
             within.cut = None;
         } else if own.flags.cutaway_textures && within.texture.is_none() && within.cut.is_none() {
             let mut cut = vec![];
-            self.find_cut(op, parts, &own.place, None, &mut cut)?;
+            self.collect_cutaway_materials(op, parts, &own.place, None, &mut cut)?;
             within.cut = Some(self.cuts.len() as u32);
             self.cuts.push(cut);
         }

@@ -30,7 +30,7 @@ impl BlockSpace {
 
     /// Returns the transform of textures that move with the object; the identity under `uv_mapping` (quirk:
     /// `uv_mapping_keeps_space`).
-    pub fn of_textures(&self, object: &Object) -> SharedDefault<Transform> {
+    pub fn texture_transform_of(&self, object: &Object) -> SharedDefault<Transform> {
         if object.uncommon.flags.uv_mapping { SharedDefault::DEFAULT } else { self.now.clone() }
     }
 
@@ -47,7 +47,7 @@ impl BlockSpace {
                 let own = if own.is_identity() { SharedDefault::DEFAULT } else { (**own).into() };
                 checked_product(&own, &self.now, object.source)?
             }
-            _ => inside.of_textures(object),
+            _ => inside.texture_transform_of(object),
         };
         Ok(Some(PlacedTexture { texture: texture.clone(), transform }))
     }

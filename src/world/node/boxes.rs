@@ -25,7 +25,7 @@ impl SolidNode {
         match (&self.composite, &self.kind) {
             (Some(composite), _) => composite.boxes,
             (None, SolidKind::Leaf(leaf)) => {
-                let (surface, solid) = leaf.bounds();
+                let (surface, solid) = leaf.surface_and_solid_bounds();
                 Boxes { surface, solid }
             }
             (None, _) => Boxes { surface: Aabb::EMPTY, solid: Aabb::EMPTY },
@@ -67,7 +67,7 @@ impl SolidNode {
     pub(in crate::world) fn half_spaces(&self) -> HalfSpaces {
         let mut planes = HalfSpaces::new();
         let mut push =
-            |leaf: &Leaf, inverse| halfspace::push_shape(&leaf.shape, &leaf.transform(), inverse, &mut planes);
+            |leaf: &Leaf, inverse| halfspace::push_half_spaces_of(&leaf.shape, &leaf.transform(), inverse, &mut planes);
         match &self.kind {
             // A plane's surface is in the half-spaces on both of its sides.
             SolidKind::Leaf(leaf) => [false, true].into_iter().for_each(|inverse| push(leaf, inverse)),
@@ -96,14 +96,14 @@ impl SolidNode {
                     self.composite = None;
                     return;
                 }
-                leaf.bounds()
+                leaf.surface_and_solid_bounds()
             }
             SolidKind::Union(_) | SolidKind::Merge(_) => {
                 let join = |side: fn(&Boxes) -> Aabb| inner.iter().map(side).fold(Aabb::EMPTY, Aabb::union);
                 let hidden = unseen.iter().map(|c| c.boxes().solid).fold(Aabb::EMPTY, Aabb::union);
                 (join(|c| c.surface), join(|c| c.solid).union(hidden))
             }
-            SolidKind::Intersection(_) => intersection_bounds(&inner),
+            SolidKind::Intersection(_) => intersection_surface_and_solid(&inner),
         };
         let clipped = clip.iter().map(|c| c.boxes().solid).fold(Aabb::INFINITE, Aabb::intersection);
         let (mut surface, mut solid) = (surface.intersection(clipped), solid.intersection(clipped));
@@ -111,7 +111,7 @@ impl SolidNode {
             // Clip by the half-spaces that contain the solid.
             let mut planes = HalfSpaces::new();
             for_each_enclosing_shape(&self.kind, &clip, &mut |leaf| {
-                halfspace::push_shape(&leaf.shape, &leaf.transform(), leaf.inverse, &mut planes);
+                halfspace::push_half_spaces_of(&leaf.shape, &leaf.transform(), leaf.inverse, &mut planes);
             });
             if !planes.is_empty() {
                 let all = halfspace::clip_box(surface.union(solid), &planes);
@@ -119,7 +119,8 @@ impl SolidNode {
             }
             for_each_enclosing_shape(&self.kind, &clip, &mut |leaf| {
                 if let Some(quadratic) = leaf.quadratic() {
-                    (surface, solid) = (quadratic.bounds_within(surface), quadratic.bounds_within(solid));
+                    (surface, solid) =
+                        (quadratic.nonpositive_bounds_within(surface), quadratic.nonpositive_bounds_within(solid));
                 }
             });
         }
@@ -179,7 +180,7 @@ fn for_each_enclosing_shape(kind: &SolidKind, clip: &[SolidNode], visit: &mut dy
 
 /// Returns the boxes around surface and inside of an intersection. A hit is on one child and inside all others, so the
 /// surface is in the union of each child's surface box cut by all other solid boxes.
-fn intersection_bounds(children: &[Boxes]) -> (Aabb, Aabb) {
+fn intersection_surface_and_solid(children: &[Boxes]) -> (Aabb, Aabb) {
     let mut after = vec![Aabb::INFINITE; children.len() + 1];
     for (i, child) in children.iter().enumerate().rev() {
         after[i] = after[i + 1].intersection(child.solid);

@@ -210,10 +210,10 @@ impl SolidNode {
         match &self.kind {
             SolidKind::Leaf(leaf) => leaf.inside(p),
             SolidKind::Union(_) | SolidKind::Merge(_) => {
-                !self.all_children(p, usize::MAX, |_, c| !c.inside(p))
+                !self.all_other_children(p, usize::MAX, |_, c| !c.inside(p))
                     || self.invisible_parts().iter().any(|c| c.inside(p))
             }
-            SolidKind::Intersection(_) => self.all_children(p, usize::MAX, |_, c| c.inside(p)),
+            SolidKind::Intersection(_) => self.all_other_children(p, usize::MAX, |_, c| c.inside(p)),
         }
     }
 
@@ -222,8 +222,8 @@ impl SolidNode {
         self.hits_as(false, ray, range, out);
     }
 
-    /// Appends every hit in the range to `out`. `part` is true for a part of a CSG object; see [`Kernel::hits_in_csg`].
-    pub(super) fn hits_as<'a>(&'a self, part: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
+    /// Appends every hit in the range to `out`. `in_csg` is true for a part of a CSG object; see [`Kernel::hits_in_csg`].
+    pub(super) fn hits_as<'a>(&'a self, in_csg: bool, ray: &Ray, range: Range, out: &mut Intersections<'a>) {
         if !self.crosses_all_bounds(ray) {
             return;
         }
@@ -234,7 +234,7 @@ impl SolidNode {
                 if !self.clip().is_empty() {
                     let Some(range) = self.within_clip(ray, range) else { return };
                     leaf.hits_in_csg(ray, range, &mut hits);
-                } else if part {
+                } else if in_csg {
                     leaf.hits_in_csg(ray, range, &mut hits);
                 } else {
                     leaf.hits(ray, range, &mut hits);
@@ -243,7 +243,7 @@ impl SolidNode {
             }
             SolidKind::Union(_) => {
                 self.each_child(ray, range, |_, child, range| {
-                    child.hits_as(part, ray, range, out);
+                    child.hits_as(in_csg, ray, range, out);
                     range
                 });
                 out[first..].iter_mut().for_each(|found| found.object = self.object);
@@ -331,7 +331,7 @@ impl SolidNode {
         let (min, max) = self.distances_through_box(ray, range)?;
         let merged = matches!(self.kind, SolidKind::Merge(_));
         let shows = |t| self.in_clip(ray.at(t));
-        match convex_interval::nearest(self.children(), merged, ray, Range { min, max }, shows) {
+        match convex_interval::nearest_end_and_leaf(self.children(), merged, ray, Range { min, max }, shows) {
             Ok(nearest) => nearest.map(|(end, leaf)| Intersection::new(end.into(), leaf, self.object)),
             Err(convex_interval::UnknownInterval) => self.closest_survivor(ray, range),
         }
@@ -377,7 +377,7 @@ impl SolidNode {
         let mut met: SmallVec<[u32; 16]> = SmallVec::new();
         self.each_child(ray, range, |i, child, range| {
             met.push(i as u32);
-            all.set_interval(i, child, ray, range, only_inside)
+            all.set_interval_and_narrow(i, child, ray, range, only_inside)
         });
         met.iter().for_each(|&i| all.add(i as usize, &children[i as usize], ray));
     }
@@ -414,7 +414,7 @@ impl SolidNode {
 
     /// True if the condition holds for all children except child `but`. Children far from the point are skipped, so the
     /// condition must be true for them.
-    fn all_children(&self, p: DVec3, but: usize, condition: impl Fn(usize, &SolidNode) -> bool) -> bool {
+    fn all_other_children(&self, p: DVec3, but: usize, condition: impl Fn(usize, &SolidNode) -> bool) -> bool {
         let children = self.children();
         let fine = |i: usize| i == but || condition(i, &children[i]);
         match self.child_bvh() {
@@ -432,8 +432,8 @@ impl SolidNode {
         let inside = |i: usize, c: &SolidNode| all.inside(i, c, ray, t);
         match &self.kind {
             SolidKind::Leaf(_) | SolidKind::Union(_) => true,
-            SolidKind::Intersection(_) => self.all_children(ray.at(t), child, inside),
-            SolidKind::Merge(_) => self.all_children(ray.at(t), child, |i, c| !inside(i, c)),
+            SolidKind::Intersection(_) => self.all_other_children(ray.at(t), child, inside),
+            SolidKind::Merge(_) => self.all_other_children(ray.at(t), child, |i, c| !inside(i, c)),
         }
     }
 

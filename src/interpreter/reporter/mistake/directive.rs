@@ -1,24 +1,24 @@
 //! Mistakes in directives, mostly habits from other languages.
 
 use super::habit::CommonMistake;
-use super::source_line::{SourceLine, code_of, is_letter, leading_name, value_text};
+use super::source_line::{SourceLine, is_letter, split_leading_name, value_text, without_comment};
 use crate::diagnostic::{Diagnostic, codes};
 
 /// Returns the word after the `#` at the fault, and the rest of the line.
-fn directive_at<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
+fn directive_and_rest<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
     let rest = source.after().strip_prefix('#')?.trim_start_matches([' ', '\t']);
     let end = rest.find(|c: char| !is_letter(c)).unwrap_or(rest.len());
     Some(rest.split_at(end))
 }
 
 /// Returns the word after the `#` and the rest of the line, if the scene language has no directive of this name.
-fn unknown_at<'t>(source: &SourceLine<'t>, d: &Diagnostic) -> Option<(&'t str, &'t str)> {
-    if d.code == codes::UNKNOWN_DIRECTIVE { directive_at(source) } else { None }
+fn unknown_directive_and_rest<'t>(source: &SourceLine<'t>, d: &Diagnostic) -> Option<(&'t str, &'t str)> {
+    if d.code == codes::UNKNOWN_DIRECTIVE { directive_and_rest(source) } else { None }
 }
 
 /// Recognizes the mistake `#ff8800` for a colour.
 pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let (word, _) = unknown_at(source, d)?;
+    let (word, _) = unknown_directive_and_rest(source, d)?;
     let digits = |i: usize, n: usize| u32::from_str_radix(word.get(i..i + n)?, 16).ok();
     let [red, green, blue] = match word.len() {
         3 | 4 => [0, 1, 2].map(|i| digits(i, 1).map(|x| x * 17)),
@@ -32,8 +32,10 @@ pub(super) fn hex_color(source: &SourceLine, d: &Diagnostic) -> Option<CommonMis
 
 /// Recognizes the mistake `#define A 2` for a declaration.
 pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_at(source, d)? else { return None };
-    let (name, rest) = leading_name(rest.trim_start())?;
+    let ("define" | "def" | "set" | "let" | "var" | "const", rest) = unknown_directive_and_rest(source, d)? else {
+        return None;
+    };
+    let (name, rest) = split_leading_name(rest.trim_start())?;
     let help = match rest.strip_prefix('(') {
         Some(rest) => format!("`#macro {name}({}) … #end`", rest.split(')').next().unwrap_or_default()),
         None => format!("write `#declare {name} = {};`", value_text(rest.trim_start().trim_start_matches('='))),
@@ -42,29 +44,29 @@ pub(super) fn define(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistak
 }
 
 /// Recognizes the mistake `#elsif (A)` for `#elseif`.
-pub(super) fn other_branch(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let (word, rest) = unknown_at(source, d)?;
-    let condition = code_of(rest);
+pub(super) fn other_elseif_spelling(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+    let (word, rest) = unknown_directive_and_rest(source, d)?;
+    let condition = without_comment(rest);
     crate::syntax::fault::is_other_elseif(word).then(|| CommonMistake::help(format!("write `#elseif {condition}`")))
 }
 
 /// Recognizes the mistake `#endif` for `#end`.
-pub(super) fn other_end(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let (word, _) = unknown_at(source, d)?;
+pub(super) fn other_end_spelling(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+    let (word, _) = unknown_directive_and_rest(source, d)?;
     crate::syntax::fault::is_other_end(word)
         .then(|| CommonMistake::help("every directive with a body ends with `#end`"))
 }
 
 /// Recognizes the mistake `#Size = 3;`, without the word `declare`.
 pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let (name, rest) = unknown_at(source, d)?;
+    let (name, rest) = unknown_directive_and_rest(source, d)?;
     let value = rest.trim_start().strip_prefix('=')?;
     Some(CommonMistake::help(format!("write `#declare {name} = {};`", value_text(value))).declares(name))
 }
 
 /// Recognizes the mistake `# the red ball` for a comment.
 pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    unknown_at(source, d).filter(|_| d.help.is_none())?;
+    unknown_directive_and_rest(source, d).filter(|_| d.help.is_none())?;
     let text = source.after().trim_end();
     let comment = text.trim_start_matches(['#', ' ', '\t']);
     let help = format!("a comment begins with `//`: `// {}`", value_text(comment));
@@ -73,7 +75,7 @@ pub(super) fn comment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMista
 
 /// Recognizes the mistake `#declre Size = 2;`: a misspelt directive, whose name stays undeclared.
 pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let (_, rest) = unknown_at(source, d)?;
+    let (_, rest) = unknown_directive_and_rest(source, d)?;
     let rest = rest.trim_start();
     let habit = CommonMistake::help(d.help.clone()?);
     // The file of a misspelt `#include` was not read.
@@ -82,7 +84,7 @@ pub(super) fn misspelt(source: &SourceLine, d: &Diagnostic) -> Option<CommonMist
     }
     let loses_directive = matches!(d.help.as_deref(), Some(help) if ["#macro", "#if", "#for", "#while", "#switch"].iter().any(|w| help.contains(w)));
     let habit = CommonMistake { loses_directive, ..habit };
-    Some(match leading_name(rest) {
+    Some(match split_leading_name(rest) {
         Some((name, _)) => habit.declares(name),
         None => habit,
     })
@@ -93,7 +95,7 @@ pub(super) fn else_if(source: &SourceLine, _: &Diagnostic) -> Option<CommonMista
     let before = source.before().trim_end();
     let rest = source.after().strip_prefix("if")?.trim_start();
     before.strip_suffix("else")?.trim_end_matches([' ', '\t']).strip_suffix('#')?;
-    let habit = CommonMistake::help(format!("write `#elseif {}`", code_of(rest)));
+    let habit = CommonMistake::help(format!("write `#elseif {}`", without_comment(rest)));
     let start = source.line.start + before.rfind('#')?;
     let habit = habit.message("`#else if` is written as one word: `#elseif`").range(start..source.at + 2);
     Some(habit.code(codes::UNKNOWN_DIRECTIVE))
@@ -155,7 +157,7 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
     if d.code != codes::EXPECTED || !source.after().starts_with('{') || !head.starts_with('#') {
         return None;
     }
-    let (word, _) = leading_name(head.trim_start_matches('#').trim_start())?;
+    let (word, _) = split_leading_name(head.trim_start_matches('#').trim_start())?;
     let has_body = matches!(word, "macro" | "if" | "ifdef" | "ifndef" | "elseif" | "else" | "while" | "for");
     if !has_body || word != "else" && !head.ends_with(')') {
         return None;
@@ -168,7 +170,7 @@ pub(super) fn braces_around_body(source: &SourceLine, d: &Diagnostic) -> Option<
 /// Recognizes the mistakes `macro Ball(R)`, `if (A = 1)` and `def Ball(r):`, without `#`.
 pub(super) fn without_hash(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let statement = source.statement();
-    let (word, rest) = leading_name(statement)?;
+    let (word, rest) = split_leading_name(statement)?;
     if source.at != source.statement_start() || d.code == codes::UNKNOWN_DIRECTIVE {
         return None;
     }

@@ -51,10 +51,13 @@ impl CommonMistake {
         self
     }
 
-    /// Applies the replacements to the error's diagnostic; `base` is the global offset of the file.
-    pub(super) fn apply_to(self, mut d: Diagnostic, base: usize) -> Diagnostic {
+    /// Applies the replacements to the error's diagnostic; `file_offset` is the global offset of the file.
+    pub(super) fn apply_to(self, mut d: Diagnostic, file_offset: usize) -> Diagnostic {
         if let Some(range) = self.range {
-            d.labels = vec![Label { span: Span::new(base + range.start, base + range.end), text: String::new() }];
+            d.labels = vec![Label {
+                span: Span::new(file_offset + range.start, file_offset + range.end),
+                text: String::new(),
+            }];
         }
         d.code = self.code.unwrap_or(d.code);
         d.message = self.message.unwrap_or(d.message);
@@ -69,8 +72,8 @@ type Recognizer = fn(&SourceLine, &Diagnostic) -> Option<CommonMistake>;
 const COMMON_MISTAKES: &[Recognizer] = &[
     directive::hex_color,
     directive::define,
-    directive::other_branch,
-    directive::other_end,
+    directive::other_elseif_spelling,
+    directive::other_end_spelling,
     directive::assignment,
     directive::comment,
     directive::misspelt,
@@ -80,13 +83,13 @@ const COMMON_MISTAKES: &[Recognizer] = &[
     directive::braces_around_body,
     directive::without_hash,
     statement::function_definition,
-    statement::in_place,
+    statement::in_place_assignment,
     statement::typed_variable,
     statement::assignment,
-    statement::behind_object,
+    statement::modifier_behind_object,
     operator::operator_at_end,
     operator::not_equal,
-    operator::doubled,
+    operator::doubled_operator,
     operator::operator_as_word,
     operator::equal_behind_word,
     operator::index_with_comma,

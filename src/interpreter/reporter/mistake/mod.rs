@@ -17,7 +17,7 @@ use crate::library;
 use crate::source::{FileId, Span};
 use habit::CommonMistake;
 use rustc_hash::{FxHashMap, FxHashSet};
-use source_line::{SourceLine, leading_name};
+use source_line::{SourceLine, split_leading_name};
 
 /// Consequences of earlier errors, by which errors that only follow from these are suppressed.
 #[derive(Default)]
@@ -51,7 +51,7 @@ impl Mistakes {
 
 impl Reporter<'_> {
     /// Replaces an error by its cause; `None` if it follows from another error or is merged into one.
-    pub(super) fn with_cause(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
+    pub(super) fn cause_to_report(&mut self, mut d: Diagnostic) -> Option<Diagnostic> {
         let Some(source) = SourceLine::around(self.inputs.sources, d.span()) else { return Some(d) };
         let line = (source.file, source.line.start);
         let habit = habit::find(&source, &d);
@@ -87,9 +87,9 @@ impl Reporter<'_> {
     /// Records the names and files that an error leaves undeclared or unread.
     fn record_consequences(&mut self, d: &Diagnostic, source: &SourceLine) {
         let text = self.inputs.sources.snippet(d.span());
-        let directive = source.statement().strip_prefix('#').map(str::trim_start).and_then(leading_name);
+        let directive = source.statement().strip_prefix('#').map(str::trim_start).and_then(split_leading_name);
         if let Some(("declare" | "local" | "macro", rest)) = directive
-            && let Some((name, _)) = leading_name(rest.trim_start())
+            && let Some((name, _)) = split_leading_name(rest.trim_start())
         {
             self.mistakes.names.insert(name.to_string());
         }

@@ -1,7 +1,7 @@
 //! Mistakes with operators, vectors and indices, mostly habits from other languages.
 
 use super::habit::CommonMistake;
-use super::source_line::{SourceLine, code_of, is_letter, leading_name, trailing_name, value_text};
+use super::source_line::{SourceLine, is_letter, split_leading_name, split_trailing_name, value_text, without_comment};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
@@ -24,7 +24,7 @@ fn trailing_operand(text: &str) -> &str {
 }
 
 /// Recognizes C's operators `&&`, `||` and `==`.
-pub(super) fn doubled(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+pub(super) fn doubled_operator(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     // The fault is at the second sign.
     let at = source.at.checked_sub(1).filter(|_| d.code == codes::SYNTAX)?;
     let typed = source.text.get(at..at + 2)?;
@@ -47,7 +47,7 @@ pub(super) fn operator_at_end(source: &SourceLine, d: &Diagnostic) -> Option<Com
 
 /// Recognizes the mistakes `A and B`, `not A` and `A mod 2`.
 pub(super) fn operator_as_word(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let (word, right) = leading_name(source.after())?;
+    let (word, right) = split_leading_name(source.after())?;
     let left = source.before().trim_end();
     let message = |sign: &str, what: &str| format!("{what} is `{sign}`");
     let habit = match word.to_ascii_lowercase().as_str() {
@@ -78,7 +78,7 @@ fn operand(text: &str) -> &str {
 /// Recognizes the mistake `phong = 0.5`, with a sign between word and value.
 pub(super) fn equal_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
     let value = source.after().strip_prefix('=').filter(|_| d.code == codes::SYNTAX)?;
-    let (before, word) = trailing_name(source.before().trim_end())?;
+    let (before, word) = split_trailing_name(source.before().trim_end())?;
     let plain = lookup(word).is_some() && !before.trim_end().ends_with('#') && !before.trim_end().ends_with("declare");
     let value = value_text(value.split(['}', ';']).next().unwrap_or_default());
     let habit = CommonMistake::help(format!("a value directly follows its word: `{word} {value}`"));
@@ -94,7 +94,7 @@ pub(super) fn index_with_comma(source: &SourceLine, d: &Diagnostic) -> Option<Co
     let from = source.at - source.line.start;
     let open = line[..from].rfind('[')?;
     let close = open + line[open..].find(']')?;
-    let (_, name) = trailing_name(&line[..open])?;
+    let (_, name) = split_trailing_name(&line[..open])?;
     let indices: Vec<&str> = line[open + 1..close].split(',').map(str::trim).collect();
     if close < from || indices.len() < 2 || indices.iter().any(|index| index.is_empty()) {
         return None;
@@ -130,11 +130,11 @@ pub(super) fn list_behind_word(source: &SourceLine, d: &Diagnostic) -> Option<Co
     }
     let before = source.before().trim_end().strip_suffix(',')?;
     let start = before.trim_end_matches(|c: char| c.is_ascii_digit() || " .,-+".contains(c)).len();
-    let (_, word) = trailing_name(&before[..start])?;
+    let (_, word) = split_trailing_name(&before[..start])?;
     if !matches!(word, "translate" | "rotate" | "scale" | "location" | "look_at" | "rgb") {
         return None;
     }
-    let rest = code_of(source.after());
+    let rest = without_comment(source.after());
     let rest = rest[..rest.find(|c: char| !c.is_ascii_digit() && !" .,-+".contains(c)).unwrap_or(rest.len())].trim();
     let numbers = format!("{}, {rest}", before[start..].trim());
     let habit = CommonMistake::help(format!(
@@ -149,7 +149,7 @@ pub(super) fn list_in_parentheses(source: &SourceLine, d: &Diagnostic) -> Option
     let inside = source.after().strip_prefix('(').filter(|_| d.code == codes::EXPECTED)?;
     let (numbers, _) = inside.split_once(')')?;
     let plain = numbers.contains(',') && !numbers.contains('(');
-    let word = trailing_name(source.before().trim_end()).map_or("", |(_, word)| word);
+    let word = split_trailing_name(source.before().trim_end()).map_or("", |(_, word)| word);
     let space = if word.is_empty() { "" } else { " " };
     let help = format!("vectors are written in angle brackets: `{word}{space}<{}>`", numbers.trim());
     (plain && (word.is_empty() || lookup(word).is_some())).then(|| CommonMistake::help(help))

@@ -42,7 +42,7 @@ impl<'t> SourceLine<'t> {
 
     /// Returns the source line without comment and surrounding blanks.
     pub(super) fn statement(&self) -> &'t str {
-        code_of(&self.text[self.line.clone()])
+        without_comment(&self.text[self.line.clone()])
     }
 
     /// Returns the offset of [`Self::statement`] in the source file.
@@ -64,7 +64,7 @@ impl<'t> SourceLine<'t> {
 }
 
 /// Returns a line without comment and surrounding blanks.
-pub(super) fn code_of(line: &str) -> &str {
+pub(super) fn without_comment(line: &str) -> &str {
     let end = line.find("//").or(line.find("/*")).unwrap_or(line.len());
     line[..end].trim()
 }
@@ -75,13 +75,13 @@ pub(super) fn is_letter(c: char) -> bool {
 }
 
 /// Splits a text into the name at its start and the text after the name.
-pub(super) fn leading_name(text: &str) -> Option<(&str, &str)> {
+pub(super) fn split_leading_name(text: &str) -> Option<(&str, &str)> {
     let end = text.find(|c: char| !is_letter(c)).unwrap_or(text.len());
     text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_').then(|| text.split_at(end))
 }
 
 /// Splits a text into the text before the name at its end, and that name.
-pub(super) fn trailing_name(text: &str) -> Option<(&str, &str)> {
+pub(super) fn split_trailing_name(text: &str) -> Option<(&str, &str)> {
     let start = text.trim_end_matches(is_letter).len();
     let (before, name) = text.split_at(start);
     name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_').then_some((before, name))
@@ -89,7 +89,7 @@ pub(super) fn trailing_name(text: &str) -> Option<(&str, &str)> {
 
 /// Returns the text of a value up to the `;`, shortened for a help line.
 pub(super) fn value_text(text: &str) -> String {
-    let value = code_of(text).trim_end_matches(';').trim();
+    let value = without_comment(text).trim_end_matches(';').trim();
     match value.char_indices().nth(50) {
         _ if value.is_empty() => "…".into(),
         Some((end, _)) => format!("{}…", &value[..end]),

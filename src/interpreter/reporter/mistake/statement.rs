@@ -1,20 +1,20 @@
 //! Mistakes in statements, mostly habits from other languages.
 
 use super::habit::CommonMistake;
-use super::source_line::{SourceLine, is_letter, leading_name, trailing_name, value_text};
+use super::source_line::{SourceLine, is_letter, split_leading_name, split_trailing_name, value_text};
 use crate::diagnostic::{Diagnostic, codes};
 use crate::syntax::word::lookup;
 
 /// Returns the name at the start of the line, and the text after it; `None` for a keyword.
-fn own_name<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
-    leading_name(source.statement())
+fn split_leading_non_keyword<'t>(source: &SourceLine<'t>) -> Option<(&'t str, &'t str)> {
+    split_leading_name(source.statement())
         .filter(|(name, _)| lookup(name).is_none())
         .map(|(name, rest)| (name, rest.trim_start()))
 }
 
 /// Recognizes the mistake `F(x) = x*x` for a function definition.
 pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
-    let (name, rest) = own_name(source)?;
+    let (name, rest) = split_leading_non_keyword(source)?;
     let (parameters, rest) = rest.strip_prefix('(')?.split_once(')')?;
     let value = rest.trim_start().strip_prefix('=').filter(|value| !value.starts_with('='))?;
     let is_list = parameters.split(',').all(|p| !p.trim().is_empty() && p.trim().chars().all(is_letter));
@@ -26,8 +26,8 @@ pub(super) fn function_definition(source: &SourceLine, _: &Diagnostic) -> Option
 }
 
 /// Recognizes the mistake `I++` or `N += 2` for an assignment.
-pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
-    let (name, rest) = own_name(source)?;
+pub(super) fn in_place_assignment(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
+    let (name, rest) = split_leading_non_keyword(source)?;
     let start = source.statement_start();
     let typed = rest.trim_end_matches(';').trim_end();
     let (sign, value, length) = match typed {
@@ -46,9 +46,9 @@ pub(super) fn in_place(source: &SourceLine, _: &Diagnostic) -> Option<CommonMist
 
 /// Recognizes the mistake `float A = 2;` or `let A = 2;` for a declaration.
 pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<CommonMistake> {
-    let (kind, rest) = leading_name(source.statement())?;
+    let (kind, rest) = split_leading_name(source.statement())?;
     let known = ["let", "var", "const", "int", "float", "double", "set", "auto", "vector", "string", "vec3"];
-    let (name, rest) = leading_name(rest.trim_start()).filter(|_| known.contains(&kind))?;
+    let (name, rest) = split_leading_name(rest.trim_start()).filter(|_| known.contains(&kind))?;
     let value = rest.trim_start().strip_prefix('=')?;
     let start = source.statement_start();
     let habit = CommonMistake::help(format!("write `#declare {name} = {};`", value_text(value)));
@@ -58,7 +58,7 @@ pub(super) fn typed_variable(source: &SourceLine, _: &Diagnostic) -> Option<Comm
 
 /// Recognizes the mistake `Size = 3;`, an assignment without `#declare`.
 pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let (name, rest) = own_name(source)?;
+    let (name, rest) = split_leading_non_keyword(source)?;
     let value = rest.strip_prefix('=').filter(|value| !value.starts_with('='))?;
     let sign = source.range_of(value).start - 1;
     let inside = source.at <= sign + 1 && d.code != codes::UNKNOWN_DIRECTIVE;
@@ -69,8 +69,8 @@ pub(super) fn assignment(source: &SourceLine, d: &Diagnostic) -> Option<CommonMi
 }
 
 /// Recognizes the mistake `Ball translate 2*x` or `sphere { … } rotate y` outside of all braces.
-pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
-    let (word, _) = leading_name(source.after())?;
+pub(super) fn modifier_behind_object(source: &SourceLine, d: &Diagnostic) -> Option<CommonMistake> {
+    let (word, _) = split_leading_name(source.after())?;
     if d.code != codes::UNKNOWN_WORD || !d.message.ends_with("outside of all braces") {
         return None;
     }
@@ -78,7 +78,7 @@ pub(super) fn behind_object(source: &SourceLine, d: &Diagnostic) -> Option<Commo
     let modifies = known.has_effect(word) || crate::value::words::TRANSFORMS.iter().any(|w| w.name == word);
     let before = source.text[..source.at].trim_end();
     let message = |what: &str| format!("`{word}` follows {what}, which is complete");
-    if let Some((_, name)) = trailing_name(before).filter(|(_, name)| modifies && lookup(name).is_none()) {
+    if let Some((_, name)) = split_trailing_name(before).filter(|(_, name)| modifies && lookup(name).is_none()) {
         let rest = value_text(source.after());
         let habit = CommonMistake::help(format!("write `object {{ {name} {rest} }}`"));
         return Some(habit.message(message(&format!("the object `{name}`"))));

@@ -20,16 +20,16 @@ impl Reporter<'_> {
             return d.because(Cause::new(Remedy::Include(file), name, span));
         }
         let d = d.because(Cause::new(Remedy::Declare, name, span));
-        let help = hints::newer_name(name)
+        let help = hints::newer_name_hint(name)
             .map(String::from)
-            .or_else(|| meant_name(name, declared))
-            .or_else(|| hints::other_tools(name).map(String::from))
-            .or_else(|| meant_word(name));
-        let help = help.or_else(|| meant_include(name));
-        d.help(help.unwrap_or_else(|| self.declaration_of(name, span)))
+            .or_else(|| meant_name_hint(name, declared))
+            .or_else(|| hints::other_tool_hint(name).map(String::from))
+            .or_else(|| meant_word_hint(name));
+        let help = help.or_else(|| meant_include_hint(name));
+        d.help(help.unwrap_or_else(|| self.declaration_help(name, span)))
     }
 
-    fn declaration_of(&self, name: &str, span: Span) -> String {
+    fn declaration_help(&self, name: &str, span: Span) -> String {
         let called = self.inputs.sources.locate(span).is_some_and(|(file, range)| {
             self.inputs.sources.text(file).get(range.end..).unwrap_or_default().trim_start().starts_with('(')
         });
@@ -43,16 +43,16 @@ impl Reporter<'_> {
 }
 
 /// Returns a declared name with nearly the same spelling.
-fn meant_name<'n>(name: &str, declared: impl Iterator<Item = &'n str>) -> Option<String> {
+fn meant_name_hint<'n>(name: &str, declared: impl Iterator<Item = &'n str>) -> Option<String> {
     // A lower-case word of another tool is no misspelling.
-    if hints::other_tools(name).is_some() && !name.starts_with(char::is_uppercase) {
+    if hints::other_tool_hint(name).is_some() && !name.starts_with(char::is_uppercase) {
         return None;
     }
     nearest(name, declared).map(|found| format!("did you mean `{found}`?"))
 }
 
 /// Returns a keyword with nearly the same spelling.
-fn meant_word(name: &str) -> Option<String> {
+fn meant_word_hint(name: &str) -> Option<String> {
     let words = word::KEYWORDS.iter().chain(word::FUNCTIONS).copied().chain(word::CONSTANTS.iter().map(|c| c.0));
     // Words of the language are in lower case: a capitalized name is a misspelling of one only if nothing else differs.
     let capital = name.starts_with(char::is_uppercase);
@@ -61,7 +61,7 @@ fn meant_word(name: &str) -> Option<String> {
 }
 
 /// Returns a name of a standard include file with nearly the same spelling.
-fn meant_include(name: &str) -> Option<String> {
+fn meant_include_hint(name: &str) -> Option<String> {
     // Short names resemble too many others.
     let near =
         nearest(name, library::standard_names()).filter(|found| name.len() > 4 || found.eq_ignore_ascii_case(name))?;

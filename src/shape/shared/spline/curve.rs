@@ -128,7 +128,7 @@ impl Curve {
             reach(c[self.degree]);
             for axis in 0..2 {
                 let b = self.affine_coefficients(segment, |p| p[axis]);
-                derivative_roots(&b).into_iter().flatten().for_each(|t| reach(self.point_at(segment, t)));
+                bernstein_derivative_roots(&b).into_iter().flatten().for_each(|t| reach(self.point_at(segment, t)));
             }
         }
         (min, max)
@@ -142,7 +142,7 @@ impl Curve {
 }
 
 /// Roots of the derivative of a Bernstein polynomial between 0 and 1, for a degree up to 3.
-pub fn derivative_roots(b: &[f64]) -> [Option<f64>; 2] {
+pub fn bernstein_derivative_roots(b: &[f64]) -> [Option<f64>; 2] {
     let rise: smallvec::SmallVec<[f64; 4]> = b.windows(2).map(|w| w[1] - w[0]).collect();
     let (x, y) = match rise[..] {
         [a, b] => (a / (a - b), f64::NAN),

@@ -3,5 +3,7 @@
 mod curve;
 mod points;
 
-pub use curve::{Curve, bernstein_derivative_at, bernstein_product, derivative_roots, evaluate_bernstein};
-pub use points::{Interpolation, KINDS, closed_outlines, read_points, report_open, single_outline};
+pub use curve::{Curve, bernstein_derivative_at, bernstein_derivative_roots, bernstein_product, evaluate_bernstein};
+pub use points::{
+    Interpolation, KINDS, outlines_and_is_unclosed, read_points, single_outline, warn_of_unclosed_outline,
+};

@@ -128,7 +128,7 @@ pub fn single_outline(kind: Interpolation, points: &[DVec2]) -> Curve {
 
 /// Creates the curve of closed outlines: an outline ends where its first point is repeated, and the next starts after
 /// it. Also returns true if the last outline is open: a `linear_spline` is then closed, any other is left out.
-pub fn closed_outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
+pub fn outlines_and_is_unclosed(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
     let same = |p: DVec2, q: DVec2| (p - q).abs().max_element() < tolerance::SAME_POINT;
     let mut curve = Curve { degree: kind.degree(), segments: vec![] };
     // Number of points before the first and after the last of an outline that only give directions.
@@ -160,7 +160,7 @@ pub fn closed_outlines(kind: Interpolation, points: &[DVec2]) -> (Curve, bool) {
 }
 
 /// Reports an outline of a lathe or prism that is not closed.
-pub fn report_open(block: &str, kind: Interpolation, span: Span, r: &mut dyn Reader) {
+pub fn warn_of_unclosed_outline(block: &str, kind: Interpolation, span: Span, r: &mut dyn Reader) {
     let done = if kind == Linear { "closed now" } else { "left out" };
     let message = format!("the last outline of this `{block}` is not closed; it is {done}");
     let help = "repeat the first point of the outline at its end, and count it";
@@ -189,7 +189,7 @@ mod tests {
     fn outlines_of_the_manual() {
         let frame =
             [(0., 0.), (6., 0.), (6., 8.), (0., 8.), (0., 0.), (1., 1.), (5., 1.), (5., 7.), (1., 7.), (1., 1.)];
-        let (curve, open) = closed_outlines(Linear, &points(&frame));
+        let (curve, open) = outlines_and_is_unclosed(Linear, &points(&frame));
         assert!(curve.segments.len() == 8 && !open);
         let inside = |curve: &Curve, x: f64, y: f64| curve.is_crossed_oddly(y, |at| at > x);
         assert!(inside(&curve, 0.5, 4.0) && !inside(&curve, 3.0, 4.0) && !inside(&curve, 7.0, 4.0));
@@ -209,11 +209,11 @@ mod tests {
             (1., 1.),
             (0., 2.),
         ];
-        let (curve, open) = closed_outlines(Cubic, &points(&frame));
+        let (curve, open) = outlines_and_is_unclosed(Cubic, &points(&frame));
         assert!(curve.segments.len() == 8 && !open && inside(&curve, 0.5, 4.0) && !inside(&curve, 3.0, 4.0));
-        let (curve, open) = closed_outlines(Cubic, &points(&frame[..6]));
+        let (curve, open) = outlines_and_is_unclosed(Cubic, &points(&frame[..6]));
         assert!(curve.segments.is_empty() && open);
-        let (curve, open) = closed_outlines(Linear, &points(&[(0., 0.), (1., 0.), (0., 1.)]));
+        let (curve, open) = outlines_and_is_unclosed(Linear, &points(&[(0., 0.), (1., 0.), (0., 1.)]));
         assert!(curve.segments.len() == 3 && open && inside(&curve, 0.2, 0.2));
     }
 }
