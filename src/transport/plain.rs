@@ -14,7 +14,7 @@ use crate::world::{Intersection, Part, World};
 use std::slice;
 
 /// Point of a plain surface, with its one layer.
-struct PlainPoint<'w> {
+pub(super) struct PlainPoint<'w> {
     part: &'w Part,
     point: DVec3,
     /// Normal without bumps, length 1, towards the ray's origin.
@@ -23,9 +23,10 @@ struct PlainPoint<'w> {
 }
 
 impl<'w> PlainPoint<'w> {
-    /// Evaluates the material at the hit `found` of `ray` on the plain surface of a part.
+    /// Evaluates the material at the hit `found` of `ray` on the plain surface of a part. `None` if the surface transmits light
+    /// at the point all the same, as an image map does that only counts as opaque (quirk: `image_alpha_of_one`).
     #[inline(always)]
-    fn new(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection) -> Self {
+    pub fn new(world: &'w World, part: &'w Part, ray: &Ray, found: &Intersection) -> Option<Self> {
         let surface = found.surface(ray);
         let smooth = if ray.dir.dot(surface.normal) > 0.0 { -surface.normal } else { surface.normal };
         let layer = &world.materials[part.outside.material as usize].layers[0];
@@ -41,10 +42,13 @@ impl<'w> PlainPoint<'w> {
                 layer.color(&context, false)
             }
         };
+        if color.transmittance() != Rgb::ZERO {
+            return None;
+        }
         let opacity = color.opacity(world.opacity_by_color);
         let cos = -ray.dir.dot(normal);
         let shaded = ShadedLayer { layer, color, opacity, weight, normal, cos, is_translucent: false };
-        Self { part, point: surface.point, smooth, shaded }
+        Some(Self { part, point: surface.point, smooth, shaded })
     }
 }
 
@@ -68,25 +72,27 @@ impl<'w> LitSurface<'w> for PlainPoint<'w> {
     }
 }
 
-impl Tracer<'_> {
-    /// Adds the light of a plain surface to `sum`. True if the surface reflects the ray, and `state` is the reflected ray.
-    pub(super) fn trace_plain_and_continues(
+impl<'w> Tracer<'w> {
+    /// Adds the light that a point of a plain surface sends along the ray to `sum`.
+    pub(super) fn add_plain_light(&mut self, state: &RayState, at: &PlainPoint<'w>, sum: &mut Radiance) {
+        let mut light = at.shaded.weight * emitted(&at.shaded, self.context.has_ambient);
+        self.add_light_of_sources(state, at, &mut light);
+        sum.rgb += state.throughput * light;
+    }
+
+    /// Replaces a ray by the ray that the plain surface at its hit reflects. False, without any effect, if the surface reflects
+    /// none.
+    pub(super) fn reflect_at_plain_point(
         &mut self,
         state: &mut RayState,
         hit: &Intersection,
-        sum: &mut Radiance,
+        at: &PlainPoint<'w>,
     ) -> bool {
-        let world = self.context.world;
-        let part = &world.parts[hit.part_number() as usize];
-        let at = PlainPoint::new(world, part, &state.ray, hit);
-        let mut light = at.shaded.weight * emitted(&at.shaded, self.context.has_ambient);
-        self.add_light_of_sources(state, &at, &mut light);
-        sum.rgb += state.throughput * light;
-        // The mirrored ray
         if at.shaded.layer.finish.mirror.is_none() || state.level >= self.max_trace_level {
             return false;
         }
         let interface = self.interface(state, hit);
+        let world = self.context.world;
         let context = MirrorContext { weight: state.weight, bailout: self.adc_bailout, interface: &interface, world };
         let Some(mirror) = Mirror::new(&at.shaded, 1.0, context) else { return false };
         let out = mirror_direction(state.ray.dir, at.shaded.normal, at.smooth);

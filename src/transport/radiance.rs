@@ -1,6 +1,7 @@
 //! The loop over ray states: the radiance of one camera ray is the sum over all rays that it spawns.
 
 use super::interface::Interface;
+use super::plain::PlainPoint;
 use super::ray_state::{MAX_SURFACES, RayState};
 use super::scatter::Boundary;
 use super::segment::Span;
@@ -83,8 +84,13 @@ impl<'w> Tracer<'w> {
             state.attenuate(&air);
         }
         let material = &self.context.world.materials[part.outside.material as usize];
-        if part.uncommon.is_none() && material.is_plain && self.has_plain_light {
-            return self.trace_plain_and_continues(state, &hit, sum);
+        if part.uncommon.is_none()
+            && material.is_plain
+            && self.has_plain_light
+            && let Some(at) = PlainPoint::new(self.context.world, part, &state.ray, &hit)
+        {
+            self.add_plain_light(state, &at, sum);
+            return self.reflect_at_plain_point(state, &hit, &at);
         }
         let interface = self.interface(state, &hit);
         if part.uncommon.is_none() && material.is_clear && self.passes_clear_surface(state, &hit, &interface) {
