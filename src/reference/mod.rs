@@ -1,8 +1,8 @@
 //! Tables of all words of the scene language, for the manual and for editors.
 
-mod sorts;
+mod words_by_kind;
 
-pub use sorts::{Sorts, sorts};
+pub use words_by_kind::{WordsByKind, words_by_kind};
 
 use crate::medium::{INTERIOR, MEDIA, SCATTERING};
 use crate::pattern::{CellPattern, FieldPattern, Warp};

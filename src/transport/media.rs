@@ -13,7 +13,7 @@ use crate::medium::{MediaSampling, SamplingMethod};
 use crate::world::{LightSource, Medium};
 use smallvec::SmallVec;
 
-/// Maximum depth of halving: further halves of a stretch do not differ from it.
+/// Upper limit of the scene's `aa_level`: halves of halves of a stretch of media, 24 times, are too short to be seen.
 const MAX_LEVEL: u32 = 24;
 
 /// Optical depth beyond which hardly any light is left: exp(-16) is 1e-7.

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// A closed set of blocks of one kind, whose members are [`Readable`](super::Readable).
 pub trait Family: Sized {
-    /// Descriptions of all members of the family of blocks.
+    /// Descriptions of all members of this family, such as those of all shapes or of all warps.
     const SPECS: &'static [&'static Spec];
 
     /// Description of this member's block.

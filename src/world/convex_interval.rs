@@ -24,7 +24,7 @@ struct ConvexInterval {
 impl ConvexInterval {
     const NONE: [End; 2] = [End { t: f64::INFINITY, part: 0 }, End { t: f64::NEG_INFINITY, part: 0 }];
 
-    /// Returns the interval of a ray inside a shape; `None` if the shape can't compute intervals.
+    /// Returns where a ray is inside a shape: in an interval, or outside of it; `None` if the shape can't compute intervals.
     #[inline]
     fn inside_shape(leaf: &Leaf, ray: &Ray) -> Option<Self> {
         let local = leaf.local(ray);

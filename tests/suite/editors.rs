@@ -7,7 +7,7 @@ mod neovim;
 mod tree_sitter;
 mod vscode;
 
-use durer::reference::sorts;
+use durer::reference::words_by_kind;
 use durer::syntax::word::KEYWORDS;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -18,13 +18,13 @@ type File = (&'static str, String);
 const GENERATED: &str = "Made of durer's tables by `UPDATE_EDITORS=1 cargo test --test suite editors::`: change those.";
 
 fn files() -> Vec<File> {
-    let (sorts, options) = (sorts(), options());
+    let (by_kind, options) = (words_by_kind(), options());
     [
-        vscode::files(&sorts, &options),
-        neovim::files(&sorts, &options),
-        emacs::files(&sorts, &options),
-        tree_sitter::files(&sorts),
-        fuzz_dictionaries::files(&sorts, &options),
+        vscode::files(&by_kind, &options),
+        neovim::files(&by_kind, &options),
+        emacs::files(&by_kind, &options),
+        tree_sitter::files(&by_kind),
+        fuzz_dictionaries::files(&by_kind, &options),
     ]
     .concat()
 }
@@ -66,16 +66,16 @@ fn grammars_equal_the_generated_ones() {
 /// Each word has one category, and none is missing.
 #[test]
 fn every_word_has_one_category() {
-    let sorts = sorts();
-    let all = [&sorts.objects, &sorts.blocks, &sorts.functions, &sorts.constants, &sorts.words];
+    let by_kind = words_by_kind();
+    let all = [&by_kind.objects, &by_kind.blocks, &by_kind.functions, &by_kind.constants, &by_kind.words];
     let known: BTreeSet<_> = all.iter().flat_map(|words| words.iter()).collect();
     assert_eq!(known.len(), all.iter().map(|words| words.len()).sum::<usize>());
     assert_eq!(KEYWORDS.iter().find(|word| !known.contains(word)), None);
     for word in ["sphere", "union", "blob"] {
-        assert!(sorts.objects.contains(&word), "{word}");
+        assert!(by_kind.objects.contains(&word), "{word}");
     }
     for word in ["pigment", "camera", "light_source", "finish", "global_settings", "color_map", "media", "warp"] {
-        assert!(sorts.blocks.contains(&word), "{word}: {:?}", sorts.blocks);
+        assert!(by_kind.blocks.contains(&word), "{word}: {:?}", by_kind.blocks);
     }
-    assert!(sorts.openers.contains(&"macro") && !sorts.openers.contains(&"else"));
+    assert!(by_kind.openers.contains(&"macro") && !by_kind.openers.contains(&"else"));
 }

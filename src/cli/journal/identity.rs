@@ -31,7 +31,7 @@ pub struct Begun {
 }
 
 impl Begun {
-    /// Returns the work together with the identity of the running program, which begins it.
+    /// Records that the running program begins this work: adds the identity of the program.
     pub fn new(work: Work) -> Self {
         Self { program: program_identity().into(), work }
     }

@@ -218,7 +218,7 @@ impl Settings {
             }
         }
         let packing = self.is_compressed_tga.then(|| "rle".to_string());
-        let output = if self.is_povray_line { self.povray_output_name() } else { self.output_name() };
+        let output = if self.is_povray_line { self.output_name_as_povray() } else { self.output_name() };
         let is_unnamed = output.as_deref().is_some_and(|name| is_special(Path::new(name)));
         let format = self.format.or(is_unnamed.then_some("png")).map(Into::into);
         for (name, value) in [("--output", output), ("--format", format), ("--packing", packing)] {
@@ -244,14 +244,14 @@ impl Settings {
 
     /// Returns the folder of the picture on POV-Ray's own command line; an empty path for the current folder.
     pub fn output_folder(&self) -> PathBuf {
-        let name = self.povray_output_name().filter(|name| name != "-").map(PathBuf::from).unwrap_or_default();
+        let name = self.output_name_as_povray().filter(|name| name != "-").map(PathBuf::from).unwrap_or_default();
         let is_folder = name.as_os_str().to_string_lossy().ends_with(std::path::is_separator) || name.is_dir();
         if is_folder { name } else { name.parent().map(Path::to_path_buf).unwrap_or_default() }
     }
 
     /// Returns the output file on POV-Ray's own command line: beside the scene without `+O`, and always with the
     /// extension of the format.
-    fn povray_output_name(&self) -> Option<String> {
+    fn output_name_as_povray(&self) -> Option<String> {
         let ending = self.format.unwrap_or("png");
         let Some(name) = self.output.as_ref().filter(|name| !name.is_empty()) else {
             let stem = Path::new(self.input.as_ref()?).file_stem()?;

@@ -70,7 +70,7 @@ impl LineStyle {
     }
 
     /// Returns the line about a pass before the picture that is finished.
-    fn pass(self, pass: &str) -> String {
+    fn pass_finished_line(self, pass: &str) -> String {
         match self {
             Self::Plain => format!("{pass}: finished\n"),
             Self::Json => format!("{}\n", json!({ "event": "pass", "name": pass })),
@@ -156,7 +156,7 @@ impl Progress {
                 bar.set_length(total as u64);
                 bar.set_position(done as u64);
             }
-            Self::Lines { style, .. } if done == total => print_message(&style.pass(pass)),
+            Self::Lines { style, .. } if done == total => print_message(&style.pass_finished_line(pass)),
             _ => {}
         }
     }

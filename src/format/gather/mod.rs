@@ -217,7 +217,7 @@ impl<'a> Gatherer<'a> {
             let start = self.len();
             let item = self.element(e);
             self.gather_through(e.span);
-            self.gather_comma(e);
+            self.gather_comma_after(e);
             self.mark_item(start, item);
             match &e.kind {
                 ElementKind::Block(block) if !layers.is_empty() && self.read(block.name.span) == "texture" => {
@@ -256,7 +256,7 @@ impl<'a> Gatherer<'a> {
     }
 
     /// Adds the atom of the comma that follows a syntax element, if there is one.
-    fn gather_comma(&mut self, e: &Element) {
+    fn gather_comma_after(&mut self, e: &Element) {
         if e.comma {
             self.pending = 0;
             self.gather_token();

@@ -68,7 +68,7 @@ impl Interpreter<'_> {
         picture.map_err(|why| self.warn_partly_read(&mesh.display().to_string(), &why, at)).ok()
     }
 
-    fn warn_partly_read(&mut self, name: &str, what: &str, at: Span) {
-        self.report(Diagnostic::new(codes::MESH_PARTLY, at, format!("in the mesh file `{name}`: {what}")));
+    fn warn_partly_read(&mut self, name: &str, message: &str, at: Span) {
+        self.report(Diagnostic::new(codes::MESH_PARTLY, at, format!("in the mesh file `{name}`: {message}")));
     }
 }

@@ -1,7 +1,7 @@
 //! Semantic tokens: kinds of words for the colours of the editor.
 
 use crate::lsp::server::{Client, Server};
-use crate::reference::sorts;
+use crate::reference::words_by_kind;
 use crate::syntax::outline::{DeclarationKind, TokenKind};
 use crate::syntax::word::Category;
 use lsp_types::{SemanticToken, SemanticTokens, SemanticTokensParams, SemanticTokensResult};
@@ -48,7 +48,7 @@ pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) 
     };
     let macros: std::collections::HashSet<String> = related.iter().flat_map(declared).collect();
     let own: HashMap<usize, DeclarationKind> = outline.declarations.iter().map(|d| (d.range.start, d.kind)).collect();
-    let sorts = sorts();
+    let by_kind = words_by_kind();
     let (mut data, mut last) = (vec![], lsp_types::Position::default());
     for token in &outline.tokens {
         let word = outline.slice(&token.range);
@@ -56,8 +56,8 @@ pub fn tokens<S: Client>(server: &mut Server<S>, params: &SemanticTokensParams) 
             TokenKind::Directive => Type::Keyword,
             TokenKind::Word(Category::Function) => Type::Function,
             TokenKind::Word(Category::Constant) => Type::Constant,
-            TokenKind::Word(_) if sorts.objects.contains(&word) => Type::Class,
-            TokenKind::Word(_) if sorts.blocks.contains(&word) => Type::Struct,
+            TokenKind::Word(_) if by_kind.objects.contains(&word) => Type::Class,
+            TokenKind::Word(_) if by_kind.blocks.contains(&word) => Type::Struct,
             TokenKind::Word(_) => Type::Property,
             TokenKind::Name if own.get(&token.range.start) == Some(&DeclarationKind::Parameter) => Type::Parameter,
             TokenKind::Name if macros.contains(word) => Type::Macro,

@@ -149,7 +149,7 @@ impl PhotonMap {
     }
 }
 
-/// Sorts photons into the order of the tree, and stores the axes of the divisions.
+/// WordsByKind photons into the order of the tree, and stores the axes of the divisions.
 fn divide(photons: &mut [Photon], axes: &mut [u8]) {
     if photons.len() <= LEAF || cancel::is_cancelled() {
         return;

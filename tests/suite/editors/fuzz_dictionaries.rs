@@ -2,15 +2,17 @@
 
 use super::{File, GENERATED};
 use clap::CommandFactory;
-use durer::reference::Sorts;
+use durer::reference::WordsByKind;
 
 /// Signs of the language that are hard to find by chance, and openings of common constructs.
 const SIGNS: [&str; 12] =
     ["/*", "*/", "//", "<0, 0, 0>", "<1, 2, 3>", "[0 ", "] ", " { ", " } ", "= function {", "#end\n", "!="];
 
-pub fn files(sorts: &Sorts, options: &[&str]) -> Vec<File> {
-    let words = [&sorts.objects, &sorts.blocks, &sorts.functions, &sorts.constants, &sorts.words].into_iter().flatten();
-    let directives = sorts.directives.iter().map(|name| format!("#{name} "));
+pub fn files(by_kind: &WordsByKind, options: &[&str]) -> Vec<File> {
+    let words = [&by_kind.objects, &by_kind.blocks, &by_kind.functions, &by_kind.constants, &by_kind.words]
+        .into_iter()
+        .flatten();
+    let directives = by_kind.directives.iter().map(|name| format!("#{name} "));
     let language = words.map(|word| format!("{word} ")).chain(directives).chain(SIGNS.map(String::from));
     let ini_names = options.iter().map(|name| format!("{name}="));
     vec![

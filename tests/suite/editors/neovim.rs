@@ -1,11 +1,11 @@
 //! Vim's syntax files, and the detection of POV-Ray's INI files.
 
 use super::{File, GENERATED, lines};
-use durer::reference::Sorts;
+use durer::reference::WordsByKind;
 
-pub fn files(sorts: &Sorts, options: &[&str]) -> Vec<File> {
+pub fn files(by_kind: &WordsByKind, options: &[&str]) -> Vec<File> {
     vec![
-        ("neovim/syntax/povray.vim", scene(sorts)),
+        ("neovim/syntax/povray.vim", scene(by_kind)),
         ("neovim/syntax/povrayini.vim", ini(options)),
         ("neovim/lua/durer/options.lua", list(options)),
     ]
@@ -15,16 +15,16 @@ fn keywords(group: &str, words: &[&str]) -> String {
     lines(words, " ").iter().map(|line| format!("syntax keyword {group} {line}\n")).collect()
 }
 
-fn scene(sorts: &Sorts) -> String {
+fn scene(by_kind: &WordsByKind) -> String {
     let sorted = [
-        ("povrayObject", &sorts.objects),
-        ("povrayBlock", &sorts.blocks),
-        ("povrayFunction", &sorts.functions),
-        ("povrayConstant", &sorts.constants),
-        ("povrayWord", &sorts.words),
+        ("povrayObject", &by_kind.objects),
+        ("povrayBlock", &by_kind.blocks),
+        ("povrayFunction", &by_kind.functions),
+        ("povrayConstant", &by_kind.constants),
+        ("povrayWord", &by_kind.words),
     ];
     let words: String = sorted.iter().map(|(group, words)| keywords(group, words)).collect();
-    let directives = sorts.directives.join("\\|");
+    let directives = by_kind.directives.join("\\|");
     format!("\" {GENERATED}\n{SCENE_HEAD}{words}{}{SCENE_TAIL}", SCENE_DIRECTIVES.replace("DIRECTIVES", &directives))
 }
 

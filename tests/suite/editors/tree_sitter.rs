@@ -1,19 +1,19 @@
 //! Tree-sitter's highlight queries: the category of each word. The grammar itself has no list of words.
 
 use super::{File, GENERATED, lines};
-use durer::reference::Sorts;
+use durer::reference::WordsByKind;
 
-pub fn files(sorts: &Sorts) -> Vec<File> {
-    vec![("tree-sitter-povray/queries/highlights.scm", highlights(sorts))]
+pub fn files(by_kind: &WordsByKind) -> Vec<File> {
+    vec![("tree-sitter-povray/queries/highlights.scm", highlights(by_kind))]
 }
 
-fn highlights(sorts: &Sorts) -> String {
+fn highlights(by_kind: &WordsByKind) -> String {
     let sorted = [
-        ("type", &sorts.objects),
-        ("keyword", &sorts.blocks),
-        ("function.builtin", &sorts.functions),
-        ("constant.builtin", &sorts.constants),
-        ("attribute", &sorts.words),
+        ("type", &by_kind.objects),
+        ("keyword", &by_kind.blocks),
+        ("function.builtin", &by_kind.functions),
+        ("constant.builtin", &by_kind.constants),
+        ("attribute", &by_kind.words),
     ];
     let words: String = sorted.iter().map(|(scope, words)| of_words(scope, words)).collect();
     format!("; {GENERATED}\n{HEAD}{words}")

@@ -1,18 +1,18 @@
 //! TextMate grammars for Visual Studio Code and others: scenes and INI files.
 
 use super::{File, GENERATED};
-use durer::reference::Sorts;
+use durer::reference::WordsByKind;
 use serde_json::{Value, json};
 
 const NAME: &str = "[A-Za-z_][A-Za-z0-9_]*";
 const NUMBER: &str = r"(?:(?<![A-Za-z0-9_])\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?(?![A-Za-z0-9_])";
 
-pub fn files(sorts: &Sorts, options: &[&str]) -> Vec<File> {
+pub fn files(by_kind: &WordsByKind, options: &[&str]) -> Vec<File> {
     let text = |value: &Value| serde_json::to_string_pretty(value).unwrap_or_default() + "\n";
     vec![
-        ("vscode/syntaxes/povray.tmLanguage.json", text(&scene(sorts))),
+        ("vscode/syntaxes/povray.tmLanguage.json", text(&scene(by_kind))),
         ("vscode/syntaxes/povray-ini.tmLanguage.json", text(&ini(options))),
-        ("vscode/language-configuration.json", text(&configuration(sorts))),
+        ("vscode/language-configuration.json", text(&configuration(by_kind))),
         ("vscode/options.json", text(&json!({"comment": GENERATED, "options": options}))),
     ]
 }
@@ -22,7 +22,7 @@ fn any(words: &[&str]) -> String {
     format!(r"\b(?:{})\b", words.join("|"))
 }
 
-fn scene(sorts: &Sorts) -> Value {
+fn scene(by_kind: &WordsByKind) -> Value {
     json!({
         "comment": GENERATED,
         "name": "POV-Ray scene",
@@ -40,14 +40,14 @@ fn scene(sorts: &Sorts) -> Value {
                 "name": "string.quoted.double.povray", "begin": "\"", "end": "\"",
                 "patterns": [{"name": "constant.character.escape.povray", "match": r"\\(?:u[0-9A-Fa-f]{4}|.)"}],
             },
-            "directive": {"patterns": directives(&sorts.directives)},
+            "directive": {"patterns": directives(&by_kind.directives)},
             "word": {"patterns": [
                 {"name": "constant.numeric.povray", "match": NUMBER},
-                {"name": "support.class.povray", "match": any(&sorts.objects)},
-                {"name": "keyword.other.block.povray", "match": any(&sorts.blocks)},
-                {"name": "support.function.povray", "match": any(&sorts.functions)},
-                {"name": "constant.language.povray", "match": any(&sorts.constants)},
-                {"name": "support.type.property-name.povray", "match": any(&sorts.words)},
+                {"name": "support.class.povray", "match": any(&by_kind.objects)},
+                {"name": "keyword.other.block.povray", "match": any(&by_kind.blocks)},
+                {"name": "support.function.povray", "match": any(&by_kind.functions)},
+                {"name": "constant.language.povray", "match": any(&by_kind.constants)},
+                {"name": "support.type.property-name.povray", "match": any(&by_kind.words)},
                 {"name": "variable.other.povray", "match": format!(r"\b{NAME}\b")},
                 {"name": "keyword.operator.povray", "match": r"[-+*/=!&|?:]|[<>]=?"},
             ]},
@@ -99,8 +99,8 @@ fn ini(options: &[&str]) -> Value {
 }
 
 /// Brackets, comments, and the indentation of the next line.
-fn configuration(sorts: &Sorts) -> Value {
-    let (openers, continuers) = (sorts.openers.join("|"), sorts.continuers.join("|"));
+fn configuration(by_kind: &WordsByKind) -> Value {
+    let (openers, continuers) = (by_kind.openers.join("|"), by_kind.continuers.join("|"));
     let pairs = json!([["{", "}"], ["[", "]"], ["(", ")"]]);
     let closing = |open: &str, close: &str| json!({"open": open, "close": close, "notIn": ["string", "comment"]});
     let around = json!([["{", "}"], ["[", "]"], ["(", ")"], ["<", ">"], ["\"", "\""]]);

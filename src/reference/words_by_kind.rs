@@ -11,7 +11,7 @@ use crate::value::{Family, ValueKind};
 
 /// Words by kind, each list in alphabetical order. No word is in two of the first five lists.
 #[derive(Debug)]
-pub struct Sorts {
+pub struct WordsByKind {
     /// Words for objects, such as `sphere` and `union`.
     pub objects: Vec<&'static str>,
     /// Words of blocks that are no objects, such as `pigment` and `camera`.
@@ -30,8 +30,8 @@ pub struct Sorts {
     pub continuers: Vec<&'static str>,
 }
 
-/// Sorts all words of the language by kind.
-pub fn sorts() -> Sorts {
+/// WordsByKind all words of the language by kind.
+pub fn words_by_kind() -> WordsByKind {
     let rows = || entries().map(|entry| entry.spec.words).chain([TRANSFORMS, Modifiers::WORDS]).flatten();
     let objects = sorted(Shape::SPECS.iter().map(|spec| spec.name).chain(GROUPS.iter().copied()));
     // These have no table.
@@ -43,7 +43,7 @@ pub fn sorts() -> Sorts {
     let words = sorted(KEYWORDS.iter().copied().filter(is_left));
     let directives = sorted(directives::TABLE.iter().flat_map(|row| row.names.iter().copied()));
     let some = |which: fn(&str) -> bool| directives.iter().copied().filter(|name| which(name)).collect();
-    Sorts {
+    WordsByKind {
         functions: sorted(FUNCTIONS.iter().copied()),
         constants: sorted(CONSTANTS.iter().map(|(name, _)| *name)),
         openers: some(opens),
