@@ -141,7 +141,11 @@ impl LoweredLight {
         let a = along * along - share * ray.dir.length_squared();
         let b = along * ahead - share * start.dot(ray.dir);
         let c = ahead * ahead - share * start.length_squared() + constant;
-        let root = (b * b - a * c).max(0.0).sqrt();
+        let discriminant = b * b - a * c;
+        if discriminant < 0.0 && a < 0.0 {
+            return Some(SmallVec::new());
+        }
+        let root = discriminant.max(0.0).sqrt();
         let mut ends = SmallVec::from([from, to, (-b - root) / a, (-b + root) / a, -ahead / along]);
         ends.retain(|t| (from..=to).contains(t));
         ends.sort_by(f64::total_cmp);

@@ -148,8 +148,10 @@ impl<'w> Tracer<'w> {
             let depth = extinction * (stretch.range[1] - stretch.range[0]);
             return Segment { radiance: Rgb::ZERO, transmittance: transmittance(depth) };
         }
-        let on_ray = |medium: &&'w Medium| MediumOnRay { medium, extent: medium.extent_on_ray(stretch.ray) };
-        let media: SmallVec<[_; 2]> = stretch.media.iter().map(on_ray).collect();
+        let mut media = SmallVec::<[MediumOnRay; 2]>::new();
+        for medium in stretch.media {
+            media.push(MediumOnRay { medium, extent: medium.extent_on_ray(stretch.ray) });
+        }
         if media.iter().all(|medium| medium.is_empty(stretch.range)) {
             return Segment::NONE;
         }
@@ -163,8 +165,10 @@ impl<'w> Tracer<'w> {
             if media.iter().all(|medium| medium.is_empty(range)) {
                 continue;
             }
-            let reaching = beams.iter().filter(|beam| scatters && beam.reaches(range));
-            let lights: SmallVec<[_; 4]> = reaching.collect();
+            let mut lights = SmallVec::<[&BeamOnRay; 4]>::new();
+            for beam in beams.iter().filter(|beam| scatters && beam.reaches(range)) {
+                lights.push(beam);
+            }
             let draws = Draws { random, first: number << 32 };
             let interval = Interval { stretch, range, media: &media, lights: &lights, draws };
             match sampling.method {
@@ -187,13 +191,14 @@ impl<'w> Tracer<'w> {
             return BeamList::new();
         }
         let world = self.context.world;
-        let lights =
-            world.lit_by[stretch.context.light_set as usize].iter().map(|&number| &world.lights[number as usize]);
-        let beam = |light: &'w LightSource| BeamOnRay {
-            light,
-            stretches: light.emitter.lit_stretches(stretch.ray, stretch.range),
-        };
-        lights.filter(|light| light.emitter.scattered).map(beam).collect()
+        let mut beams = BeamList::new();
+        for &number in &world.lit_by[stretch.context.light_set as usize] {
+            let light = &world.lights[number as usize];
+            if light.emitter.scattered {
+                beams.push(BeamOnRay { light, stretches: light.emitter.lit_stretches(stretch.ray, stretch.range) });
+            }
+        }
+        beams
     }
 
     /// Adds an interval in which all samples of method 3 are equal.

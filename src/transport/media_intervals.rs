@@ -37,21 +37,25 @@ pub(super) fn media_intervals(
     sampling: &MediaSampling,
 ) -> SmallVec<[[f64; 2]; 8]> {
     let is_all_lit = beams.iter().any(|beam| beam.stretches.is_none());
+    let intervals = sampling.intervals as usize;
+    if is_all_lit || beams.iter().all(|beam| beam.stretches.as_ref().is_none_or(|stretches| stretches.is_empty())) {
+        let is_uniform = !is_all_lit && stretch.media[stretch.leading_medium_index()].is_homogeneous();
+        return equal_parts(stretch.range, if is_uniform { 1 } else { intervals.max(1) }).collect();
+    }
     let lit: SmallVec<[[f64; 2]; 8]> = beams.iter().flat_map(|beam| beam.stretches.iter().flatten().copied()).collect();
-    let is_dark = lit.is_empty() && !is_all_lit;
-    let is_uniform = is_dark && stretch.media[stretch.leading_medium_index()].is_homogeneous();
-    let pieces = if is_all_lit { Pieces::from_elem((stretch.range, true), 1) } else { beam_pieces(lit, stretch.range) };
-    let intervals = if is_uniform { 1 } else { sampling.intervals as usize };
+    let pieces = beam_pieces(lit, stretch.range);
     let counts = interval_counts(
         &pieces.iter().map(|(_, lit)| *lit).collect::<SmallVec<[bool; 8]>>(),
         intervals,
         sampling.ratio,
     );
-    let parts = pieces.iter().zip(counts).flat_map(|(([from, to], _), count)| {
-        let at = move |i: usize| from + (to - from) * (i as f64 / count as f64);
-        (0..count).map(move |i| [at(i), at(i + 1)])
-    });
-    parts.collect()
+    pieces.iter().zip(counts).flat_map(|((piece, _), count)| equal_parts(*piece, count)).collect()
+}
+
+/// Divides a range of distances into a number of equal parts.
+fn equal_parts([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = [f64; 2]> {
+    let at = move |i: usize| from + (to - from) * (i as f64 / count as f64);
+    (0..count).map(move |i| [at(i), at(i + 1)])
 }
 
 /// Pieces of a range; true marks those that are lit.

@@ -130,8 +130,13 @@ impl<'w> Tracer<'w> {
     /// Returns the segment of the media of all interiors in the list.
     fn interior_media_segment(&mut self, ray: &Ray, span: &Span, context: &SegmentContext) -> Segment {
         let world = self.context.world;
-        let of_interior = |i: &u32| world.media.get(i).into_iter().flat_map(|media| media.iter());
-        let media: SmallVec<[&Medium; 4]> = context.inside.iter().flat_map(of_interior).collect();
+        // (Loops: to collect an iterator of iterators takes as long as to sample a medium.)
+        let mut media = SmallVec::<[&Medium; 4]>::new();
+        for own in context.inside.iter().filter_map(|i| world.media.get(i)) {
+            for medium in own {
+                media.push(medium);
+            }
+        }
         if media.is_empty() || span.to <= span.from {
             return Segment::NONE;
         }
